@@ -1,0 +1,50 @@
+# One folder of src/ is one library target; its tests stand beside its code.
+#
+#   sarsim_folder(NAME USES lower folders... LIBS outside libraries...)
+#
+# x.cpp goes into the library, x_test.cpp into the test program NAME_test. The names after USES are
+# the folder's allowed includes; tools/check-layers holds the same rule against the sources.
+
+find_package(Threads REQUIRED)
+if(SARSIM_TESTS)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+add_library(sarsim_flags INTERFACE)
+target_include_directories(sarsim_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
+target_link_libraries(sarsim_flags INTERFACE Threads::Threads)
+target_compile_options(sarsim_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion -Wformat=2
+  # A sum of products must not depend on which ones the compiler fuses: same input, same bytes.
+  -ffp-contract=off)
+if(SARSIM_WARNINGS_AS_ERRORS)
+  target_compile_options(sarsim_flags INTERFACE -Werror)
+endif()
+if(SARSIM_SANITIZE)
+  target_compile_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE}
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE})
+endif()
+
+function(sarsim_folder name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBS")
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$|/main\\.cpp$")
+  list(TRANSFORM arg_USES PREPEND sarsim_)
+  if(sources)
+    add_library(sarsim_${name} STATIC ${sources})
+    target_link_libraries(sarsim_${name} PUBLIC sarsim_flags ${arg_USES} ${arg_LIBS})
+  else()
+    add_library(sarsim_${name} INTERFACE)
+    target_link_libraries(sarsim_${name} INTERFACE sarsim_flags ${arg_USES} ${arg_LIBS})
+  endif()
+  if(SARSIM_TESTS AND tests)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE sarsim_${name} GTest::gmock GTest::gtest_main)
+    gtest_discover_tests(${name}_test PROPERTIES LABELS ${name} DISCOVERY_TIMEOUT 60)
+  endif()
+endfunction()

@@ -1,0 +1,170 @@
+#include "base/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace sarsim {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// Splits a decimal literal into the part before the exponent and the exponent's value.
+struct Literal {
+  bool negative = false;
+  std::string_view mantissa;
+  std::int64_t exponent = 0;
+};
+
+std::optional<Literal> split_literal(std::string_view text) {
+  Literal literal;
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) literal.negative = text[i++] == '-';
+  const std::size_t start = i;
+  std::size_t digits = 0;
+  while (i < text.size() && is_digit(text[i])) ++i, ++digits;
+  if (i < text.size() && text[i] == '.') ++i;
+  while (i < text.size() && is_digit(text[i])) ++i, ++digits;
+  if (digits == 0) return std::nullopt;
+  literal.mantissa = text.substr(start, i - start);
+  if (i == text.size()) return literal;
+  const char mark = lower(text[i]);
+  if (mark != 'e' && mark != 'd') return std::nullopt;
+  ++i;
+  bool negative = false;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) negative = text[i++] == '-';
+  if (i == text.size()) return std::nullopt;
+  for (; i < text.size(); ++i) {
+    if (!is_digit(text[i])) return std::nullopt;
+    literal.exponent = std::min<std::int64_t>(literal.exponent * 10 + (text[i] - '0'), 100'000'000);
+  }
+  if (negative) literal.exponent = -literal.exponent;
+  return literal;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text, int exponent_shift) {
+  const auto literal = split_literal(text);
+  if (!literal) return std::nullopt;
+  double value = 0.0;
+  if (literal->exponent == 0 && exponent_shift == 0) {
+    const auto [end, error] =
+        std::from_chars(literal->mantissa.data(), literal->mantissa.data() + literal->mantissa.size(), value);
+    if (error == std::errc::result_out_of_range) return std::nullopt;
+  } else {
+    const std::string shifted = fmt::format("{}e{}", literal->mantissa, literal->exponent + exponent_shift);
+    const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
+    if (error == std::errc::result_out_of_range) {
+      // from_chars does not say which side was left; the decimal magnitude does.
+      const bool zero = literal->mantissa.find_first_of("123456789") == std::string_view::npos;
+      const auto point = std::min(literal->mantissa.find('.'), literal->mantissa.size());
+      const auto magnitude = literal->exponent + exponent_shift + static_cast<std::int64_t>(point);
+      if (!zero && magnitude > 0) return std::nullopt;
+      value = 0.0;
+    }
+  }
+  if (!std::isfinite(value)) return std::nullopt;
+  return literal->negative ? -value : value;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string format_number(double value, int exponent_shift) {
+  if (value == 0.0) return "0";
+  std::array<char, 40> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  std::string sign;
+  if (text.front() == '-') sign = "-", text.remove_prefix(1);
+  const std::size_t mark = text.find('e');
+  std::string digits;
+  for (const char c : text.substr(0, mark))
+    if (c != '.') digits += c;
+  std::string_view exponent_text = text.substr(mark + 1);
+  if (exponent_text.front() == '+') exponent_text.remove_prefix(1);
+  int exponent = 0;
+  std::from_chars(exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
+  exponent += exponent_shift;
+
+  const int count = static_cast<int>(digits.size());
+  if (exponent >= 0 && exponent < 15) {
+    if (count <= exponent + 1) return sign + digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0');
+    return sign + digits.substr(0, static_cast<std::size_t>(exponent) + 1) + "." +
+           digits.substr(static_cast<std::size_t>(exponent) + 1);
+  }
+  if (exponent < 0 && exponent >= -5)
+    return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  std::string mantissa = digits.substr(0, 1);
+  if (count > 1) mantissa += "." + digits.substr(1);
+  return fmt::format("{}{}E{:+03d}", sign, mantissa, exponent);
+}
+
+std::string with_prefix(double value, std::string_view unit, int digits) {
+  static constexpr std::array<std::pair<double, const char*>, 9> prefixes{{{1e12, "T"},
+                                                                           {1e9, "G"},
+                                                                           {1e6, "M"},
+                                                                           {1e3, "k"},
+                                                                           {1.0, ""},
+                                                                           {1e-3, "m"},
+                                                                           {1e-6, "u"},
+                                                                           {1e-9, "n"},
+                                                                           {1e-12, "p"}}};
+  const double magnitude = std::abs(value);
+  if (magnitude == 0.0 || !std::isfinite(value)) return fmt::format("{:g} {}", value, unit);
+  for (const auto& [scale, prefix] : prefixes)
+    if (magnitude >= scale * 0.9999999) return fmt::format("{:.{}g} {}{}", value / scale, digits, prefix, unit);
+  return fmt::format("{:.{}g} {}", value, digits, unit);
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1000.0) return fmt::format("{:.0f} bytes", bytes);
+  static constexpr std::array<const char*, 6> units{"kB", "MB", "GB", "TB", "PB", "EB"};
+  std::size_t unit = 0;
+  bytes /= 1000.0;
+  while (bytes >= 999.5 && unit + 1 < units.size()) bytes /= 1000.0, ++unit;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 0.001) return "below 1 ms";
+  if (seconds < 60.0) return fmt::format("{:.2g} s", seconds);
+  const double minutes = std::floor(seconds / 60.0);
+  if (minutes < 60.0) return fmt::format("{:.0f} min {:02.0f} s", minutes, std::floor(seconds - 60.0 * minutes));
+  const double hours = std::floor(minutes / 60.0);
+  if (hours < 48.0) return fmt::format("{:.0f} h {:02.0f} min", hours, minutes - 60.0 * hours);
+  return fmt::format("{:.1f} days", hours / 24.0);
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replace = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replace, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace sarsim

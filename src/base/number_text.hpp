@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sarsim {
+
+/// Reads a whole text as a decimal number times 10^exponent_shift, correctly rounded once: the
+/// shift moves the decimal exponent of the text before conversion, so "800" with shift -9 is the
+/// double nearest to 800e-9. Accepts an optional sign, digits with an optional point, an optional
+/// exponent (E, e, D or d). Nothing for any other text, for NaN and infinity, and for a value that
+/// overflows; a value too small for a double is 0.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text, int exponent_shift = 0);
+
+/// Reads a whole text as an integer; nothing for other text or overflow.
+[[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The shortest text that `parse_number(text, -exponent_shift)` turns back into exactly `value`:
+/// plain digits for exponents of moderate size, otherwise E notation. `format_number(8e-7, 9)` is
+/// "800". `value` must be finite. Negative zero is written "0".
+[[nodiscard]] std::string format_number(double value, int exponent_shift = 0);
+
+/// `value` with an SI prefix and `digits` significant digits for people to read: 5.3e9, "Hz" gives "5.3 GHz".
+[[nodiscard]] std::string with_prefix(double value, std::string_view unit, int digits = 6);
+
+/// A count of bytes for people to read: "1.5 MB" (decimal prefixes).
+[[nodiscard]] std::string bytes_text(double bytes);
+
+/// A duration for people to read: "0.25 s", "3 min 20 s", "5 h 07 min".
+[[nodiscard]] std::string duration_text(double seconds);
+
+/// Case-insensitive comparison in ASCII.
+[[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
+
+/// The candidate closest to `word` by edit distance, ignoring case; empty where none is near
+/// (distance above a third of the length of the word, at least 1).
+template <class Candidates>
+[[nodiscard]] std::string_view nearest_word(std::string_view word, const Candidates& candidates);
+
+/// Number of insertions, deletions and replacements that turn `a` into `b`, ignoring case.
+[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+
+template <class Candidates>
+std::string_view nearest_word(std::string_view word, const Candidates& candidates) {
+  std::string_view best;
+  std::size_t best_distance = word.size() / 3 + 1;
+  for (const auto& candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance <= best_distance && (best.empty() || distance < best_distance)) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sarsim {
+
+/// How much a problem matters: an error stops the work, a warning does not, a note informs.
+enum class Severity { error, warning, note };
+
+/// A place in a text file; line and column count from 1 (column in bytes), 0 where unknown.
+struct Place {
+  std::string file;
+  std::size_t line = 0;
+  std::size_t column = 0;
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What a problem is about: an object of the scene and, where one is to blame, its field.
+struct Subject {
+  std::string kind;  ///< "platform", "target", "surface", "radar", "simulation", "geometry", "options"; empty for none.
+  std::size_t index = 0;  ///< Position in the scene's list of that kind, from 0.
+  std::string field;      ///< Member name of the scene structure ("pulse_width_s"); empty for the whole object.
+
+  friend bool operator==(const Subject&, const Subject&) = default;
+};
+
+/// One thing that is wrong, or worth knowing, about what a user supplied.
+struct Problem {
+  Severity severity = Severity::error;
+  std::string message;    ///< What is wrong, in words: "pulse width is not a number".
+  std::string found;      ///< The offending text or value; empty where there is none.
+  std::string expected;   ///< What would have been right; may be empty.
+  std::string hint;       ///< How to mend it; may be empty.
+  Place place;            ///< Where it stands; filled by the script reader.
+  Subject subject;        ///< Which object and field; filled by scene checks and the script reader.
+  std::size_t count = 1;  ///< How often the same cause was met.
+};
+
+using Problems = std::vector<Problem>;
+
+/// True where at least one problem is an error.
+[[nodiscard]] bool has_errors(const Problems& problems);
+
+/// One printable paragraph: "file:line:column: error: message; found 'x', expected y" and a second,
+/// indented line with the hint where there is one. No trailing newline.
+[[nodiscard]] std::string to_string(const Problem& problem);
+
+/// Sorts errors before warnings before notes, keeping the order within each, and merges repetitions
+/// of one cause (same severity, message, field and kind) into the first of them with a count,
+/// except errors with a place, each of which stands for itself.
+[[nodiscard]] Problems ranked(Problems problems);
+
+}  // namespace sarsim
