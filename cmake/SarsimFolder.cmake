@@ -16,7 +16,7 @@ target_include_directories(sarsim_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAK
 target_link_libraries(sarsim_flags INTERFACE Threads::Threads)
 target_compile_options(sarsim_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion -Wformat=2
+  -Woverloaded-virtual -Wdouble-promotion -Wformat=2
   # A sum of products must not depend on which ones the compiler fuses: same input, same bytes.
   -ffp-contract=off)
 if(SARSIM_WARNINGS_AS_ERRORS)
@@ -26,6 +26,12 @@ if(SARSIM_SANITIZE)
   target_compile_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE})
+endif()
+
+option(SARSIM_COVERAGE "Count which lines run, for gcov" OFF)
+if(SARSIM_COVERAGE)
+  target_compile_options(sarsim_flags INTERFACE --coverage)
+  target_link_options(sarsim_flags INTERFACE --coverage)
 endif()
 
 function(sarsim_folder name)
@@ -47,4 +53,12 @@ function(sarsim_folder name)
     target_link_libraries(${name}_test PRIVATE sarsim_${name} GTest::gmock GTest::gtest_main)
     gtest_discover_tests(${name}_test PROPERTIES LABELS ${name} DISCOVERY_TIMEOUT 60)
   endif()
+endfunction()
+
+# A test program of tests/: sarsim_test(NAME sources...). It may use every library and tests/support.
+function(sarsim_test name)
+  add_executable(${name} ${ARGN})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(${name} PRIVATE sarsim_script sarsim_simulate GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} PROPERTIES LABELS tests DISCOVERY_TIMEOUT 60 TIMEOUT 300)
 endfunction()

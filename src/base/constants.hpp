@@ -5,7 +5,7 @@
 namespace sarsim {
 
 /// Speed of light in vacuum, exact by the definition of the metre (SI 2019).
-inline constexpr double light_speed_mps = 299'792'458.0;
+inline constexpr double exact_light_speed_mps = 299'792'458.0;
 
 /// The value that the 1998 programs used; the classic profile keeps it (decision 1).
 inline constexpr double classic_light_speed_mps = 299'792'500.0;

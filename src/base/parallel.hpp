@@ -1,0 +1,101 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/stop.hpp"
+
+namespace sarsim {
+
+/// Computes results 0 ... count - 1 on several threads and hands them over in that order on the calling thread.
+///
+/// Each thread makes one worker of its own with `make_worker()` and calls it with an index to get a result; at most two
+/// results per thread wait to be consumed, so that memory does not grow with `count`. An exception from a worker or
+/// from `consume` stops everything and is thrown to the caller; a requested stop throws Interrupted.
+///
+/// @param make_worker  () -> callable(std::size_t) -> Result; called once on each thread
+/// @param consume      (std::size_t, Result&&)
+template <class Result, class MakeWorker, class Consume>
+void ordered_parallel(std::size_t count, unsigned threads, const MakeWorker& make_worker, const Consume& consume,
+                      const StopFlag* stop) {
+  const auto stop_wanted = [&] { return stop != nullptr && stop->requested(); };
+  std::mutex lock;
+  std::condition_variable changed;
+  std::map<std::size_t, Result> ready;
+  std::exception_ptr failure;
+  std::size_t next = 0;
+  std::size_t consumed = 0;
+  bool ended = false;
+  const std::size_t ahead = 2 * static_cast<std::size_t>(threads) + 1;
+
+  const auto work = [&] {
+    try {
+      auto worker = make_worker();
+      for (;;) {
+        std::size_t index = 0;
+        {
+          std::unique_lock hold(lock);
+          changed.wait(hold, [&] { return ended || next >= count || next < consumed + ahead; });
+          if (ended || next >= count) return;
+          index = next++;
+        }
+        Result result = worker(index);
+        const std::scoped_lock hold(lock);
+        ready.emplace(index, std::move(result));
+        changed.notify_all();
+      }
+    } catch (...) {
+      const std::scoped_lock hold(lock);
+      if (!failure) failure = std::current_exception();
+      ended = true;
+      changed.notify_all();
+    }
+  };
+
+  std::vector<std::jthread> pool;
+  const auto end_all = [&] {
+    const std::scoped_lock hold(lock);
+    ended = true;
+    changed.notify_all();
+  };
+  try {
+    for (unsigned i = 0; i < threads && i < count; ++i) pool.emplace_back(work);
+    while (consumed < count) {
+      Result result = [&] {
+        std::unique_lock hold(lock);
+        while (!failure && !ready.contains(consumed)) {
+          // Woken now and then to look at the stop flag, which a signal handler may have set without waking anyone.
+          changed.wait_for(hold, std::chrono::milliseconds(50));
+          if (stop_wanted()) throw Interrupted();
+        }
+        if (failure) std::rethrow_exception(failure);
+        auto node = ready.extract(consumed);
+        return std::move(node.mapped());
+      }();
+      if (stop_wanted()) throw Interrupted();
+      consume(consumed, std::move(result));
+      const std::scoped_lock hold(lock);
+      ++consumed;
+      changed.notify_all();
+    }
+  } catch (...) {
+    end_all();
+    throw;
+  }
+  end_all();
+}
+
+/// Threads to use: `wanted`, or one per core where `wanted` is 0.
+[[nodiscard]] inline unsigned thread_count(unsigned wanted) {
+  if (wanted > 0) return wanted;
+  const unsigned cores = std::thread::hardware_concurrency();
+  return cores > 0 ? cores : 1;
+}
+
+}  // namespace sarsim

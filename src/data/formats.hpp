@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.hpp"
+
+namespace sarsim {
+
+/// The usual extension of a format, with its point: ".asc", ".bin", ".brk", ".h5", ".csv", ".npy".
+[[nodiscard]] std::string_view extension_of(FileFormat format);
+
+/// The keyword of a format in scripts: "ASCII", "BINARY", "BRACKET", "HDF5", "CSV", "NPY".
+[[nodiscard]] std::string_view name_of(FileFormat format);
+
+/// The format that a keyword means, ignoring case; nothing for another word.
+[[nodiscard]] std::optional<FileFormat> format_from_name(std::string_view name);
+
+/// The format that the extension of a path means, ignoring case (the usual ones, and .txt, .hdf5, .hdf, .he5); nothing
+/// for another one.
+[[nodiscard]] std::optional<FileFormat> format_from_path(const std::filesystem::path& path);
+
+}  // namespace sarsim

@@ -1,0 +1,216 @@
+#include "data/hdf5_reader.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "data/hdf5_attributes.hpp"
+#include "data/hdf5_dataset.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr const char* samples_path = "/samples";
+constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
+constexpr hsize_t most_details = 1000;
+
+// Memory layout of std::complex<double>: complex.array requires the real part first.
+Hdf5Handle complex_in_memory() {
+  Hdf5Handle type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)), H5Tclose);
+  H5Tinsert(type.get(), "r", 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(type.get(), "i", sizeof(double), H5T_NATIVE_DOUBLE);
+  return type;
+}
+
+bool read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std::uint64_t count, void* out) {
+  const Hdf5Handle place(H5Dget_space(dataset.id.get()), H5Sclose);
+  const std::uint64_t columns = dataset.shape.size() > 1 ? dataset.shape[1] : 1;
+  const std::array<hsize_t, 2> start{first, 0};
+  const std::array<hsize_t, 2> size{count, columns};
+  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(dataset.shape.size()), size.data(), nullptr), H5Sclose);
+  return H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0 &&
+         H5Dread(dataset.id.get(), type, memory.get(), place.get(), H5P_DEFAULT, out) >= 0;
+}
+
+class Hdf5Reader final : public SampleReader {
+ public:
+  Hdf5Reader(SampleFileInfo info, std::string name, Hdf5Handle file, Hdf5Dataset samples, std::uint64_t file_bytes,
+             bool old_layout)
+      : SampleReader(std::move(info)),
+        name_(std::move(name)),
+        file_(std::move(file)),
+        samples_(std::move(samples)),
+        file_bytes_(file_bytes),
+        memory_(old_layout ? Hdf5Handle(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose) : complex_in_memory()),
+        old_layout_(old_layout) {}
+
+  void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
+    if (out.empty()) return;
+    const QuietHdf5 quiet;
+    if (!read_part(samples_, memory_.get(), first, count, out.data()))
+      throw std::runtime_error("cannot read " + name_ + ": HDF5: " + hdf5_error_text());
+  }
+
+  [[nodiscard]] std::optional<SampleAxes> axes() const override {
+    if (old_layout_) return std::nullopt;
+    const QuietHdf5 quiet;
+    auto time = read_axis("/pulse_time_s", info().rows);
+    auto carrier = read_axis("/carrier_hz", info().rows);
+    auto range = read_axis("/slant_range_m", info().columns);
+    if (!time || !carrier || !range) return std::nullopt;
+    return SampleAxes{std::move(*time), std::move(*carrier), std::move(*range)};
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length) const {
+    const auto opened = open_dataset(file_.get(), path, file_bytes_);
+    const auto* dataset = std::get_if<Hdf5Dataset>(&opened);
+    if (dataset == nullptr || dataset->shape.size() != 1 || dataset->shape[0] != length) return std::nullopt;
+    const H5T_class_t kind = H5Tget_class(dataset->type.get());
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+    std::vector<double> values(length);
+    if (!read_part(*dataset, H5T_NATIVE_DOUBLE, 0, length, values.data()))
+      throw std::runtime_error(fmt::format("cannot read {} of {}: HDF5: {}", path, name_, hdf5_error_text()));
+    return values;
+  }
+
+  std::string name_;
+  Hdf5Handle file_;
+  Hdf5Dataset samples_;
+  std::uint64_t file_bytes_;
+  Hdf5Handle memory_;
+  bool old_layout_;
+};
+
+// Whether the type is a compound of two numbers r and i, and whether these are integers; nothing for another type.
+std::optional<bool> complex_of_integers(hid_t type) {
+  if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
+  const int real = H5Tget_member_index(type, "r");
+  const int imaginary = H5Tget_member_index(type, "i");
+  if (real < 0 || imaginary < 0) return std::nullopt;
+  const H5T_class_t kind = H5Tget_member_class(type, static_cast<unsigned>(real));
+  if (kind != H5Tget_member_class(type, static_cast<unsigned>(imaginary))) return std::nullopt;
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+  return kind == H5T_INTEGER;
+}
+
+// Numbers that a file says of itself, read from the text of an attribute, 10^shift times its unit.
+std::optional<double> number_attribute(const AttributeTexts& attributes, std::string_view name, int shift = 0) {
+  const auto text = find_attribute(attributes, name);
+  return text ? parse_number(*text, shift) : std::nullopt;
+}
+
+void take_known_attributes(SampleFileInfo& info) {
+  const auto bits = number_attribute(info.attributes, "bits");
+  if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
+  info.lsb_v = number_attribute(info.attributes, "lsb_v");
+  if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
+  info.sample_rate_hz = number_attribute(info.attributes, "sample_rate_hz");
+}
+
+// The old program named its attributes after the comments of the script and kept the script's units.
+void take_old_attributes(SampleFileInfo& info) {
+  const std::string prefix = "SIMULATION/";
+  const auto bits = number_attribute(info.attributes, prefix + "A/D_bit_accuracy");
+  if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
+  info.lsb_v = number_attribute(info.attributes, prefix + "(mV)_Least_Significant_Bit_value", -3);
+  if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
+  info.sample_rate_hz = number_attribute(info.attributes, prefix + "(GHz)_Sample_frequency", 9);
+}
+
+std::string link_name(hid_t group, hsize_t index) {
+  std::array<char, 256> name{};
+  const ssize_t size =
+      H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, index, name.data(), name.size(), H5P_DEFAULT);
+  return size <= 0 ? std::string() : std::string(name.data());
+}
+
+AttributeTexts read_details(hid_t file, std::uint64_t longest) {
+  AttributeTexts result;
+  if (!has_object(file, "/Details")) return result;
+  const Hdf5Handle group(H5Gopen2(file, "/Details", H5P_DEFAULT), H5Gclose);
+  for (hsize_t i = 0; group && i < most_details; ++i) {
+    const std::string name = link_name(group.get(), i);
+    if (name.empty()) break;
+    if (!has_object(group.get(), name)) continue;
+    const Hdf5Handle object(H5Dopen2(group.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!object) continue;
+    for (auto& [key, value] : read_attributes(object.get(), longest))
+      result.emplace_back(fmt::format("{}/{}", name, key), std::move(value));
+  }
+  return result;
+}
+
+OpenedReader refused(const std::string& name, Problem problem) {
+  problem.place.file = name;
+  return {nullptr, {std::move(problem)}};
+}
+
+// Takes the shape over, or says why it is none of samples. `per_sample` is the number of stored columns of a sample.
+std::optional<Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& samples, const char* path,
+                                  std::uint64_t per_sample) {
+  const auto& shape = samples.shape;
+  if (shape.size() != 2)
+    return file_problem({}, fmt::format("the dataset {} has the wrong rank", path), fmt::format("{}", shape.size()),
+                        "2");
+  if (shape[0] == 0 || shape[1] == 0 || shape[1] % per_sample != 0)
+    return file_problem({}, fmt::format("the dataset {} holds no whole rows", path),
+                        fmt::format("{} x {}", shape[0], shape[1]));
+  if (!checked_product(shape[0], shape[1], 2 * sizeof(double)))
+    return file_problem({}, fmt::format("the dataset {} is too large", path));
+  info.rows = static_cast<std::size_t>(shape[0]);
+  info.columns = static_cast<std::size_t>(shape[1] / per_sample);
+  return std::nullopt;
+}
+
+std::optional<Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+  const auto integers = complex_of_integers(samples.type.get());
+  if (!integers)
+    return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", samples_path), {},
+                        "a compound of r and i, both floating-point or both integer");
+  info.counts = *integers;
+  return take_shape(info, samples, samples_path, 1);
+}
+
+std::optional<Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+  const H5T_class_t kind = H5Tget_class(samples.type.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return file_problem({}, fmt::format("the dataset {} does not hold numbers", old_samples_path));
+  info.counts = true;
+  return take_shape(info, samples, old_samples_path, 2);
+}
+
+}  // namespace
+
+OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  const QuietHdf5 quiet;
+  const std::string name = path.string();
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
+#endif
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  if (!file) return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text()));
+  const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
+  auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
+  if (auto* problem = std::get_if<Problem>(&opened)) return refused(name, std::move(*problem));
+  auto& samples = std::get<Hdf5Dataset>(opened);
+  SampleFileInfo info;
+  info.format = FileFormat::hdf5;
+  if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
+    return refused(name, std::move(*problem));
+  if (hints.rows > 0 && hints.rows != info.rows)
+    return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", info.rows),
+                                      fmt::format("{}", hints.rows)));
+  info.attributes = old_layout ? read_details(file.get(), file_bytes) : read_attributes(file.get(), file_bytes);
+  old_layout ? take_old_attributes(info) : take_known_attributes(info);
+  if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
+  if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
+  return {std::make_unique<Hdf5Reader>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
+}
+
+}  // namespace sarsim

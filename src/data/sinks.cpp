@@ -1,0 +1,141 @@
+#include "data/sinks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "data/count_range.hpp"
+#include "data/encoder.hpp"
+#include "data/formats.hpp"
+#include "data/hdf5_sink.hpp"
+#include "data/npy_header.hpp"
+#include "data/output_file.hpp"
+#include "data/row_order.hpp"
+
+namespace sarsim {
+
+namespace {
+
+Encoding encoding_of(const Product& product, const SinkOptions& options) {
+  if (product.bits < 1 || product.bits > 64)
+    throw std::invalid_argument(fmt::format("{} A/D bits are outside 1 to 64", product.bits));
+  const bool either = options.format == FileFormat::hdf5 || options.format == FileFormat::npy;
+  return {options.format, options.counts || !either, product.bits};
+}
+
+std::string npy_header_of(const Product& product, const Encoding& encoding) {
+  const std::array<std::size_t, 3> shape{product.rows, product.columns, 2};
+  if (!encoding.counts) return npy_header_text("<c8", std::span(shape).first(2));
+  return npy_header_text(component_bytes(encoding) == 8 ? "<i8" : "<i4", shape);
+}
+
+// What stands before the first row.
+std::string preamble(const Product& product, const Encoding& encoding, bool header) {
+  if (encoding.format == FileFormat::npy) return npy_header_of(product, encoding);
+  if (encoding.format == FileFormat::csv && header) return csv_header(product.columns);
+  return {};
+}
+
+// The formats whose files are their rows one after the other.
+class StreamSink final : public Sink {
+ public:
+  StreamSink(const std::filesystem::path& path, const Product& product, const SinkOptions& options)
+      : encoding_(encoding_of(product, options)), file_(path, options.replace), order_(product.rows) {
+    const std::string begin = preamble(product, encoding_, options.header);
+    file_.write(std::as_bytes(std::span(begin)));
+  }
+
+  [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+    return encode_rows(encoding_, block);
+  }
+  void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
+    order_.expect(first_row, rows);
+    file_.write(bytes);
+    order_.take(rows);
+  }
+  void finish(const RunReport&) override {
+    order_.expect_all();
+    file_.commit();
+  }
+
+ private:
+  Encoding encoding_;
+  OutputFile file_;
+  RowOrder order_;
+};
+
+class DiscardingSink final : public Sink {
+ public:
+  DiscardingSink(const Product& product, const SinkOptions& options)
+      : encoding_(encoding_of(product, options)), order_(product.rows) {}
+
+  [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+    return encode_rows(encoding_, block);
+  }
+  void append(std::span<const std::byte>, std::size_t first_row, std::size_t rows) override {
+    order_.expect(first_row, rows);
+    order_.take(rows);
+  }
+  void finish(const RunReport&) override { order_.expect_all(); }
+
+ private:
+  Encoding encoding_;
+  RowOrder order_;
+};
+
+// Mean number of digits of the whole numbers 0 to `highest`.
+double mean_digits(double highest) {
+  double digits = 1.0;
+  for (double power = 10.0; power <= highest; power *= 10.0) digits += (highest + 1.0 - power) / (highest + 1.0);
+  return digits;
+}
+
+double expected_text_bytes(const Product& product, const Encoding& encoding) {
+  const double samples = static_cast<double>(product.rows) * static_cast<double>(product.columns);
+  const double rows = static_cast<double>(product.rows);
+  const double offset = static_cast<double>(CountRange{encoding.bits}.offset());
+  const double with_sign = mean_digits(offset + 1.0) + 0.5;
+  switch (encoding.format) {
+    case FileFormat::ascii: return samples * (2.0 * with_sign + 2.0) + rows;
+    case FileFormat::bracket: return samples * (2.0 * with_sign + 4.0) + rows;
+    default: return samples * (2.0 * mean_digits(2.0 * offset + 1.0) + 2.0);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product, const SinkOptions& options) {
+  if (options.format == FileFormat::hdf5)
+    return std::make_unique<Hdf5Sink>(path, product, encoding_of(product, options), options.replace);
+  return std::make_unique<StreamSink>(path, product, options);
+}
+
+double expected_bytes(const Product& product, const SinkOptions& options) {
+  const Encoding encoding = encoding_of(product, options);
+  const double rows = static_cast<double>(product.rows);
+  const double columns = static_cast<double>(product.columns);
+  const double data = rows * columns * 2.0 * static_cast<double>(component_bytes(encoding));
+  switch (encoding.format) {
+    case FileFormat::binary: return data;
+    case FileFormat::npy: return data + static_cast<double>(npy_header_of(product, encoding).size());
+    case FileFormat::hdf5: return data + hdf5_overhead_bytes(product);
+    default: break;
+  }
+  const double header =
+      encoding.format == FileFormat::csv && options.header ? columns * (2.0 * mean_digits(columns - 1.0) + 4.0) : 0.0;
+  return expected_text_bytes(product, encoding) + header;
+}
+
+std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options) {
+  return std::make_unique<DiscardingSink>(product, options);
+}
+
+}  // namespace sarsim

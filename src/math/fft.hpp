@@ -1,0 +1,36 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace sarsim {
+
+/// Discrete Fourier transforms of one length, in place and without scaling (FFTW).
+///
+/// forward:  X[k] = sum over n of x[n] exp(-2 pi j k n/N);  inverse the same with +j.
+/// Plans are estimated, never timed, and made for unaligned data, so that the same input gives the same bytes in
+/// every run. Executing is safe from many threads at once; making a plan takes a lock.
+class Fft {
+ public:
+  explicit Fft(std::size_t size);
+  ~Fft();
+  Fft(Fft&&) noexcept;
+  Fft& operator=(Fft&&) noexcept;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// @param[in,out] data  `size()` values.
+  void forward(std::span<std::complex<double>> data) const;
+  void inverse(std::span<std::complex<double>> data) const;
+
+ private:
+  struct Plans;
+  std::size_t size_;
+  std::unique_ptr<Plans> plans_;
+};
+
+/// The smallest length at least `minimum` whose only prime factors are 2, 3 and 5: fast for FFTW.
+[[nodiscard]] std::size_t good_fft_size(std::size_t minimum);
+
+}  // namespace sarsim

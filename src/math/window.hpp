@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+#include "base/constants.hpp"
+
+namespace sarsim {
+
+/// Weights on x in [0, 1], symmetric about 1/2 (Harris 1978; the forms of script-format 2.4).
+
+/// (1 + h - (1 - h) cos 2 pi x)/2: a Hann window on a pedestal h in [0, 1].
+inline double hanning_window(double x, double pedestal) {
+  return 0.5 * (1.0 + pedestal - (1.0 - pedestal) * std::cos(2.0 * pi * x));
+}
+
+/// 0.54 - 0.46 cos 2 pi x.
+inline double hamming_window(double x) { return 0.54 - 0.46 * std::cos(2.0 * pi * x); }
+
+/// The triangle from 0 at the ends to 1 in the middle.
+inline double bartlett_window(double x) { return x <= 0.5 ? 2.0 * x : 2.0 - 2.0 * x; }
+
+/// Kaiser's window of the given beta at z in [-1, 1]: I0(beta sqrt(1 - z^2))/I0(beta); 0 outside.
+inline double kaiser_window(double z, double beta) {
+  if (std::abs(z) > 1.0) return 0.0;
+  return std::cyl_bessel_i(0.0, beta * std::sqrt((1.0 - z) * (1.0 + z))) / std::cyl_bessel_i(0.0, beta);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,54 @@
+#include "receiver/converter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sarsim {
+
+namespace {
+
+std::int64_t to_count(double value) {
+  constexpr double largest = 0x1p63;
+  if (value >= largest) return INT64_MAX;
+  return static_cast<std::int64_t>(value);
+}
+
+}  // namespace
+
+double full_scale_count(int bits) { return std::max(1.0, std::ldexp(1.0, bits - 1) - 1.0); }
+
+void ConversionTally::add(const ConversionTally& other) {
+  maximum_v = std::max(maximum_v, other.maximum_v);
+  saturated += other.saturated;
+  zero += other.zero;
+}
+
+void Converter::convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
+                        ConversionTally& tally) const {
+  const double lowest = -full_scale_count(bits);
+  const double highest = full_scale_count(bits) + 1.0;
+  double largest_power = 0.0;
+  for (std::size_t i = 0; i < volts.size(); ++i) {
+    const double in_phase = std::floor(volts[i].real() / lsb_v + 0.5);
+    const double quadrature = std::floor(volts[i].imag() / lsb_v + 0.5);
+    const double clipped_i = std::clamp(in_phase, lowest, highest);
+    const double clipped_q = std::clamp(quadrature, lowest, highest);
+    if (clipped_i != in_phase || clipped_q != quadrature) ++tally.saturated;
+    if (clipped_i == 0.0 && clipped_q == 0.0) ++tally.zero;
+    largest_power = std::max(largest_power, std::norm(volts[i]));
+    if (!counts.empty()) {
+      counts[2 * i] = to_count(clipped_i);
+      counts[2 * i + 1] = to_count(clipped_q);
+    }
+  }
+  // std::norm underflows below 1e-154 V; echoes that faint are not in any converter's reach.
+  tally.maximum_v = std::max(tally.maximum_v, std::sqrt(largest_power));
+}
+
+double largest_magnitude(std::span<const std::complex<double>> volts) {
+  double largest_power = 0.0;
+  for (const auto& v : volts) largest_power = std::max(largest_power, std::norm(v));
+  return std::sqrt(largest_power);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <span>
+
+namespace sarsim {
+
+/// Largest positive count C of a converter: 2^(bits-1) - 1, at least 1 (decision 24). Exact up to 53 bits.
+[[nodiscard]] double full_scale_count(int bits);
+
+/// What a conversion met.
+struct ConversionTally {
+  double maximum_v = 0.0;       ///< Largest magnitude before conversion.
+  std::uint64_t saturated = 0;  ///< Samples with I or Q clipped.
+  std::uint64_t zero = 0;       ///< Samples whose counts are both 0.
+
+  void add(const ConversionTally& other);
+};
+
+/// An A/D converter for I and Q: count = floor(v/LSB + 1/2) clipped to [-C, C + 1] (engine-behaviour 17).
+/// Counts are exact up to 53 bits; beyond, they are the multiples that doubles can hold.
+struct Converter {
+  int bits = 8;
+  double lsb_v = 1.0;  ///< Positive.
+
+  /// Converts a row and adds to the tally.
+  /// @param[out] counts  2 * volts.size() values, I before Q; may be empty: then only the tally is made.
+  void convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
+               ConversionTally& tally) const;
+};
+
+/// Largest magnitude of a row [V].
+[[nodiscard]] double largest_magnitude(std::span<const std::complex<double>> volts);
+
+}  // namespace sarsim

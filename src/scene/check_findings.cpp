@@ -1,0 +1,181 @@
+#include "scene/check_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string vector_text(const Vec3& v, std::string_view unit) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g}) {}", v.x, v.y, v.z, unit);
+}
+
+std::string title(const FunctionRule& rule, std::size_t part) {
+  const std::string_view name = part < rule.parts.size() ? rule.parts[part] : std::string_view{};
+  return name.empty() ? std::string(rule.what) : fmt::format("{} {}", rule.what, name);
+}
+
+bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std::size_t part,
+                              const SampledFunction& function) {
+  const auto bad = std::ranges::find_if(
+      function.knots, [](const Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
+  if (bad == function.knots.end()) return true;
+  findings.error(rule.field,
+                 {.message = fmt::format("a point of the {} is not a finite number", title(rule, part)),
+                  .found = fmt::format("point {}: {:g}, {:g}", bad - function.knots.begin() + 1, bad->x, bad->y),
+                  .expected = "finite numbers",
+                  .hint = {}});
+  return false;
+}
+
+bool check_points_ascend(Findings& findings, const FunctionRule& rule, std::size_t part,
+                         const SampledFunction& function) {
+  const auto first = std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x);
+  if (first == function.knots.end()) return true;
+  findings.error(rule.field, {.message = fmt::format("the points of the {} do not ascend", title(rule, part)),
+                              .found = fmt::format("x = {:.9g} after {:.9g} at point {}", std::next(first)->x, first->x,
+                                                   first - function.knots.begin() + 2),
+                              .expected = "each x above the one before",
+                              .hint = "Sort the points by their first number and give each of these once."});
+  return false;
+}
+
+bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t part, const SampledFunction& function) {
+  if (!function.knots.empty() || rule.empty == FunctionRule::Empty::allowed) return true;
+  const std::string message = fmt::format("the {} has no points", title(rule, part));
+  if (rule.empty == FunctionRule::Empty::error) {
+    findings.error(rule.field, {.message = message, .found = "0 points", .expected = "at least one point", .hint = {}});
+    return false;
+  }
+  findings.warning(Consequence::surprise, rule.field,
+                   {.message = message + " and counts as 0 throughout",
+                    .found = "0 points",
+                    .expected = "at least one point",
+                    .hint = "One point is enough for a constant."});
+  return true;
+}
+
+}  // namespace
+
+std::string value_text(double value, std::string_view unit) {
+  static constexpr std::string_view prefixed[] = {"Hz", "s", "W", "V"};
+  if (std::ranges::find(prefixed, unit) != std::end(prefixed)) return with_prefix(value, unit);
+  return unit.empty() ? fmt::format("{:.9g}", value) : fmt::format("{:.9g} {}", value, unit);
+}
+
+void Findings::about(std::string_view kind, std::size_t index) {
+  subject_.kind = kind;
+  subject_.index = index;
+}
+
+void Findings::add(Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count) {
+  Problem problem{.severity = severity,
+                  .message = std::move(finding.message),
+                  .found = std::move(finding.found),
+                  .expected = std::move(finding.expected),
+                  .hint = std::move(finding.hint),
+                  .place = {},
+                  .subject = subject_,
+                  .count = count};
+  problem.subject.field = field;
+  entries_.push_back({rank, std::move(problem)});
+}
+
+void Findings::error(std::string_view field, Finding finding) { add(Severity::error, 0, field, std::move(finding)); }
+
+void Findings::warning(Consequence consequence, std::string_view field, Finding finding) {
+  add(Severity::warning, static_cast<int>(consequence), field, std::move(finding));
+}
+
+void Findings::note(std::string_view field, Finding finding, std::size_t count) {
+  add(Severity::note, 0, field, std::move(finding), count);
+}
+
+bool Findings::finite(std::string_view field, std::string_view what, double value, std::string_view unit) {
+  if (std::isfinite(value)) return true;
+  error(field, {.message = fmt::format("the {} is not a finite number", what),
+                .found = value_text(value, unit),
+                .expected = "a finite number",
+                .hint = {}});
+  return false;
+}
+
+bool Findings::finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
+  if (is_finite(value)) return true;
+  error(field, {.message = fmt::format("the {} is not made of finite numbers", what),
+                .found = vector_text(value, unit),
+                .expected = "finite numbers",
+                .hint = {}});
+  return false;
+}
+
+bool Findings::positive(std::string_view field, std::string_view what, double value, std::string_view unit) {
+  if (!finite(field, what, value, unit)) return false;
+  if (value > 0.0) return true;
+  error(field, {.message = fmt::format("the {} is not above zero", what),
+                .found = value_text(value, unit),
+                .expected = "a number above 0",
+                .hint = {}});
+  return false;
+}
+
+bool Findings::not_negative(std::string_view field, std::string_view what, double value, std::string_view unit) {
+  if (!finite(field, what, value, unit)) return false;
+  if (value >= 0.0) return true;
+  error(field, {.message = fmt::format("the {} is negative", what),
+                .found = value_text(value, unit),
+                .expected = "0 or a number above",
+                .hint = {}});
+  return false;
+}
+
+bool Findings::not_negative(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
+  if (!finite(field, what, value, unit)) return false;
+  if (value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0) return true;
+  error(field, {.message = fmt::format("the {} is negative", what),
+                .found = vector_text(value, unit),
+                .expected = "0 or numbers above",
+                .hint = {}});
+  return false;
+}
+
+bool Findings::between(std::string_view field, std::string_view what, double value, double low, double high,
+                       std::string_view unit) {
+  if (!finite(field, what, value, unit)) return false;
+  if (value >= low && value <= high) return true;
+  error(field, {.message = fmt::format("the {} is out of range", what),
+                .found = value_text(value, unit),
+                .expected = fmt::format("{} to {}", value_text(low, ""), value_text(high, unit)),
+                .hint = {}});
+  return false;
+}
+
+Problems Findings::take() && {
+  std::ranges::stable_sort(entries_, {},
+                           [](const Entry& entry) { return std::tuple(entry.problem.severity, entry.rank); });
+  Problems problems;
+  problems.reserve(entries_.size());
+  for (Entry& entry : entries_) problems.push_back(std::move(entry.problem));
+  return problems;
+}
+
+bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts) {
+  bool sound = true;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    sound = check_points_are_numbers(findings, rule, part, parts[part]) && sound;
+    if (!rule.used) continue;
+    sound = check_not_empty(findings, rule, part, parts[part]) && sound;
+    if (rule.x_matters) sound = check_points_ascend(findings, rule, part, parts[part]) && sound;
+  }
+  return sound;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "scene/check_findings.hpp"
+#include "scene/scene.hpp"
+
+namespace sarsim {
+
+/// The names of a scene's platforms or radars, for looking many of them up: agrees with `find_platform` and
+/// `find_radar` and says besides how a name was found.
+class NameTable {
+ public:
+  enum class Match { exact, prefix, ambiguous, none };
+
+  struct Result {
+    Match match = Match::none;
+    std::size_t index = not_found;  ///< Where exact or prefix.
+  };
+
+  explicit NameTable(std::vector<std::string_view> names);
+
+  [[nodiscard]] Result find(std::string_view name) const;
+  /// The defined names for which `name` could stand, for messages: "Plane, Planet".
+  [[nodiscard]] std::string candidates(std::string_view name) const;
+  /// Position of each name that was defined before, with the position of its first definition.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& duplicates() const { return duplicates_; }
+  [[nodiscard]] const std::vector<std::string_view>& names() const { return names_; }
+
+ private:
+  std::vector<std::string_view> names_;
+  std::unordered_map<std::string, std::size_t> first_;  // lower-case name -> its first definition
+  std::vector<std::pair<std::size_t, std::size_t>> duplicates_;
+};
+
+/// Resolves references to platforms or radars and reports what is wrong with them.
+class NameCheck {
+ public:
+  /// @param kind  what the names are of: "platform" or "radar"
+  NameCheck(std::string_view kind, std::vector<std::string_view> names);
+
+  /// Reports definitions without a name and repeated ones.
+  void check_definitions(Findings& findings) const;
+  /// Position of the object that `name` means, or `not_found` after reporting; also where it is the undefined "Earth".
+  std::size_t resolve(Findings& findings, std::string_view field, std::string_view name);
+  /// Reports the use of an undefined "Earth", once.
+  void report_undefined_earth(Findings& findings) const;
+
+ private:
+  void report_unknown(Findings& findings, std::string_view field, std::string_view name) const;
+
+  std::string kind_;
+  NameTable table_;
+  std::unordered_map<std::string, NameTable::Result> known_;  // scenes name one platform a million times
+  Subject first_earth_;
+  std::size_t earth_uses_ = 0;
+};
+
+}  // namespace sarsim

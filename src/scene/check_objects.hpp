@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "scene/check_findings.hpp"
+#include "scene/check_names.hpp"
+#include "scene/scene.hpp"
+#include "waveform/schedule.hpp"
+
+/// The parts of `check`, one for each kind of object. Each expects `findings.about` to have named the object.
+namespace sarsim {
+
+void check_platform(Findings& findings, const Platform& platform);
+void check_target(Findings& findings, NameCheck& platforms, const Target& target);
+void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface);
+void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar);
+void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation);
+void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table);
+void check_options(Findings& findings, const RunOptions& options);
+
+/// Warns of products whose files would have one name.
+void check_file_names(Findings& findings, const Scene& scene);
+
+/// When a radar's pulses leave; nothing where its repetition is faulty.
+[[nodiscard]] std::optional<Repetition> repetition_of(const Radar& radar);
+
+/// Bandwidth by which a radar's sampling is judged [Hz] (decision 7), with 1/Tp for a user-defined pulse; nothing where
+/// the pulse is faulty.
+[[nodiscard]] std::optional<double> nominal_bandwidth_hz(const Radar& radar);
+
+}  // namespace sarsim

@@ -1,0 +1,123 @@
+#include "scene/check_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(CheckPlatform, RefusesATrajectoryWhoseTimesDoNotAscend) {
+  for (const auto& bad : {points({{0.0, 1.0}, {2.0, 1.0}, {1.0, 1.0}}), points({{0.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}})}) {
+    Scene scene = sound_scene();
+    scene.platforms[1].trajectory_m.part[0] = bad;
+    const Problem problem = expect_error(scene, {"platform", 1, "trajectory_m"});
+    EXPECT_THAT(problem.message, HasSubstr("trajectory X"));
+    EXPECT_THAT(problem.found, HasSubstr("at point 3"));
+  }
+}
+
+TEST(CheckPlatform, IgnoresTheOrderOfATrajectoryThatIsNotUsed) {
+  Scene scene = sound_scene();
+  scene.platforms[0].trajectory_m.part[0] = points({{1.0, 1.0}, {0.0, 1.0}});
+  EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(CheckPlatform, WarnsOfACoordinateWithoutPoints) {
+  Scene scene = sound_scene();
+  scene.platforms[1].trajectory_m.part[1].knots.clear();
+  EXPECT_THAT(expect_warning(scene, {"platform", 1, "trajectory_m"}).message, HasSubstr("trajectory Y"));
+}
+
+TEST(CheckPlatform, WarnsOfAUserRotationWithoutPoints) {
+  Scene scene = sound_scene();
+  scene.platforms[1].rotation_kind = Platform::Rotation::user;
+  scene.platforms[1].rotation_deg.part = {points({{0.0, 1.0}}), points({}), points({{0.0, 1.0}, {1.0, 2.0}})};
+  EXPECT_THAT(expect_warning(scene, {"platform", 1, "rotation_deg"}).message, HasSubstr("rotation Y"));
+}
+
+TEST(CheckPlatform, WarnsOfAligningWithAVelocityThatIsZero) {
+  Scene scene = sound_scene();
+  scene.platforms[1].aligned = true;
+  EXPECT_TRUE(check(scene).empty());
+  scene.platforms[1].trajectory_m.part[0] = points({{0.0, 100.0}});
+  expect_warning(scene, {"platform", 1, "aligned"});
+}
+
+TEST(CheckPlatform, RefusesNegativeStandardDeviations) {
+  Scene scene = sound_scene();
+  scene.platforms[0].position_stddev_m.z = -0.1;
+  expect_error(scene, {"platform", 0, "position_stddev_m"});
+  scene = sound_scene();
+  scene.platforms[0].rotation_stddev[1] = Angle::from_deg(-1.0);
+  expect_error(scene, {"platform", 0, "rotation_stddev"});
+}
+
+TEST(CheckPlatform, AcceptsErrorFunctionsWithoutPointsOrWithSeveral) {
+  Scene scene = sound_scene();
+  scene.platforms[1].position_error = Platform::MotionError::envelope;
+  scene.platforms[1].rotation_error = Platform::MotionError::envelope;
+  scene.platforms[1].position_envelope.part[1] = points({{0.0, 1.0}, {0.5, 0.0}});
+  EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(CheckPlatform, RefusesErrorFunctionsOfASinglePoint) {
+  Scene scene = sound_scene();
+  scene.platforms[1].position_error = Platform::MotionError::envelope;
+  scene.platforms[1].position_envelope.part[2] = points({{0.0, 1.0}});
+  EXPECT_THAT(expect_error(scene, {"platform", 1, "position_envelope"}).message, HasSubstr("position error function"));
+
+  scene = sound_scene();
+  scene.platforms[1].rotation_error = Platform::MotionError::envelope;
+  scene.platforms[1].rotation_envelope.part[0] = points({{0.0, 1.0}});
+  EXPECT_THAT(expect_error(scene, {"platform", 1, "rotation_envelope"}).message, HasSubstr("rotation error function"));
+}
+
+TEST(CheckPlatform, RefusesErrorFunctionsWhoseLagsDoNotAscend) {
+  Scene scene = sound_scene();
+  scene.platforms[1].rotation_error = Platform::MotionError::envelope;
+  scene.platforms[1].rotation_envelope.part[0] = points({{0.1, 1.0}, {0.0, 1.0}});
+  expect_error(scene, {"platform", 1, "rotation_envelope"});
+}
+
+TEST(CheckTarget, RefusesNegativeStandardDeviations) {
+  Scene scene = sound_scene();
+  scene.targets[0].rcs_stddev_m2 = -0.5;
+  EXPECT_EQ(expect_error(scene, {"target", 0, "rcs_stddev_m2"}).found, "-0.5 m2");
+  scene = sound_scene();
+  scene.targets[0].position_stddev_m.x = -1.0;
+  expect_error(scene, {"target", 0, "position_stddev_m"});
+  scene = sound_scene();
+  scene.targets[0].azimuth_stddev = Angle::from_deg(-1.0);
+  expect_error(scene, {"target", 0, "azimuth_stddev"});
+  scene = sound_scene();
+  scene.targets[0].elevation_stddev = Angle::from_deg(-1.0);
+  expect_error(scene, {"target", 0, "elevation_stddev"});
+}
+
+TEST(CheckTarget, WarnsThatANegativeCrossSectionIsNotSeen) {
+  Scene scene = sound_scene();
+  scene.targets[0].rcs_m2 = -2.0;
+  EXPECT_EQ(expect_warning(scene, {"target", 0, "rcs_m2"}).found, "-2 m2");
+}
+
+TEST(CheckTarget, NeedsPointsForItsOwnReflectivityFunctionOnlyWhereThatIsUsed) {
+  Scene scene = sound_scene();
+  scene.targets[0].gain = Target::Gain::user;
+  EXPECT_TRUE(check(scene).empty());
+  scene.targets[0].reflectivity = Target::Reflectivity::directional;
+  expect_error(scene, {"target", 0, "gain_db"});
+  scene.targets[0].gain_db.part[0] = points({{0.0, 0.0}, {90.0, -30.0}});
+  EXPECT_TRUE(check(scene).empty());
+  scene.targets[0].gain_db.part[0] = points({{90.0, 0.0}, {0.0, -30.0}});
+  expect_error(scene, {"target", 0, "gain_db"});
+}
+
+TEST(CheckSurface, WarnsOfCornersOnALine) {
+  Scene scene = sound_scene();
+  scene.surfaces[0].corner_m = {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 1.0, 1.0}, Vec3{3.0, 3.0, 3.0}};
+  expect_warning(scene, {"surface", 0, "corner_m"});
+  scene.surfaces[0].corner_m = {Vec3{1.0, 2.0, 3.0}, Vec3{1.0, 2.0, 3.0}, Vec3{3.0, 3.0, 3.0}};
+  expect_warning(scene, {"surface", 0, "corner_m"});
+}
+
+}  // namespace
+}  // namespace sarsim

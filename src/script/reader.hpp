@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/problem.hpp"
+#include "scene/scene.hpp"
+#include "script/data_file.hpp"
+#include "script/field_places.hpp"
+
+namespace sarsim {
+
+/// What a script says, what is wrong with it, and where everything stands.
+struct ScriptReading {
+  Scene scene;  ///< Complete where `problems` holds no error; else what could be understood, faulty objects included.
+  Problems problems;
+  FieldPlaces places;
+};
+
+/// Reads a script in any dialect of the language (docs/formats/script.md).
+///
+/// All mistakes of the text are reported, each once with its line and column. Names are kept as typed and resolved by
+/// nobody here; what can only be judged from the whole scene is left to `check`. Takes time linear in the text.
+///
+/// @param file_name  for the places of problems
+/// @param loader     finds data files; where empty, FILE is an error
+[[nodiscard]] ScriptReading read_script(std::string_view text, const std::string& file_name,
+                                        const DataFileLoader& loader);
+
+/// Reads a script from disk, with its data files. Whatever stands in the way (no such file, a folder, no text, too
+/// large) is a problem of the result; throws only where memory ends.
+[[nodiscard]] ScriptReading read_script_file(const std::filesystem::path& path);
+
+/// Finds data files on disk: in the script's folder first, then in the current one.
+[[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);
+
+/// The largest script or data file that is read, in bytes.
+inline constexpr std::size_t largest_script_bytes = std::size_t{1} << 30;
+
+/// Fills in the places of problems that a scene check found.
+void locate(Problems& problems, const FieldPlaces& places);
+
+}  // namespace sarsim

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "script/reader.hpp"
+
+namespace sarsim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FileBytes {
+  std::string text;
+  std::string failure;  // why there is no text, in words; empty for none
+};
+
+// Why nothing can be read from here at all; empty where something might.
+std::string refusal(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  switch (status.type()) {
+    case fs::file_type::not_found: return "no such file";
+    case fs::file_type::directory: return "is a folder, not a file";
+    case fs::file_type::regular:
+    case fs::file_type::fifo: return {};
+    case fs::file_type::none: return error.message();
+    default: return "is not a file";
+  }
+}
+
+std::string too_large() { return fmt::format("is larger than {}", bytes_text(double{largest_script_bytes})); }
+
+FileBytes read_bytes(const fs::path& path) {
+  FileBytes bytes;
+  bytes.failure = refusal(path);
+  if (!bytes.failure.empty()) return bytes;
+  std::error_code unknown_size;
+  const std::uintmax_t size = fs::file_size(path, unknown_size);
+  if (!unknown_size && size > largest_script_bytes) return {{}, too_large()};
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return {{}, std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message()};
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  if (!unknown_size) bytes.text.reserve(static_cast<std::size_t>(size));
+  std::vector<char> buffer(piece);
+  while (stream.read(buffer.data(), static_cast<std::streamsize>(piece)), stream.gcount() > 0) {
+    bytes.text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    if (bytes.text.size() > largest_script_bytes) return {{}, too_large()};
+  }
+  if (stream.bad()) return {{}, "cannot be read to its end"};
+  return bytes;
+}
+
+// The name as typed and, for scripts from systems that part folders with a backslash, with slashes.
+std::vector<std::string> spellings(const std::string& name) {
+  std::vector<std::string> names{name};
+  std::string slashed = name;
+  std::ranges::replace(slashed, '\\', '/');
+  if (slashed != name) names.push_back(slashed);
+  return names;
+}
+
+std::vector<fs::path> places_to_look(const fs::path& script_folder, const std::string& name) {
+  std::vector<fs::path> places;
+  for (const std::string& spelling : spellings(name)) {
+    places.push_back((script_folder / spelling).lexically_normal());
+    const fs::path here = fs::path(spelling).lexically_normal();
+    if (std::ranges::find(places, here) == places.end()) places.push_back(here);
+  }
+  return places;
+}
+
+DataFileText load(const fs::path& script_folder, const std::string& name) {
+  std::string looked_at;
+  for (const fs::path& place : places_to_look(script_folder, name)) {
+    std::error_code ignored;
+    if (fs::exists(place, ignored)) {
+      FileBytes bytes = read_bytes(place);
+      if (bytes.failure.empty()) return {place.string(), std::move(bytes.text), {}};
+      return {place.string(), {}, fmt::format("data file {}: {}", place.string(), bytes.failure)};
+    }
+    looked_at += fmt::format("{}{}", looked_at.empty() ? "" : " and ", place.string());
+  }
+  return {{}, {}, fmt::format("data file not found; looked for {}", looked_at)};
+}
+
+}  // namespace
+
+DataFileLoader disk_loader(const fs::path& script_folder) {
+  return [script_folder](const std::string& name) { return load(script_folder, name); };
+}
+
+ScriptReading read_script_file(const fs::path& path) {
+  const FileBytes bytes = read_bytes(path);
+  if (bytes.failure.empty()) return read_script(bytes.text, path.string(), disk_loader(path.parent_path()));
+  ScriptReading result;
+  Problem problem;
+  problem.message = fmt::format("cannot read the script: {}", bytes.failure);
+  problem.place.file = path.string();
+  result.problems.push_back(std::move(problem));
+  return result;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace sarsim {
+
+/// The script of a scene: the layout of the 1998 programs (a value in 20 columns, then a comment), commands in the
+/// order platforms, surfaces, targets, radars, simulations, geometry tables, options; docs/formats/script.md.
+///
+/// Reading it gives an equal scene, bit for bit, as long as the scene says nothing that a script cannot: numbers are
+/// finite and within the limits of the language, names are not empty and hold no line ends or other control
+/// characters, and members that the chosen alternatives make meaningless have their initial values. A function with a
+/// `file` is written as that name; its data are `write_data_file`'s.
+[[nodiscard]] std::string write_script(const Scene& scene);
+
+}  // namespace sarsim

@@ -1,0 +1,109 @@
+#include "waveform/pulse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "math/fft.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// The band, symmetric about zero, that holds 99 % of the energy of a pulse of any shape.
+double energy_band_hz(const Pulse& pulse) {
+  constexpr std::size_t samples = 4096;
+  constexpr std::size_t size = 16 * samples;
+  std::vector<std::complex<double>> spectrum(size);
+  const double step = pulse.width_s / static_cast<double>(samples);
+  for (std::size_t i = 0; i < samples; ++i) spectrum[i] = pulse.value((static_cast<double>(i) + 0.5) * step);
+  const Fft fft(size);
+  fft.forward(spectrum);
+  double total = 0.0;
+  for (const auto& bin : spectrum) total += std::norm(bin);
+  double inside = std::norm(spectrum[0]);
+  std::size_t half = 0;
+  while (inside < 0.99 * total && half + 1 < size / 2) {
+    ++half;
+    inside += std::norm(spectrum[half]) + std::norm(spectrum[size - half]);
+  }
+  const double bin_hz = 1.0 / (step * static_cast<double>(size));
+  return 2.0 * (static_cast<double>(half) + 0.5) * bin_hz;
+}
+
+}  // namespace
+
+const std::vector<int>& barker_code(int index) {
+  static const std::array<std::vector<int>, 7> codes{{{1, -1},
+                                                      {1, 1, -1},
+                                                      {1, 1, -1, 1},
+                                                      {1, 1, 1, -1, 1},
+                                                      {1, 1, 1, -1, -1, 1, -1},
+                                                      {1, 1, 1, -1, -1, -1, 1, -1, -1, 1, -1},
+                                                      {1, 1, 1, 1, 1, -1, -1, 1, 1, -1, 1, -1, 1}}};
+  return codes.at(static_cast<std::size_t>(index));
+}
+
+std::complex<double> Pulse::value(double t_s, double tolerance_s) const {
+  const double gain = envelope_value(t_s);
+  switch (kind) {
+    case Kind::mono: return gain;
+    case Kind::chirp: {
+      const double u = t_s - 0.5 * width_s;
+      return std::polar(1.0, pi * sweep_rate_hz_per_s() * u * u) * gain;
+    }
+    case Kind::code: {
+      const auto length = static_cast<double>(code.size());
+      const double chip = std::clamp(std::floor((t_s + tolerance_s) * length / width_s), 0.0, length - 1.0);
+      return gain * code[static_cast<std::size_t>(chip)];
+    }
+    case Kind::user: return gain * std::complex(in_phase.value(t_s / width_s), quadrature.value(t_s / width_s));
+  }
+  return 0.0;
+}
+
+double Pulse::envelope_value(double t_s) const {
+  switch (envelope) {
+    case Envelope::rectangular: return 1.0;
+    case Envelope::linear: {
+      const double rising = t_s < rise_s ? t_s / rise_s : 1.0;
+      const double falling = t_s > width_s - fall_s ? (width_s - t_s) / fall_s : 1.0;
+      return std::max(0.0, std::min(rising, falling));
+    }
+    case Envelope::user: return envelope_gain.value(t_s / width_s);
+  }
+  return 1.0;
+}
+
+std::vector<double> Pulse::breaks_s() const {
+  std::vector<double> breaks;
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < width_s) breaks.push_back(t);
+  };
+  if (kind == Kind::code)
+    for (std::size_t i = 1; i < code.size(); ++i)
+      add(width_s * static_cast<double>(i) / static_cast<double>(code.size()));
+  if (kind == Kind::user)
+    for (const Interpolator* part : {&in_phase, &quadrature})
+      for (const Knot& knot : part->knots()) add(knot.x * width_s);
+  if (envelope == Envelope::linear) add(rise_s), add(width_s - fall_s);
+  if (envelope == Envelope::user)
+    for (const Knot& knot : envelope_gain.knots()) add(knot.x * width_s);
+  std::ranges::sort(breaks);
+  const auto same = std::ranges::unique(breaks);
+  breaks.erase(same.begin(), same.end());
+  return breaks;
+}
+
+double bandwidth_hz(const Pulse& pulse) {
+  switch (pulse.kind) {
+    case Pulse::Kind::mono: return 1.0 / pulse.width_s;
+    case Pulse::Kind::chirp: return std::abs(pulse.sweep_hz);
+    case Pulse::Kind::code: return static_cast<double>(pulse.code.size()) / pulse.width_s;
+    case Pulse::Kind::user: return energy_band_hz(pulse);
+  }
+  return 0.0;
+}
+
+}  // namespace sarsim
