@@ -1,0 +1,95 @@
+#include "echo/direct_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+
+namespace sarsim {
+
+DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance)
+    : pulse_(&pulse),
+      grid_(grid),
+      single_precision_(tolerance >= 1e-6),
+      tonal_(!pulse.band_limited && pulse.pulse.kind != Pulse::Kind::user &&
+             pulse.pulse.envelope == Pulse::Envelope::rectangular),
+      centre_(std::floor(0.5 * static_cast<double>(grid.count))) {
+  if (!tonal_) return;
+  sum_.re.resize(grid.count + SplitRow::padding);
+  sum_.im.resize(grid.count + SplitRow::padding);
+  const double sweep = pulse.pulse.sweep_rate_hz_per_s() * grid.interval_s * grid.interval_s;
+  if (sweep == 0.0) return;
+  chirp_.resize(grid.count);
+  for (std::size_t n = 0; n < grid.count; ++n) {
+    const double m = static_cast<double>(n) - centre_;
+    const double turns = 0.5 * sweep * m * m;
+    chirp_[n] = std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+  }
+}
+
+void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+  if (!tonal_) {
+    add_echoes(row, grid_, *pulse_, carrier_hz, echoes);
+    return;
+  }
+  collect_tones(carrier_hz, echoes);
+  std::ranges::fill(sum_.re, 0.0);
+  std::ranges::fill(sum_.im, 0.0);
+  add_tones(tones_, centre_, single_precision_, sum_, scratch_);
+  for (std::size_t n = 0; n < row.size(); ++n) {
+    const double re = sum_.re[n];
+    const double im = sum_.im[n];
+    const std::complex<double> c = chirp_.empty() ? 1.0 : chirp_[n];
+    row[n] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
+  }
+}
+
+void DirectKernel::collect_tones(double carrier_hz, const EchoBatch& echoes) {
+  tones_.clear();
+  const double dt = grid_.interval_s;
+  const double sweep_rate = pulse_->pulse.sweep_rate_hz_per_s();
+  for (std::size_t k = 0; k < echoes.size(); ++k) {
+    const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k]);
+    if (on.begin >= on.end) continue;
+    // Phase in turns of sample centre + m: K(1 - D)u^2/2 - D f u - f tau with u = u0 + m dt, less K (m dt)^2/2.
+    const double doppler = 2.0 * echoes.speed_mps[k] / pulse_->light_speed_mps;
+    const double u0 = grid_.first_s + centre_ * dt - echoes.delay_s[k] + pulse_->lead_s - 0.5 * pulse_->pulse.width_s;
+    const double carrier_turns = carrier_hz * echoes.delay_s[k];
+    Tone tone;
+    tone.begin = on.begin;
+    tone.end = on.end;
+    tone.alpha = 0.5 * sweep_rate * (1.0 - doppler) * u0 * u0 - doppler * carrier_hz * u0 -
+                 (carrier_turns - std::round(carrier_turns));
+    tone.beta = (sweep_rate * (1.0 - doppler) * u0 - doppler * carrier_hz) * dt;
+    tone.gamma = -0.5 * sweep_rate * doppler * dt * dt;
+    tone.amplitude = echoes.amplitude_sqrt_w[k];
+    if (pulse_->pulse.kind == Pulse::Kind::code)
+      add_code_tones(tone, echoes.delay_s[k]);
+    else
+      tones_.push_back(tone);
+  }
+}
+
+// One tone per run of chips with the same sign.
+void DirectKernel::add_code_tones(const Tone& whole, double delay_s) {
+  const std::vector<int>& code = pulse_->pulse.code;
+  const double chip_s = pulse_->pulse.width_s / static_cast<double>(code.size());
+  Tone tone = whole;
+  for (std::size_t chip = 0; chip < code.size();) {
+    std::size_t after = chip + 1;
+    while (after < code.size() && code[after] == code[chip]) ++after;
+    // The border of chips is an edge like that of a pulse: a sample within 1e-9 of an interval belongs to the later
+    // one.
+    const double border =
+        (delay_s - pulse_->lead_s + static_cast<double>(after) * chip_s - grid_.first_s) / grid_.interval_s;
+    const double next = after == code.size() ? static_cast<double>(whole.end) : std::ceil(border - 1e-9);
+    tone.end =
+        static_cast<std::size_t>(std::clamp(next, static_cast<double>(tone.begin), static_cast<double>(whole.end)));
+    tone.amplitude = whole.amplitude * code[chip];
+    if (tone.begin < tone.end) tones_.push_back(tone);
+    tone.begin = tone.end;
+    chip = after;
+  }
+}
+
+}  // namespace sarsim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace sarsim {
+
+/// A piece of a row that one echo fills with an almost pure tone: sample n in [begin, end) receives
+///
+///     amplitude exp(2 pi j (alpha + beta m + gamma m^2)),   m = n - centre of the row.
+struct Tone {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  double alpha = 0.0;  ///< Turns.
+  double beta = 0.0;   ///< Turns per sample.
+  double gamma =
+      0.0;  ///< Turns per sample squared; |gamma| (end - begin) below 1e-6, as any Doppler of a moving target is.
+  double amplitude = 0.0;
+};
+
+/// Real and imaginary parts of a row that tones are added to; `padding` more samples than the row for whole vectors.
+struct SplitRow {
+  static constexpr std::size_t padding = 64;
+  std::vector<double> re;
+  std::vector<double> im;
+};
+
+/// Room that `add_tones` works in; one per thread.
+struct ToneScratch {
+  std::size_t capacity = 0;
+  std::vector<float> re_single;  // sums of a few dozen tones
+  std::vector<float> im_single;
+  std::vector<float> turn_re;  // phasor of each vector of samples
+  std::vector<float> turn_im;
+  std::vector<double> turn_re_double;
+  std::vector<double> turn_im_double;
+};
+
+/// Adds tones to a row of `count` samples whose centre is `centre`, in SIMD.
+///
+/// Each vector of samples is the product of one exact phasor and the powers of the tone's step, so errors do not grow
+/// along the pulse. Single precision (sums of at most 64 tones in float, then double): each sample within 3e-7 of its
+/// tone's amplitude. Double precision: within 1e-14.
+void add_tones(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row, ToneScratch& scratch);
+
+}  // namespace sarsim
