@@ -1,10 +1,10 @@
 #include "math/fft.hpp"
 
+#include <fftw3.h>
+
 #include <mutex>
 #include <new>
 #include <vector>
-
-#include <fftw3.h>
 
 namespace sarsim {
 
@@ -16,44 +16,76 @@ std::mutex& planner_lock() {
   return lock;
 }
 
-fftw_complex* as_fftw(std::complex<double>* data) { return reinterpret_cast<fftw_complex*>(data); }
+// The two precisions of FFTW under common names.
+template <class Real>
+struct Fftw;
+
+template <>
+struct Fftw<double> {
+  using Plan = fftw_plan;
+  static fftw_complex* data(std::complex<double>* x) { return reinterpret_cast<fftw_complex*>(x); }
+  static Plan make(int size, std::complex<double>* x, int sign) {
+    return fftw_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE | FFTW_UNALIGNED);
+  }
+  static void run(Plan plan, std::complex<double>* x) { fftw_execute_dft(plan, data(x), data(x)); }
+  static void destroy(Plan plan) { fftw_destroy_plan(plan); }
+};
+
+template <>
+struct Fftw<float> {
+  using Plan = fftwf_plan;
+  static fftwf_complex* data(std::complex<float>* x) { return reinterpret_cast<fftwf_complex*>(x); }
+  static Plan make(int size, std::complex<float>* x, int sign) {
+    return fftwf_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE | FFTW_UNALIGNED);
+  }
+  static void run(Plan plan, std::complex<float>* x) { fftwf_execute_dft(plan, data(x), data(x)); }
+  static void destroy(Plan plan) { fftwf_destroy_plan(plan); }
+};
 
 }  // namespace
 
-struct Fft::Plans {
-  fftw_plan forward = nullptr;
-  fftw_plan inverse = nullptr;
+template <class Real>
+struct BasicFft<Real>::Plans {
+  using Library = Fftw<Real>;
+  typename Library::Plan forward = nullptr;
+  typename Library::Plan inverse = nullptr;
 
   explicit Plans(std::size_t size) {
-    std::vector<std::complex<double>> scratch(size);
+    std::vector<std::complex<Real>> scratch(size);
     const std::scoped_lock hold(planner_lock());
-    const int length = static_cast<int>(size);
-    forward = fftw_plan_dft_1d(length, as_fftw(scratch.data()), as_fftw(scratch.data()), FFTW_FORWARD,
-                               FFTW_ESTIMATE | FFTW_UNALIGNED);
-    inverse = fftw_plan_dft_1d(length, as_fftw(scratch.data()), as_fftw(scratch.data()), FFTW_BACKWARD,
-                               FFTW_ESTIMATE | FFTW_UNALIGNED);
+    forward = Library::make(static_cast<int>(size), scratch.data(), FFTW_FORWARD);
+    inverse = Library::make(static_cast<int>(size), scratch.data(), FFTW_BACKWARD);
     if (forward == nullptr || inverse == nullptr) throw std::bad_alloc();
   }
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
   ~Plans() {
     const std::scoped_lock hold(planner_lock());
-    fftw_destroy_plan(forward);
-    fftw_destroy_plan(inverse);
+    Library::destroy(forward);
+    Library::destroy(inverse);
   }
 };
 
-Fft::Fft(std::size_t size) : size_(size), plans_(std::make_unique<Plans>(size)) {}
-Fft::~Fft() = default;
-Fft::Fft(Fft&&) noexcept = default;
-Fft& Fft::operator=(Fft&&) noexcept = default;
+template <class Real>
+BasicFft<Real>::BasicFft(std::size_t size) : size_(size), plans_(std::make_unique<Plans>(size)) {}
+template <class Real>
+BasicFft<Real>::~BasicFft() = default;
+template <class Real>
+BasicFft<Real>::BasicFft(BasicFft&&) noexcept = default;
+template <class Real>
+BasicFft<Real>& BasicFft<Real>::operator=(BasicFft&&) noexcept = default;
 
-void Fft::forward(std::span<std::complex<double>> data) const {
-  fftw_execute_dft(plans_->forward, as_fftw(data.data()), as_fftw(data.data()));
+template <class Real>
+void BasicFft<Real>::forward(std::span<std::complex<Real>> data) const {
+  Fftw<Real>::run(plans_->forward, data.data());
 }
-void Fft::inverse(std::span<std::complex<double>> data) const {
-  fftw_execute_dft(plans_->inverse, as_fftw(data.data()), as_fftw(data.data()));
+template <class Real>
+void BasicFft<Real>::inverse(std::span<std::complex<Real>> data) const {
+  Fftw<Real>::run(plans_->inverse, data.data());
 }
+
+template class BasicFft<float>;
+template class BasicFft<double>;
 
 std::size_t good_fft_size(std::size_t minimum) {
   std::size_t best = 1;

@@ -7,28 +7,31 @@
 
 namespace sarsim {
 
-/// Discrete Fourier transforms of one length, in place and without scaling (FFTW).
+/// Discrete Fourier transforms of one length, in place and without scaling (FFTW), in float or double.
 ///
 /// forward:  X[k] = sum over n of x[n] exp(-2 pi j k n/N);  inverse the same with +j.
 /// Plans are estimated, never timed, and made for unaligned data, so that the same input gives the same bytes in
 /// every run. Executing is safe from many threads at once; making a plan takes a lock.
-class Fft {
+template <class Real>
+class BasicFft {
  public:
-  explicit Fft(std::size_t size);
-  ~Fft();
-  Fft(Fft&&) noexcept;
-  Fft& operator=(Fft&&) noexcept;
+  explicit BasicFft(std::size_t size);
+  ~BasicFft();
+  BasicFft(BasicFft&&) noexcept;
+  BasicFft& operator=(BasicFft&&) noexcept;
 
   [[nodiscard]] std::size_t size() const { return size_; }
   /// @param[in,out] data  `size()` values.
-  void forward(std::span<std::complex<double>> data) const;
-  void inverse(std::span<std::complex<double>> data) const;
+  void forward(std::span<std::complex<Real>> data) const;
+  void inverse(std::span<std::complex<Real>> data) const;
 
  private:
   struct Plans;
   std::size_t size_;
   std::unique_ptr<Plans> plans_;
 };
+
+using Fft = BasicFft<double>;
 
 /// The smallest length at least `minimum` whose only prime factors are 2, 3 and 5: fast for FFTW.
 [[nodiscard]] std::size_t good_fft_size(std::size_t minimum);

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace sarsim {
+
+/// Polynomials in y = x - 1/2, x in [0, 1), one for each of some lanes, evaluated together by Horner's rule.
+/// Real is float or double.
+template <class Real>
+struct LanePolynomials {
+  std::size_t lanes = 0;  ///< Padded to a multiple of `granularity`; the padding lanes are 0.
+  std::size_t degree = 0;
+  std::vector<Real> coefficients;  ///< [degree + 1][lanes], highest power first.
+
+  static constexpr std::size_t granularity = 64 / sizeof(Real);
+};
+
+/// Fits f(lane, x) for lanes 0 ... count - 1 at Chebyshev points of the lowest degree, at most 24, whose largest error
+/// at check points is below `tolerance`.
+template <class Real>
+[[nodiscard]] LanePolynomials<Real> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
+                                              double tolerance);
+
+/// Where a non-uniform transform puts its strengths: the exponential of a semicircle,
+/// phi(z) = exp(beta (sqrt(1 - z^2) - 1)), |z| <= 1, over `width` grid cells, for a grid with twice as many points as
+/// modes; error about 10^(1 - width) (Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479).
+struct SpreadingKernel {
+  std::size_t width = 8;
+  double beta = 18.4;
+
+  explicit SpreadingKernel(double tolerance);
+  [[nodiscard]] double value(double z) const;
+  /// Integral of phi(2 g/width) exp(-2 pi j g nu) dg over the kernel, g in cells: what a mode at nu cycles per cell is
+  /// multiplied by.
+  [[nodiscard]] double transform(double nu) const;
+};
+
+/// A spreading kernel's taps as polynomials of the fraction, real and imaginary lanes interleaved.
+template <class Real>
+[[nodiscard]] LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tolerance);
+
+/// Grids that strengths are spread onto, one per Doppler term, each with `padding` cells before its first and after its
+/// last, which `fold` adds around the circle.
+template <class Real>
+struct SpreadGrid {
+  static constexpr std::size_t padding = 64;
+  std::size_t cells = 0;
+  std::vector<std::vector<std::complex<Real>>> term;
+
+  void resize(std::size_t cell_count, std::size_t terms);
+  void clear();
+  /// Adds the padding to the cells it stands for and returns the cells of a term.
+  std::span<std::complex<Real>> fold(std::size_t index);
+};
+
+/// Spreads strengths onto the grids in SIMD: grid r cell g receives strength[r][k] phi(2 (g - position[k])/width).
+/// @param position  in cells, in [0, cells)
+/// @param strength  terms x positions, term-major
+template <class Real>
+void spread(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
+            std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid);
+
+/// The samples next to one hard edge of a pulse that its smooth body leaves out, for each fraction of a sample.
+template <class Real>
+struct EdgePiece {
+  double start = 0.0;        ///< Samples after the pulse's leading edge where the piece begins.
+  LanePolynomials<Real> re;  ///< Of sample number lane after the first one at or behind the start.
+  LanePolynomials<Real> im;
+  double doppler_offset = 0.0;  ///< Doppler phase at the start: turns per unit of 2v/c,
+  double doppler_slope = 0.0;   ///< its change per sample,
+  double doppler_bend = 0.0;    ///< and per sample squared.
+};
+
+/// Split sums of edge samples, with room for a piece that overhangs either end of the row.
+template <class Real>
+struct EdgeRow {
+  static constexpr std::size_t padding = 128;
+  std::size_t count = 0;
+  std::vector<Real> re;
+  std::vector<Real> im;
+
+  void resize(std::size_t sample_count);
+  void clear();
+};
+
+/// Adds one edge piece of many echoes to a row in SIMD.
+/// @param position  of each pulse's leading edge, samples after the row's first
+/// @param strength  complex amplitudes
+/// @param doppler   2v/c of each echo; empty: none moves
+template <class Real>
+void add_edges(const EdgePiece<Real>& piece, std::span<const double> position,
+               std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row);
+
+}  // namespace sarsim

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "echo/spreading.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Monomial coefficients in y, lowest first, of the polynomial through values at Chebyshev points of [-1/2, 1/2].
+std::vector<double> chebyshev_fit(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  std::vector<double> series(n);
+  for (std::size_t m = 0; m < n; ++m) {
+    for (std::size_t i = 0; i < n; ++i)
+      series[m] +=
+          values[i] * std::cos(pi * static_cast<double>(m) * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
+    series[m] *= (m == 0 ? 1.0 : 2.0) / static_cast<double>(n);
+  }
+  // T_m(2y) as monomials by the recurrence T_m = 4 y T_(m-1) - T_(m-2).
+  std::vector<double> monomial(n, 0.0), before{1.0}, now{0.0, 2.0};
+  monomial[0] = series[0];
+  for (std::size_t m = 1; m < n; ++m) {
+    for (std::size_t p = 0; p < now.size(); ++p) monomial[p] += series[m] * now[p];
+    std::vector<double> next(now.size() + 1, 0.0);
+    for (std::size_t p = 0; p < now.size(); ++p) next[p + 1] += 4.0 * now[p];
+    for (std::size_t p = 0; p < before.size(); ++p) next[p] -= before[p];
+    before = std::move(now);
+    now = std::move(next);
+  }
+  return monomial;
+}
+
+double polynomial(const std::vector<double>& lowest_first, double y) {
+  double sum = 0.0;
+  for (std::size_t p = lowest_first.size(); p-- > 0;) sum = sum * y + lowest_first[p];
+  return sum;
+}
+
+std::vector<double> fit_one(const std::function<double(double)>& f, std::size_t degree) {
+  std::vector<double> values(degree + 1);
+  for (std::size_t i = 0; i <= degree; ++i)
+    values[i] = f(0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(degree + 1)));
+  return chebyshev_fit(values);
+}
+
+}  // namespace
+
+template <class Real>
+LanePolynomials<Real> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
+                                double tolerance) {
+  constexpr std::size_t highest = 24;
+  constexpr int checks = 33;
+  std::vector<std::vector<double>> fits(count);
+  std::size_t degree = 3;
+  for (;; ++degree) {
+    double worst = 0.0;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto g = [&](double x) { return f(lane, x); };
+      fits[lane] = fit_one(g, degree);
+      for (int i = 0; i <= checks; ++i) {
+        const double x = static_cast<double>(i) / checks;
+        worst = std::max(worst, std::abs(polynomial(fits[lane], x - 0.5) - g(x)));
+      }
+    }
+    if (worst < tolerance || degree == highest) break;
+  }
+  LanePolynomials<Real> result;
+  const std::size_t grain = LanePolynomials<Real>::granularity;
+  result.lanes = (count + grain - 1) / grain * grain;
+  result.degree = degree;
+  result.coefficients.assign((degree + 1) * result.lanes, Real(0));
+  for (std::size_t lane = 0; lane < count; ++lane)
+    for (std::size_t p = 0; p <= degree; ++p)
+      result.coefficients[p * result.lanes + lane] = static_cast<Real>(fits[lane][degree - p]);
+  return result;
+}
+
+template LanePolynomials<float> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&, double);
+template LanePolynomials<double> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&, double);
+
+SpreadingKernel::SpreadingKernel(double tolerance)
+    : width(static_cast<std::size_t>(std::clamp(std::ceil(std::log10(1.0 / tolerance)) + 1.0, 4.0, 14.0))),
+      beta(2.30 * static_cast<double>(width)) {}
+
+double SpreadingKernel::value(double z) const {
+  const double inside = (1.0 - z) * (1.0 + z);
+  return inside < 0.0 ? 0.0 : std::exp(beta * (std::sqrt(inside) - 1.0));
+}
+
+double SpreadingKernel::transform(double nu) const {
+  // With z = sin(theta) the integrand is smooth and periodic: the midpoint rule converges exponentially.
+  constexpr int points = 200;
+  const double half_width = 0.5 * static_cast<double>(width);
+  double sum = 0.0;
+  for (int i = 0; i < points; ++i) {
+    const double theta = pi * ((i + 0.5) / points - 0.5);
+    const double z = std::sin(theta);
+    sum += value(z) * std::cos(2.0 * pi * nu * half_width * z) * std::cos(theta);
+  }
+  return sum * half_width * pi / points;
+}
+
+template <class Real>
+LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tolerance) {
+  const auto tap = [&](std::size_t lane, double x) {
+    const double g = x - 0.5 * static_cast<double>(kernel.width) + static_cast<double>(lane / 2);
+    return kernel.value(2.0 * g / static_cast<double>(kernel.width));
+  };
+  return fit_lanes<Real>(2 * kernel.width, tap, tolerance);
+}
+
+template LanePolynomials<float> tap_polynomials(const SpreadingKernel&, double);
+template LanePolynomials<double> tap_polynomials(const SpreadingKernel&, double);
+
+template <class Real>
+void SpreadGrid<Real>::resize(std::size_t cell_count, std::size_t terms) {
+  cells = cell_count;
+  term.resize(terms);
+  for (auto& grid : term) grid.resize(cells + 2 * padding);
+}
+
+template <class Real>
+void SpreadGrid<Real>::clear() {
+  for (auto& grid : term) std::ranges::fill(grid, std::complex<Real>());
+}
+
+template <class Real>
+std::span<std::complex<Real>> SpreadGrid<Real>::fold(std::size_t index) {
+  auto& grid = term[index];
+  for (std::size_t i = 0; i < padding; ++i) {
+    grid[padding + (cells - (padding - i) % cells) % cells] += grid[i];
+    grid[padding + i % cells] += grid[padding + cells + i];
+  }
+  return std::span(grid).subspan(padding, cells);
+}
+
+template struct SpreadGrid<float>;
+template struct SpreadGrid<double>;
+
+template <class Real>
+void EdgeRow<Real>::resize(std::size_t sample_count) {
+  count = sample_count;
+  re.assign(count + 2 * padding, Real(0));
+  im.assign(count + 2 * padding, Real(0));
+}
+
+template <class Real>
+void EdgeRow<Real>::clear() {
+  std::ranges::fill(re, Real(0));
+  std::ranges::fill(im, Real(0));
+}
+
+template struct EdgeRow<float>;
+template struct EdgeRow<double>;
+
+}  // namespace sarsim
