@@ -8,6 +8,7 @@
 #include "echo/direct_kernel.hpp"
 #include "echo/pulse_body.hpp"
 #include "echo/spreading.hpp"
+#include "echo/strengths.hpp"
 #include "math/fft.hpp"
 
 namespace sarsim {
@@ -114,7 +115,8 @@ struct SpectralKernel::Typed : Implementation {
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) override {
     gather(carrier_hz, echoes);
     if (position.empty()) return;
-    const auto [lowest, highest] = std::ranges::minmax(doppler);
+    const auto [lowest, highest] =
+        gathered.moving ? std::ranges::minmax(doppler) : std::ranges::minmax_result<double>{0.0, 0.0};
     const DopplerSpan span = span_covering(lowest, highest);
     if (!body.has_body() || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_terms) {
       direct.add(row, carrier_hz, echoes);
@@ -126,23 +128,16 @@ struct SpectralKernel::Typed : Implementation {
     add_edge_pieces(carrier_hz, row);
   }
 
-  // Echoes that touch the row: leading edge in samples, complex strength, Doppler.
+  // The echoes that touch the row.
   void gather(double carrier_hz, const EchoBatch& echoes) {
-    position.clear();
-    strength.clear();
-    doppler.clear();
-    const double from = -body.last();
-    const double to = static_cast<double>(grid.count) - body.first();
-    for (std::size_t k = 0; k < echoes.size(); ++k) {
-      const double x = (echoes.delay_s[k] - pulse->lead_s - grid.first_s) / grid.interval_s;
-      if (x <= from || x >= to) continue;
-      const double turns = carrier_hz * echoes.delay_s[k];
-      const std::complex<double> a =
-          std::polar(1.0, -2.0 * pi * (turns - std::round(turns))) * echoes.amplitude_sqrt_w[k];
-      position.push_back(x);
-      strength.emplace_back(static_cast<Real>(a.real()), static_cast<Real>(a.imag()));
-      doppler.push_back(2.0 * echoes.speed_mps[k] / pulse->light_speed_mps);
-    }
+    RowFrame frame;
+    frame.carrier_hz = carrier_hz;
+    frame.light_speed_mps = pulse->light_speed_mps;
+    frame.origin_s = pulse->lead_s + grid.first_s;
+    frame.interval_s = grid.interval_s;
+    frame.from = -body.last();
+    frame.to = static_cast<double>(grid.count) - body.first();
+    gather_strengths(echoes, frame, gathered);
   }
 
   void spread_terms(const Spectra& s) {
@@ -209,7 +204,6 @@ struct SpectralKernel::Typed : Implementation {
     if (body.edges().empty()) return;
     if (pieces.empty()) make_pieces();
     edge_row.clear();
-    const bool moving = std::ranges::any_of(doppler, [](double d) { return d != 0.0; });
     for (std::size_t e = 0; e < pieces.size(); ++e) {
       EdgePiece<Real>& piece = pieces[e];
       piece.doppler_offset = body.doppler_turns(piece.start, carrier_hz);
@@ -218,8 +212,8 @@ struct SpectralKernel::Typed : Implementation {
                            piece.doppler_offset;
       piece.doppler_slope =
           body.doppler_turns(piece.start + 1.0, carrier_hz) - piece.doppler_offset - piece.doppler_bend;
-      add_edges<Real>(piece, position, strength, moving ? std::span<const double>(doppler) : std::span<const double>(),
-                      edge_row);
+      add_edges<Real>(piece, position, strength,
+                      gathered.moving ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
     }
     for (std::size_t n = 0; n < row.size(); ++n)
       row[n] += std::complex<double>(static_cast<double>(edge_row.re[n + EdgeRow<Real>::padding]),
@@ -238,10 +232,14 @@ struct SpectralKernel::Typed : Implementation {
       };
       EdgePiece<Real> piece;
       piece.start = edge.start;
-      piece.re = fit_lanes<Real>(
-          settings.edge_samples, [&](std::size_t l, double x) { return left_out(l, x).real(); }, 0.3 * settings.share);
-      piece.im = fit_lanes<Real>(
-          settings.edge_samples, [&](std::size_t l, double x) { return left_out(l, x).imag(); }, 0.3 * settings.share);
+      piece.samples = fit_lanes<Real>(
+          2 * settings.edge_samples,
+          [&](std::size_t lane, double x) {
+            const bool real = lane < settings.edge_samples;
+            const std::complex<double> e = left_out(real ? lane : lane - settings.edge_samples, x);
+            return real ? e.real() : e.imag();
+          },
+          0.3 * settings.share);
       pieces.push_back(std::move(piece));
     }
   }
@@ -322,11 +320,12 @@ struct SpectralKernel::Typed : Implementation {
   std::vector<EdgePiece<Real>> pieces;
   std::list<Spectra> recent;
 
-  std::vector<double> position;
+  Strengths<Real> gathered;
+  std::vector<double>& position = gathered.position;
+  std::vector<std::complex<Real>>& strength = gathered.strength;
+  std::vector<double>& doppler = gathered.doppler;
   std::vector<double> cell_position;
-  std::vector<std::complex<Real>> strength;
   std::vector<std::complex<Real>> weighted;
-  std::vector<double> doppler;
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   std::vector<std::complex<Real>> folded;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "echo/spreading.cpp"
@@ -21,27 +22,52 @@ HWY_INLINE hn::Vec<D> horner(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients
   return sum;
 }
 
-template <class Real>
-HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
-                                 std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+// Horner's rule, unrolled; Degree 0 stands for one that is only known at run time.
+template <std::size_t Degree, class D>
+HWY_INLINE hn::Vec<D> horner(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients, std::size_t stride,
+                             std::size_t degree, hn::Vec<D> y) {
+  auto sum = hn::LoadU(d, coefficients);
+  const std::size_t last = Degree > 0 ? Degree : degree;
+  for (std::size_t p = 1; p <= last; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, coefficients + p * stride));
+  return sum;
+}
+
+// Calls f with the degree as a compile-time constant where it is a usual one.
+template <class F>
+HWY_INLINE void with_degree(std::size_t degree, const F& f) {
+  switch (degree) {
+    case 6: return f(std::integral_constant<std::size_t, 6>());
+    case 7: return f(std::integral_constant<std::size_t, 7>());
+    case 8: return f(std::integral_constant<std::size_t, 8>());
+    case 9: return f(std::integral_constant<std::size_t, 9>());
+    case 10: return f(std::integral_constant<std::size_t, 10>());
+    case 11: return f(std::integral_constant<std::size_t, 11>());
+    case 12: return f(std::integral_constant<std::size_t, 12>());
+    default: return f(std::integral_constant<std::size_t, 0>());
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void spread_loop(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
+                            std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
   const hn::ScalableTag<Real> d;
+  constexpr std::ptrdiff_t padding = SpreadGrid<Real>::padding;
   const std::size_t lanes = hn::Lanes(d);
-  const std::size_t used = (2 * width + lanes - 1) / lanes * lanes;
+  const std::size_t chunks = Chunks > 0 ? Chunks : (2 * width + lanes - 1) / lanes;
   const std::size_t count = position.size();
+  const std::size_t terms = grid.term.size();
   const double half_width = 0.5 * static_cast<double>(width);
   for (std::size_t k = 0; k < count; ++k) {
     const double left = position[k] - half_width;
     const double cell = std::ceil(left);
     const auto y = hn::Set(d, static_cast<Real>(cell - left - 0.5));
-    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) +
-                                             static_cast<std::ptrdiff_t>(SpreadGrid<Real>::padding));
-    for (std::size_t lane = 0; lane < used; lane += lanes) {
-      const auto weight = horner(d, taps.coefficients.data() + lane, taps.lanes, taps.degree, y);
-      for (std::size_t r = 0; r < grid.term.size(); ++r) {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) + padding;
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const std::size_t lane = chunk * lanes;
+      const auto weight = horner<Degree>(d, taps.coefficients.data() + lane, taps.lanes, taps.degree, y);
+      for (std::size_t r = 0; r < terms; ++r) {
         const std::complex<Real> s = strength[r * count + k];
-        const auto re = hn::Set(d, s.real());
-        const auto im = hn::Set(d, s.imag());
-        const auto pair = hn::OddEven(im, re);
+        const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
         Real* HWY_RESTRICT out = reinterpret_cast<Real*>(grid.term[r].data() + at) + lane;
         hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
       }
@@ -50,49 +76,86 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
 }
 
 template <class Real>
-HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
-                                    std::span<const std::complex<Real>> strength, std::span<const double> doppler,
-                                    EdgeRow<Real>& row) {
+HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
+                                 std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  const std::size_t lanes = hn::Lanes(hn::ScalableTag<Real>());
+  const std::size_t chunks = (2 * width + lanes - 1) / lanes;
+  with_degree(taps.degree, [&](auto degree) {
+    if (chunks == 1)
+      spread_loop<Real, degree(), 1>(taps, width, position, strength, grid);
+    else if (chunks == 2)
+      spread_loop<Real, degree(), 2>(taps, width, position, strength, grid);
+    else
+      spread_loop<Real, degree(), 0>(taps, width, position, strength, grid);
+  });
+}
+
+// The Doppler phasors of the samples of an edge piece of one echo.
+template <class Real>
+struct EdgeTurn {
+  double turns = 0.0;
+  Real slope = 0;
+  Real bend = 0;
+
+  EdgeTurn(const EdgePiece<Real>& piece, double doppler, double fraction) {
+    turns = doppler * (piece.doppler_offset + fraction * (piece.doppler_slope + fraction * piece.doppler_bend));
+    turns -= std::round(turns);
+    slope = static_cast<Real>(doppler * (piece.doppler_slope + 2.0 * fraction * piece.doppler_bend));
+    bend = static_cast<Real>(doppler * piece.doppler_bend);
+  }
+
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE void apply(D d, std::size_t lane, V& re, V& im) const {
+    const auto i = hn::Iota(d, static_cast<Real>(lane));
+    const auto rest = hn::Mul(i, hn::MulAdd(i, hn::Set(d, bend), hn::Set(d, slope)));
+    const auto x = fraction_of_turn(hn::Neg(hn::Add(hn::Set(d, static_cast<Real>(turns)), rest)));
+    auto c = hn::Zero(d);
+    auto s = hn::Zero(d);
+    cos_sin_turns(d, x, c, s);
+    const auto turned = hn::NegMulAdd(im, s, hn::Mul(re, c));
+    im = hn::MulAdd(im, c, hn::Mul(re, s));
+    re = turned;
+  }
+};
+
+template <class Real, std::size_t Degree>
+HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> position,
+                          std::span<const std::complex<Real>> strength, std::span<const double> doppler,
+                          EdgeRow<Real>& row) {
   const hn::ScalableTag<Real> d;
   const std::size_t lanes = hn::Lanes(d);
-  const double first_useful = -static_cast<double>(piece.re.lanes);
+  const std::size_t samples = piece.samples.lanes / 2;
+  const Real* HWY_RESTRICT coefficients = piece.samples.coefficients.data();
+  const double first_useful = -static_cast<double>(samples);
   const auto last_useful = static_cast<double>(row.count);
+  constexpr std::ptrdiff_t padding = EdgeRow<Real>::padding;
   for (std::size_t k = 0; k < position.size(); ++k) {
     const double start = position[k] + piece.start;
     const double sample = std::ceil(start - 1e-9);
     if (sample <= first_useful || sample >= last_useful) continue;
     const double fraction = std::max(0.0, sample - start);
     const auto y = hn::Set(d, static_cast<Real>(fraction - 0.5));
-    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(sample) +
-                                             static_cast<std::ptrdiff_t>(EdgeRow<Real>::padding));
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(sample) + padding;
     const auto s_re = hn::Set(d, strength[k].real());
     const auto s_im = hn::Set(d, strength[k].imag());
-    for (std::size_t lane = 0; lane < piece.re.lanes; lane += lanes) {
-      auto e_re = horner(d, piece.re.coefficients.data() + lane, piece.re.lanes, piece.re.degree, y);
-      auto e_im = horner(d, piece.im.coefficients.data() + lane, piece.im.lanes, piece.im.degree, y);
-      if (!doppler.empty()) {
-        const double turns =
-            doppler[k] * (piece.doppler_offset + fraction * (piece.doppler_slope + fraction * piece.doppler_bend));
-        const double slope = doppler[k] * (piece.doppler_slope + 2.0 * fraction * piece.doppler_bend);
-        const double bend = doppler[k] * piece.doppler_bend;
-        const auto i = hn::Iota(d, static_cast<Real>(lane));
-        const auto rest =
-            hn::Mul(i, hn::MulAdd(i, hn::Set(d, static_cast<Real>(bend)), hn::Set(d, static_cast<Real>(slope))));
-        const auto x =
-            fraction_of_turn(hn::Neg(hn::Add(hn::Set(d, static_cast<Real>(turns - std::round(turns))), rest)));
-        auto c = hn::Zero(d);
-        auto s = hn::Zero(d);
-        cos_sin_turns(d, x, c, s);
-        const auto turned = hn::NegMulAdd(e_im, s, hn::Mul(e_re, c));
-        e_im = hn::MulAdd(e_im, c, hn::Mul(e_re, s));
-        e_re = turned;
-      }
+    for (std::size_t lane = 0; lane < samples; lane += lanes) {
+      auto e_re = horner<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
+      auto e_im = horner<Degree>(d, coefficients + samples + lane, piece.samples.lanes, piece.samples.degree, y);
+      if (!doppler.empty()) EdgeTurn<Real>(piece, doppler[k], fraction).apply(d, lane, e_re, e_im);
       Real* HWY_RESTRICT re = row.re.data() + at + lane;
       Real* HWY_RESTRICT im = row.im.data() + at + lane;
       hn::StoreU(hn::NegMulAdd(s_im, e_im, hn::MulAdd(s_re, e_re, hn::LoadU(d, re))), d, re);
       hn::StoreU(hn::MulAdd(s_im, e_re, hn::MulAdd(s_re, e_im, hn::LoadU(d, im))), d, im);
     }
   }
+}
+
+template <class Real>
+HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
+                                    std::span<const std::complex<Real>> strength, std::span<const double> doppler,
+                                    EdgeRow<Real>& row) {
+  with_degree(piece.samples.degree,
+              [&](auto degree) { edge_loop<Real, degree()>(piece, position, strength, doppler, row); });
 }
 
 void spread_single(const LanePolynomials<float>& taps, std::size_t width, std::span<const double> position,

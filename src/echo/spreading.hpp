@@ -67,9 +67,9 @@ void spread(const LanePolynomials<Real>& taps, std::size_t width, std::span<cons
 /// The samples next to one hard edge of a pulse that its smooth body leaves out, for each fraction of a sample.
 template <class Real>
 struct EdgePiece {
-  double start = 0.0;        ///< Samples after the pulse's leading edge where the piece begins.
-  LanePolynomials<Real> re;  ///< Of sample number lane after the first one at or behind the start.
-  LanePolynomials<Real> im;
+  double start = 0.0;  ///< Samples after the pulse's leading edge where the piece begins.
+  LanePolynomials<Real>
+      samples;  ///< Real parts, then imaginary parts, of the samples from the first behind the start on.
   double doppler_offset = 0.0;  ///< Doppler phase at the start: turns per unit of 2v/c,
   double doppler_slope = 0.0;   ///< its change per sample,
   double doppler_bend = 0.0;    ///< and per sample squared.

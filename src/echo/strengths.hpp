@@ -1,0 +1,35 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "echo/echo_batch.hpp"
+
+namespace sarsim {
+
+/// What the row of one pulse needs to know of its echoes to turn them into positions and phasors.
+struct RowFrame {
+  double carrier_hz = 0.0;
+  double light_speed_mps = 0.0;
+  double origin_s = 0.0;  ///< Delay at which an echo's leading edge falls on the row's first sample.
+  double interval_s = 1.0;
+  double from = 0.0;  ///< Echoes with leading edges in (from, to), in samples, touch the row.
+  double to = 0.0;
+};
+
+/// The echoes of one pulse that touch its row.
+template <class Real>
+struct Strengths {
+  std::vector<double> position;              ///< Of the leading edge, samples after the row's first.
+  std::vector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
+  std::vector<double> doppler;               ///< 2v/c.
+  bool moving = false;                       ///< Any doppler is not 0.
+};
+
+/// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to
+/// that of `Real`.
+template <class Real>
+void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
+
+}  // namespace sarsim
