@@ -51,6 +51,9 @@ class Pointing {
   /// atan2(x, y) and elevation asin(z) in the antenna frame. Added angles: differences of azimuth and of elevation.
   [[nodiscard]] BeamOffset offset(const Vec3& look_world) const;
 
+  /// Rows are the antenna's axes x, y (boresight), z in the world; PointingRule::boresight only.
+  [[nodiscard]] const Mat3& antenna_from_world() const { return antenna_from_world_; }
+
   /// Unit vector along the axis.
   [[nodiscard]] Vec3 axis_world() const;
 

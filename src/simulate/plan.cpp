@@ -130,7 +130,7 @@ double sample_count(const Simulation& simulation, double light_speed_mps) {
                     0.5 + index_tolerance);
 }
 
-Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved) {
+Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved, Engine engine) {
   Plan plan;
   plan.simulation = scene.simulations.at(index);
   plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene));
@@ -148,6 +148,10 @@ Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const Reso
   plan.noise_stddev_v = noise_stddev(plan.radar, plan.simulation, plan.scene->conventions);
   plan.noise_first_sample = std::llround(plan.raw_grid.first_s / plan.raw_grid.interval_s);
   plan.stc_gain = stc_gains(plan);
+  plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
+                              plan.scene->options.tolerance);
+  if (plan.engine.engine != Engine::reference)
+    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene));
   return plan;
 }
 
@@ -173,6 +177,7 @@ Product product_of(const Plan& plan, std::string script) {
   product.bits = plan.simulation.bits;
   product.lsb_v = plan.simulation.lsb_v;
   product.options = plan.scene->options;
+  product.engine = name_of(plan.engine.engine);
   product.script = std::move(script);
   return product;
 }
@@ -180,6 +185,9 @@ Product product_of(const Plan& plan, std::string script) {
 RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
   if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
   if (plan.profiler) scratch_.resize(plan.columns);
+  const double tolerance = plan.scene->options.tolerance;
+  if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
+  if (plan.engine.engine == Engine::spectral) spectral_.emplace(plan.pulse, plan.raw_grid, tolerance);
 }
 
 void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
@@ -199,13 +207,27 @@ void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw)
   const Plan& plan = *plan_;
   std::ranges::fill(raw, std::complex<double>());
   geometry_.set_pulse(pulse);
-  geometry_.echoes(echoes_);
-  add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+  add_row(raw);
   if (plan.noise_stddev_v > 0.0) {
     const RandomStream stream(plan.scene->options.seed, RandomKind::receiver_noise, name_key(plan.radar.name));
     add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
   }
   for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
+}
+
+// The echoes of the current pulse.
+void RowMaker::add_row(std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  if (plan.engine.engine == Engine::reference) {
+    geometry_.echoes(echoes_);
+    add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+    return;
+  }
+  fast_echoes(*plan.points, *plan.scene, plan.radar, geometry_, echoes_);
+  if (spectral_)
+    spectral_->add(raw, geometry_.carrier_hz(), echoes_);
+  else
+    direct_->add(raw, geometry_.carrier_hz(), echoes_);
 }
 
 void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out) {

@@ -11,9 +11,13 @@
 
 #include "base/progress.hpp"
 #include "base/stop.hpp"
+#include "echo/direct_kernel.hpp"
 #include "echo/reference_kernel.hpp"
+#include "echo/spectral_kernel.hpp"
 #include "process/range_compression.hpp"
 #include "process/range_profile.hpp"
+#include "simulate/engine.hpp"
+#include "simulate/point_groups.hpp"
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/resolved.hpp"
 #include "simulate/sink.hpp"
@@ -27,6 +31,8 @@ struct Plan {
   ResolvedRadar radar;
   Simulation simulation;
   EchoPulse pulse;
+  EngineChoice engine;
+  std::shared_ptr<const PointGroups> points;  ///< For the fast engines.
 
   PulseRange pulses;                ///< All pulses of the window.
   std::int64_t first_burst = 0;     ///< Synthetic range profiles: bursts [first_burst, first_burst + rows).
@@ -54,9 +60,11 @@ struct Plan {
 [[nodiscard]] double sample_count(const Simulation& simulation, double light_speed_mps);
 
 /// Decides everything about simulation number `index` of a scene.
+/// @param engine  which kernel to use; automatic decides by cost
 /// @throws std::invalid_argument where the scene would not pass `check`.
 [[nodiscard]] Plan make_plan(const Scene& scene, std::size_t index,
-                             std::shared_ptr<const ResolvedScene> resolved = nullptr);
+                             std::shared_ptr<const ResolvedScene> resolved = nullptr,
+                             Engine engine = Engine::automatic);
 
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood
@@ -75,8 +83,12 @@ class RowMaker {
   void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
+  void add_row(std::span<std::complex<double>> raw);
+
   const Plan* plan_;
   PulseGeometry geometry_;
+  std::optional<DirectKernel> direct_;
+  std::optional<SpectralKernel> spectral_;
   EchoBatch echoes_;
   std::vector<std::complex<double>> raw_;
   std::vector<std::complex<double>> scratch_;

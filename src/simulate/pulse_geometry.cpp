@@ -100,14 +100,17 @@ void PulseGeometry::echoes(EchoBatch& echoes) const {
   const Pointing axis = pointing();
   for (std::size_t i = 0; i < scene_->scatterers.size(); ++i) {
     const ScattererView v = view(i, axis);
-    if (!(v.distance_m > 0.0))
-      throw std::runtime_error(
-          fmt::format("target {} stands at the position of radar '{}' when pulse {} leaves ({:g} s); its echo would be "
-                      "infinite. Move the target or the radar.",
-                      i + 1, radar_->name, pulse_, time_s_));
+    if (!(v.distance_m > 0.0)) refuse_target(i);
     echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
   }
   for (const ScattererSheet& sheet : scene_->sheets) add_sheet(sheet, axis, echoes);
+}
+
+void PulseGeometry::refuse_target(std::size_t index) const {
+  throw std::runtime_error(
+      fmt::format("target {} stands at the position of radar '{}' when pulse {} leaves ({:g} s); its echo would be "
+                  "infinite. Move the target or the radar.",
+                  index + 1, radar_->name, pulse_, time_s_));
 }
 
 void PulseGeometry::add_sheet(const ScattererSheet& sheet, const Pointing& pointing, EchoBatch& echoes) const {

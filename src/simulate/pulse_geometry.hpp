@@ -31,19 +31,28 @@ class PulseGeometry {
   [[nodiscard]] const Pose& radar_pose() const { return poses_[radar_->platform]; }
   [[nodiscard]] const Pose& pose(std::size_t platform) const { return poses_[platform]; }
   [[nodiscard]] Pointing pointing() const;
+  /// sqrt(P Gt Gr/L) lambda/(4 pi)^1.5 of the current pulse; what the amplitude is besides pattern, cross-section and
+  /// range.
+  [[nodiscard]] double amplitude_scale() const { return amplitude_scale_; }
+  /// Whether amplitudes fall with the distance squared (not so with the classic STC).
+  [[nodiscard]] bool spreading() const { return spreading_; }
 
   /// Target `index` of the scene at the current pulse.
   [[nodiscard]] ScattererView view(std::size_t index) const;
+  /// Same, with the pointing at hand.
+  [[nodiscard]] ScattererView view(std::size_t index, const Pointing& pointing) const;
 
   /// All echoes of the current pulse: targets in order, then the points of the surfaces. Replaces `echoes`.
   /// Throws std::runtime_error that names the target where one stands at the radar's own position.
   void echoes(EchoBatch& echoes) const;
+  /// Adds the echoes of one surface.
+  void add_sheet(const ScattererSheet& sheet, const Pointing& pointing, EchoBatch& echoes) const;
+  /// The error that `echoes` throws for a target at the radar's position.
+  [[noreturn]] void refuse_target(std::size_t index) const;
 
  private:
   struct Sight;  // position and velocity relative to the radar
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const Pointing& pointing) const;
-  [[nodiscard]] ScattererView view(std::size_t index, const Pointing& pointing) const;
-  void add_sheet(const ScattererSheet& sheet, const Pointing& pointing, EchoBatch& echoes) const;
 
   const ResolvedScene* scene_;
   const ResolvedRadar* radar_;

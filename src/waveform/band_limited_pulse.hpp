@@ -18,7 +18,7 @@ namespace sarsim {
 /// is cut hard to that length about its centre, as the original's "pulse width used".
 ///
 /// Values come from a table at `samples_per_interval` times the sampling rate, at least 4 times the Nyquist rate of the
-/// band, by a 16-point tapered sinc: within 1e-8 of the largest value of the pulse.
+/// band, by a 24-point tapered sinc: within 1e-11 of the largest value of the pulse.
 class BandLimitedPulse {
  public:
   /// @param half_band_hz   F; positive.
@@ -38,7 +38,7 @@ class BandLimitedPulse {
   void values(double t_s, std::span<std::complex<double>> out) const;
 
  private:
-  static constexpr int taps = 16;
+  static constexpr int taps = 24;
   struct Taps;
   [[nodiscard]] Taps taps_at(double fraction) const;
   void fill_table(const Pulse& pulse, double half_band_hz);

@@ -1,0 +1,99 @@
+#include "simulate/engine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "echo/spectral_kernel.hpp"
+#include "simulate/pulse_geometry.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::automatic, "auto"},
+                                                                    {Engine::reference, "reference"},
+                                                                    {Engine::direct, "direct"},
+                                                                    {Engine::spectral, "spectral"}}};
+
+// Nanoseconds on one core of 2024 with AVX-512; only their ratios matter.
+constexpr double direct_echo_ns = 40.0;
+constexpr double direct_sample_ns = 0.13;
+constexpr double shaped_sample_ns = 30.0;  // pulses that the direct kernel leaves to the reference
+constexpr double spread_term_ns = 6.0;
+constexpr double edge_sample_ns = 0.35;
+constexpr double transform_point_ns = 4.0;
+
+// Largest spread of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
+double doppler_span(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses) {
+  constexpr std::size_t most = 1000;
+  PulseGeometry geometry(scene, radar);
+  const std::size_t stride = scene.scatterers.size() / most + 1;
+  double span = 0.0;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
+    const Pointing pointing = geometry.pointing();
+    double lowest = 0.0;
+    double highest = 0.0;
+    bool any = false;
+    for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
+      const double d = 2.0 * geometry.view(i, pointing).speed_mps / scene.conventions.light_speed_mps;
+      lowest = any ? std::min(lowest, d) : d;
+      highest = any ? std::max(highest, d) : d;
+      any = true;
+    }
+    span = std::max(span, highest - lowest);
+  }
+  return span;
+}
+
+double scatterer_count(const ResolvedScene& scene) {
+  auto count = static_cast<double>(scene.scatterers.size());
+  for (const ScattererSheet& sheet : scene.sheets) count += static_cast<double>(sheet.points_m.size());
+  return count;
+}
+
+}  // namespace
+
+std::string_view name_of(Engine engine) {
+  return std::ranges::find(names, engine, &std::pair<Engine, std::string_view>::first)->second;
+}
+
+std::optional<Engine> engine_from_name(std::string_view name) {
+  const auto found = std::ranges::find(names, name, &std::pair<Engine, std::string_view>::second);
+  if (found == names.end()) return std::nullopt;
+  return found->first;
+}
+
+EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
+                           const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses, double tolerance) {
+  if (wanted != Engine::automatic) return {wanted, "asked for"};
+  const double echoes = scatterer_count(scene);
+  const double samples =
+      std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count));
+  const bool tonal = !pulse.band_limited && pulse.pulse.kind != Pulse::Kind::user &&
+                     pulse.pulse.envelope == Pulse::Envelope::rectangular;
+  const double direct_ns = echoes * (direct_echo_ns + samples * (tonal ? direct_sample_ns : shaped_sample_ns));
+  // Few echoes of short pulses: not worth asking what the transform would cost.
+  if (direct_ns < 20e3)
+    return {Engine::direct, fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", echoes, samples)};
+  const SpectralCost cost =
+      SpectralKernel::cost(pulse, grid, tolerance, radar.carrier.highest_hz(), doppler_span(scene, radar, pulses));
+  const auto terms = static_cast<double>(cost.doppler_terms);
+  const double spectral_ns =
+      echoes * (4.0 + spread_term_ns * terms + edge_sample_ns * static_cast<double>(cost.edge_samples)) +
+      transform_point_ns * terms * static_cast<double>(cost.transform_size);
+  if (cost.doppler_terms > 20 || direct_ns <= spectral_ns)
+    return {Engine::direct,
+            fmt::format(
+                "{:.0f} echoes a pulse of {:.0f} samples cost less than transforms of {} points with {} Doppler terms",
+                echoes, samples, cost.transform_size, cost.doppler_terms)};
+  return {Engine::spectral,
+          fmt::format(
+              "{:.0f} echoes a pulse of {:.0f} samples cost more than transforms of {} points with {} Doppler terms",
+              echoes, samples, cost.transform_size, cost.doppler_terms)};
+}
+
+}  // namespace sarsim
