@@ -37,13 +37,15 @@ Recording recorded(const Scene& scene, unsigned threads = 1) {
 }
 
 double equation_amplitude(double distance_m, double rcs_m2, double wavelength_m) {
-  return std::sqrt(1000.0 * wavelength_m * wavelength_m * rcs_m2 / (std::pow(4.0 * pi, 3.0) * std::pow(distance_m, 4.0)));
+  return std::sqrt(1000.0 * wavelength_m * wavelength_m * rcs_m2 /
+                   (std::pow(4.0 * pi, 3.0) * std::pow(distance_m, 4.0)));
 }
 
 TEST(Run, MonochromeEchoHasTheRadarEquationsAmplitudeAndTheTwoWayPhase) {
   const Recording sink = recorded(one_target(1000.0));
   const double wavelength_m = exact_light_speed_mps / 1e9;
-  const std::complex<double> expected = std::polar(equation_amplitude(1000.0, 1.0, wavelength_m), -4.0 * pi * 1000.0 / wavelength_m);
+  const std::complex<double> expected =
+      std::polar(equation_amplitude(1000.0, 1.0, wavelength_m), -4.0 * pi * 1000.0 / wavelength_m);
   const double delay_samples = 2.0 * 1000.0 / exact_light_speed_mps * 4e6;
   ASSERT_EQ(sink.samples.size(), 53u);
   for (std::size_t i = 0; i < sink.samples.size(); ++i) {
