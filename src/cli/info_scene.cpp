@@ -22,8 +22,9 @@ namespace {
 constexpr std::size_t most_listed = 20;
 
 std::string between(double low, double high, std::string_view unit) {
-  if (low == high) return with_prefix(low, unit);
-  return with_prefix(low, unit) + " to " + with_prefix(high, unit);
+  // Adding 0 turns -0 into 0.
+  if (low == high) return with_prefix(low + 0.0, unit);
+  return with_prefix(low + 0.0, unit) + " to " + with_prefix(high + 0.0, unit);
 }
 
 std::string decibels(double ratio) { return fmt::format("{:.1f} dB", 10.0 * std::log10(ratio)); }

@@ -37,7 +37,9 @@ class Namer {
     }
     path = path.lexically_normal();
     if (recording && rules_.format) path.replace_extension(extension_of(*rules_.format));
-    return distinct(path, subject);
+    // `check` has warned of names that are alike in the script.
+    const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
+    return distinct(path, subject, told);
   }
 
  private:
@@ -47,11 +49,11 @@ class Namer {
         {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
   }
 
-  fs::path distinct(const fs::path& path, const Subject& subject) {
+  fs::path distinct(const fs::path& path, const Subject& subject, bool told) {
     fs::path result = path;
     for (int number = 2; !taken_.insert(result).second; ++number)
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
-    if (result != path)
+    if (result != path && !told)
       add(Severity::warning, subject,
           fmt::format("another product of the script is written to '{}'; this one becomes '{}'",
                       path.filename().string(), result.filename().string()),
@@ -62,6 +64,7 @@ class Namer {
   const OutputRules& rules_;
   Problems& problems_;
   std::set<fs::path> taken_;
+  std::set<std::string> met_;
 };
 
 }  // namespace

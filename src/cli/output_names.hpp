@@ -25,8 +25,8 @@ struct OutputNames {
 };
 
 /// Decides the files of all products of a scene. The base name after either kind of slash goes into the folder; of
-/// several products with one name the second becomes name-2.ext and so on, with a warning. A name without a base name
-/// is an error.
+/// several products with one name the second becomes name-2.ext and so on, with a warning here where `check` has none:
+/// when a change of format or another product's number makes names alike. A name without a base name is an error.
 [[nodiscard]] OutputNames output_names(const Scene& scene, const OutputRules& rules);
 
 /// Problems that keep a file from being made there: a file that exists (unless `force`), a folder of that name, the

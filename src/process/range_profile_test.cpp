@@ -110,6 +110,13 @@ TEST(RangeProfiler, WindowKeepsThePeakAndLowersTheSideLobes) {
   for (std::size_t k = 13; k < steps; ++k) EXPECT_LT(std::abs(out[k]), 2.0 * 0.01);  // -40 dB
 }
 
+TEST(RangeProfiler, IsSilentWhereTheWindowLeavesNothing) {
+  const RangeProfiler profiler({5000.0}, 2, step_hz, bartlett_window, c);  // 0 at both ends
+  Row out(2);
+  profiler.profile(Row{1.0, 1.0}, out);
+  EXPECT_EQ(out, Row(2));
+}
+
 TEST(RangeProfiler, OfOneStepIsTheSampleItself) {
   const RangeProfiler profiler({5000.0, 6000.0}, 1, step_hz, bartlett_window, c);
   const Row sums{{1.0, 2.0}, {-3.0, 0.5}};

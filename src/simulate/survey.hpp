@@ -11,31 +11,32 @@ namespace sarsim {
 
 /// What the sampled pulses of a simulation say about one target.
 struct TargetSurvey {
-  double nearest_m = 0.0;         ///< One-way range of its delay, c tau/2.
+  double nearest_m = 0.0;  ///< One-way range of its delay, c tau/2.
   double farthest_m = 0.0;
-  double lowest_doppler_hz = 0.0; ///< -2 v f/c: positive approaching.
+  double lowest_doppler_hz = 0.0;  ///< -2 v f/c: positive approaching.
   double highest_doppler_hz = 0.0;
   double largest_amplitude_v = 0.0;
-  double snr = 0.0;               ///< P Tp/(k T) at the largest amplitude, per pulse after a matched filter; 0 without noise.
-  bool in_window = false;         ///< Some sampled echo touches the window.
+  double snr = 0.0;        ///< P Tp/(k T) at the largest amplitude, per pulse after a matched filter; 0 without noise.
+  bool in_window = false;  ///< Some sampled echo touches the window.
 };
 
 /// A quick look at the echoes of a simulation: at most 64 of its pulses, all targets. An estimate: what happens between
 /// the sampled pulses is not seen.
 struct EchoSurvey {
   std::size_t pulses_sampled = 0;
-  bool all_pulses = false;        ///< Every pulse was looked at.
+  bool all_pulses = false;  ///< Every pulse was looked at.
   std::vector<TargetSurvey> targets;
   double lowest_doppler_hz = 0.0;  ///< Over the echoes that touch the window.
   double highest_doppler_hz = 0.0;
-  double largest_sum_v = 0.0;      ///< Largest over the pulses of the sum of the amplitudes in the window: a bound for raw data.
+  double largest_sum_v =
+      0.0;  ///< Largest over the pulses of the sum of the amplitudes in the window: a bound for raw data.
 };
 
 [[nodiscard]] EchoSurvey survey_echoes(const Plan& plan);
 
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets at the radar's
-/// position, echoes beyond the PRI. The scene must have passed `check`.
+/// position, echoes beyond the PRI, a window function without weight. The scene must have passed `check`.
 [[nodiscard]] Problems survey(const Scene& scene);
 
 }  // namespace sarsim

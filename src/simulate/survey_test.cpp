@@ -66,7 +66,7 @@ TEST(Survey, WarnsOfASceneWithoutTargets) {
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
-// 200 m/s both ways at 1 GHz: a band of 4 * 200/0.3 = 2668 Hz.
+// 200 m/s both ways at 1 GHz: a band of 4 * 200/0.2998 = 2669 Hz.
 TEST(Survey, WarnsOfAPrfBelowTheDopplerBand) {
   Scene scene = sound_scene();
   scene.platforms.push_back(moving("Away", {1000, 0, 0}, {200, 0, 0}));
@@ -75,7 +75,7 @@ TEST(Survey, WarnsOfAPrfBelowTheDopplerBand) {
   scene.simulations[0].lsb_v = 0.0;
   const Problems problems = survey(scene);
   ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "radar", "PRF is below the Doppler band")));
-  EXPECT_THAT(problems[0].expected, HasSubstr("2.668 kHz"));
+  EXPECT_THAT(problems[0].expected, HasSubstr("2.669 kHz"));
   scene.radars[0].prf_hz = 2700.0;
   EXPECT_THAT(survey(scene), IsEmpty());
   scene.radars[0].prf_hz = 1000.0;
@@ -139,6 +139,24 @@ TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
   EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::note, "time_end_s", "6 pulses of incomplete bursts")));
   scene.simulations[0].time_end_s = 0.018;
   EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "time_end_s", "no complete burst")));
+}
+
+TEST(Survey, WarnsOfAWindowThatLeavesNothing) {
+  Scene scene = sound_scene();
+  scene.radars[0].window = Radar::Window::bartlett;
+  EXPECT_THAT(survey(scene), IsEmpty());  // raw data have no use for it
+  scene.simulations[0].processing = Processing::matched_filter;
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.simulations[0].sample_rate_hz = 1.0 / 5e-6;  // one sample a pulse, at its leading edge
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
+  scene.simulations[0].processing = Processing::srp;
+  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene.radars[0].carrier_step_hz = 1e6;
+  scene.radars[0].carrier_steps = 2;
+  scene.radars[0].pulses_per_step = 1;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
+  scene.radars[0].carrier_steps = 4;
+  EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
