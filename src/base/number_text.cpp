@@ -49,34 +49,40 @@ std::optional<Literal> split_literal(std::string_view text) {
   return literal;
 }
 
+// Decimal places of a mantissa before its point, negative for zeros behind it: 3 for "0123.4", -2 for "0.001".
+std::int64_t magnitude(std::string_view mantissa) {
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == std::string_view::npos) return 0;
+  const auto places = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  return places > 0 ? places : places + 1;
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text, int exponent_shift) {
   const auto literal = split_literal(text);
   if (!literal) return std::nullopt;
+  const std::int64_t exponent = literal->exponent + exponent_shift;
+  std::string shifted;
+  std::string_view digits = literal->mantissa;
+  if (exponent != 0) digits = shifted = fmt::format("{}e{}", literal->mantissa, exponent);
   double value = 0.0;
-  if (literal->exponent == 0 && exponent_shift == 0) {
-    const auto [end, error] =
-        std::from_chars(literal->mantissa.data(), literal->mantissa.data() + literal->mantissa.size(), value);
-    if (error == std::errc::result_out_of_range) return std::nullopt;
-  } else {
-    const std::string shifted = fmt::format("{}e{}", literal->mantissa, literal->exponent + exponent_shift);
-    const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
-    if (error == std::errc::result_out_of_range) {
-      // from_chars does not say which side was left; the decimal magnitude does.
-      const bool zero = literal->mantissa.find_first_of("123456789") == std::string_view::npos;
-      const auto point = std::min(literal->mantissa.find('.'), literal->mantissa.size());
-      const auto magnitude = literal->exponent + exponent_shift + static_cast<std::int64_t>(point);
-      if (!zero && magnitude > 0) return std::nullopt;
-      value = 0.0;
-    }
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    // from_chars does not say which side was left; the place of the first digit that counts does.
+    if (magnitude(literal->mantissa) + exponent > 0) return std::nullopt;
+    value = 0.0;
   }
   if (!std::isfinite(value)) return std::nullopt;
   return literal->negative ? -value : value;
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+    if (text.starts_with('-')) return std::nullopt;
+  }
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;

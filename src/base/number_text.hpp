@@ -35,7 +35,7 @@ namespace sarsim {
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 /// The candidate closest to `word` by edit distance, ignoring case; empty where none is near
-/// (distance above a third of the length of the word, at least 1).
+/// (distance above 1 and a third of the length of the word).
 template <class Candidates>
 [[nodiscard]] std::string_view nearest_word(std::string_view word, const Candidates& candidates);
 

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "data/count_range.hpp"
+#include "data/decimal_digits.hpp"
 
 namespace sarsim {
 
@@ -29,19 +29,22 @@ std::size_t digits_of(std::uint64_t value) {
 // Writes numbers one after the other into a buffer that is large enough by construction.
 class TextWriter {
  public:
-  TextWriter(std::size_t capacity, CountRange range) : bytes_(capacity), range_(range) {
-    next_ = reinterpret_cast<char*>(bytes_.data());
-    end_ = next_ + capacity;
-  }
+  TextWriter(std::size_t capacity, CountRange range)
+      : bytes_(capacity + DecimalDigits::slack),
+        next_(reinterpret_cast<char*>(bytes_.data())),
+        range_(range),
+        highest_(range.with_offset(range.highest())),
+        digits_(decimal_digits()) {}
 
   void put(char c) { *next_++ = c; }
   void put_signed(std::int64_t count) {
-    if (!range_.contains(count)) throw_out_of_range(count, range_.bits);
-    next_ = std::to_chars(next_, end_, count).ptr;
+    if (range_.with_offset(count) > highest_) throw_out_of_range(count, range_.bits);
+    next_ = digits_.put_signed(next_, count);
   }
   void put_with_offset(std::int64_t count) {
-    if (!range_.contains(count)) throw_out_of_range(count, range_.bits);
-    next_ = std::to_chars(next_, end_, range_.with_offset(count)).ptr;
+    const std::uint64_t stored = range_.with_offset(count);
+    if (stored > highest_) throw_out_of_range(count, range_.bits);
+    next_ = digits_.put(next_, stored);
   }
   std::vector<std::byte> take() {
     bytes_.resize(static_cast<std::size_t>(next_ - reinterpret_cast<char*>(bytes_.data())));
@@ -51,8 +54,9 @@ class TextWriter {
  private:
   std::vector<std::byte> bytes_;
   char* next_;
-  char* end_;
   CountRange range_;
+  std::uint64_t highest_;
+  const DecimalDigits& digits_;
 };
 
 // Longest pair in each text format: two numbers with sign and what stands around them, and the row's end.

@@ -17,6 +17,7 @@ namespace sarsim {
 namespace {
 
 constexpr haddr_t last_address = haddr_t{1} << 62;
+constexpr hsize_t structure_block_bytes = 512;  // The library reserves space for its own data in such steps.
 
 // What the library holds of an open file; it asks that its own part comes first.
 struct DriverFile {
@@ -126,6 +127,8 @@ Hdf5Handle Hdf5Output::access_properties() {
   H5Pset_driver(properties.get(), driver_.get(), &info);
   H5Pset_libver_bounds(properties.get(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   H5Pset_fclose_degree(properties.get(), H5F_CLOSE_STRONG);
+  H5Pset_meta_block_size(properties.get(), structure_block_bytes);
+  H5Pset_small_data_block_size(properties.get(), structure_block_bytes);
   return properties;
 }
 

@@ -128,6 +128,12 @@ std::string link_name(hid_t group, hsize_t index) {
   return size <= 0 ? std::string() : std::string(name.data());
 }
 
+// Scripts with the line ends of DOS left a carriage return at the end of names.
+std::string without_return(std::string name) {
+  if (name.ends_with('\r')) name.pop_back();
+  return name;
+}
+
 AttributeTexts read_details(hid_t file, std::uint64_t longest) {
   AttributeTexts result;
   if (!has_object(file, "/Details")) return result;
@@ -139,7 +145,7 @@ AttributeTexts read_details(hid_t file, std::uint64_t longest) {
     const Hdf5Handle object(H5Dopen2(group.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!object) continue;
     for (auto& [key, value] : read_attributes(object.get(), longest))
-      result.emplace_back(fmt::format("{}/{}", name, key), std::move(value));
+      result.emplace_back(without_return(name) + "/" + without_return(key), std::move(value));
   }
   return result;
 }

@@ -102,7 +102,7 @@ double expected_text_bytes(const Product& product, const Encoding& encoding) {
   const double samples = static_cast<double>(product.rows) * static_cast<double>(product.columns);
   const double rows = static_cast<double>(product.rows);
   const double offset = static_cast<double>(CountRange{encoding.bits}.offset());
-  const double with_sign = mean_digits(offset + 1.0) + 0.5;
+  const double with_sign = mean_digits(offset + 1.0) + offset / (2.0 * offset + 2.0);
   switch (encoding.format) {
     case FileFormat::ascii: return samples * (2.0 * with_sign + 2.0) + rows;
     case FileFormat::bracket: return samples * (2.0 * with_sign + 4.0) + rows;

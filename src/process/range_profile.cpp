@@ -17,7 +17,8 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
     weights_[n] = steps > 1 ? window(static_cast<double>(n) / (steps - 1)) : 1.0;
     sum += weights_[n];
   }
-  for (double& w : weights_) w /= sum;
+  if (sum != 0.0)
+    for (double& w : weights_) w /= sum;
 }
 
 void RangeProfiler::profile(std::span<const std::complex<double>> sums, std::span<std::complex<double>> out) const {

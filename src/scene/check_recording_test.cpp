@@ -170,6 +170,7 @@ TEST(CheckRecording, SaysThatABandLimitedPulseLosesWhatAnIdealOneFolds) {
 TEST(CheckRecording, TakesRoundingForNoAliasing) {
   for (const double width_us : {3.0, 5.0, 7.0, 9.0}) {
     Scene scene = with_simulation([&](Simulation& s) { s.sample_rate_hz = std::nextafter(1e6 / width_us, 0.0); });
+    scene.simulations[0].range_end_m = 20e3;
     scene.radars[0].pulse = Radar::Pulse::mono;
     scene.radars[0].pulse_width_s = width_us * 1e-6;
     EXPECT_TRUE(check(scene).empty()) << width_us;

@@ -23,7 +23,7 @@ std::string with_unit(const FunctionAxis& axis) {
 }
 
 std::string subject_of(const FunctionText& text) {
-  return fmt::format("{} of {}", text.block.y[text.part].name, text.block.words);
+  return fmt::format("{} ({})", text.block.y[text.part].name, text.block.words);
 }
 
 // The number of points, or nothing where it cannot be told (reported).
@@ -60,7 +60,7 @@ bool read_coordinate(const Token& token, const FunctionText& text, bool is_y, Re
     return true;
   }
   reporter.check_spelling(token, text.member);
-  const std::string words = fmt::format("{} of a point of {}", axis.name, text.block.words);
+  const std::string words = fmt::format("{} of a point ({})", axis.name, text.block.words);
   return read_number(token, Field{text.member, words, axis.unit, shift}, reporter, value);
 }
 

@@ -21,7 +21,7 @@ std::string listed(std::span<const std::string_view> words) {
 }
 
 std::string selection_hint(const Token& token, std::span<const std::string_view> words) {
-  const std::string_view near = nearest_word(token.text, words);
+  const std::string_view near = nearest_word(token.text.substr(0, longest_shown), words);
   if (!near.empty()) return fmt::format("did you mean {}?", near);
   if (begins_like_number(token.text)) return "there may be a number too many before it";
   return {};
@@ -56,7 +56,7 @@ bool FieldReader::value_follows(const Field& field, std::string_view kind) {
   std::string expected(kind);
   if (!field.unit.empty()) expected += fmt::format(" in {}", field.unit);
   reporter_.error(last_, field.member,
-                  {fmt::format("${} ends before its {}", shown(command_.text), field.words), "",
+                  {fmt::format("${} ends before the {}", shown(command_.text), field.words), "",
                    expected + fmt::format(" behind '{}'", shown(last_.text)),
                    fmt::format("the command begins in line {}", command_.line)});
   return false;

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "script/scene_grammar.hpp"
 #include "script/tokens.hpp"
 #include "script/write_commands.hpp"

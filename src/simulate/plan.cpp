@@ -15,8 +15,18 @@ namespace {
 
 constexpr double index_tolerance = 1e-9;
 
-// What the pulse of a simulation is (decision 7).
-EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, const ResolvedScene& scene) {
+// Two-way time between raw samples; a row of `count` of them fills the window (decision 2).
+double raw_interval_s(const Simulation& simulation, const Conventions& conventions, std::size_t count) {
+  if (simulation.processing == Processing::matched_filter ||
+      conventions.spacing == Conventions::SampleSpacing::sampling_rate)
+    return 1.0 / simulation.sample_rate_hz;
+  const double window_s = 2.0 * (simulation.range_end_m - simulation.range_start_m) / conventions.light_speed_mps;
+  return window_s / static_cast<double>(count);
+}
+
+// What the pulse of a simulation is (decision 7), for samples `interval_s` apart.
+EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, const ResolvedScene& scene,
+                     double interval_s) {
   EchoPulse pulse;
   pulse.pulse = radar.pulse;
   pulse.light_speed_mps = scene.conventions.light_speed_mps;
@@ -25,7 +35,7 @@ EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, c
     const bool nominal = simulation.oversampling > 1.0;
     const double half_band_hz = 0.5 * (nominal ? bandwidth_hz(radar.pulse) : simulation.sample_rate_hz);
     const double kept_s = nominal ? simulation.width_factor * radar.pulse.width_s : 0.0;
-    pulse.band_limited.emplace(radar.pulse, half_band_hz, simulation.sample_rate_hz, kept_s);
+    pulse.band_limited.emplace(radar.pulse, half_band_hz, 1.0 / interval_s, kept_s);
   }
   return pulse;
 }
@@ -55,16 +65,31 @@ std::vector<std::size_t> identity_indices(std::size_t count) {
   return index;
 }
 
-// Sets the raw grid and, for compressed data, the compressor.
+// Ranges of raw samples, given by their index from the start of the window.
+std::vector<double> ranges_m(const Plan& plan, const std::vector<std::size_t>& index) {
+  const double spacing_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.interval_s;
+  std::vector<double> ranges(index.size());
+  for (std::size_t i = 0; i < index.size(); ++i)
+    ranges[i] = plan.simulation.range_start_m + static_cast<double>(index[i]) * spacing_m;
+  return ranges;
+}
+
+// Number of the first raw sample, in intervals after the send time: what its noise is keyed by. Rounding must not put
+// windows that begin halfway between two numbers (CENTRE, an odd number of half samples) on different sides.
+std::int64_t first_sample_number(const SampleGrid& grid) {
+  constexpr double rounding = 1e-6;
+  return static_cast<std::int64_t>(std::floor(grid.first_s / grid.interval_s + 0.5 + rounding));
+}
+
+// Sets the raw grid, the ranges of the columns (of the gates, for profiles) and, for compressed data, the compressor.
 void plan_samples(Plan& plan, std::size_t count) {
   const Simulation& s = plan.simulation;
   const Conventions& conventions = plan.scene->conventions;
   const double two_way_start_s = 2.0 * s.range_start_m / conventions.light_speed_mps;
-  const double interval_s = 1.0 / s.sample_rate_hz;
+  const double interval_s = raw_interval_s(s, conventions, count);
   if (s.processing != Processing::matched_filter) {
-    const bool fraction = conventions.spacing == Conventions::SampleSpacing::window_fraction;
-    const double spread_s = 2.0 * (s.range_end_m - s.range_start_m) / conventions.light_speed_mps;
-    plan.raw_grid = {two_way_start_s, fraction ? spread_s / static_cast<double>(count) : interval_s, count};
+    plan.raw_grid = {two_way_start_s, interval_s, count};
+    plan.column_range_m = ranges_m(plan, identity_indices(count));
     return;
   }
   const double first_s = two_way_start_s - plan.pulse.lead_s;
@@ -82,21 +107,14 @@ void plan_samples(Plan& plan, std::size_t count) {
   }
   const std::size_t raw_count = index.back() + filter.taps.size();
   plan.raw_grid = {first_s, interval_s, raw_count};
+  plan.column_range_m = ranges_m(plan, index);
   plan.compressor = std::make_shared<RangeCompressor>(filter, raw_count, std::move(index));
 }
 
 void plan_rows(Plan& plan, std::size_t count) {
-  const double spacing_m =
-      0.5 * plan.scene->conventions.light_speed_mps *
-      (plan.simulation.processing == Processing::matched_filter ? 1.0 / plan.simulation.sample_rate_hz
-                                                                : plan.raw_grid.interval_s);
-  std::vector<double> gates_m(count);
-  for (std::size_t i = 0; i < count; ++i)
-    gates_m[i] = plan.simulation.range_start_m + static_cast<double>(i) * spacing_m;
   if (plan.simulation.processing != Processing::srp) {
     plan.rows = static_cast<std::size_t>(plan.pulses.count());
     plan.columns = count;
-    plan.column_range_m = std::move(gates_m);
     return;
   }
   const std::int64_t burst = plan.burst_pulses();
@@ -106,9 +124,10 @@ void plan_rows(Plan& plan, std::size_t count) {
   plan.rows = static_cast<std::size_t>(bursts);
   const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
   plan.columns = count * steps;
+  std::vector<double> gates_m = std::move(plan.column_range_m);
   const double bin_m =
       0.5 * plan.scene->conventions.light_speed_mps / (static_cast<double>(steps) * plan.radar.carrier.step_hz());
-  plan.column_range_m.resize(plan.columns);
+  plan.column_range_m.assign(plan.columns, 0.0);
   for (std::size_t c = 0; c < plan.columns; ++c)
     plan.column_range_m[c] = gates_m[c / steps] + static_cast<double>(c % steps) * bin_m;
   plan.profiler =
@@ -137,16 +156,17 @@ Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const Reso
   const std::size_t radar = find_radar(scene, plan.simulation.radar);
   if (radar == not_found) throw std::invalid_argument("radar '" + plan.simulation.radar + "' is not defined");
   plan.radar = resolve_radar(scene, *plan.scene, radar);
-  plan.pulse = echo_pulse(plan.radar, plan.simulation, *plan.scene);
   plan.pulses = plan.radar.repetition.pulses_in(plan.simulation.time_start_s, plan.simulation.time_end_s);
   const double count = sample_count(plan.simulation, plan.scene->conventions.light_speed_mps);
   if (!(count >= 1.0) || plan.pulses.count() < 1)
     throw std::invalid_argument("the window of simulation " + std::to_string(index + 1) + " is empty");
   if (count > 0x1p40) throw std::invalid_argument(fmt::format("a row of {:g} samples cannot be held", count));
+  const double interval_s = raw_interval_s(plan.simulation, plan.scene->conventions, static_cast<std::size_t>(count));
+  plan.pulse = echo_pulse(plan.radar, plan.simulation, *plan.scene, interval_s);
   plan_samples(plan, static_cast<std::size_t>(count));
   plan_rows(plan, static_cast<std::size_t>(count));
   plan.noise_stddev_v = noise_stddev(plan.radar, plan.simulation, plan.scene->conventions);
-  plan.noise_first_sample = std::llround(plan.raw_grid.first_s / plan.raw_grid.interval_s);
+  plan.noise_first_sample = first_sample_number(plan.raw_grid);
   plan.stc_gain = stc_gains(plan);
   plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
                               plan.scene->options.tolerance);

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
 
 #include "base/constants.hpp"
+#include "receiver/converter.hpp"
 #include "simulate/memory_sink.hpp"
 
 namespace sarsim {
@@ -64,6 +69,117 @@ TEST(Run, SameSamplesForAnyNumberOfThreads) {
     EXPECT_EQ(many.samples, one.samples) << threads;
     EXPECT_EQ(many.report.maximum_v, one.report.maximum_v);
   }
+}
+
+// Records what a sink is told.
+class SpySink : public Sink {
+ public:
+  explicit SpySink(bool wants_counts) : wants_counts_(wants_counts) {}
+  [[nodiscard]] bool wants_counts() const override { return wants_counts_; }
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+    EXPECT_EQ(block.volts.size(), block.rows * block.columns);
+    EXPECT_EQ(block.counts.size(), wants_counts_ ? 2 * block.rows * block.columns : 0u);
+    std::vector<std::byte> bytes(block.counts.size() * sizeof(std::int64_t));
+    if (!bytes.empty()) std::memcpy(bytes.data(), block.counts.data(), bytes.size());
+    return bytes;
+  }
+  void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t row_count) override {
+    EXPECT_EQ(first_row, rows);
+    EXPECT_FALSE(finished);
+    rows += row_count;
+    const std::size_t old = counts.size();
+    counts.resize(old + bytes.size() / sizeof(std::int64_t));
+    if (!bytes.empty()) std::memcpy(counts.data() + old, bytes.data(), bytes.size());
+  }
+  void finish(const RunReport&) override { finished = true; }
+
+  std::size_t rows = 0;
+  std::vector<std::int64_t> counts;
+  bool finished = false;
+
+ private:
+  bool wants_counts_;
+};
+
+RunControl one_thread() {
+  RunControl control;
+  control.threads = 1;
+  return control;
+}
+
+TEST(Run, ASinkThatWantsCountsGetsTheConvertersOwn) {
+  Scene scene = one_target(1000.0);
+  scene.radars[0].noise_temperature_k = 3e5;
+  const Plan plan = make_plan(scene, 0);
+  const double lsb_v = 1e-9;
+  SpySink sink(true);
+  const RunReport report = run(plan, lsb_v, sink, one_thread());
+  const Recording volts = recorded(scene);
+  std::vector<std::int64_t> expected(2 * volts.samples.size());
+  ConversionTally tally;
+  Converter{8, lsb_v}.convert(volts.samples, expected, tally);
+  EXPECT_EQ(sink.counts, expected);
+  EXPECT_TRUE(sink.finished);
+  EXPECT_EQ(report.saturated, tally.saturated);
+  EXPECT_EQ(report.zero, tally.zero);
+  EXPECT_GT(report.saturated, 0u);
+  EXPECT_EQ(report.maximum_v, tally.maximum_v);
+  EXPECT_EQ(report.lsb_v, lsb_v);
+  EXPECT_EQ(report.best_lsb_v, report.maximum_v / 127.0);
+  EXPECT_EQ(report.range_used, report.maximum_v / (lsb_v * 127.0));
+  EXPECT_EQ(report.rows, 1u);
+  EXPECT_EQ(report.columns, 53u);
+}
+
+TEST(Run, AnLsbOfZeroIsTheLargestMagnitudeOverTheFullScale) {
+  Scene scene = one_target(1000.0);
+  const Plan plan = make_plan(scene, 0);
+  const double lsb_v = resolved_lsb_v(plan, one_thread());
+  EXPECT_EQ(lsb_v, recorded(scene).report.maximum_v / 127.0);
+  SpySink sink(true);
+  const RunReport report = run(plan, lsb_v, sink, one_thread());
+  EXPECT_EQ(report.saturated, 0u);
+  EXPECT_NEAR(report.range_used, 1.0, 1e-15);
+  scene.simulations[0].lsb_v = 3e-9;
+  EXPECT_EQ(resolved_lsb_v(make_plan(scene, 0), one_thread()), 3e-9);
+  scene.simulations[0].lsb_v = 0.0;
+  scene.targets.clear();
+  EXPECT_EQ(resolved_lsb_v(make_plan(scene, 0), one_thread()), 1.0);  // silence
+}
+
+TEST(Run, ReportsProgressUpToTheLastRow) {
+  Scene scene = one_target(1000.0);
+  scene.simulations[0].time_end_s = 3.0;
+  std::vector<std::size_t> done;
+  RunControl control = one_thread();
+  control.progress = [&](const Progress& p) {
+    EXPECT_EQ(p.total, 3001u);
+    EXPECT_EQ(p.columns, 53u);
+    done.push_back(p.done);
+  };
+  (void)record(make_plan(scene, 0), control);
+  ASSERT_GT(done.size(), 1u);
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  EXPECT_EQ(done.back(), 3001u);
+}
+
+TEST(Run, StopsWhenAskedAndLeavesTheSinkUnfinished) {
+  Scene scene = one_target(1000.0);
+  scene.simulations[0].time_end_s = 100.0;
+  StopFlag stop;
+  RunControl control = one_thread();
+  control.stop = &stop;
+  control.progress = [&](const Progress&) { stop.request(); };
+  SpySink sink(false);
+  EXPECT_THROW(run(make_plan(scene, 0), 0.0, sink, control), Interrupted);
+  EXPECT_FALSE(sink.finished);
+  EXPECT_LT(sink.rows, 10'000u);
+}
+
+TEST(Run, PassesOnWhatGoesWrongInARow) {
+  Scene scene = one_target(1000.0);
+  scene.targets.push_back(Target());
+  EXPECT_THROW((void)record(make_plan(scene, 0), one_thread()), std::runtime_error);
 }
 
 }  // namespace

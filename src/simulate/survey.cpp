@@ -60,6 +60,7 @@ class Surveyor {
 
   void look(const std::shared_ptr<const ResolvedScene>& resolved) {
     const Plan plan = make_plan(scene_, index_, resolved);
+    check_weights(plan);
     if (plan.profiler && !check_bursts(plan)) return;
     const EchoSurvey survey = survey_echoes(plan);
     scope_ = survey.all_pulses
@@ -83,6 +84,25 @@ class Surveyor {
                          {},
                          {"simulation", index_, field},
                          1});
+  }
+
+  // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples.
+  void check_weights(const Plan& plan) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    if (plan.profiler) {
+      count = plan.profiler->steps();
+      for (std::size_t n = 0; n < count; ++n)
+        sum += count > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(count - 1)) : 1.0;
+    } else if (plan.compressor) {
+      const double pulse_samples = plan.radar.pulse.width_s * simulation_.sample_rate_hz;
+      for (; count == 0 || static_cast<double>(count) < pulse_samples - 1e-9; ++count)
+        sum += plan.radar.window(static_cast<double>(count) / pulse_samples);
+    }
+    if (count == 0 || sum != 0.0) return;
+    add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
+        fmt::format("{} samples", count), "a window that is above 0 somewhere",
+        plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
   }
 
   bool check_bursts(const Plan& plan) {

@@ -36,7 +36,7 @@ struct EchoSurvey {
 
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets at the radar's
-/// position, echoes beyond the PRI. The scene must have passed `check`.
+/// position, echoes beyond the PRI, a window function without weight. The scene must have passed `check`.
 [[nodiscard]] Problems survey(const Scene& scene);
 
 }  // namespace sarsim

@@ -14,6 +14,7 @@ constexpr double filter_beta = 14.0;
 constexpr double cut_fraction = 0.92;      // Fc/F
 constexpr double half_length_band = 28.0;  // Th F
 constexpr double interpolation_beta = 28.0;
+constexpr double edge_tolerance = 1e-9;    // of a sampling interval (decision 8)
 
 double semicircle_window(double z, double beta) {
   const double inside = (1.0 - z) * (1.0 + z);
@@ -120,10 +121,12 @@ void BandLimitedPulse::values(double t_s, std::span<std::complex<double>> out) c
   const double below = std::floor(position);
   const Taps weights = taps_at(position - below);
   const double interval_s = static_cast<double>(samples_per_interval_) / table_rate_hz_;
+  const double tolerance_s = edge_tolerance * interval_s;
   auto entry = static_cast<std::ptrdiff_t>(below) - (taps / 2 - 1);
   for (std::size_t i = 0; i < out.size(); ++i, entry += samples_per_interval_) {
     const double t = t_s + static_cast<double>(i) * interval_s;
-    const bool inside = t >= first_s_ && t < last_s_ && entry >= 0 && entry + taps <= std::ssize(table_);
+    const bool inside =
+        t >= first_s_ - tolerance_s && t < last_s_ - tolerance_s && entry >= 0 && entry + taps <= std::ssize(table_);
     double re = 0.0;
     double im = 0.0;
     if (inside)

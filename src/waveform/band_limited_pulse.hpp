@@ -31,7 +31,8 @@ class BandLimitedPulse {
   /// ... and from this time on.
   [[nodiscard]] double last_s() const { return last_s_; }
 
-  /// Value at `t_s` after the leading edge of the hard-edged pulse.
+  /// Value at `t_s` after the leading edge of the hard-edged pulse. A time closer than 1e-9 of a sampling interval to
+  /// `first_s` or `last_s` counts as on it (decision 8).
   [[nodiscard]] std::complex<double> value(double t_s) const;
 
   /// Values at t_s + i/sample_rate for i = 0 ... out.size() - 1; the same numbers as `value`, faster.

@@ -1,0 +1,10 @@
+// HDF5 files of samples.
+
+#include "data/sample_file_probe.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  sarsim::SampleFileHints hints;
+  hints.format = sarsim::FileFormat::hdf5;
+  sarsim::probe_sample_file(data, size, hints);
+  return 0;
+}

@@ -1,0 +1,10 @@
+// NumPy files of samples.
+
+#include "data/sample_file_probe.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  sarsim::SampleFileHints hints;
+  hints.format = sarsim::FileFormat::npy;
+  sarsim::probe_sample_file(data, size, hints);
+  return 0;
+}

@@ -1,0 +1,175 @@
+#include "cli/command_line.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/version.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/signals.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+const std::string version_text =
+    fmt::format("sarsim {}\nLicence GPL-3.0-or-later: free software that comes without any warranty.", program_version);
+
+// The application with its commands and what carries each out.
+struct Program {
+  CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
+  std::vector<std::pair<CLI::App*, Action>> commands;
+
+  Program() {
+    app.set_help_flag("-h,--help", "this help");
+    app.set_version_flag("--version", version_text, "version and licence");
+    app.get_formatter()->column_width(34);
+    app.allow_extras();
+    add("run", "simulate: everything that a script asks for, or some of it", add_run);
+    add("check", "say everything that is wrong with scripts", add_check);
+    add("info", "describe a script or a file of samples", add_info);
+    add("geometry", "print where everything is, pulse by pulse", add_geometry);
+    add("convert", "convert files of samples between formats", add_convert);
+    add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
+    add("completion", "print a completion script for a shell",
+        [this](CLI::App& command) { return add_completion(command, app); });
+    add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
+                       {"sarsim check scene.scr", "before computing anything"},
+                       {"sarsim run --help", "options and examples of a command"}});
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  template <class Add>
+  void add(const char* name, const char* description, const Add& add_arguments) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_help_flag("-h,--help", "this help");
+    command->allow_extras();
+    commands.emplace_back(command, add_arguments(*command));
+  }
+
+  [[nodiscard]] std::vector<std::string> command_names() const {
+    std::vector<std::string> names;
+    for (const auto& [command, action] : commands) names.push_back(command->get_name());
+    return names;
+  }
+};
+
+bool looks_like_scene(const std::string& word) {
+  if (word.empty() || word.front() == '-') return false;
+  const std::filesystem::path path(word);
+  std::error_code ignored;
+  return equal_ignoring_case(path.extension().string(), ".scr") || path.has_parent_path() ||
+         std::filesystem::is_regular_file(path, ignored);
+}
+
+// Puts "run" in front where the first word is no command but a script follows, as the original compiler was called.
+void supply_run(std::vector<std::string>& words, const std::vector<std::string>& commands) {
+  if (words.empty() || std::ranges::find(commands, words.front()) != commands.end()) return;
+  const bool option_first = words.front().starts_with("-");
+  const bool scene = option_first ? std::ranges::any_of(words, looks_like_scene) : looks_like_scene(words.front());
+  if (scene) words.insert(words.begin(), "run");
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// What stands on the command line and belongs nowhere.
+void expect_no_extras(const Program& program, const CLI::App* command) {
+  const CLI::App& app = command != nullptr ? *command : program.app;
+  const std::vector<std::string> extras = app.remaining();
+  if (extras.empty()) return;
+  const std::string& word = extras.front();
+  const bool option = word.starts_with("-");
+  const std::string name = word.substr(0, word.find('='));
+  const std::vector<std::string> known = option ? option_names(app) : program.command_names();
+  const std::string_view nearest = option || command == nullptr ? nearest_word(name, known) : std::string_view();
+  const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
+  const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  throw BadInput(fmt::format("{}{} '{}'", where, what, name),
+                 nearest.empty()
+                     ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
+                     : fmt::format("did you mean '{}'?", nearest));
+}
+
+ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
+  supply_run(words, program.command_names());
+  const auto chosen = std::ranges::find_if(
+      program.commands, [&](const auto& entry) { return !words.empty() && entry.first->get_name() == words.front(); });
+  CLI::App* command = chosen == program.commands.end() ? nullptr : chosen->first;
+  try {
+    std::ranges::reverse(words);  // As CLI11 takes them.
+    program.app.parse(std::move(words));
+  } catch (const CLI::CallForHelp&) {
+    write_out(streams, command != nullptr ? command->help("sarsim") : program.app.help());
+    return exit_done;
+  } catch (const CLI::CallForVersion&) {
+    write_out(streams, version_text + "\n");
+    return exit_done;
+  } catch (const CLI::ParseError& error) {
+    expect_no_extras(program, command);
+    const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
+    throw BadInput(where + error.what(),
+                   fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
+  }
+  expect_no_extras(program, command);
+  if (command == nullptr) {
+    write_out(streams, program.app.help());
+    return exit_done;
+  }
+  return chosen->second(streams);
+}
+
+int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
+  const auto say = [&](const std::string& text) { streams.err << "sarsim: error: " << text << '\n'; };
+  try {
+    const ExitStatus status = dispatch(program, std::move(words), streams);
+    flush_out(streams);
+    return status;
+  } catch (const BadInput& error) {
+    print_problems(streams, error.problems);
+    return exit_bad_input;
+  } catch (const OutputClosed&) {
+    return exit_failed;
+  } catch (const Interrupted&) {
+    const int number = received_signal();
+    streams.err << "sarsim: interrupted; nothing unfinished was left behind\n";
+    return 128 + (number != 0 ? number : SIGINT);
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+  } catch (const std::exception& error) {
+    say(error.what());
+  }
+  return exit_failed;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, Streams streams) {
+  Program program;
+  const int status = guarded(program, std::vector<std::string>(argv + std::min(1, argc), argv + argc), streams);
+  streams.err.flush();
+  return status;
+}
+
+int main_program(int argc, const char* const* argv) {
+  const StopFlag& stop = handle_signals();
+  return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
+}
+
+}  // namespace sarsim::cli

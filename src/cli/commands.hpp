@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/context.hpp"
+
+/// The commands, one file each. Each function adds a command's arguments to its application and returns what carries it
+/// out once they have been parsed.
+namespace sarsim::cli {
+
+using Action = std::function<ExitStatus(Streams&)>;
+
+[[nodiscard]] Action add_run(CLI::App& app);
+[[nodiscard]] Action add_check(CLI::App& app);
+[[nodiscard]] Action add_format_command(CLI::App& app);
+[[nodiscard]] Action add_info(CLI::App& app);
+[[nodiscard]] Action add_geometry(CLI::App& app);
+[[nodiscard]] Action add_convert(CLI::App& app);
+/// @param root  the application whose commands and options are completed
+[[nodiscard]] Action add_completion(CLI::App& app, const CLI::App& root);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/output_names.hpp"
+#include "cli/report.hpp"
+#include "cli/sample_input.hpp"
+#include "data/formats.hpp"
+#include "data/sinks.hpp"
+#include "receiver/converter.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct ConvertArguments {
+  std::string input;
+  std::string output;
+  SampleArguments sample;
+  std::optional<FileFormat> to;
+  bool counts = false;
+  bool header = false;
+  bool force = false;
+};
+
+FileFormat output_format(const ConvertArguments& arguments) {
+  if (arguments.to) return *arguments.to;
+  if (const auto format = format_from_path(arguments.output)) return *format;
+  throw BadInput(fmt::format("the extension of '{}' names no format", arguments.output),
+                 "say it with --to ascii, binary, bracket, hdf5, csv or npy");
+}
+
+std::string attribute(const SampleFileInfo& info, std::string_view name) {
+  const auto found =
+      std::ranges::find(info.attributes, name, [](const auto& pair) -> std::string_view { return pair.first; });
+  return found == info.attributes.end() ? std::string() : found->second;
+}
+
+Processing processing_from(const std::string& word) {
+  if (word == "matched_filter") return Processing::matched_filter;
+  return word == "srp" ? Processing::srp : Processing::raw;
+}
+
+// The description of the recording as far as its file gives it.
+Product product_of_file(const SampleFile& file) {
+  const SampleFileInfo& info = file.info();
+  Product product;
+  product.rows = info.rows;
+  product.columns = info.columns;
+  product.bits = info.bits;
+  product.lsb_v = info.lsb_v.value_or(0.0);
+  product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
+  product.radar = attribute(info, "radar");
+  product.script = attribute(info, "script");
+  product.processing = processing_from(attribute(info, "processing"));
+  if (const std::string engine = attribute(info, "engine"); !engine.empty()) product.engine = engine;
+  product.options.profile = attribute(info, "profile") == "classic" ? Profile::classic : Profile::physical;
+  product.options.pulse =
+      attribute(info, "pulse") == "band_limited" ? PulseDefinition::band_limited : PulseDefinition::ideal;
+  if (const auto seed = parse_integer(attribute(info, "seed")))
+    product.options.seed = static_cast<std::uint64_t>(*seed);
+  if (const auto tolerance = parse_number(attribute(info, "tolerance"))) product.options.tolerance = *tolerance;
+  if (auto axes = file.axes()) {
+    const auto shared = std::make_shared<const SampleAxes>(std::move(*axes));
+    product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
+    product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
+    product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
+  }
+  return product;
+}
+
+// What happens to each sample on its way.
+enum class Change { none, to_volts, to_counts };
+
+// Turns blocks of one file into those of another.
+class Conversion {
+ public:
+  Conversion(const SampleFile& file, const SampleFileHints& hints, const ConvertArguments& arguments, Streams& streams)
+      : file_(file), product_(product_of_file(file)), arguments_(arguments), streams_(streams) {
+    choose_converter(hints);
+    const FileFormat format = output_format(arguments);
+    const bool either = format == FileFormat::hdf5 || format == FileFormat::npy;
+    options_ = {format, arguments.force, arguments.counts || !either, arguments.header};
+    const bool volts_in = !file.info().counts;
+    change_ = volts_in == !options_.counts ? Change::none : volts_in ? Change::to_counts : Change::to_volts;
+    expect_known();
+  }
+
+  void carry_out() {
+    const std::unique_ptr<Sink> sink = make_sink(arguments_.output, product_, options_);
+    const std::size_t rows = rows_at_once(product_.columns);
+    for (std::size_t first = 0; first < product_.rows; first += rows) {
+      if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
+      const std::size_t count = std::min(rows, product_.rows - first);
+      read(first, count);
+      sink->append(sink->encode({first, count, product_.columns, volts_, counts_}), first, count);
+    }
+    sink->finish(report());
+    warn_of_clipping();
+  }
+
+ private:
+  // Counts were made by the converter that their file tells of; volts may go through any other.
+  void choose_converter(const SampleFileHints& hints) {
+    const bool volts = !file_.info().counts;
+    if (hints.bits > 0 && (volts || product_.bits == 0)) product_.bits = hints.bits;
+    if (hints.lsb_v > 0.0 && (volts || product_.lsb_v <= 0.0)) product_.lsb_v = hints.lsb_v;
+  }
+
+  // Everything that the change needs must be known before the first row.
+  void expect_known() {
+    Problems problems;
+    const auto need = [&](const char* what, const char* option) {
+      Problem problem;
+      problem.message =
+          fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
+                      std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
+                      std::string_view(what).ends_with("bits") ? "them" : "it");
+      problem.hint = fmt::format("give {}, or the script that wrote the file with --script", option);
+      problems.push_back(problem);
+    };
+    const bool sized = options_.format != FileFormat::ascii && options_.format != FileFormat::bracket;
+    if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
+      need("the A/D bits", "--bits");
+    if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
+    if (!problems.empty()) throw BadInput(std::move(problems));
+    if (product_.bits == 0) product_.bits = options_.counts ? 64 : Simulation{}.bits;
+  }
+
+  void read(std::size_t first, std::size_t count) {
+    volts_.resize(count * product_.columns);
+    file_.read_rows(first, count, volts_);
+    if (change_ == Change::to_volts)
+      for (auto& sample : volts_) sample *= product_.lsb_v;
+    if (!options_.counts) return;
+    counts_.resize(2 * volts_.size());
+    // Counts pass through a converter of 1 V a count: unchanged as long as they fit its bits.
+    Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_, tally_);
+  }
+
+  void warn_of_clipping() {
+    if (tally_.saturated == 0) return;
+    const std::string remedy =
+        change_ == Change::to_counts
+            ? fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits))
+            : std::string("more --bits would hold them all");
+    streams_.err << fmt::format("warning: {} of {} samples were clipped to {} bits; {}\n", tally_.saturated,
+                                product_.rows * product_.columns, product_.bits, remedy);
+  }
+
+  [[nodiscard]] RunReport report() const {
+    RunReport report;
+    report.rows = product_.rows;
+    report.columns = product_.columns;
+    report.lsb_v = product_.lsb_v;
+    return report;
+  }
+
+  const SampleFile& file_;
+  Product product_;
+  const ConvertArguments& arguments_;
+  Streams& streams_;
+  SinkOptions options_;
+  Change change_ = Change::none;
+  std::vector<std::complex<double>> volts_;
+  std::vector<std::int64_t> counts_;
+  ConversionTally tally_;
+};
+
+ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
+  const SampleFileHints hints = hints_for(arguments.input, arguments.sample);
+  const SampleFile file = open_samples(arguments.input, hints, streams);
+  Conversion conversion(file, hints, arguments, streams);
+  Problems problems = problems_of_output(arguments.output, arguments.input, arguments.force);
+  if (!problems.empty()) throw BadInput(std::move(problems));
+  conversion.carry_out();
+  return exit_done;
+}
+
+}  // namespace
+
+Action add_convert(CLI::App& app) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  add_text(app, "input", arguments->input, "IN", "file of samples")->required();
+  add_text(app, "output", arguments->output, "OUT", "file to write")->required();
+  add_sample_arguments(app, arguments->sample);
+  add_format(app, "--to", arguments->to, "format of the new file (default: from its extension)");
+  app.add_flag("--counts", arguments->counts, "converter counts instead of volts in HDF5 and NPY");
+  app.add_flag("--header", arguments->header, "a header line in CSV");
+  app.add_flag("--force", arguments->force, "replace the new file where it exists");
+  add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
+                     {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
+                     {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"}});
+  return [arguments](Streams& streams) { return convert(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

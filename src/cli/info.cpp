@@ -1,0 +1,70 @@
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <memory>
+
+#include "base/number_text.hpp"
+#include "cli/commands.hpp"
+#include "cli/info_data.hpp"
+#include "cli/info_scene.hpp"
+#include "cli/options.hpp"
+#include "data/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct InfoArguments {
+  std::string path;
+  SampleArguments sample;
+  SceneOverrides overrides;
+  bool json = false;
+  bool all = false;
+};
+
+// Whether the beginning of a file holds a command of the script language at the start of a line.
+bool begins_like_script(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(1U << 16U, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.find('\0') != std::string::npos) return false;
+  for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
+    const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
+    const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';
+    if (starts_line && i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) return true;
+  }
+  return false;
+}
+
+bool is_script(const std::string& path) {
+  const std::filesystem::path name(path);
+  if (equal_ignoring_case(name.extension().string(), ".scr")) return true;
+  const auto format = format_from_path(name);
+  if (format && *format != FileFormat::ascii) return false;
+  return begins_like_script(path);
+}
+
+ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
+  if (is_script(arguments.path))
+    return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
+  return print_data_info({arguments.path, arguments.sample, arguments.json}, streams);
+}
+
+}  // namespace
+
+Action add_info(CLI::App& app) {
+  auto arguments = std::make_shared<InfoArguments>();
+  add_text(app, "file", arguments->path, "FILE", "script, or file of samples")->required();
+  app.add_flag("--json", arguments->json, "the same as JSON");
+  app.add_flag("--all", arguments->all, "list every object and target of a script, not the first 20");
+  add_scene_overrides(app, arguments->overrides);
+  add_sample_arguments(app, arguments->sample);
+  add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},
+                     {"sarsim info sim1.h5", "shape and statistics of a file of samples"},
+                     {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
+                     {"sarsim info sim1.bin --script sar_r.scr", "or with what its script says"}});
+  return [arguments](Streams& streams) { return print_info(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,109 @@
+#include "cli/output_names.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "data/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string without_drive(const std::string& name) {
+  const bool drive = name.size() >= 2 && name[1] == ':' && ((name[0] | 0x20) >= 'a') && ((name[0] | 0x20) <= 'z');
+  return drive ? name.substr(2) : name;
+}
+
+// One product's name on its way to a path.
+class Namer {
+ public:
+  explicit Namer(const OutputRules& rules, Problems& problems) : rules_(rules), problems_(problems) {}
+
+  fs::path place(const std::string& name, const Subject& subject, bool recording) {
+    const std::string base = base_name(name);
+    if (base.empty() || base == "." || base == "..") {
+      add(Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
+      return {};
+    }
+    fs::path path = rules_.folder / base;
+    if (rules_.keep_paths) {
+      std::string kept = without_drive(name);
+      std::ranges::replace(kept, '\\', '/');
+      path = rules_.folder / kept;
+    }
+    path = path.lexically_normal();
+    if (recording && rules_.format) path.replace_extension(extension_of(*rules_.format));
+    // `check` has warned of names that are alike in the script.
+    const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
+    return distinct(path, subject, told);
+  }
+
+ private:
+  void add(Severity severity, const Subject& subject, std::string message, std::string found, std::string expected,
+           std::string hint) {
+    problems_.push_back(
+        {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
+  }
+
+  fs::path distinct(const fs::path& path, const Subject& subject, bool told) {
+    fs::path result = path;
+    for (int number = 2; !taken_.insert(result).second; ++number)
+      result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
+    if (result != path && !told)
+      add(Severity::warning, subject,
+          fmt::format("another product of the script is written to '{}'; this one becomes '{}'",
+                      path.filename().string(), result.filename().string()),
+          "", "", "give each product a name of its own");
+    return result;
+  }
+
+  const OutputRules& rules_;
+  Problems& problems_;
+  std::set<fs::path> taken_;
+  std::set<std::string> met_;
+};
+
+}  // namespace
+
+std::string base_name(const std::string& name) {
+  const std::string bare = without_drive(name);
+  const std::size_t slash = bare.find_last_of("/\\");
+  return slash == std::string::npos ? bare : bare.substr(slash + 1);
+}
+
+OutputNames output_names(const Scene& scene, const OutputRules& rules) {
+  OutputNames names;
+  Namer namer(rules, names.problems);
+  for (std::size_t i = 0; i < scene.simulations.size(); ++i)
+    names.simulations.push_back(namer.place(scene.simulations[i].file, {"simulation", i, "file"}, true));
+  for (std::size_t i = 0; i < scene.geometries.size(); ++i)
+    names.tables.push_back(namer.place(scene.geometries[i].file, {"geometry", i, "file"}, false));
+  return names;
+}
+
+Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status)) return {};
+  Problem problem;
+  problem.found = path.string();
+  if (fs::is_directory(status)) {
+    problem.message = "the output's name belongs to a folder";
+    problem.hint = "give the output another name, or another folder with --out";
+  } else if (fs::equivalent(path, source, ignored)) {
+    problem.message = "the output would replace the file that it is made from";
+    problem.hint = "give the output another name, or another folder with --out";
+  } else if (!force) {
+    problem.message = "the output exists already";
+    problem.hint = "replace it with --force, or choose another folder with --out";
+  } else {
+    return {};
+  }
+  return {problem};
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/problem.hpp"
+#include "cli/json.hpp"
+#include "scene/scene.hpp"
+#include "simulate/sink.hpp"
+
+namespace sarsim::cli {
+
+/// What a finished recording turned out to be.
+struct RecordingReport {
+  std::string file;  ///< Empty where nothing was written.
+  Simulation simulation;
+  RunOptions options;
+  std::string engine;
+  RunReport run;
+  double bytes = 0.0;
+  double seconds = 0.0;  ///< With the estimate of the LSB.
+  bool counts = false;   ///< The file holds counts of the converter, not volts.
+  Problems warnings;
+};
+
+/// What a finished geometry table turned out to be.
+struct TableReport {
+  std::string file;
+  std::string radar;
+  double bytes = 0.0;
+  double seconds = 0.0;
+};
+
+/// The summary that the original program gave after a run: size, time, largest magnitude in mV and the share of the
+/// converter's range that it used, best LSB in mV, shares of saturated and zero samples. Several lines.
+[[nodiscard]] std::string report_text(const RecordingReport& report);
+
+/// The same as one JSON object.
+void write_json(JsonWriter& json, const RecordingReport& report);
+void write_json(JsonWriter& json, const TableReport& report);
+void write_json(JsonWriter& json, const Problem& problem);
+void write_json(JsonWriter& json, const Problems& problems);
+
+/// Words of the command line and of JSON for choices of the scene.
+[[nodiscard]] std::string format_word(FileFormat format);
+[[nodiscard]] std::string profile_word(Profile profile);
+[[nodiscard]] std::string pulse_word(PulseDefinition pulse);
+[[nodiscard]] std::string processing_word(Processing processing);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,317 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/parallel.hpp"
+#include "base/version.hpp"
+#include "cli/commands.hpp"
+#include "cli/json.hpp"
+#include "cli/options.hpp"
+#include "cli/output_names.hpp"
+#include "cli/products.hpp"
+#include "cli/progress_display.hpp"
+#include "cli/report.hpp"
+#include "cli/scene_input.hpp"
+#include "data/output_file.hpp"
+#include "data/sinks.hpp"
+#include "script/reader.hpp"
+#include "script/writer.hpp"
+#include "simulate/geometry_table.hpp"
+#include "simulate/run.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RunArguments {
+  std::string scene;
+  std::vector<std::string> products;
+  std::string folder = ".";
+  SceneOverrides overrides;
+  std::optional<std::int64_t> threads;
+  bool force = false;
+  bool quiet = false;
+  bool json = false;
+  bool strict = false;
+  bool keep_paths = false;
+  bool counts = false;
+  bool header = false;
+  bool discard = false;
+};
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string expected_time(double seconds) {
+  return seconds < 1e-3 ? duration_text(seconds) : "about " + duration_text(seconds);
+}
+
+// One run of a script, from its text to its products.
+class Runner {
+ public:
+  Runner(const RunArguments& arguments, Streams& streams) : arguments_(arguments), streams_(streams) {
+    threads_ = thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
+  }
+
+  ExitStatus run() {
+    try {
+      prepare();
+      for (const ProductJob& job : jobs_) job.table ? make_table(job) : make_recording(job);
+    } catch (const BadInput& error) {
+      finish_json("bad input", error.problems);
+      throw;
+    } catch (const Interrupted&) {
+      finish_json("interrupted", input_.problems);
+      throw;
+    } catch (const std::exception&) {
+      finish_json("failed", input_.problems);
+      throw;
+    }
+    finish_json("done", input_.problems);
+    return exit_done;
+  }
+
+ private:
+  void prepare() {
+    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes);
+    expect_sound();
+    const OutputNames names =
+        output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
+    jobs_ = chosen_products(input_.scene, names, arguments_.products);
+    if (jobs_.empty())
+      throw BadInput(arguments_.scene + ": the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+    take_problems(names.problems);
+    expect_sound();
+    forget_other_products();
+    expect_usable(input_, arguments_.strict);
+    if (!arguments_.discard) expect_free_outputs();
+    if (!arguments_.quiet) print_problems(streams_, input_.problems);
+    resolved_ = std::make_shared<const ResolvedScene>(resolve(input_.scene));
+    announce();
+  }
+
+  // Errors end the run; where only they are wanted, without what else was found.
+  void expect_sound() {
+    if (arguments_.quiet && has_errors(input_.problems))
+      std::erase_if(input_.problems, [](const Problem& p) { return p.severity != Severity::error; });
+    expect_usable(input_);
+  }
+
+  void take_problems(Problems more) {
+    locate(more, input_.places);
+    std::ranges::move(more, std::back_inserter(input_.problems));
+    input_.problems = ranked(std::move(input_.problems));
+  }
+
+  [[nodiscard]] bool concerns(const Problem& problem, const ProductJob& job) const {
+    return problem.subject.kind == (job.table ? "geometry" : "simulation") && problem.subject.index == job.index;
+  }
+
+  // Warnings about products that are not made are of no interest.
+  void forget_other_products() {
+    std::erase_if(input_.problems, [this](const Problem& p) {
+      const bool of_product = p.subject.kind == "simulation" || p.subject.kind == "geometry";
+      return of_product && p.count == 1 &&
+             std::ranges::none_of(jobs_, [&](const ProductJob& job) { return concerns(p, job); });
+    });
+  }
+
+  void expect_free_outputs() {
+    Problems problems;
+    for (const ProductJob& job : jobs_)
+      std::ranges::move(problems_of_output(job.path, arguments_.scene, arguments_.force), std::back_inserter(problems));
+    if (fs::exists(arguments_.folder) && !fs::is_directory(arguments_.folder)) {
+      problems = {};
+      throw BadInput("'" + arguments_.folder + "' is not a folder",
+                     "name a folder with --out; it is made when missing");
+    }
+    if (!problems.empty()) throw BadInput(std::move(problems));
+  }
+
+  // One line for each recording, and the room that all of them need.
+  void announce() {
+    double bytes_wanted = 0.0;
+    for (const ProductJob& job : jobs_) {
+      if (job.table) continue;
+      const Plan plan = make_plan(input_.scene, job.index, resolved_);
+      const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
+      // The size of text is an estimate from above.
+      bytes_wanted += plan.simulation.format == FileFormat::binary || plan.simulation.format == FileFormat::npy ||
+                              plan.simulation.format == FileFormat::hdf5
+                          ? bytes
+                          : 0.4 * bytes;
+      if (arguments_.quiet) continue;
+      const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation);
+      const double seconds = estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
+      streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
+                                  plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
+                                  bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
+    }
+    if (!arguments_.discard) expect_room(bytes_wanted);
+  }
+
+  void expect_room(double bytes) const {
+    fs::path folder = fs::absolute(arguments_.folder);
+    while (!fs::exists(folder) && folder.has_relative_path()) folder = folder.parent_path();
+    std::error_code failure;
+    const fs::space_info space = fs::space(folder, failure);
+    if (failure || bytes <= static_cast<double>(space.available)) return;
+    throw std::runtime_error(fmt::format(
+        "the disk of '{}' has not enough room: {} are needed, {} are free. Make room, choose another folder with --out "
+        "or a smaller --format.",
+        arguments_.folder, bytes_text(bytes), bytes_text(static_cast<double>(space.available))));
+  }
+
+  [[nodiscard]] bool holds_counts(const Simulation& simulation) const {
+    const bool either = simulation.format == FileFormat::hdf5 || simulation.format == FileFormat::npy;
+    return !either || arguments_.counts;
+  }
+
+  [[nodiscard]] SinkOptions sink_options(const Simulation& simulation) const {
+    return {simulation.format, arguments_.force, arguments_.counts, arguments_.header};
+  }
+
+  [[nodiscard]] RunControl control(ProgressDisplay& display) const {
+    return {threads_, streams_.stop, [&display](const Progress& progress) { display.update(progress); }};
+  }
+
+  [[nodiscard]] ProgressDisplay::Style style() const {
+    if (arguments_.quiet) return ProgressDisplay::Style::none;
+    return streams_.terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
+  }
+
+  [[nodiscard]] std::unique_ptr<Sink> sink_of(const ProductJob& job, const Product& product,
+                                              const Simulation& simulation) const {
+    if (arguments_.discard) return make_discarding_sink(product, sink_options(simulation));
+    if (job.path.has_parent_path()) fs::create_directories(job.path.parent_path());
+    return make_sink(job.path, product, sink_options(simulation));
+  }
+
+  // The LSB that the sink's counts need; 0 where neither script nor sink want one.
+  [[nodiscard]] double lsb_v(const Plan& plan, const Sink& sink, const std::string& name) const {
+    if (plan.simulation.lsb_v > 0.0 || !sink.wants_counts()) return plan.simulation.lsb_v;
+    ProgressDisplay display(streams_.err, style(), name + " (finding the largest magnitude)");
+    return resolved_lsb_v(plan, control(display));
+  }
+
+  void make_recording(const ProductJob& job) {
+    const double begin_s = now_s();
+    const Plan plan = make_plan(input_.scene, job.index, resolved_);
+    const bool with_script = plan.simulation.format == FileFormat::hdf5;
+    const Product product = product_of(plan, with_script ? write_script(input_.scene) : std::string());
+    const std::unique_ptr<Sink> sink = sink_of(job, product, plan.simulation);
+    RecordingReport report;
+    report.simulation = plan.simulation;
+    report.simulation.radar = plan.radar.name;
+    report.options = input_.scene.options;
+    report.engine = product.engine;
+    report.counts = sink->wants_counts();
+    const double lsb = lsb_v(plan, *sink, job.path.string());
+    {
+      ProgressDisplay display(streams_.err, style(), job.path.string());
+      report.run = sarsim::run(plan, lsb, *sink, control(display));
+    }
+    report.bytes = expected_bytes(product, sink_options(plan.simulation));
+    if (!arguments_.discard) take_file(job.path, report.file, report.bytes);
+    report.seconds = now_s() - begin_s;
+    std::ranges::copy_if(input_.problems, std::back_inserter(report.warnings), [&](const Problem& p) {
+      return p.severity == Severity::warning && (p.subject.kind != "simulation" || concerns(p, job));
+    });
+    if (!arguments_.quiet) streams_.err << report_text(report);
+    write_json(products_, report);
+  }
+
+  void make_table(const ProductJob& job) {
+    const double begin_s = now_s();
+    const GeometryTable& table = input_.scene.geometries[job.index];
+    TableReport report;
+    report.radar = table.radar;
+    if (arguments_.discard) {
+      const auto count = [&](std::string_view piece) { report.bytes += static_cast<double>(piece.size()); };
+      write_geometry_text(input_.scene, table, count, streams_.stop);
+    } else {
+      if (job.path.has_parent_path()) fs::create_directories(job.path.parent_path());
+      OutputFile file(job.path, arguments_.force);
+      const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
+      write_geometry_text(input_.scene, table, write, streams_.stop);
+      file.commit();
+      take_file(job.path, report.file, report.bytes);
+    }
+    report.seconds = now_s() - begin_s;
+    if (!arguments_.quiet)
+      streams_.err << fmt::format("{}: geometry table of {}, {}\n", job.path.string(), table.radar,
+                                  bytes_text(report.bytes));
+    write_json(products_, report);
+  }
+
+  // Name and true size of a finished file.
+  static void take_file(const fs::path& path, std::string& name, double& bytes) {
+    name = path.string();
+    std::error_code failure;
+    const auto size = fs::file_size(path, failure);
+    if (!failure) bytes = static_cast<double>(size);
+  }
+
+  void finish_json(const char* status, const Problems& problems) {
+    if (!arguments_.json) return;
+    products_.end_array().member("status", status).key("problems");
+    write_json(products_, problems);
+    products_.end_object();
+    write_out(streams_, products_.text());
+    flush_out(streams_);
+  }
+
+  static JsonWriter begun_json(const std::string& script) {
+    JsonWriter json;
+    json.begin_object().member("sarsim", program_version).member("script", script).key("products").begin_array();
+    return json;
+  }
+
+  const RunArguments& arguments_;
+  Streams& streams_;
+  unsigned threads_ = 1;
+  SceneInput input_;
+  std::vector<ProductJob> jobs_;
+  std::shared_ptr<const ResolvedScene> resolved_;
+  JsonWriter products_ = begun_json(arguments_.scene);
+};
+
+void add_run_options(CLI::App& app, RunArguments& a) {
+  add_text(app, "--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
+  add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
+  add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
+  add_scene_overrides(app, a.overrides);
+  app.add_flag("--force", a.force, "replace files that exist");
+  app.add_flag("--keep-paths", a.keep_paths, "keep the folders of output names");
+  app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5 and NPY");
+  app.add_flag("--header", a.header, "a header line in CSV");
+  app.add_flag("--json", a.json, "a report as JSON on standard output");
+  app.add_flag("--strict", a.strict, "warnings end the run before it begins (status 2)");
+  app.add_flag("--quiet", a.quiet, "only errors on standard error");
+  app.add_flag("--discard", a.discard, "compute and encode everything, write nothing");
+}
+
+}  // namespace
+
+Action add_run(CLI::App& app) {
+  auto arguments = std::make_shared<RunArguments>();
+  add_text(app, "scene", arguments->scene, "SCENE", "script to simulate")->required();
+  app.add_option("products", arguments->products,
+                 "which products: numbers of simulations from 1, or output names (default: all)")
+      ->type_name("NUMBER|NAME");
+  add_run_options(app, *arguments);
+  add_examples(app, {{"sarsim run sar_r.scr", "everything that the script asks for"},
+                     {"sarsim run sar_r.scr 2 --out results", "its second simulation, into another folder"},
+                     {"sarsim run sar_r.scr --format hdf5 --force", "volts as HDF5, replacing older files"},
+                     {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"}});
+  return [arguments](Streams& streams) { return Runner(*arguments, streams).run(); };
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,85 @@
+#include "cli/sample_input.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/options.hpp"
+#include "cli/output_names.hpp"
+#include "cli/scene_input.hpp"
+#include "data/formats.hpp"
+#include "simulate/plan.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The simulation that writes a file of this name; also one whose name has another extension.
+std::size_t simulation_of(const Scene& scene, const std::string& path, const std::string& script) {
+  const auto names = output_names(scene, {}).simulations;
+  const fs::path name = fs::path(path).filename();
+  const auto exact = std::ranges::find(names, name);
+  if (exact != names.end()) return static_cast<std::size_t>(exact - names.begin());
+  const auto stem = std::ranges::find(names, name.stem(), [](const fs::path& p) { return p.stem(); });
+  if (stem != names.end()) return static_cast<std::size_t>(stem - names.begin());
+  std::string known;
+  for (const fs::path& other : names) known += (known.empty() ? "" : ", ") + other.string();
+  throw BadInput(fmt::format("no simulation of {} writes '{}'", script, name.string()),
+                 known.empty() ? std::string() : "its outputs are " + known);
+}
+
+void take_script(SampleFileHints& hints, const std::string& path, const std::string& script) {
+  const SceneInput input = read_scene(script, {}, Scrutiny::values);
+  expect_usable(input);
+  const std::size_t index = simulation_of(input.scene, path, script);
+  const Simulation& simulation = input.scene.simulations[index];
+  const Plan plan = make_plan(input.scene, index);
+  hints.columns = plan.columns;
+  hints.rows = plan.rows;
+  hints.bits = simulation.bits;
+  hints.lsb_v = simulation.lsb_v;
+  if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
+}
+
+}  // namespace
+
+void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
+  add_format(app, "--from", arguments.format, "format of the file, where content and extension mislead");
+  add_integer(app, "--columns", arguments.columns, 1, std::int64_t{1} << 40, "samples of a row (BINARY)");
+  add_integer(app, "--bits", arguments.bits, 1, 64, "A/D bits of its counts");
+  add_real(app, "--lsb", arguments.lsb_v, "V", "volts of a count");
+  add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
+}
+
+SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
+  SampleFileHints hints;
+  if (!arguments.script.empty()) take_script(hints, path, arguments.script);
+  if (arguments.format) hints.format = arguments.format;
+  if (arguments.columns) {
+    hints.columns = static_cast<std::size_t>(*arguments.columns);
+    hints.rows = 0;
+  }
+  if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
+  if (arguments.lsb_v) {
+    if (!(*arguments.lsb_v > 0.0)) throw BadInput("--lsb must be above 0", "give the volts of one count");
+    hints.lsb_v = *arguments.lsb_v;
+  }
+  return hints;
+}
+
+SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams) {
+  OpenedSampleFile opened = SampleFile::open(path, hints);
+  if (!opened.file) throw BadInput(ranked(std::move(opened.problems)));
+  print_problems(streams, ranked(std::move(opened.problems)));
+  return std::move(*opened.file);
+}
+
+std::size_t rows_at_once(std::size_t columns) {
+  constexpr std::size_t samples = 1U << 18U;
+  return std::max<std::size_t>(1, samples / std::max<std::size_t>(columns, 1));
+}
+
+}  // namespace sarsim::cli

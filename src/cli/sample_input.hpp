@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/context.hpp"
+#include "data/sample_file.hpp"
+
+namespace sarsim::cli {
+
+/// What the command line says about a file of samples that does not describe itself.
+struct SampleArguments {
+  std::optional<FileFormat> format;
+  std::optional<std::int64_t> columns;
+  std::optional<std::int64_t> bits;
+  std::optional<double> lsb_v;
+  std::string script;
+};
+
+/// Adds --from, --columns, --bits, --lsb and --script.
+void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
+
+/// The hints for a file: what was said on the command line, otherwise what the simulation of --script with that output
+/// name says. Throws BadInput where the script has errors or no such simulation.
+[[nodiscard]] SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
+
+/// Opens a file of samples; prints warnings, throws BadInput for errors.
+[[nodiscard]] SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams);
+
+/// Rows that are read and converted together: as many as make a few MB.
+[[nodiscard]] std::size_t rows_at_once(std::size_t columns);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,85 @@
+#include "cli/scene_input.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "cli/options.hpp"
+#include "scene/check.hpp"
+#include "script/reader.hpp"
+#include "simulate/survey.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+using Object = std::pair<std::string, std::size_t>;
+
+// What check finds about objects that the reader could not make sense of would only repeat the reader.
+Problems without_objects_of(Problems found, const Problems& reading) {
+  std::set<Object> broken;
+  for (const Problem& problem : reading)
+    if (problem.severity == Severity::error) broken.insert({problem.subject.kind, problem.subject.index});
+  std::erase_if(found, [&](const Problem& p) { return broken.contains({p.subject.kind, p.subject.index}); });
+  return found;
+}
+
+void apply(const SceneOverrides& overrides, Scene& scene) {
+  RunOptions& options = scene.options;
+  if (overrides.profile) options.profile = *overrides.profile;
+  if (overrides.pulse) options.pulse = *overrides.pulse;
+  if (overrides.tolerance) options.tolerance = *overrides.tolerance;
+  if (overrides.seed) options.seed = static_cast<std::uint64_t>(*overrides.seed);
+  if (overrides.format)
+    for (Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
+}
+
+void append(Problems& problems, Problems more) { std::ranges::move(more, std::back_inserter(problems)); }
+
+}  // namespace
+
+void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
+  add_choice<Profile>(app, "--profile", overrides.profile,
+                      {{"physical", Profile::physical}, {"classic", Profile::classic}},
+                      "conventions: today's physics, or those of the 1998 programs");
+  add_choice<PulseDefinition>(app, "--pulse", overrides.pulse,
+                              {{"ideal", PulseDefinition::ideal}, {"band-limited", PulseDefinition::band_limited}},
+                              "hard-edged pulses, or pulses confined to their band");
+  add_real(app, "--tolerance", overrides.tolerance, "X", "relative error that fast engines may make");
+  add_integer(app, "--seed", overrides.seed, 0, std::numeric_limits<std::int64_t>::max(), "of the random numbers");
+}
+
+SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny) {
+  ScriptReading reading = read_script_file(path);
+  SceneInput input;
+  input.scene = std::move(reading.scene);
+  input.places = std::move(reading.places);
+  apply(overrides, input.scene);
+  if (scrutiny != Scrutiny::reading) {
+    Problems found = without_objects_of(check(input.scene), reading.problems);
+    append(reading.problems, std::move(found));
+  }
+  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems)) append(reading.problems, survey(input.scene));
+  locate(reading.problems, input.places);
+  input.problems = ranked(std::move(reading.problems));
+  return input;
+}
+
+void expect_usable(const SceneInput& input, bool strict) {
+  const auto fatal = [strict](const Problem& p) {
+    return p.severity == Severity::error || (strict && p.severity == Severity::warning);
+  };
+  if (std::ranges::any_of(input.problems, fatal)) throw BadInput(input.problems);
+}
+
+std::size_t radar_named(const Scene& scene, const std::string& name) {
+  const std::size_t found = find_radar(scene, name);
+  if (found != not_found) return found;
+  std::vector<std::string> names;
+  for (const Radar& radar : scene.radars) names.push_back(radar.name);
+  const std::string_view nearest = nearest_word(name, names);
+  throw BadInput("the scene has no radar '" + name + "'",
+                 nearest.empty() ? std::string() : "did you mean '" + std::string(nearest) + "'?");
+}
+
+}  // namespace sarsim::cli

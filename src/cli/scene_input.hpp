@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "base/problem.hpp"
+#include "cli/context.hpp"
+#include "scene/scene.hpp"
+#include "script/field_places.hpp"
+
+namespace sarsim::cli {
+
+/// Options of the command line that stand in for those of the script.
+struct SceneOverrides {
+  std::optional<Profile> profile;
+  std::optional<PulseDefinition> pulse;
+  std::optional<double> tolerance;
+  std::optional<std::int64_t> seed;
+  std::optional<FileFormat> format;  ///< Of every simulation.
+};
+
+/// Adds --profile, --pulse, --tolerance and --seed.
+void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
+
+/// A script as understood, with everything that is wrong with it.
+struct SceneInput {
+  Scene scene;
+  FieldPlaces places;
+  Problems problems;  ///< Of reader, check and survey, ranked and with their places.
+};
+
+/// How much of a scene is looked at.
+enum class Scrutiny {
+  reading,  ///< The text alone.
+  values,   ///< Also `check`.
+  echoes,   ///< Also `survey`, where there is no error.
+};
+
+/// Reads and checks a script. Where the text holds errors, objects that have one are not checked further.
+[[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny);
+
+/// Throws BadInput with all problems where one of them is an error; where `strict`, also where one is a warning.
+void expect_usable(const SceneInput& input, bool strict = false);
+
+/// Number of the radar, platform ... named in an option; throws BadInput with the nearest name.
+[[nodiscard]] std::size_t radar_named(const Scene& scene, const std::string& name);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,44 @@
+#include "cli/signals.hpp"
+
+#include <atomic>
+#include <csignal>
+
+namespace sarsim::cli {
+
+namespace {
+
+StopFlag stop_flag;
+std::atomic<int> signal_number{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use lock-free atomics only");
+
+extern "C" void on_signal(int number) {
+  if (stop_flag.requested()) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+    return;
+  }
+  signal_number.store(number, std::memory_order_relaxed);
+  stop_flag.request();
+}
+
+void install(int number, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+const StopFlag& handle_signals() {
+  install(SIGINT, on_signal);
+  install(SIGTERM, on_signal);
+  install(SIGPIPE, SIG_IGN);
+  install(SIGXFSZ, SIG_IGN);
+  return stop_flag;
+}
+
+int received_signal() { return signal_number.load(std::memory_order_relaxed); }
+
+}  // namespace sarsim::cli

@@ -1,0 +1,46 @@
+#include "script/field_places.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sarsim {
+
+TEST(FieldPlaces, FindTheFieldThenItsObjectThenNothing) {
+  FieldPlaces places;
+  places.add({"radar", 3, ""}, {"a.scr", 10, 1});
+  places.add({"radar", 3, "prf_hz"}, {"a.scr", 12, 5});
+  EXPECT_EQ(places.find({"radar", 3, "prf_hz"}), (Place{"a.scr", 12, 5}));
+  EXPECT_EQ(places.find({"radar", 3, "power_w"}), (Place{"a.scr", 10, 1}));
+  EXPECT_EQ(places.find({"radar", 2, "prf_hz"}), Place{});
+  EXPECT_EQ(places.find({"target", 3, "prf_hz"}), Place{});
+}
+
+TEST(FieldPlaces, FindTheWholeMemberForAPartOfIt) {
+  FieldPlaces places;
+  places.add({"platform", 0, ""}, {"a.scr", 1, 1});
+  places.add({"platform", 0, "trajectory_m"}, {"a.scr", 2, 1});
+  EXPECT_EQ(places.find({"platform", 0, "trajectory_m.part[2]"}).line, 2U);
+  EXPECT_EQ(places.find({"platform", 0, "trajectory_m[1]"}).line, 2U);
+}
+
+TEST(FieldPlaces, KeepTheFirstPlaceOfAField) {
+  FieldPlaces places;
+  places.add({"surface", 0, "corner_m"}, {"a.scr", 2, 1});
+  places.add({"surface", 0, "corner_m"}, {"a.scr", 3, 1});
+  EXPECT_EQ(places.find({"surface", 0, "corner_m"}).line, 2U);
+}
+
+TEST(FieldPlaces, KeepApartFilesAndTakeObjectsInAnyOrder) {
+  FieldPlaces places;
+  for (const std::size_t index : {5U, 1U, 3U, 1U})
+    places.add({"target", index, "rcs_m2"}, {"file" + std::to_string(index), index, 7});
+  for (const std::size_t index : {1U, 3U, 5U})
+    EXPECT_EQ(places.find({"target", index, "rcs_m2"}), (Place{"file" + std::to_string(index), index, 7}));
+}
+
+TEST(FieldPlaces, ForgetColumnsBeyondAMillionButNotTheLine) {
+  FieldPlaces places;
+  places.add({"target", 0, "rcs_m2"}, {"a.scr", 1, 5'000'000});
+  EXPECT_EQ(places.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 0}));
+}
+
+}  // namespace sarsim

@@ -1,0 +1,196 @@
+#include "simulate/survey.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "simulate/simulate_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double c = exact_light_speed_mps;
+
+auto problem(Severity severity, const std::string& field, const std::string& words) {
+  return AllOf(Field(&Problem::severity, severity), Field(&Problem::message, HasSubstr(words)),
+               Field(&Problem::subject, Field(&Subject::field, field)));
+}
+
+// The scene of one target, 200 pulses, with an LSB that fits it: 2.13e-7 V over 127 counts.
+Scene sound_scene() {
+  Scene scene = one_target_scene();
+  scene.simulations[0].time_end_s = 0.199;
+  scene.simulations[0].lsb_v = 2e-9;
+  return scene;
+}
+
+TEST(Survey, OfASoundSceneIsSilent) {
+  EXPECT_THAT(survey(sound_scene()), IsEmpty());
+  Scene no_simulation = sound_scene();
+  no_simulation.simulations.clear();
+  EXPECT_THAT(survey(no_simulation), IsEmpty());
+}
+
+TEST(Survey, WarnsWhereAllEchoesMissTheWindowAndSaysWhereTheyAre) {
+  Scene scene = sound_scene();
+  scene.simulations[0].range_start_m = 2000.0;  // the echo ends at 1000 m + 750 m
+  scene.simulations[0].range_end_m = 3000.0;
+  const Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "range_start_m", "no echo falls into")));
+  EXPECT_THAT(problems[0].expected, HasSubstr("1000"));
+  EXPECT_THAT(problems[0].expected, HasSubstr("1749.48"));
+  EXPECT_THAT(problems[0].message, HasSubstr("estimate from 64 of 200 pulses"));
+  scene.simulations[0].range_start_m = 1740.0;  // its last 9 m, a sample
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.simulations[0].range_start_m = 2000.0;
+  scene.targets.push_back(target_on("Earth", {2500, 0, 0}, 40.0));
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, WarnsOfASceneWithoutTargets) {
+  Scene scene = sound_scene();
+  scene.targets.clear();
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "", "zeros only")));
+  scene.radars[0].noise_temperature_k = 300.0;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "", "noise only")));
+  scene.surfaces.push_back({});
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+// 200 m/s both ways at 1 GHz: a band of 4 * 200/0.2998 = 2669 Hz.
+TEST(Survey, WarnsOfAPrfBelowTheDopplerBand) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(moving("Away", {1000, 0, 0}, {200, 0, 0}));
+  scene.platforms.push_back(moving("Towards", {1000, 0, 0}, {-200, 0, 0}));
+  scene.targets = {target_on("Away", {}), target_on("Towards", {})};
+  scene.simulations[0].lsb_v = 0.0;
+  const Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "radar", "PRF is below the Doppler band")));
+  EXPECT_THAT(problems[0].expected, HasSubstr("2.669 kHz"));
+  scene.radars[0].prf_hz = 2700.0;
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.radars[0].prf_hz = 1000.0;
+  scene.targets.pop_back();  // one speed has no band, however fast
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, DopplerBandLeavesOutEchoesThatDoNotMatter) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(moving("Away", {1000, 0, 0}, {500, 0, 0}));
+  scene.simulations[0].lsb_v = 0.0;
+  scene.targets.push_back(target_on("Away", {}, 1e-5));  // 50 dB below
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.targets.back().rcs_m2 = 1e-3;  // 30 dB below
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "PRF")));
+  scene.targets.back().position_m = {3000, 0, 0};  // out of the window
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, WarnsOfAnLsbThatClipsOrWastesTheConverter) {
+  Scene scene = sound_scene();
+  scene.simulations[0].lsb_v = 1.6e-9;  // full scale 2.03e-7 V, the echo has 2.13e-7
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "lsb_v", "too small")));
+  scene.simulations[0].lsb_v = 5e-9;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "lsb_v", "too large")));
+  scene.simulations[0].format = FileFormat::npy;  // volts: no converter
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.simulations[0].format = FileFormat::binary;
+  scene.simulations[0].lsb_v = 0.0;
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, RefusesATargetAtTheRadarsPosition) {
+  Scene scene = sound_scene();
+  scene.targets.push_back(target_on("Earth", {}));
+  const Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(Severity::error, "position_m", "stands at the position of radar")));
+  EXPECT_EQ(problems[0].subject.kind, "target");
+  EXPECT_EQ(problems[0].subject.index, 1u);
+}
+
+TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
+  Scene scene = sound_scene();
+  scene.radars[0].prf_hz = 200e3;  // 749 m
+  const Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "radar", "arrive after the next pulse")));
+  EXPECT_THAT(problems[0].expected, HasSubstr("749.48"));
+  scene.radars[0].prf_hz = 149e3;  // 1006 m
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
+  Scene scene = sound_scene();
+  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene.radars[0].carrier_step_hz = 1e6;
+  scene.radars[0].carrier_steps = 10;
+  scene.radars[0].pulses_per_step = 2;
+  scene.simulations[0].processing = Processing::srp;
+  EXPECT_THAT(survey(scene), IsEmpty());  // 200 pulses, 10 bursts
+  scene.simulations[0].time_end_s = 0.205;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::note, "time_end_s", "6 pulses of incomplete bursts")));
+  scene.simulations[0].time_end_s = 0.018;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "time_end_s", "no complete burst")));
+}
+
+TEST(Survey, WarnsOfAWindowThatLeavesNothing) {
+  Scene scene = sound_scene();
+  scene.radars[0].window = Radar::Window::bartlett;
+  EXPECT_THAT(survey(scene), IsEmpty());  // raw data have no use for it
+  scene.simulations[0].processing = Processing::matched_filter;
+  EXPECT_THAT(survey(scene), IsEmpty());
+  scene.simulations[0].sample_rate_hz = 1.0 / 5e-6;  // one sample a pulse, at its leading edge
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
+  scene.simulations[0].processing = Processing::srp;
+  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene.radars[0].carrier_step_hz = 1e6;
+  scene.radars[0].carrier_steps = 2;
+  scene.radars[0].pulses_per_step = 1;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
+  scene.radars[0].carrier_steps = 4;
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(moving("Away", {1000, 0, 0}, {100, 0, 0}));
+  scene.targets = {target_on("Away", {}), target_on("Earth", {5000, 0, 0})};
+  scene.radars[0].noise_temperature_k = 100.0;
+  scene.radars[0].pulse_width_s = 1e-6;
+  const EchoSurvey survey = survey_echoes(make_plan(scene, 0));
+  EXPECT_EQ(survey.pulses_sampled, 64u);
+  EXPECT_FALSE(survey.all_pulses);
+  ASSERT_EQ(survey.targets.size(), 2u);
+  const TargetSurvey& away = survey.targets[0];
+  EXPECT_NEAR(away.nearest_m, 1000.0 / (1.0 - 100.0 / c), 1e-9);  // of the first and the last pulse
+  EXPECT_NEAR(away.farthest_m, 1019.9 / (1.0 - 100.0 / c), 1e-9);
+  EXPECT_NEAR(away.lowest_doppler_hz, -2.0 * 100.0 * 1e9 / c, 1e-9);  // receding: below the carrier
+  EXPECT_NEAR(away.largest_amplitude_v, equation_amplitude(1000.0, 1.0, c / 1e9), 1e-7 * 100.0 * epsilon);
+  EXPECT_NEAR(away.snr, std::pow(away.largest_amplitude_v, 2.0) * 1e-6 / (1.380649e-23 * 100.0), 1e-12);
+  EXPECT_NEAR(10.0 * std::log10(away.snr), 15.16, 0.005);  // thesis A.2: 15.2 dB
+  EXPECT_TRUE(away.in_window);
+  EXPECT_FALSE(survey.targets[1].in_window);
+  EXPECT_EQ(survey.highest_doppler_hz, away.highest_doppler_hz);
+  EXPECT_EQ(survey.largest_sum_v, away.largest_amplitude_v);
+}
+
+TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
+  Scene scene = sound_scene();
+  scene.simulations[0].time_end_s = 0.063;
+  EXPECT_TRUE(survey_echoes(make_plan(scene, 0)).all_pulses);
+  scene.simulations[0].time_end_s = 0.064;
+  EXPECT_FALSE(survey_echoes(make_plan(scene, 0)).all_pulses);
+  scene.simulations[0].time_end_s = 0.0;
+  EXPECT_EQ(survey_echoes(make_plan(scene, 0)).pulses_sampled, 1u);
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+using testing::HasSubstr;
+
+// Files of one recording in every format, made by `run`.
+class Convert : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    SceneText scene;
+    scene.lsb_mv = "2e-5";
+    scene.format = "ASCII";
+    scene.files = {"sim.asc"};
+    write_scene(scene);
+    for (const char* format : {"ascii", "binary", "bracket", "csv", "hdf5", "npy"})
+      ASSERT_EQ(sarsim({"run", "scene.scr", "--format", format}).status, 0) << format;
+  }
+};
+
+TEST_F(Convert, CountsKeepTheirBytesThroughEveryFormat) {
+  const std::vector<std::string> counted{"sim.asc", "sim.bin", "sim.brk", "sim.csv"};
+  for (const std::string& from : counted)
+    for (const std::string& to : counted) {
+      if (from == to) continue;
+      const Finished run = sarsim({"convert", from, "made" + to, "--script", "scene.scr", "--force"});
+      EXPECT_EQ(run.status, 0) << from << " to " << to << ": " << run.err;
+      EXPECT_EQ(text_of(folder_ / ("made" + to)), text_of(folder_ / to)) << from << " to " << to;
+    }
+}
+
+TEST_F(Convert, VoltsBecomeTheCountsThatARunGives) {
+  EXPECT_EQ(sarsim({"convert", "sim.h5", "made.bin"}).status, 0);
+  // float32 holds 24 bits, counts 8: only a value on the edge between two counts could differ.
+  EXPECT_EQ(text_of(folder_ / "made.bin"), text_of(folder_ / "sim.bin"));
+  EXPECT_EQ(sarsim({"convert", "sim.npy", "from-npy.bin", "--bits", "8", "--lsb", "2e-8"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "from-npy.bin"), text_of(folder_ / "sim.bin"));
+}
+
+TEST_F(Convert, Hdf5KeepsAxesAndAttributes) {
+  ASSERT_EQ(sarsim({"convert", "sim.h5", "made.h5"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "made.h5"), text_of(folder_ / "sim.h5"));
+}
+
+TEST_F(Convert, CountsBecomeVoltsWithTheLsb) {
+  ASSERT_EQ(sarsim({"convert", "sim.asc", "made.npy", "--lsb", "2e-8"}).status, 0);
+  ASSERT_EQ(sarsim({"convert", "made.npy", "back.asc", "--lsb", "2e-8", "--bits", "8"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "back.asc"), text_of(folder_ / "sim.asc"));
+}
+
+TEST_F(Convert, SaysWhatItNeedsToKnow) {
+  const Finished volts = sarsim({"convert", "sim.asc", "made.h5"});
+  EXPECT_EQ(volts.status, 2);
+  EXPECT_THAT(volts.err, HasSubstr("--lsb"));
+  const Finished bits = sarsim({"convert", "sim.asc", "made.bin"});
+  EXPECT_EQ(bits.status, 2);
+  EXPECT_THAT(bits.err, HasSubstr("--bits"));
+  const Finished both = sarsim({"convert", "sim.npy", "made.asc"});
+  EXPECT_EQ(both.status, 2);
+  EXPECT_THAT(both.err, HasSubstr("--bits"));
+  EXPECT_THAT(both.err, HasSubstr("--lsb"));
+  const Finished shape = sarsim({"convert", "sim.bin", "made.asc"});
+  EXPECT_EQ(shape.status, 2);
+  const Finished format = sarsim({"convert", "sim.asc", "made.xyz"});
+  EXPECT_EQ(format.status, 2);
+  EXPECT_THAT(format.err, HasSubstr("--to"));
+  EXPECT_EQ(sarsim({"convert", "sim.asc", "made.xyz", "--to", "bracket"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "made.xyz"), text_of(folder_ / "sim.brk"));
+}
+
+TEST_F(Convert, RefusesToReplaceWithoutForceAndNeverItsSource) {
+  write_text(folder_ / "there.brk", "precious");
+  EXPECT_EQ(sarsim({"convert", "sim.asc", "there.brk"}).status, 2);
+  EXPECT_EQ(text_of(folder_ / "there.brk"), "precious");
+  const std::string before = text_of(folder_ / "sim.asc");
+  EXPECT_EQ(sarsim({"convert", "sim.asc", "./sim.asc", "--to", "bracket", "--force"}).status, 2);
+  EXPECT_EQ(text_of(folder_ / "sim.asc"), before);
+}
+
+TEST_F(Convert, TellsOfClipping) {
+  const Finished run = sarsim({"convert", "sim.h5", "made.asc", "--lsb", "1e-9", "--bits", "8"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("clipped to 8 bits; an LSB of"));
+  const Finished other = sarsim({"convert", "sim.asc", "small.bin", "--bits", "2"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_THAT(other.err, HasSubstr("clipped to 2 bits"));
+}
+
+}  // namespace
+}  // namespace sarsim::test

@@ -1,0 +1,144 @@
+// The sample files that the original program's authors left, written by versions of 1997 to 2015.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "data/sample_file.hpp"
+#include "script/reader.hpp"
+#include "simulate/run.hpp"
+#include "support/ascii_samples.hpp"
+#include "support/count_fit.hpp"
+#include "support/reference_folder.hpp"
+
+namespace sarsim {
+namespace {
+
+using Samples = std::vector<std::complex<double>>;
+using test::reference_folder;
+
+std::filesystem::path original(const char* name) { return reference_folder() / "original" / name; }
+
+Scene classic_scene(const char* script) {
+  Scene scene = read_script_file(original(script)).scene;
+  scene.options.profile = Profile::classic;
+  return scene;
+}
+
+// The program of 1997 took the wavelength of 1 GHz for every carrier; at 0.5 GHz that halves the amplitude.
+Samples halved(Samples volts) {
+  for (auto& v : volts) v *= 0.5;
+  return volts;
+}
+
+class OriginalSamples : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::have_reference_folder()) GTEST_SKIP() << "no reference folder at " << reference_folder();
+  }
+};
+
+// Compares at a given LSB and says how far the worst count is off.
+void expect_within_counts(const char* name, const Samples& volts, const Samples& counts, double lsb_v, double allowed) {
+  ASSERT_EQ(volts.size(), counts.size()) << name;
+  const double worst = test::largest_component_difference(test::converted(volts, 8, lsb_v), counts);
+  std::printf("%-34s %5zu samples, LSB %.6g mV, largest deviation %g counts\n", name, counts.size(), 1e3 * lsb_v,
+              worst);
+  EXPECT_LE(worst, allowed) << name;
+}
+
+TEST_F(OriginalSamples, Of1997AgreeWithinOneCountOnceTheirWavelengthIsMended) {
+  struct Case {
+    const char* samples;
+    const char* script;
+    std::size_t simulation;
+    std::size_t rows;
+    std::size_t columns;
+  };
+  for (const Case& c : {Case{"examples/sim1.asc", "examples/exam2.scr", 0, 19, 146},
+                        Case{"helvin/sims2.asc", "helvin/exam2.scr", 3, 5, 200}}) {
+    const Scene scene = classic_scene(c.script);
+    const Recording recording = record(make_plan(scene, c.simulation));
+    EXPECT_EQ(recording.report.rows, c.rows) << c.samples;
+    EXPECT_EQ(recording.report.columns, c.columns) << c.samples;
+    expect_within_counts(c.samples, halved(recording.samples), test::ascii_samples(original(c.samples)),
+                         scene.simulations[c.simulation].lsb_v, 1.0);
+  }
+}
+
+TEST_F(OriginalSamples, OfAnUnknownLsbAgreeWithinOneCountAtTheBestOne) {
+  Scene scene = classic_scene("helvin/exam2.scr");
+  scene.simulations[0].time_start_s = 0.0;
+  scene.simulations[0].time_end_s = 0.0;
+  const Recording recording = record(make_plan(scene, 0));
+  EXPECT_EQ(recording.report.rows, 1u);
+  EXPECT_EQ(recording.report.columns, 160u);
+  const Samples volts = halved(recording.samples);
+  const Samples counts = test::ascii_samples(original("helvin/sims1.asc"));
+  ASSERT_EQ(volts.size(), counts.size());
+  const double lsb_v = test::fitted_lsb_v(volts, counts);
+  EXPECT_NEAR(lsb_v, 2.3627e-14, 0.005e-14);
+  expect_within_counts("helvin/sims1.asc", volts, counts, lsb_v, 1.0);
+}
+
+TEST_F(OriginalSamples, OfTheSixPulsesAreExactForSomeLsb) {
+  Scene scene = classic_scene("helvin/exam1.scr");
+  scene.simulations[1].time_start_s = 0.0;
+  scene.simulations[1].time_end_s = 5e-3;
+  const Recording recording = record(make_plan(scene, 1));
+  EXPECT_EQ(recording.report.rows, 6u);
+  EXPECT_EQ(recording.report.columns, 53u);
+  const Samples counts = test::ascii_samples(original("helvin/exam1_sim2_first6pulses.asc"));
+  ASSERT_EQ(recording.samples.size(), counts.size());
+  const double lsb_v = test::fitted_lsb_v(recording.samples, counts);
+  EXPECT_NEAR(lsb_v, 1.66947e-9, 0.01e-9);
+  expect_within_counts("helvin/exam1_sim2_first6pulses.asc", recording.samples, counts, lsb_v, 0.0);
+}
+
+// The later programs put every echo on the nearest whole sample: the shapes agree, the samples do not.
+TEST_F(OriginalSamples, OfTheRoundingProgramCorrelate) {
+  const Scene scene = classic_scene("linux/exam2.scr");
+  const Recording recording = record(make_plan(scene, 0));
+  EXPECT_EQ(recording.report.rows, 19u);
+  EXPECT_EQ(recording.report.columns, 146u);
+  const Samples ours = test::converted(recording.samples, 8, scene.simulations[0].lsb_v);
+  const Samples theirs = test::ascii_samples(original("linux/exam2.asc"));
+  ASSERT_EQ(ours.size(), theirs.size());
+  const double agreement = test::correlation(ours, theirs);
+  std::printf("%-34s %5zu samples, correlation %.5f\n", "linux/exam2.asc", theirs.size(), agreement);
+  EXPECT_GT(agreement, 0.9975);
+}
+
+TEST_F(OriginalSamples, OfTheOldHdf5LayoutAreTheSameAsTheTextFile) {
+  const OpenedSampleFile opened = SampleFile::open(original("linux/final.h5"));
+  ASSERT_TRUE(opened.file.has_value()) << to_string(opened.problems.front());
+  EXPECT_EQ(opened.file->info().rows, 19u);
+  EXPECT_EQ(opened.file->info().columns, 146u);
+  EXPECT_TRUE(opened.file->info().counts);
+  Samples samples(19 * 146);
+  opened.file->read_rows(0, 19, samples);
+  const Samples text = test::ascii_samples(original("linux/exam2.asc"));
+  ASSERT_EQ(samples.size(), text.size());
+  const double worst = test::largest_component_difference(samples, text);
+  std::printf("%-34s %5zu samples, largest deviation %g counts from the text file\n", "linux/final.h5", text.size(),
+              worst);
+  EXPECT_EQ(worst, 0.0);
+}
+
+TEST_F(OriginalSamples, WithStcAgreeInMagnitude) {
+  const Scene scene = classic_scene("stc/sim3.scr");
+  const Recording recording = record(make_plan(scene, 2));
+  EXPECT_EQ(recording.report.rows, 1u);
+  EXPECT_EQ(recording.report.columns, 5003u);
+  Samples ours = test::converted(recording.samples, 8, scene.simulations[2].lsb_v);
+  Samples theirs = test::ascii_samples(original("stc/sim3_third.asc"));
+  ASSERT_EQ(ours.size(), theirs.size());
+  for (auto* list : {&ours, &theirs})
+    for (auto& sample : *list) sample = std::abs(sample);
+  const double agreement = test::correlation(ours, theirs);
+  std::printf("%-34s %5zu samples, correlation of magnitudes %.5f\n", "stc/sim3_third.asc", theirs.size(), agreement);
+  EXPECT_GT(agreement, 0.9955);
+}
+
+}  // namespace
+}  // namespace sarsim
