@@ -55,6 +55,8 @@ std::string report_text(const RecordingReport& report) {
   text += lsb_line(report) + "\n";
   text += fmt::format("  samples            {:.4g} % saturated, {:.4g} % zero\n", 100.0 * share(run.saturated, run),
                       100.0 * share(run.zero, run));
+  text += fmt::format("  engine             {} ({}), relative error below {:g}\n", report.engine, report.engine_reason,
+                      report.engine == "reference" ? 1e-12 : report.options.tolerance);
   if (run.saturated > 0)
     text += fmt::format("  some samples were clipped: an LSB of {} would hold them all\n", millivolts(run.best_lsb_v));
   return text;
@@ -75,7 +77,9 @@ void write_json(JsonWriter& json, const RecordingReport& report) {
   json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
   json.member("radar", report.simulation.radar).member("bits", report.simulation.bits);
   json.member("profile", profile_word(report.options.profile)).member("pulse", pulse_word(report.options.pulse));
-  json.member("seed", report.options.seed).member("engine", report.engine);
+  json.member("seed", report.options.seed)
+      .member("engine", report.engine)
+      .member("engine_reason", report.engine_reason);
   json.member("tolerance", report.options.tolerance).key("warnings");
   write_json(json, report.warnings);
   json.end_object();

@@ -16,6 +16,7 @@ struct RecordingReport {
   Simulation simulation;
   RunOptions options;
   std::string engine;
+  std::string engine_reason;  ///< Why this engine.
   RunReport run;
   double bytes = 0.0;
   double seconds = 0.0;  ///< With the estimate of the LSB.

@@ -24,6 +24,7 @@
 #include "script/writer.hpp"
 #include "simulate/geometry_table.hpp"
 #include "simulate/run.hpp"
+#include "simulate/simd_level.hpp"
 
 namespace sarsim::cli {
 
@@ -37,6 +38,8 @@ struct RunArguments {
   std::string folder = ".";
   SceneOverrides overrides;
   std::optional<std::int64_t> threads;
+  std::optional<Engine> engine;
+  std::string simd;
   bool force = false;
   bool quiet = false;
   bool json = false;
@@ -61,6 +64,7 @@ class Runner {
   }
 
   ExitStatus run() {
+    choose_simd();
     try {
       prepare();
       for (const ProductJob& job : jobs_) job.table ? make_table(job) : make_recording(job);
@@ -79,6 +83,18 @@ class Runner {
   }
 
  private:
+  // Same bytes on different processors: everybody takes the same instruction set.
+  void choose_simd() const {
+    if (arguments_.simd.empty() || use_simd_level(arguments_.simd)) return;
+    std::string levels;
+    for (const std::string& level : simd_levels()) levels += (levels.empty() ? "" : ", ") + level;
+    throw BadInput("--simd: this processor has no '" + arguments_.simd + "'", "choose among " + levels);
+  }
+
+  [[nodiscard]] Plan planned(std::size_t simulation) const {
+    return make_plan(input_.scene, simulation, resolved_, arguments_.engine.value_or(Engine::automatic));
+  }
+
   void prepare() {
     input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes);
     expect_sound();
@@ -140,7 +156,7 @@ class Runner {
     double bytes_wanted = 0.0;
     for (const ProductJob& job : jobs_) {
       if (job.table) continue;
-      const Plan plan = make_plan(input_.scene, job.index, resolved_);
+      const Plan plan = planned(job.index);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
       // The size of text is an estimate from above.
       bytes_wanted += plan.simulation.format == FileFormat::binary || plan.simulation.format == FileFormat::npy ||
@@ -203,7 +219,7 @@ class Runner {
 
   void make_recording(const ProductJob& job) {
     const double begin_s = now_s();
-    const Plan plan = make_plan(input_.scene, job.index, resolved_);
+    const Plan plan = planned(job.index);
     const bool with_script = plan.simulation.format == FileFormat::hdf5;
     const Product product = product_of(plan, with_script ? write_script(input_.scene) : std::string());
     const std::unique_ptr<Sink> sink = sink_of(job, product, plan.simulation);
@@ -212,6 +228,7 @@ class Runner {
     report.simulation.radar = plan.radar.name;
     report.options = input_.scene.options;
     report.engine = product.engine;
+    report.engine_reason = plan.engine.reason;
     report.counts = sink->wants_counts();
     const double lsb = lsb_v(plan, *sink, job.path.string());
     {
@@ -286,6 +303,14 @@ class Runner {
 void add_run_options(CLI::App& app, RunArguments& a) {
   add_text(app, "--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
   add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
+  add_choice<Engine>(app, "--engine", a.engine,
+                     {{"auto", Engine::automatic},
+                      {"direct", Engine::direct},
+                      {"spectral", Engine::spectral},
+                      {"reference", Engine::reference}},
+                     "how echoes are added up: the faster one (default), or one of them; all within --tolerance");
+  add_text(app, "--simd", a.simd, "LEVEL",
+           "instruction set to use (avx512, avx2, sse4, ...), for the same bytes on other processors");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
   add_scene_overrides(app, a.overrides);
   app.add_flag("--force", a.force, "replace files that exist");

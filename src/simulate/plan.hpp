@@ -64,7 +64,7 @@ struct Plan {
 /// @throws std::invalid_argument where the scene would not pass `check`.
 [[nodiscard]] Plan make_plan(const Scene& scene, std::size_t index,
                              std::shared_ptr<const ResolvedScene> resolved = nullptr,
-                             Engine engine = Engine::automatic);
+                             Engine engine = Engine::reference);
 
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood
