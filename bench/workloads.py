@@ -1,0 +1,75 @@
+"""The fixed workloads of the benchmark suite: scripts made from a seed, the same every time."""
+
+import random
+
+C = 299792458.0
+
+# name: targets, pulses, samples of a pulse, samples of the swath
+SIZES = {
+    "one": (1, 1000, 400, 4096),
+    "field": (1000, 500, 400, 1024),
+    "scene": (20000, 1000, 1000, 4096),
+    "long": (2000, 1000, 10000, 16384),
+    "million": (1000000, 200, 1000, 8192),
+    "moving": (1000, 2000, 1000, 4096),
+}
+
+RATE_HZ = 120e6
+BANDWIDTH_HZ = 100e6
+CARRIER_HZ = 5.3e9
+NEAR_M = 10000.0
+PRF_HZ = 500.0
+
+
+def platform(name, position="STATIONARY 0 0 0", rotation="CONST 0 0 0 0 0 0"):
+    return f"$PLATFORM {name} {position} {rotation} STDDEV 0 0 0 STDDEV 0 0 0"
+
+
+def target(name, x, y, z, rcs):
+    return f"$TARGET {name} {x:.4f} {y:.4f} {z:.4f} 0 0 0 {rcs:.4f} 0 ISOTROPIC"
+
+
+def radar(pulse_samples):
+    width_ns = pulse_samples / RATE_HZ * 1e9
+    return (f"$RADAR Radar1 Earth CHIRP {BANDWIDTH_HZ / 1e9} {width_ns!r} RECT CONSTANT {PRF_HZ} SINGLE {CARRIER_HZ / 1e9} "
+            "1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC")
+
+
+def simulation(pulses, swath_samples, output):
+    # Half a sample more than the swath, so that rounding cannot lose one.
+    end = NEAR_M + (swath_samples + 0.25) * C / (2 * RATE_HZ)
+    return (f"$SIMULATION Radar1 {NEAR_M} {end!r} 0 {(pulses - 0.5) / PRF_HZ!r} 8 {RATE_HZ / 1e9} 1E-7 "
+            f"{output} RAW {output.lower()}.out BEGIN 1 1")
+
+
+def script(name, targets=None, pulses=None, pulse_samples=None, swath_samples=None, output="BINARY", options=""):
+    """Text of a workload; sizes may be changed to see how times scale."""
+    base = SIZES[name]
+    targets = base[0] if targets is None else targets
+    pulses = base[1] if pulses is None else pulses
+    pulse_samples = base[2] if pulse_samples is None else pulse_samples
+    swath_samples = base[3] if swath_samples is None else swath_samples
+    randoms = random.Random(1998)
+    length = swath_samples * C / (2 * RATE_HZ)
+    room = max(length - pulse_samples * C / (2 * RATE_HZ), 0.1 * length)
+    lines = [platform("Earth")]
+    if name == "moving":
+        # A hundred platforms that pass by and turn, ten targets on each.
+        groups = 100
+        for g in range(groups):
+            y = NEAR_M + room * randoms.random()
+            vx, vy = randoms.uniform(-50, 50), randoms.uniform(-50, 50)
+            path = f"TRAJECTORY LINEAR LINEAR LINEAR INLINE 2 0 0 1 {vx:.3f} 2 0 {y:.3f} 1 {y + vy:.3f} 1 0 0 NOT_ALIGNED"
+            turn = f"CONST 0 0 0 {randoms.uniform(-5, 5):.3f} {randoms.uniform(-5, 5):.3f} {randoms.uniform(-20, 20):.3f}"
+            lines.append(platform(f"P{g}", path, turn))
+        for k in range(targets):
+            lines.append(target(f"P{k % groups}", *(randoms.uniform(-20, 20) for _ in range(3)), randoms.uniform(0.5, 2)))
+    else:
+        for _ in range(targets):
+            y = NEAR_M + room * randoms.random()
+            lines.append(target("Earth", randoms.uniform(-200, 200), y, randoms.uniform(-20, 20), randoms.uniform(0.5, 2)))
+    lines.append(radar(pulse_samples))
+    lines.append(simulation(pulses, swath_samples, output))
+    if options:
+        lines.append("$OPTIONS " + options)
+    return "\n".join(lines) + "\n"
