@@ -130,11 +130,13 @@ int main(int argc, char** argv) {
   const double per_pulse_s = seconds / static_cast<double>(rows);
   const double textbook_pulse_s = textbook_s * (part_samples > 0.0 ? echo_samples / part_samples : 0.0);
   std::printf(
-      "{\"engine\": \"%s\", \"simd\": \"%s\", \"error\": %.3g, \"echoes\": %.0f, \"echo_samples\": %.0f, \"pulse_s\": %.6g, "
-      "\"ns_per_echo\": %.4g, \"ns_per_echo_sample\": %.4g, \"textbook_pulse_s\": %.6g, \"textbook_ns_per_echo_sample\": %.4g, "
+      "{\"engine\": \"%s\", \"simd\": \"%s\", \"error\": %.3g, \"echoes\": %.0f, \"echo_samples\": %.0f, \"pulse_s\": "
+      "%.6g, "
+      "\"ns_per_echo\": %.4g, \"ns_per_echo_sample\": %.4g, \"textbook_pulse_s\": %.6g, "
+      "\"textbook_ns_per_echo_sample\": %.4g, "
       "\"ratio\": %.5g}\n",
-      std::string(name_of(plan.engine.engine)).c_str(), simd_level().c_str(), error, touching, echo_samples, per_pulse_s,
-      1e9 * per_pulse_s / std::max(touching, 1.0), 1e9 * per_pulse_s / std::max(echo_samples, 1.0), textbook_pulse_s,
-      1e9 * textbook_pulse_s / std::max(echo_samples, 1.0), textbook_pulse_s / per_pulse_s);
+      std::string(name_of(plan.engine.engine)).c_str(), simd_level().c_str(), error, touching, echo_samples,
+      per_pulse_s, 1e9 * per_pulse_s / std::max(touching, 1.0), 1e9 * per_pulse_s / std::max(echo_samples, 1.0),
+      textbook_pulse_s, 1e9 * textbook_pulse_s / std::max(echo_samples, 1.0), textbook_pulse_s / per_pulse_s);
   return 0;
 }
