@@ -24,17 +24,17 @@ enum GeometryColumn : int {
 };
 
 /// Writes the table of a `$GEOMETRY` command: four header lines, then a line per pulse, in the columns and widths of
-/// script-format 6. Every target has its columns in every line; where its range c tau/2 lies outside the window they hold
-/// "nan". Radial speeds are signed (positive receding), the frequency of a line is that of its pulse.
+/// script-format 6. Every target has its columns in every line; where its range c tau/2 lies outside the window they
+/// hold "nan". Radial speeds are signed (positive receding), the frequency of a line is that of its pulse.
 /// @param write  takes the text piece by piece
 /// @throws Interrupted when stopped
-void write_geometry_text(const Scene& scene, const GeometryTable& table, const std::function<void(std::string_view)>& write,
-                         const StopFlag* stop = nullptr);
+void write_geometry_text(const Scene& scene, const GeometryTable& table,
+                         const std::function<void(std::string_view)>& write, const StopFlag* stop = nullptr);
 
-/// The same pulses as comma-separated values with one header line with units: pulse, time_s, carrier_hz; for each platform
-/// x_m, y_m, z_m, vx_mps ..., rx_deg ...; for each target distance_m, delay_s, radial_speed_mps, amplitude_v
+/// The same pulses as comma-separated values with one header line with units: pulse, time_s, carrier_hz; for each
+/// platform x_m, y_m, z_m, vx_mps ..., rx_deg ...; for each target distance_m, delay_s, radial_speed_mps, amplitude_v
 /// (thesis 4.10). All targets, whatever the window; all columns, whatever the mask. Numbers are exact (shortest form).
-void write_geometry_csv(const Scene& scene, const GeometryTable& table, const std::function<void(std::string_view)>& write,
-                        const StopFlag* stop = nullptr);
+void write_geometry_csv(const Scene& scene, const GeometryTable& table,
+                        const std::function<void(std::string_view)>& write, const StopFlag* stop = nullptr);
 
 }  // namespace sarsim
