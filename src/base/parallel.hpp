@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -19,6 +21,7 @@ namespace sarsim {
 /// results per thread wait to be consumed, so that memory does not grow with `count`. An exception from a worker or
 /// from `consume` stops everything and is thrown to the caller; a requested stop throws Interrupted.
 ///
+/// @param threads      at least 1; 0 counts as 1
 /// @param make_worker  () -> callable(std::size_t) -> Result; called once on each thread
 /// @param consume      (std::size_t, Result&&)
 template <class Result, class MakeWorker, class Consume>
@@ -32,6 +35,7 @@ void ordered_parallel(std::size_t count, unsigned threads, const MakeWorker& mak
   std::size_t next = 0;
   std::size_t consumed = 0;
   bool ended = false;
+  threads = std::max(threads, 1U);
   const std::size_t ahead = 2 * static_cast<std::size_t>(threads) + 1;
 
   const auto work = [&] {

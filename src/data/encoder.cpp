@@ -26,6 +26,9 @@ std::size_t digits_of(std::uint64_t value) {
   return digits;
 }
 
+// A component that is negative and rounds to zero; the programs of 1998 wrote it as "-0".
+bool is_minus_zero(std::int64_t count, double volts) { return count == 0 && volts < 0.0; }
+
 // Writes numbers one after the other into a buffer that is large enough by construction.
 class TextWriter {
  public:
@@ -65,32 +68,39 @@ TextWriter writer_for(const Block& block, CountRange range) {
   return {block.rows * block.columns * (2 * number + 4) + block.rows, range};
 }
 
-std::vector<std::byte> encode_ascii(const Block& block, CountRange range) {
+// Where the volts are given, a small negative component keeps its sign.
+std::vector<std::byte> encode_ascii(const Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
     for (std::size_t column = 0; column < block.columns; ++column, count += 2) {
+      if (volts != nullptr && is_minus_zero(count[0], volts->real())) writer.put('-');
       writer.put_signed(count[0]);
       writer.put(' ');
+      if (volts != nullptr && is_minus_zero(count[1], volts->imag())) writer.put('-');
       writer.put_signed(count[1]);
       writer.put('\n');
+      if (volts != nullptr) ++volts;
     }
     writer.put('\n');
   }
   return writer.take();
 }
 
-std::vector<std::byte> encode_bracket(const Block& block, CountRange range) {
+std::vector<std::byte> encode_bracket(const Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
     for (std::size_t column = 0; column < block.columns; ++column, count += 2) {
       writer.put('(');
+      if (volts != nullptr && is_minus_zero(count[0], volts->real())) writer.put('-');
       writer.put_signed(count[0]);
       writer.put(',');
+      if (volts != nullptr && is_minus_zero(count[1], volts->imag())) writer.put('-');
       writer.put_signed(count[1]);
       writer.put(')');
       writer.put(' ');
+      if (volts != nullptr) ++volts;
     }
     writer.put('\n');
   }
@@ -187,9 +197,11 @@ std::vector<std::byte> encode_rows(const Encoding& encoding, const Block& block)
     return encode_volts(block.volts);
   }
   require_size(block.counts.size(), 2 * block.rows * block.columns, "counts");
+  const bool signed_zeros = encoding.minus_zero && block.volts.size() == block.rows * block.columns;
+  const std::complex<double>* volts = signed_zeros ? block.volts.data() : nullptr;
   switch (encoding.format) {
-    case FileFormat::ascii: return encode_ascii(block, range);
-    case FileFormat::bracket: return encode_bracket(block, range);
+    case FileFormat::ascii: return encode_ascii(block, range, volts);
+    case FileFormat::bracket: return encode_bracket(block, range, volts);
     case FileFormat::csv: return encode_csv(block, range);
     case FileFormat::binary: return encode_binary(block.counts, range);
     case FileFormat::hdf5:

@@ -13,6 +13,8 @@ struct Encoding {
   FileFormat format = FileFormat::binary;
   bool counts = true;  ///< Integer counts rather than volts; text and BINARY are always counts.
   int bits = 8;        ///< Of the A/D converter, 1 to 64.
+  bool minus_zero =
+      false;  ///< ASCII and BRACKET write "-0" for a negative component that rounds to 0 (classic profile).
 };
 
 /// Bytes of a component (I or Q) in the formats of fixed size: BINARY ceil(bits/8); HDF5 and NPY 4 (float32 or int32)

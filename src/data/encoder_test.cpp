@@ -68,6 +68,19 @@ TEST(Encoder, AsciiIsAPairPerLineAndABlankLinePerPulse) {
   EXPECT_EQ(encoded(FileFormat::ascii, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2), "0 0\n-127 128\n\n5 -6\n0 1\n\n");
 }
 
+TEST(Encoder, SmallNegativeValuesKeepTheirSignOnlyInTheClassicProfile) {
+  const std::array<std::complex<double>, 2> volts{{{-0.3, 0.0}, {0.3, -0.2}}};
+  const std::array<std::int64_t, 4> counts{0, 0, 0, 0};
+  Block block;
+  block.rows = 1;
+  block.columns = 2;
+  block.volts = volts;
+  block.counts = counts;
+  EXPECT_EQ(text_of(encode_rows({FileFormat::ascii, true, 8, true}, block)), "-0 0\n0 -0\n\n");
+  EXPECT_EQ(text_of(encode_rows({FileFormat::bracket, true, 8, true}, block)), "(-0,0) (0,-0) \n");
+  EXPECT_EQ(text_of(encode_rows({FileFormat::ascii, true, 8, false}, block)), "0 0\n0 0\n\n");
+}
+
 TEST(Encoder, BracketIsALinePerPulse) {
   EXPECT_EQ(encoded(FileFormat::bracket, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2), "(0,0) (-127,128) \n(5,-6) (0,1) \n");
 }

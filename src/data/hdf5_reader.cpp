@@ -1,5 +1,6 @@
 #include "data/hdf5_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "data/hdf5_attributes.hpp"
 #include "data/hdf5_dataset.hpp"
+#include "data/trial.hpp"
 
 namespace sarsim {
 
@@ -189,9 +191,7 @@ std::optional<Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Data
   return take_shape(info, samples, old_samples_path, 2);
 }
 
-}  // namespace
-
-OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
   const QuietHdf5 quiet;
   const std::string name = path.string();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -217,6 +217,35 @@ OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_byt
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
   return {std::make_unique<Hdf5Reader>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
+}
+
+// Reads what a file claims to hold: all of a small one, the ends of a large one.
+void read_through(const SampleReader& reader) {
+  constexpr std::size_t most_samples = std::size_t{1} << 22U;
+  const SampleFileInfo& info = reader.info();
+  if (info.columns > most_samples) return;
+  const std::size_t rows = std::min(info.rows, most_samples / info.columns);
+  std::vector<std::complex<double>> samples(rows * info.columns);
+  reader.read_rows(0, rows, samples);
+  reader.read_rows(info.rows - rows, rows, samples);
+  (void)reader.axes();
+}
+
+}  // namespace
+
+OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  // libhdf5 trusts what a file says of itself and can crash or hang on a damaged one; so a child process goes first.
+  constexpr unsigned patience_s = 20;
+  const TrialResult trial = run_trial(
+      [&] {
+        const OpenedReader opened = open_here(path, file_bytes, hints);
+        if (opened.reader) read_through(*opened.reader);
+      },
+      patience_s);
+  if (trial != TrialResult::passed)
+    return refused(path.string(), file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
+                                                               trial == TrialResult::crashed ? "crashes" : "hangs")));
+  return open_here(path, file_bytes, hints);
 }
 
 }  // namespace sarsim

@@ -26,7 +26,7 @@ Encoding encoding_of(const Product& product, const SinkOptions& options) {
   if (product.bits < 1 || product.bits > 64)
     throw std::invalid_argument(fmt::format("{} A/D bits are outside 1 to 64", product.bits));
   const bool either = options.format == FileFormat::hdf5 || options.format == FileFormat::npy;
-  return {options.format, options.counts || !either, product.bits};
+  return {options.format, options.counts || !either, product.bits, product.options.profile == Profile::classic};
 }
 
 std::string npy_header_of(const Product& product, const Encoding& encoding) {

@@ -224,10 +224,12 @@ TEST(TouchedSamples, AreThoseOfADirectSearch) {
 
 TEST(AddEchoes, ChipsChangeOnTheSampleThatStandsOnTheirBorder) {
   const EchoPulse pulse = hard(Pulse::Kind::code, 7e-6);  // +++--+-, 10 samples a chip
-  const SampleGrid grid{3.3e-6, 1e-7, 80};
-  const Row row = echoes(grid, pulse, 0.0, one(3.3e-6, 1.0));
   const double signs[] = {1, 1, 1, -1, -1, 1, -1, 0};
-  for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(row[i], signs[i / 10]) << i;
+  for (int k = 0; k < 50; ++k) {  // rounding puts the borders on either side of their samples
+    const double delay_s = 3.3e-6 + k * 0.7e-6;
+    const Row row = echoes({delay_s, 1e-7, 80}, pulse, 0.0, one(delay_s, 1.0));
+    for (std::size_t i = 0; i < 80; ++i) EXPECT_EQ(row[i], signs[i / 10]) << i;
+  }
 }
 
 EchoPulse limited(double sample_rate_hz, double half_band_hz, double kept_s = 0.0) {

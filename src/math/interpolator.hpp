@@ -25,10 +25,10 @@ enum class LowPassRule {
 ///   the slope at a knot is the slope to the right.
 /// - cubic: the clamped spline through the true knots (de Boor, "A Practical Guide to Splines", ch. IV) whose end
 ///   slopes are those of the first and last chord; continued by straight lines outside.
-/// - low pass: sum over 21 grid points of a_k sinc(u - k), u = (x - anchor)/step, step = (last - first)/(count - 1);
-///   a_k is the mean of the knots within half a step of grid point k (engine-behaviour 3.3; thesis 4.6.1).
-///   With LowPassRule::first_knot the sinc carries a Hann taper of half length 11 steps, the weights are normalised
-///   to sum 1, and a grid point without a knot near takes the linearly interpolated value.
+/// - low pass: sum over the nearest 21 grid points of a_k sinc(u - k), u = (x - anchor)/step,
+///   step = (last - first)/(count - 1); a_k is the mean of the knots within half a step of grid point k (thesis 4.6.1).
+///   With LowPassRule::first_knot the sinc carries a Hann taper that ends 11 steps away (22 points then), the weights
+///   are normalised to sum 1, and a grid point without a knot near takes the linearly interpolated value.
 ///
 /// Const members are safe to call from many threads. Knots must ascend in x.
 class Interpolator {

@@ -85,12 +85,16 @@ TEST(MatchedFilter, KeepsTheAmplitudeAndPhaseOfABandLimitedPulse) {
   }
 }
 
-TEST(MatchedFilter, WeighsTheReplicaNotTheSum) {
+TEST(MatchedFilter, WeighsTheReplicaByTheWindowFromTheLeadingEdgeOn) {
   const Pulse pulse = pulse_of(Pulse::Kind::mono, 4e-6);
-  const CompressionFilter filter = matched_filter(pulse, nullptr, bartlett_window, 1e6);  // weights 0, 1/2, 1, 1/2
+  const WindowFunction rising = [](double x) { return x; };
+  const CompressionFilter filter = matched_filter(pulse, nullptr, rising, 1e6);  // weights 0, 1/4, 1/2, 3/4
   ASSERT_EQ(filter.taps.size(), 4u);
-  const double expected[] = {0.0, 0.25, 0.5, 0.25};
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(std::abs(filter.taps[k] - expected[k]), 0.0, 2.0 * epsilon);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_LT(std::abs(filter.taps[k] - static_cast<double>(k) / 6.0), 2.0 * epsilon);
+  const CompressionFilter classic = classic_matched_filter(pulse, rising, 1e6);  // its replica runs backwards
+  ASSERT_EQ(classic.taps.size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_LT(std::abs(classic.taps[k] - (1.0 - static_cast<double>(k) / 4.0) / 2e6), 1e-6 * epsilon);
 }
 
 TEST(MatchedFilter, OfAMonochromePulseMakesATriangle) {

@@ -23,7 +23,13 @@ std::size_t find_by_name(const Objects& objects, std::string_view name) {
 
 }  // namespace
 
-std::size_t find_platform(const Scene& scene, std::string_view name) { return find_by_name(scene.platforms, name); }
+std::size_t find_platform(const Scene& scene, std::string_view name) {
+  const std::size_t found = find_by_name(scene.platforms, name);
+  // "Earth" is the world itself, not short for a platform "Earth2".
+  const bool world = equal_ignoring_case(name, "Earth");
+  if (world && found != not_found && !equal_ignoring_case(scene.platforms[found].name, name)) return not_found;
+  return found;
+}
 std::size_t find_radar(const Scene& scene, std::string_view name) { return find_by_name(scene.radars, name); }
 
 }  // namespace sarsim

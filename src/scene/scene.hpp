@@ -223,10 +223,12 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// Position of the platform that `name` means, or npos: an exact match ignoring case first, otherwise the only
-/// platform of which `name` is a prefix (or that is a prefix of `name`). "Earth" needs no definition: see `resolve`.
+/// Position of the platform that `name` means, or `not_found`: an exact match ignoring case first, otherwise the only
+/// platform of which `name` is a prefix (or that is a prefix of `name`). "Earth" where no platform has exactly that
+/// name is not found: it is the world itself, which `resolve` (simulate/resolved.hpp) knows without a definition.
 inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
 [[nodiscard]] std::size_t find_platform(const Scene& scene, std::string_view name);
+/// The same for radars.
 [[nodiscard]] std::size_t find_radar(const Scene& scene, std::string_view name);
 
 }  // namespace sarsim

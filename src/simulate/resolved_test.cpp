@@ -70,7 +70,6 @@ TEST(Resolve, TurnsDegreesIntoRadiansEverywhere) {
   EXPECT_NEAR(pose.rotation_rad[0], pi, 2.0 * epsilon);
 }
 
-// The process of an envelope in deg/sqrt(s) is pi/180 times that of the same envelope in rad/sqrt(s).
 TEST(Resolve, TakesEnvelopesOnlyWhereTheyAreChosen) {
   Scene scene = one_target_scene();
   Platform& p = scene.platforms[0];
@@ -84,10 +83,11 @@ TEST(Resolve, TakesEnvelopesOnlyWhereTheyAreChosen) {
   p.rotation_error = Platform::MotionError::envelope;
   p.rotation_stddev[1] = Angle::from_deg(5.0);
   p.rotation_envelope.part[0] = lines({{0, 2}, {1, 2}});
-  const double degrees = resolve(scene).platforms[0].track.at(0.3, 0).rotation_rad[0];
-  p.rotation_envelope.part[0] = lines({{0, 360.0 / pi}, {1, 360.0 / pi}});
-  EXPECT_NEAR(resolve(scene).platforms[0].track.at(0.3, 0).rotation_rad[0], degrees * 180.0 / pi, 1e4 * epsilon);
-  EXPECT_NE(degrees, 0.0);
+  Motion radians;  // the same platform, described in rad/sqrt(s)
+  radians.rotation_envelope[0] = Interpolator(lines({{0, 2 * pi / 180}, {1, 2 * pi / 180}}));
+  const double expected = Track(radians, scene.options.seed, p.name).at(0.3, 0).rotation_rad[0];
+  ASSERT_NE(expected, 0.0);
+  EXPECT_NEAR(resolve(scene).platforms[0].track.at(0.3, 0).rotation_rad[0], expected, 1e3 * epsilon);
   EXPECT_EQ(resolve(scene).platforms[0].track.at(0.3, 0).rotation_rad[1], 0.0);
 }
 

@@ -38,6 +38,14 @@ void take_in(TargetSurvey& target, const ScattererView& view, double range_m, do
   target.in_window = target.in_window || in_window;
 }
 
+// A plane shows the same side to the radar at all of its points.
+bool faces_radar(const ScattererSheet& sheet, const PulseGeometry& geometry) {
+  if (sheet.points_m.empty()) return false;
+  const Pose& pose = geometry.pose(sheet.platform);
+  const Vec3 look_world_m = world_position_m(pose, sheet.points_m.front()) - geometry.radar_pose().position_world_m;
+  return dot(pose.world_from_platform * sheet.normal_platform, look_world_m) < 0.0;
+}
+
 // The Doppler band of the echoes that matter: those in the window and within 40 dB of the strongest one.
 void take_band(EchoSurvey& survey) {
   double strongest = 0.0;
@@ -67,6 +75,7 @@ class Surveyor {
                  ? ""
                  : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
     if (!check_positions(survey, plan)) return;
+    check_surfaces(survey);
     check_window(survey, plan);
     check_doppler(survey, plan);
     check_lsb(survey, plan);
@@ -137,6 +146,19 @@ class Surveyor {
       sound = false;
     }
     return sound;
+  }
+
+  void check_surfaces(const EchoSurvey& survey) {
+    for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
+      if (!survey.surface_faces_radar[i])
+        problems_.push_back({Severity::warning,
+                             "the surface shows its back to the radar and gives no echo" + scope_,
+                             "",
+                             "a front, where (corner 2 - corner 1) x (corner 3 - corner 1) points, towards the radar",
+                             "exchange its second and third corner",
+                             {},
+                             {"surface", i, "corner_m"},
+                             1});
   }
 
   void check_window(const EchoSurvey& survey, const Plan& plan) {
@@ -234,6 +256,7 @@ class Surveyor {
 
 EchoSurvey survey_echoes(const Plan& plan) {
   EchoSurvey survey;
+  survey.surface_faces_radar.assign(plan.scene->sheets.size(), false);
   const double infinity = std::numeric_limits<double>::infinity();
   survey.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, false});
   const std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses);
@@ -243,6 +266,8 @@ EchoSurvey survey_echoes(const Plan& plan) {
   PulseGeometry geometry(*plan.scene, plan.radar);
   for (const std::int64_t pulse : pulses) {
     geometry.set_pulse(pulse);
+    for (std::size_t i = 0; i < plan.scene->sheets.size(); ++i)
+      if (faces_radar(plan.scene->sheets[i], geometry)) survey.surface_faces_radar[i] = true;
     double sum_v = 0.0;
     for (std::size_t i = 0; i < survey.targets.size(); ++i) {
       const ScattererView view = geometry.view(i);

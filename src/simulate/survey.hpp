@@ -28,6 +28,7 @@ struct EchoSurvey {
   std::vector<TargetSurvey> targets;
   double lowest_doppler_hz = 0.0;  ///< Over the echoes that touch the window.
   double highest_doppler_hz = 0.0;
+  std::vector<bool> surface_faces_radar;  ///< Per surface: it shows its front in some sampled pulse.
   double largest_sum_v =
       0.0;  ///< Largest over the pulses of the sum of the amplitudes in the window: a bound for raw data.
 };
@@ -36,7 +37,8 @@ struct EchoSurvey {
 
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets at the radar's
-/// position, echoes beyond the PRI, a window function without weight. The scene must have passed `check`.
+/// position, echoes beyond the PRI, surfaces that show their back, a window
+/// function without weight. The scene must have passed `check`.
 [[nodiscard]] Problems survey(const Scene& scene);
 
 }  // namespace sarsim

@@ -141,6 +141,23 @@ TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
   EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "time_end_s", "no complete burst")));
 }
 
+TEST(Survey, WarnsOfASurfaceThatShowsItsBackToTheRadar) {
+  Scene scene = sound_scene();
+  scene.surfaces.assign(2, Surface());
+  EXPECT_THAT(survey(scene), IsEmpty());
+  std::swap(scene.surfaces[1].corner_m[1], scene.surfaces[1].corner_m[2]);
+  const Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "corner_m", "shows its back")));
+  EXPECT_EQ(problems[0].subject.kind, "surface");
+  EXPECT_EQ(problems[0].subject.index, 1u);
+  scene.platforms[0].position_m = {};
+  scene.platforms.push_back(moving("Plane", {900, 0, 0}, {1000, 0, 0}));  // passes it: sees both sides
+  scene.radars[0].platform = "Plane";
+  scene.targets.clear();
+  scene.surfaces.erase(scene.surfaces.begin());
+  EXPECT_THAT(survey(scene), IsEmpty());
+}
+
 TEST(Survey, WarnsOfAWindowThatLeavesNothing) {
   Scene scene = sound_scene();
   scene.radars[0].window = Radar::Window::bartlett;

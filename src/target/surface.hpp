@@ -19,8 +19,9 @@ struct SurfaceLattice {
 [[nodiscard]] double expected_points(const std::array<Vec3, 3>& corners_m, double points_per_m2);
 
 /// Fills a triangle with a staggered (triangular) lattice: rows parallel to the side from corner 1 to corner 3, at
-/// distance D sin 60 deg, points D apart, D = 1/sqrt(density sin 60 deg), every other row shifted by D/2. The lattice
-/// is centred in the triangle, so that its phase centre is the triangle's. At least one point, at the centroid.
+/// distance D sin 60 deg (stretched or squeezed so that whole rows fill the height), points D apart,
+/// D = 1/sqrt(density sin 60 deg), every other row shifted by D/2. Rows stand in the middle of equal strips, so that
+/// the points' centre is the triangle's to about half a spacing. At least one point, at the centroid.
 [[nodiscard]] SurfaceLattice fill_triangle(const std::array<Vec3, 3>& corners_m, double points_per_m2);
 
 }  // namespace sarsim
