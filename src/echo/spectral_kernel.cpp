@@ -29,7 +29,7 @@ struct Settings {
   explicit Settings(double tolerance)
       : single_precision(tolerance >= 9.9e-7),
         share(tolerance / 8.0),
-        edge_samples(single_precision ? 16 : 24),
+        edge_samples(single_precision ? 8 : 12),
         beta(std::log(4.0 / share)) {}
 };
 
@@ -216,8 +216,7 @@ struct SpectralKernel::Typed : Implementation {
                       gathered.moving ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
     }
     for (std::size_t n = 0; n < row.size(); ++n)
-      row[n] += std::complex<double>(static_cast<double>(edge_row.re[n + EdgeRow<Real>::padding]),
-                                     static_cast<double>(edge_row.im[n + EdgeRow<Real>::padding]));
+      row[n] += std::complex<double>(edge_row.samples[n + EdgeRow<Real>::padding]);
   }
 
   void make_pieces() {
@@ -235,9 +234,8 @@ struct SpectralKernel::Typed : Implementation {
       piece.samples = fit_lanes<Real>(
           2 * settings.edge_samples,
           [&](std::size_t lane, double x) {
-            const bool real = lane < settings.edge_samples;
-            const std::complex<double> e = left_out(real ? lane : lane - settings.edge_samples, x);
-            return real ? e.real() : e.imag();
+            const std::complex<double> e = left_out(lane / 2, x);
+            return lane % 2 == 0 ? e.real() : e.imag();
           },
           0.3 * settings.share);
       pieces.push_back(std::move(piece));

@@ -90,6 +90,31 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
   });
 }
 
+// Interleaved complex numbers times (re, im): re in both lanes of a pair, im with the sign that its lane takes.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V complex_product([[maybe_unused]] D d, V pairs, V re, V signed_im) {
+#if HWY_TARGET == HWY_SCALAR
+  return hn::MulAdd(pairs, re, signed_im);  // no pairs in one lane: engines ask simd_level() first and never come here
+#else
+  return hn::MulAdd(pairs, re, hn::Mul(hn::Reverse2(d, pairs), signed_im));
+#endif
+}
+
+// -1 in even lanes, +1 in odd ones.
+template <class D>
+HWY_INLINE hn::Vec<D> pair_signs(D d) {
+  using T = hn::TFromD<D>;
+  return hn::OddEven(hn::Set(d, T(1)), hn::Set(d, T(-1)));
+}
+
+// Number of the sample that each lane from `lane` on belongs to.
+template <class D>
+HWY_INLINE hn::Vec<D> sample_numbers(D d, std::size_t lane) {
+  using T = hn::TFromD<D>;
+  const auto twice = hn::Iota(d, static_cast<T>(lane));
+  return hn::Mul(hn::OddEven(hn::Sub(twice, hn::Set(d, T(1))), twice), hn::Set(d, T(0.5)));
+}
+
 // The Doppler phasors of the samples of an edge piece of one echo.
 template <class Real>
 struct EdgeTurn {
@@ -105,16 +130,14 @@ struct EdgeTurn {
   }
 
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE void apply(D d, std::size_t lane, V& re, V& im) const {
-    const auto i = hn::Iota(d, static_cast<Real>(lane));
+  HWY_INLINE V applied(D d, std::size_t lane, V pairs) const {
+    const auto i = sample_numbers(d, lane);
     const auto rest = hn::Mul(i, hn::MulAdd(i, hn::Set(d, bend), hn::Set(d, slope)));
     const auto x = fraction_of_turn(hn::Neg(hn::Add(hn::Set(d, static_cast<Real>(turns)), rest)));
     auto c = hn::Zero(d);
     auto s = hn::Zero(d);
     cos_sin_turns(d, x, c, s);
-    const auto turned = hn::NegMulAdd(im, s, hn::Mul(re, c));
-    im = hn::MulAdd(im, c, hn::Mul(re, s));
-    re = turned;
+    return complex_product(d, pairs, c, hn::Mul(s, pair_signs(d)));
   }
 };
 
@@ -124,11 +147,11 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> 
                           EdgeRow<Real>& row) {
   const hn::ScalableTag<Real> d;
   const std::size_t lanes = hn::Lanes(d);
-  const std::size_t samples = piece.samples.lanes / 2;
   const Real* HWY_RESTRICT coefficients = piece.samples.coefficients.data();
-  const double first_useful = -static_cast<double>(samples);
+  const double first_useful = -0.5 * static_cast<double>(piece.samples.lanes);
   const auto last_useful = static_cast<double>(row.count);
   constexpr std::ptrdiff_t padding = EdgeRow<Real>::padding;
+  const auto signs = pair_signs(d);
   for (std::size_t k = 0; k < position.size(); ++k) {
     const double start = position[k] + piece.start;
     const double sample = std::ceil(start - 1e-9);
@@ -137,15 +160,12 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> 
     const auto y = hn::Set(d, static_cast<Real>(fraction - 0.5));
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(sample) + padding;
     const auto s_re = hn::Set(d, strength[k].real());
-    const auto s_im = hn::Set(d, strength[k].imag());
-    for (std::size_t lane = 0; lane < samples; lane += lanes) {
-      auto e_re = horner<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
-      auto e_im = horner<Degree>(d, coefficients + samples + lane, piece.samples.lanes, piece.samples.degree, y);
-      if (!doppler.empty()) EdgeTurn<Real>(piece, doppler[k], fraction).apply(d, lane, e_re, e_im);
-      Real* HWY_RESTRICT re = row.re.data() + at + lane;
-      Real* HWY_RESTRICT im = row.im.data() + at + lane;
-      hn::StoreU(hn::NegMulAdd(s_im, e_im, hn::MulAdd(s_re, e_re, hn::LoadU(d, re))), d, re);
-      hn::StoreU(hn::MulAdd(s_im, e_re, hn::MulAdd(s_re, e_im, hn::LoadU(d, im))), d, im);
+    const auto s_im = hn::Mul(hn::Set(d, strength[k].imag()), signs);
+    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row.samples.data() + at);
+    for (std::size_t lane = 0; lane < piece.samples.lanes; lane += lanes) {
+      auto pairs = horner<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
+      if (!doppler.empty()) pairs = EdgeTurn<Real>(piece, doppler[k], fraction).applied(d, lane, pairs);
+      hn::StoreU(hn::Add(hn::LoadU(d, out + lane), complex_product(d, pairs, s_re, s_im)), d, out + lane);
     }
   }
 }

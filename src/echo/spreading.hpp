@@ -75,13 +75,12 @@ struct EdgePiece {
   double doppler_bend = 0.0;    ///< and per sample squared.
 };
 
-/// Split sums of edge samples, with room for a piece that overhangs either end of the row.
+/// Sums of edge samples, with room for a piece that overhangs either end of the row.
 template <class Real>
 struct EdgeRow {
-  static constexpr std::size_t padding = 128;
+  static constexpr std::size_t padding = 64;
   std::size_t count = 0;
-  std::vector<Real> re;
-  std::vector<Real> im;
+  std::vector<std::complex<Real>> samples;  ///< `count` samples between two paddings.
 
   void resize(std::size_t sample_count);
   void clear();

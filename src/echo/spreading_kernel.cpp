@@ -142,14 +142,12 @@ template struct SpreadGrid<double>;
 template <class Real>
 void EdgeRow<Real>::resize(std::size_t sample_count) {
   count = sample_count;
-  re.assign(count + 2 * padding, Real(0));
-  im.assign(count + 2 * padding, Real(0));
+  samples.assign(count + 2 * padding, {});
 }
 
 template <class Real>
 void EdgeRow<Real>::clear() {
-  std::ranges::fill(re, Real(0));
-  std::ranges::fill(im, Real(0));
+  std::ranges::fill(samples, std::complex<Real>());
 }
 
 template struct EdgeRow<float>;

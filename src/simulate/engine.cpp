@@ -8,6 +8,7 @@
 
 #include "echo/spectral_kernel.hpp"
 #include "simulate/pulse_geometry.hpp"
+#include "simulate/simd_level.hpp"
 
 namespace sarsim {
 
@@ -70,6 +71,7 @@ std::optional<Engine> engine_from_name(std::string_view name) {
 EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
                            const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses, double tolerance) {
   if (wanted != Engine::automatic) return {wanted, "asked for"};
+  if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
   const double echoes = scatterer_count(scene);
   const double samples =
       std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count));
