@@ -22,15 +22,69 @@ HWY_INLINE hn::Vec<D> horner(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients
   return sum;
 }
 
-// Horner's rule, unrolled; Degree 0 stands for one that is only known at run time.
+// Even and odd powers by Horner's rule side by side, unrolled: half the chain of dependent operations. Degree 0 stands
+// for one that is only known at run time.
 template <std::size_t Degree, class D>
-HWY_INLINE hn::Vec<D> horner(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients, std::size_t stride,
-                             std::size_t degree, hn::Vec<D> y) {
-  auto sum = hn::LoadU(d, coefficients);
+HWY_INLINE hn::Vec<D> polynomial(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients, std::size_t stride,
+                                 std::size_t degree, hn::Vec<D> y) {
   const std::size_t last = Degree > 0 ? Degree : degree;
-  for (std::size_t p = 1; p <= last; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, coefficients + p * stride));
-  return sum;
+  const auto y2 = hn::Mul(y, y);
+  auto first = hn::LoadU(d, coefficients);
+  auto second = hn::LoadU(d, coefficients + stride);
+  std::size_t p = 2;
+  for (; p + 1 <= last; p += 2) {
+    first = hn::MulAdd(first, y2, hn::LoadU(d, coefficients + p * stride));
+    second = hn::MulAdd(second, y2, hn::LoadU(d, coefficients + (p + 1) * stride));
+  }
+  if (p > last) return hn::MulAdd(first, y, second);
+  return hn::MulAdd(second, y, hn::MulAdd(first, y2, hn::LoadU(d, coefficients + p * stride)));
 }
+
+#if HWY_HAVE_SCALABLE
+#define SARSIM_HOLD_COEFFICIENTS 0  // vectors without a size known to the compiler cannot stand in arrays
+#else
+#define SARSIM_HOLD_COEFFICIENTS 1
+#endif
+
+// The polynomials of one vector of lanes; where degree and stride are known, their coefficients stay in registers.
+template <std::size_t Degree, class D>
+struct Polynomials {
+  using T = hn::TFromD<D>;
+  using V = hn::Vec<D>;
+  const T* HWY_RESTRICT coefficients;
+  std::size_t stride;
+  std::size_t degree;
+#if SARSIM_HOLD_COEFFICIENTS
+  V held[Degree + 1];
+#endif
+
+  HWY_INLINE Polynomials(D d, const LanePolynomials<T>& all, std::size_t lane)
+      : coefficients(all.coefficients.data() + lane), stride(all.lanes), degree(all.degree) {
+#if SARSIM_HOLD_COEFFICIENTS
+    if constexpr (Degree > 0)
+      for (std::size_t p = 0; p <= Degree; ++p) held[p] = hn::LoadU(d, coefficients + p * stride);
+#else
+    (void)d;
+#endif
+  }
+
+  HWY_INLINE V operator()(D d, V y) const {
+#if SARSIM_HOLD_COEFFICIENTS
+    if constexpr (Degree > 1) {
+      const auto y2 = hn::Mul(y, y);
+      auto first = held[0];
+      auto second = held[1];
+      for (std::size_t p = 2; p + 1 <= Degree; p += 2) {
+        first = hn::MulAdd(first, y2, held[p]);
+        second = hn::MulAdd(second, y2, held[p + 1]);
+      }
+      if constexpr (Degree % 2 == 1) return hn::MulAdd(first, y, second);
+      return hn::MulAdd(second, y, hn::MulAdd(first, y2, held[Degree]));
+    }
+#endif
+    return polynomial<Degree>(d, coefficients, stride, degree, y);
+  }
+};
 
 // Calls f with the degree as a compile-time constant where it is a usual one.
 template <class F>
@@ -43,6 +97,10 @@ HWY_INLINE void with_degree(std::size_t degree, const F& f) {
     case 10: return f(std::integral_constant<std::size_t, 10>());
     case 11: return f(std::integral_constant<std::size_t, 11>());
     case 12: return f(std::integral_constant<std::size_t, 12>());
+    case 13: return f(std::integral_constant<std::size_t, 13>());
+    case 14: return f(std::integral_constant<std::size_t, 14>());
+    case 15: return f(std::integral_constant<std::size_t, 15>());
+    case 16: return f(std::integral_constant<std::size_t, 16>());
     default: return f(std::integral_constant<std::size_t, 0>());
   }
 }
@@ -57,6 +115,7 @@ HWY_INLINE void spread_loop(const LanePolynomials<Real>& taps, std::size_t width
   const std::size_t count = position.size();
   const std::size_t terms = grid.term.size();
   const double half_width = 0.5 * static_cast<double>(width);
+  const Polynomials<Chunks == 1 ? Degree : 0, hn::ScalableTag<Real>> only(d, taps, 0);
   for (std::size_t k = 0; k < count; ++k) {
     const double left = position[k] - half_width;
     const double cell = std::ceil(left);
@@ -64,7 +123,8 @@ HWY_INLINE void spread_loop(const LanePolynomials<Real>& taps, std::size_t width
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) + padding;
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
       const std::size_t lane = chunk * lanes;
-      const auto weight = horner<Degree>(d, taps.coefficients.data() + lane, taps.lanes, taps.degree, y);
+      const auto weight =
+          Chunks == 1 ? only(d, y) : polynomial<Degree>(d, taps.coefficients.data() + lane, taps.lanes, taps.degree, y);
       for (std::size_t r = 0; r < terms; ++r) {
         const std::complex<Real> s = strength[r * count + k];
         const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
@@ -141,13 +201,15 @@ struct EdgeTurn {
   }
 };
 
-template <class Real, std::size_t Degree>
+template <class Real, std::size_t Degree, bool OneVector>
 HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> position,
                           std::span<const std::complex<Real>> strength, std::span<const double> doppler,
                           EdgeRow<Real>& row) {
   const hn::ScalableTag<Real> d;
   const std::size_t lanes = hn::Lanes(d);
   const Real* HWY_RESTRICT coefficients = piece.samples.coefficients.data();
+  const std::size_t used = OneVector ? lanes : piece.samples.lanes;
+  const Polynomials<OneVector ? Degree : 0, hn::ScalableTag<Real>> only(d, piece.samples, 0);
   const double first_useful = -0.5 * static_cast<double>(piece.samples.lanes);
   const auto last_useful = static_cast<double>(row.count);
   constexpr std::ptrdiff_t padding = EdgeRow<Real>::padding;
@@ -162,8 +224,9 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> 
     const auto s_re = hn::Set(d, strength[k].real());
     const auto s_im = hn::Mul(hn::Set(d, strength[k].imag()), signs);
     Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row.samples.data() + at);
-    for (std::size_t lane = 0; lane < piece.samples.lanes; lane += lanes) {
-      auto pairs = horner<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
+    for (std::size_t lane = 0; lane < used; lane += lanes) {
+      auto pairs = OneVector ? only(d, y)
+                             : polynomial<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
       if (!doppler.empty()) pairs = EdgeTurn<Real>(piece, doppler[k], fraction).applied(d, lane, pairs);
       hn::StoreU(hn::Add(hn::LoadU(d, out + lane), complex_product(d, pairs, s_re, s_im)), d, out + lane);
     }
@@ -174,8 +237,13 @@ template <class Real>
 HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
                                     std::span<const std::complex<Real>> strength, std::span<const double> doppler,
                                     EdgeRow<Real>& row) {
-  with_degree(piece.samples.degree,
-              [&](auto degree) { edge_loop<Real, degree()>(piece, position, strength, doppler, row); });
+  const bool one_vector = hn::Lanes(hn::ScalableTag<Real>()) == piece.samples.lanes;
+  with_degree(piece.samples.degree, [&](auto degree) {
+    if (one_vector)
+      edge_loop<Real, degree(), true>(piece, position, strength, doppler, row);
+    else
+      edge_loop<Real, degree(), false>(piece, position, strength, doppler, row);
+  });
 }
 
 void spread_single(const LanePolynomials<float>& taps, std::size_t width, std::span<const double> position,
