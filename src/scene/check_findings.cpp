@@ -2,17 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "scene/limits.hpp"
 
 namespace sarsim {
 
 namespace {
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+Finding too_large(std::string_view what, std::string found, std::string_view unit) {
+  return {.message = fmt::format("the {} is too large to compute with", what),
+          .found = std::move(found),
+          .expected = unit == "dB" ? fmt::format("up to {:g} dB", largest_gain_db)
+                                   : fmt::format("a magnitude up to {:g} {}", largest_value, unit),
+          .hint = {}};
+}
 
 std::string vector_text(const Vec3& v, std::string_view unit) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g}) {}", v.x, v.y, v.z, unit);
@@ -33,6 +43,17 @@ bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std:
                   .found = fmt::format("point {}: {:g}, {:g}", bad - function.knots.begin() + 1, bad->x, bad->y),
                   .expected = "finite numbers",
                   .hint = {}});
+  return false;
+}
+
+bool check_points_are_computable(Findings& findings, const FunctionRule& rule, std::size_t part,
+                                 const SampledFunction& function) {
+  const auto bad = std::ranges::find_if(
+      function.knots, [](const Knot& knot) { return !computable(knot.x, "") || !computable(knot.y, ""); });
+  if (bad == function.knots.end()) return true;
+  findings.error(rule.field,
+                 too_large(fmt::format("point of the {}", title(rule, part)),
+                           fmt::format("point {}: {:g}, {:g}", bad - function.knots.begin() + 1, bad->x, bad->y), ""));
   return false;
 }
 
@@ -100,7 +121,11 @@ void Findings::note(std::string_view field, Finding finding, std::size_t count) 
 }
 
 bool Findings::finite(std::string_view field, std::string_view what, double value, std::string_view unit) {
-  if (std::isfinite(value)) return true;
+  if (computable(value, unit)) return true;
+  if (std::isfinite(value)) {
+    error(field, too_large(what, value_text(value, unit), unit));
+    return false;
+  }
   error(field, {.message = fmt::format("the {} is not a finite number", what),
                 .found = value_text(value, unit),
                 .expected = "a finite number",
@@ -109,7 +134,11 @@ bool Findings::finite(std::string_view field, std::string_view what, double valu
 }
 
 bool Findings::finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
-  if (is_finite(value)) return true;
+  if (computable(value.x, unit) && computable(value.y, unit) && computable(value.z, unit)) return true;
+  if (is_finite(value)) {
+    error(field, too_large(what, vector_text(value, unit), unit));
+    return false;
+  }
   error(field, {.message = fmt::format("the {} is not made of finite numbers", what),
                 .found = vector_text(value, unit),
                 .expected = "finite numbers",
@@ -159,6 +188,15 @@ bool Findings::between(std::string_view field, std::string_view what, double val
 }
 
 Problems Findings::take() && {
+  // A warning about an object with an error may only follow from the error.
+  std::set<std::pair<std::string, std::size_t>> faulty;
+  for (const Entry& entry : entries_)
+    if (entry.problem.severity == Severity::error)
+      faulty.insert({entry.problem.subject.kind, entry.problem.subject.index});
+  std::erase_if(entries_, [&](const Entry& entry) {
+    return entry.problem.severity == Severity::warning &&
+           faulty.contains({entry.problem.subject.kind, entry.problem.subject.index});
+  });
   std::ranges::stable_sort(entries_, {},
                            [](const Entry& entry) { return std::tuple(entry.problem.severity, entry.rank); });
   Problems problems;
@@ -170,7 +208,8 @@ Problems Findings::take() && {
 bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts) {
   bool sound = true;
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    sound = check_points_are_numbers(findings, rule, part, parts[part]) && sound;
+    const bool numbers = check_points_are_numbers(findings, rule, part, parts[part]);
+    sound = numbers && check_points_are_computable(findings, rule, part, parts[part]) && sound;
     if (!rule.used) continue;
     sound = check_not_empty(findings, rule, part, parts[part]) && sound;
     if (rule.x_matters) sound = check_points_ascend(findings, rule, part, parts[part]) && sound;

@@ -41,7 +41,7 @@ class Findings {
   void note(std::string_view field, Finding finding, std::size_t count = 1);
 
   // Rules for one number; each reports an error and returns false where the number breaks it. `what` completes "the
-  // ...".
+  // ...". A number that is too large to compute with (scene/limits.hpp) breaks all of them.
   bool finite(std::string_view field, std::string_view what, double value, std::string_view unit);
   bool finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit);
   bool positive(std::string_view field, std::string_view what, double value, std::string_view unit);
@@ -50,7 +50,7 @@ class Findings {
   bool between(std::string_view field, std::string_view what, double value, double low, double high,
                std::string_view unit);
 
-  /// Errors in the order reported, warnings by consequence, notes.
+  /// Errors in the order reported, warnings by consequence, notes. Of an object with an error only the errors.
   [[nodiscard]] Problems take() &&;
 
  private:

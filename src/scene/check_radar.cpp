@@ -151,8 +151,9 @@ void check_antenna(Findings& findings, std::string_view field, std::string_view 
   for (const auto& [plane, width] :
        {std::pair("elevation", antenna.elevation_beamwidth), std::pair("azimuth", antenna.azimuth_beamwidth)}) {
     const std::string name = fmt::format("{} beam width of the {} antenna", plane, what);
-    if (findings.finite(field, name, width.deg(), "deg") && beam && !(width.deg() > 0.0 && width.deg() <= 360.0))
-      findings.error(field, {.message = fmt::format("the {} is out of range", name),
+    const std::string member = fmt::format("{}.{}_beamwidth", field, plane);
+    if (findings.finite(member, name, width.deg(), "deg") && beam && !(width.deg() > 0.0 && width.deg() <= 360.0))
+      findings.error(member, {.message = fmt::format("the {} is out of range", name),
                              .found = value_text(width.deg(), "deg"),
                              .expected = "above 0 and up to 360 deg",
                              .hint = {}});

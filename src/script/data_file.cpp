@@ -55,13 +55,14 @@ std::optional<std::uint64_t> read_count(Tokens& tokens, const FunctionText& text
 bool read_coordinate(const Token& token, const FunctionText& text, bool is_y, Reporter& reporter, double& value) {
   const FunctionAxis& axis = is_y ? text.block.y[text.part] : text.block.x;
   const int shift = is_y ? text.block.y_shift : 0;
-  if (const std::optional<double> plain = plain_number(token, shift)) {
+  const Range range = is_y && text.block.x_ignored ? above_zero : any_value;  // Lists of intervals and of carriers.
+  if (const std::optional<double> plain = plain_number(token, shift, axis.unit); plain && range.holds(*plain)) {
     value = *plain;
     return true;
   }
   reporter.check_spelling(token, text.member);
   const std::string words = fmt::format("{} of a point ({})", axis.name, text.block.words);
-  return read_number(token, Field{text.member, words, axis.unit, shift}, reporter, value);
+  return read_number(token, Field{text.member, words, axis.unit, shift, range}, reporter, value);
 }
 
 PointsEnd report_early_end(const Token& token, const FunctionText& text, Reporter& reporter, std::uint64_t announced,

@@ -146,7 +146,8 @@ void FieldReader::vector(const Field& field, Vec3& value) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (skipping()) return;
     // The plain case first: the words of a coordinate are only put together where something is to be said.
-    if (const auto plain = more() ? plain_number(peek(), field.shift) : std::nullopt) {
+    const auto plain = more() ? plain_number(peek(), field.shift, field.unit) : std::nullopt;
+    if (plain && field.range.holds(*plain)) {
       *parts[i] = *plain;
       last_ = reading_.tokens.take();
       continue;

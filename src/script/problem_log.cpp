@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "scene/limits.hpp"
 
 namespace sarsim::script {
 
@@ -77,6 +78,17 @@ void check_range(const Token& token, const Field& field, Reporter& reporter, dou
                   expected_number(in_script_units(field), kind)});
 }
 
+// A number that is finite, and yet so large that nothing can be computed with it.
+bool check_size(const Token& token, const Field& field, Reporter& reporter, double value) {
+  if (computable(value, field.unit)) return true;
+  const double limit = field.unit == "dB" && value > 0.0 ? largest_gain_db : largest_value;
+  reporter.error(token, field.member,
+                 {fmt::format("{} is too large to compute with", field.words), shown(token.text),
+                  fmt::format("a magnitude up to {:g}{}{}", limit * std::pow(10.0, -field.shift),
+                              field.unit.empty() ? "" : " ", field.unit)});
+  return false;
+}
+
 }  // namespace
 
 std::string shown(std::string_view text) {
@@ -127,10 +139,11 @@ void Reporter::check_spelling(const Token& token, std::string_view member) {
     error(token, member, {"a quote is not closed", "\"" + shown(token.text), "a second '\"' on the same line", ""});
 }
 
-std::optional<double> plain_number(const Token& token, int shift) {
+std::optional<double> plain_number(const Token& token, int shift, std::string_view unit) {
   if (token.comment_follows || token.open_quote) return std::nullopt;
   const std::optional<double> number = parse_number(token.text, shift);
   if (number && *number == 0.0 && holds_digit_above_zero(token.text)) return std::nullopt;
+  if (number && !computable(*number, unit)) return std::nullopt;
   return number;
 }
 
@@ -144,7 +157,7 @@ bool read_number(const Token& token, const Field& field, Reporter& reporter, dou
   if (value == 0.0 && holds_digit_above_zero(token.text))
     reporter.warning(token, field.member,
                      {fmt::format("{} is too small for a number and counts as zero", field.words), shown(token.text)});
-  check_range(token, field, reporter, value, "a number");
+  if (check_size(token, field, reporter, value)) check_range(token, field, reporter, value, "a number");
   return true;
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_pulses = 64;  // decisions: "at most 64 pulses x all targets, labelled as an estimate"
 constexpr double closest_m = 1e-9;       // a target nearer than this stands on the radar
+constexpr double strongest_v = 1e30;     // many of these together still fit a single-precision number
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
 std::vector<std::int64_t> sampled_pulses(const PulseRange& range) {
@@ -35,6 +36,7 @@ void take_in(TargetSurvey& target, const ScattererView& view, double range_m, do
   target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, doppler_hz);
   target.highest_doppler_hz = std::max(target.highest_doppler_hz, doppler_hz);
   target.largest_amplitude_v = std::max(target.largest_amplitude_v, std::abs(view.amplitude_sqrt_w));
+  target.largest_speed_mps = std::max(target.largest_speed_mps, std::abs(view.speed_mps));
   target.in_window = target.in_window || in_window;
 }
 
@@ -60,6 +62,40 @@ void take_band(EchoSurvey& survey) {
   }
 }
 
+Problem error_of_target(std::size_t index) {
+  Problem problem;
+  problem.subject = {"target", index, "position_m"};
+  return problem;
+}
+
+// Why the echo of a target cannot be recorded; nothing where it can.
+std::optional<Problem> problem_of_echo(const TargetSurvey& target, std::size_t index, const Plan& plan) {
+  Problem problem = error_of_target(index);
+  if (target.nearest_m <= closest_m) {
+    problem.message =
+        fmt::format("the target stands at the position of radar '{}'; its echo would be infinite", plan.radar.name);
+    problem.found = fmt::format("distance {} m", format_number(target.nearest_m));
+    problem.expected = "a distance above 0";
+    problem.hint = "move the target or the radar's platform";
+    return problem;
+  }
+  const double light_mps = plan.scene->conventions.light_speed_mps;
+  if (!(target.largest_speed_mps < light_mps)) {
+    problem.message =
+        fmt::format("the target moves as fast as light, or faster, as radar '{}' sees it", plan.radar.name);
+    problem.found = fmt::format("{:.6g} m/s", target.largest_speed_mps);
+    problem.expected = fmt::format("below {} m/s", format_number(light_mps));
+    problem.hint = "look at the paths and the rotation rates of its platform and the radar's: times are in seconds";
+    return problem;
+  }
+  if (target.largest_amplitude_v <= strongest_v) return std::nullopt;
+  problem.message = fmt::format("the target's echo in radar '{}' is too strong to be recorded", plan.radar.name);
+  problem.found = fmt::format("{:.3g} V", target.largest_amplitude_v);
+  problem.expected = fmt::format("up to {:g} V", strongest_v);
+  problem.hint = "look at its radar cross-section and reflectivity and at the radar's power and gains";
+  return problem;
+}
+
 // Collects the problems of one simulation.
 class Surveyor {
  public:
@@ -74,7 +110,7 @@ class Surveyor {
     scope_ = survey.all_pulses
                  ? ""
                  : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
-    if (!check_positions(survey, plan)) return;
+    if (!check_echoes(survey, plan)) return;
     check_surfaces(survey);
     check_window(survey, plan);
     check_doppler(survey, plan);
@@ -130,20 +166,15 @@ class Surveyor {
     return true;
   }
 
-  bool check_positions(const EchoSurvey& survey, const Plan& plan) {
+  // Echoes that no recording can hold. A target is reported once, whatever else looks at it.
+  bool check_echoes(const EchoSurvey& survey, const Plan& plan) {
     bool sound = true;
     for (std::size_t i = 0; i < survey.targets.size(); ++i) {
-      if (survey.targets[i].nearest_m > closest_m) continue;
-      problems_.push_back(
-          {Severity::error,
-           fmt::format("the target stands at the position of radar '{}'; its echo would be infinite", plan.radar.name),
-           fmt::format("distance {} m", format_number(survey.targets[i].nearest_m)),
-           "a distance above 0",
-           "move the target or the radar's platform",
-           {},
-           {"target", i, "position_m"},
-           1});
+      std::optional<Problem> problem = problem_of_echo(survey.targets[i], i, plan);
+      if (!problem) continue;
       sound = false;
+      const auto same_target = [&](const Problem& p) { return p.subject == problem->subject; };
+      if (std::ranges::none_of(problems_, same_target)) problems_.push_back(std::move(*problem));
     }
     return sound;
   }

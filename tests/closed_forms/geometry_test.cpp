@@ -93,6 +93,21 @@ TEST(Delay, IsNeverRoundedToASample) {
   }
 }
 
+TEST(Delay, DecidesWhichSamplesOfAHardEdgedPulseAreOn) {
+  // A pulse of 120 sampling intervals is on in 120 samples, from the first at or after its delay.
+  const double cell_m = light_speed_mps / (2.0 * 120e6);
+  for (int eighths = 0; eighths <= 8; ++eighths) {
+    Scene scene = test::radar_at_origin();
+    scene.radars[0].pulse_width_s = 1e-6;
+    test::add_target(scene, {810.0 * cell_m + eighths * cell_m / 8.0, 0.0, 0.0});
+    test::set_window(scene, 800.0 * cell_m, 1000.0 * cell_m, 120e6);
+    const Recording recording = recorded(scene);
+    const std::size_t first = eighths == 0 ? 10 : 11;
+    for (std::size_t i = 0; i < recording.samples.size(); ++i)
+      EXPECT_EQ(recording.samples[i] != std::complex<double>(), i >= first && i < first + 120) << eighths << ' ' << i;
+  }
+}
+
 // Mean turn between neighbouring samples.
 double turn_per_sample_rad(const std::vector<std::complex<double>>& samples) {
   std::complex<double> sum = 0.0;
@@ -126,6 +141,28 @@ TEST(Doppler, WithinAPulseIsTheSameShift) {
     // A hundred thousandth of the shift of 200 kHz over 9.3 us is a phase of 1e-4 rad.
     const double expected_hz = -sign * 2.0 * speed_mps / light_speed_mps * carrier_hz;
     EXPECT_NEAR(shift_hz, expected_hz, 1e-5 * std::abs(expected_hz));
+  }
+}
+
+TEST(Doppler, StretchesTheSweepOfAChirp) {
+  // (6.22) in full: K u^2/2 - f tau - (2v/c)(f u + K u^2/2); at 3 km/s the last term reaches 0.0125 cycles.
+  const double width_s = 100e-6;
+  const double rate_hz_per_s = 50e6 / width_s;
+  for (const double speed_mps : {-3000.0, 3000.0}) {
+    Scene scene = moving_target({1000.0, 0.0, 0.0}, {speed_mps, 0.0, 0.0}, 1e9);
+    scene.radars[0].pulse = Radar::Pulse::chirp;
+    scene.radars[0].bandwidth_hz = 50e6;
+    scene.radars[0].pulse_width_s = width_s;
+    test::set_window(scene, 1100.0, 15000.0, 1e6);
+    const auto samples = recorded(scene).samples;
+    const double delay_s = 2000.0 / (light_speed_mps - speed_mps);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double u = 2200.0 / light_speed_mps + static_cast<double>(i) * 1e-6 - delay_s - 0.5 * width_s;
+      const double modulation = 0.5 * rate_hz_per_s * u * u;
+      const double cycles = modulation - 1e9 * delay_s - 2.0 * speed_mps / light_speed_mps * (1e9 * u + modulation);
+      // 7000 cycles in doubles: 1e-12 cycles each.
+      EXPECT_NEAR(test::wrapped_rad(std::arg(samples[i]) - 2.0 * pi * cycles), 0.0, 1e-10) << speed_mps << ' ' << i;
+    }
   }
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <stdexcept>
+#include <string>
 
 #include "data/sample_file.hpp"
 #include "script/reader.hpp"
@@ -17,10 +19,15 @@ namespace {
 using Samples = std::vector<std::complex<double>>;
 using test::reference_folder;
 
-std::filesystem::path original(const char* name) { return reference_folder() / "original" / name; }
+// Sample files have names of their own; the script that made one stands beside it.
+std::filesystem::path sample_file(const std::string& name) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(reference_folder() / "original"))
+    if (entry.path().filename() == name) return entry.path();
+  throw std::runtime_error("no file " + name + " below " + reference_folder().string());
+}
 
-Scene classic_scene(const char* script) {
-  Scene scene = read_script_file(original(script)).scene;
+Scene classic_scene(const std::string& samples, const std::string& script) {
+  Scene scene = read_script_file(sample_file(samples).replace_filename(script)).scene;
   scene.options.profile = Profile::classic;
   return scene;
 }
@@ -55,88 +62,86 @@ TEST_F(OriginalSamples, Of1997AgreeWithinOneCountOnceTheirWavelengthIsMended) {
     std::size_t rows;
     std::size_t columns;
   };
-  for (const Case& c : {Case{"examples/sim1.asc", "examples/exam2.scr", 0, 19, 146},
-                        Case{"helvin/sims2.asc", "helvin/exam2.scr", 3, 5, 200}}) {
-    const Scene scene = classic_scene(c.script);
+  for (const Case& c : {Case{"sim1.asc", "exam2.scr", 0, 19, 146}, Case{"sims2.asc", "exam2.scr", 3, 5, 200}}) {
+    const Scene scene = classic_scene(c.samples, c.script);
     const Recording recording = record(make_plan(scene, c.simulation));
     EXPECT_EQ(recording.report.rows, c.rows) << c.samples;
     EXPECT_EQ(recording.report.columns, c.columns) << c.samples;
-    expect_within_counts(c.samples, halved(recording.samples), test::ascii_samples(original(c.samples)),
+    expect_within_counts(c.samples, halved(recording.samples), test::ascii_samples(sample_file(c.samples)),
                          scene.simulations[c.simulation].lsb_v, 1.0);
   }
 }
 
 TEST_F(OriginalSamples, OfAnUnknownLsbAgreeWithinOneCountAtTheBestOne) {
-  Scene scene = classic_scene("helvin/exam2.scr");
+  Scene scene = classic_scene("sims1.asc", "exam2.scr");
   scene.simulations[0].time_start_s = 0.0;
   scene.simulations[0].time_end_s = 0.0;
   const Recording recording = record(make_plan(scene, 0));
   EXPECT_EQ(recording.report.rows, 1u);
   EXPECT_EQ(recording.report.columns, 160u);
   const Samples volts = halved(recording.samples);
-  const Samples counts = test::ascii_samples(original("helvin/sims1.asc"));
+  const Samples counts = test::ascii_samples(sample_file("sims1.asc"));
   ASSERT_EQ(volts.size(), counts.size());
   const double lsb_v = test::fitted_lsb_v(volts, counts);
   EXPECT_NEAR(lsb_v, 2.3627e-14, 0.005e-14);
-  expect_within_counts("helvin/sims1.asc", volts, counts, lsb_v, 1.0);
+  expect_within_counts("sims1.asc", volts, counts, lsb_v, 1.0);
 }
 
 TEST_F(OriginalSamples, OfTheSixPulsesAreExactForSomeLsb) {
-  Scene scene = classic_scene("helvin/exam1.scr");
+  Scene scene = classic_scene("exam1_sim2_first6pulses.asc", "exam1.scr");
   scene.simulations[1].time_start_s = 0.0;
   scene.simulations[1].time_end_s = 5e-3;
   const Recording recording = record(make_plan(scene, 1));
   EXPECT_EQ(recording.report.rows, 6u);
   EXPECT_EQ(recording.report.columns, 53u);
-  const Samples counts = test::ascii_samples(original("helvin/exam1_sim2_first6pulses.asc"));
+  const Samples counts = test::ascii_samples(sample_file("exam1_sim2_first6pulses.asc"));
   ASSERT_EQ(recording.samples.size(), counts.size());
   const double lsb_v = test::fitted_lsb_v(recording.samples, counts);
   EXPECT_NEAR(lsb_v, 1.66947e-9, 0.01e-9);
-  expect_within_counts("helvin/exam1_sim2_first6pulses.asc", recording.samples, counts, lsb_v, 0.0);
+  expect_within_counts("exam1_sim2_first6pulses.asc", recording.samples, counts, lsb_v, 0.0);
 }
 
 // The later programs put every echo on the nearest whole sample: the shapes agree, the samples do not.
 TEST_F(OriginalSamples, OfTheRoundingProgramCorrelate) {
-  const Scene scene = classic_scene("linux/exam2.scr");
+  const Scene scene = classic_scene("final.h5", "exam2.scr");
   const Recording recording = record(make_plan(scene, 0));
   EXPECT_EQ(recording.report.rows, 19u);
   EXPECT_EQ(recording.report.columns, 146u);
   const Samples ours = test::converted(recording.samples, 8, scene.simulations[0].lsb_v);
-  const Samples theirs = test::ascii_samples(original("linux/exam2.asc"));
+  const Samples theirs = test::ascii_samples(sample_file("exam2.asc"));
   ASSERT_EQ(ours.size(), theirs.size());
   const double agreement = test::correlation(ours, theirs);
-  std::printf("%-34s %5zu samples, correlation %.5f\n", "linux/exam2.asc", theirs.size(), agreement);
+  std::printf("%-34s %5zu samples, correlation %.5f\n", "exam2.asc", theirs.size(), agreement);
   EXPECT_GT(agreement, 0.9975);
 }
 
 TEST_F(OriginalSamples, OfTheOldHdf5LayoutAreTheSameAsTheTextFile) {
-  const OpenedSampleFile opened = SampleFile::open(original("linux/final.h5"));
+  const OpenedSampleFile opened = SampleFile::open(sample_file("final.h5"));
   ASSERT_TRUE(opened.file.has_value()) << to_string(opened.problems.front());
   EXPECT_EQ(opened.file->info().rows, 19u);
   EXPECT_EQ(opened.file->info().columns, 146u);
   EXPECT_TRUE(opened.file->info().counts);
   Samples samples(19 * 146);
   opened.file->read_rows(0, 19, samples);
-  const Samples text = test::ascii_samples(original("linux/exam2.asc"));
+  const Samples text = test::ascii_samples(sample_file("exam2.asc"));
   ASSERT_EQ(samples.size(), text.size());
   const double worst = test::largest_component_difference(samples, text);
-  std::printf("%-34s %5zu samples, largest deviation %g counts from the text file\n", "linux/final.h5", text.size(),
-              worst);
+  std::printf("%-34s %5zu samples, largest deviation %g counts from the text file\n", "final.h5", text.size(), worst);
   EXPECT_EQ(worst, 0.0);
 }
 
 TEST_F(OriginalSamples, WithStcAgreeInMagnitude) {
-  const Scene scene = classic_scene("stc/sim3.scr");
+  const Scene scene = classic_scene("sim3_third.asc", "sim3.scr");
   const Recording recording = record(make_plan(scene, 2));
   EXPECT_EQ(recording.report.rows, 1u);
   EXPECT_EQ(recording.report.columns, 5003u);
   Samples ours = test::converted(recording.samples, 8, scene.simulations[2].lsb_v);
-  Samples theirs = test::ascii_samples(original("stc/sim3_third.asc"));
+  Samples theirs = test::ascii_samples(sample_file("sim3_third.asc"));
   ASSERT_EQ(ours.size(), theirs.size());
   for (auto* list : {&ours, &theirs})
     for (auto& sample : *list) sample = std::abs(sample);
   const double agreement = test::correlation(ours, theirs);
-  std::printf("%-34s %5zu samples, correlation of magnitudes %.5f\n", "stc/sim3_third.asc", theirs.size(), agreement);
+  std::printf("%-34s %5zu samples, correlation of magnitudes %.5f\n", "sim3_third.asc", theirs.size(), agreement);
   EXPECT_GT(agreement, 0.9955);
 }
 
