@@ -1,7 +1,7 @@
 // Times the engines on the first simulation of a script, one thread, next to the textbook loop, and checks them against
 // the reference first. Prints one JSON object.
 //
-//   measure SCENE.scr [PULSES] [ENGINE] [TOLERANCE]
+//   measure SCENE.scr [PULSES] [ENGINE] [TOLERANCE] [SIMD] [SIMD]
 
 #include <algorithm>
 #include <chrono>
@@ -81,7 +81,7 @@ double best_of(int tries, const std::function<void()>& work) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "measure SCENE.scr [PULSES] [ENGINE] [TOLERANCE]\n");
+    std::fprintf(stderr, "measure SCENE.scr [PULSES] [ENGINE] [TOLERANCE] [SIMD]\n");
     return 2;
   }
   ScriptReading reading = read_script_file(argv[1]);
@@ -92,6 +92,10 @@ int main(int argc, char** argv) {
   const std::size_t wanted = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 20;
   const Engine engine = argc > 3 ? engine_from_name(argv[3]).value_or(Engine::automatic) : Engine::automatic;
   if (argc > 4) reading.scene.options.tolerance = std::strtod(argv[4], nullptr);
+  if (argc > 5 && !use_simd_level(argv[5])) {
+    std::fprintf(stderr, "no SIMD level %s here\n", argv[5]);
+    return 2;
+  }
   const auto resolved = std::make_shared<const ResolvedScene>(resolve(reading.scene));
   const Plan plan = make_plan(reading.scene, 0, resolved, engine);
   const Plan reference = make_plan(reading.scene, 0, resolved, Engine::reference);

@@ -1,5 +1,6 @@
 #include "motion/error_process.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace sarsim {
@@ -34,24 +35,26 @@ ErrorProcess::ErrorProcess(const Interpolator& envelope, const RandomStream& str
     weights_[static_cast<std::size_t>(k)] = mean_over(envelope, first + k * step_s_, step_s_) * std::sqrt(step_s_);
 }
 
-double ErrorProcess::on_grid(std::int64_t index) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < weights_.size(); ++k) {
-    const std::int64_t cell = index - first_lag_ - static_cast<std::int64_t>(k);
-    // Two neighbouring cells share one pair of normal numbers.
-    const std::int64_t pair = cell >= 0 ? cell / 2 : (cell - 1) / 2;
-    sum += weights_[k] * stream_.normals(pair, axis_)[static_cast<std::size_t>(cell - 2 * pair)];
-  }
-  return sum;
-}
-
 Jet ErrorProcess::at(double time_s) const {
   if (!active()) return {};
   const double position = time_s / step_s_;
   const double below = std::floor(position + 1e-9);
-  const auto index = static_cast<std::int64_t>(below);
-  const double left = on_grid(index);
-  const double right = on_grid(index + 1);
+  const std::int64_t newest = static_cast<std::int64_t>(below) + 1 - first_lag_;
+  // White noise of the cells newest, newest - 1, ...; two neighbouring cells share one pair of normal numbers.
+  std::array<double, steps_over_support + 2> noise;
+  for (std::size_t i = 0; i <= weights_.size();) {
+    const std::int64_t cell = newest - static_cast<std::int64_t>(i);
+    const std::int64_t pair = cell >= 0 ? cell / 2 : (cell - 1) / 2;
+    const auto numbers = stream_.normals(pair, axis_);
+    if (cell != 2 * pair) noise[i++] = numbers[1];
+    noise[i++] = numbers[0];
+  }
+  double left = 0.0;
+  double right = 0.0;
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    right += weights_[k] * noise[k];
+    left += weights_[k] * noise[k + 1];
+  }
   return {left + (right - left) * (position - below), (right - left) / step_s_, 0.0};
 }
 

@@ -18,7 +18,7 @@ namespace sarsim {
 /// Realised on a grid that is anchored at t = 0 and has 512 steps over the support of h: white noise becomes one
 /// normal number per step, h its mean over each step, and d(t) is linear between grid times. The autocorrelation is
 /// then that of h to a relative 1/512 times the largest jump of h over its rms value, squared; smooth envelopes are
-/// far closer. The same (seed, object, time) always gives the same deviation. Costs 1 024 random numbers a call.
+/// far closer. The same (seed, object, time) always gives the same deviation. Costs about 512 random numbers a call.
 class ErrorProcess {
  public:
   ErrorProcess() = default;
@@ -31,8 +31,6 @@ class ErrorProcess {
   [[nodiscard]] bool active() const { return !weights_.empty(); }
 
  private:
-  [[nodiscard]] double on_grid(std::int64_t index) const;
-
   std::vector<double> weights_;  // mean of h over each lag step times sqrt(step)
   std::int64_t first_lag_ = 0;   // lag of weights_[0], in steps
   double step_s_ = 1.0;
