@@ -23,6 +23,7 @@
 #include "script/reader.hpp"
 #include "script/writer.hpp"
 #include "simulate/geometry_table.hpp"
+#include "simulate/impossible_echo.hpp"
 #include "simulate/run.hpp"
 #include "simulate/simd_level.hpp"
 
@@ -71,6 +72,10 @@ class Runner {
     } catch (const BadInput& error) {
       finish_json("bad input", error.problems);
       throw;
+    } catch (const ImpossibleEcho& error) {
+      take_problems({error.problem});
+      finish_json("bad input", input_.problems);
+      throw BadInput({input_.problems.front()});
     } catch (const Interrupted&) {
       finish_json("interrupted", input_.problems);
       throw;

@@ -15,12 +15,32 @@ namespace {
 
 using Object = std::pair<std::string, std::size_t>;
 
-// What check finds about objects that the reader could not make sense of would only repeat the reader.
-Problems without_objects_of(Problems found, const Problems& reading) {
+std::size_t objects_of(const Scene& scene, std::string_view kind) {
+  if (kind == "platform") return scene.platforms.size();
+  if (kind == "radar") return scene.radars.size();
+  return not_found;
+}
+
+// What check finds about objects that the reader could not make sense of, and about what uses them, would only repeat
+// the reader; so would names of platforms and radars that could not be read at all.
+Problems without_objects_of(Problems found, const Problems& reading, const Scene& scene) {
   std::set<Object> broken;
-  for (const Problem& problem : reading)
-    if (problem.severity == Severity::error) broken.insert({problem.subject.kind, problem.subject.index});
-  std::erase_if(found, [&](const Problem& p) { return broken.contains({p.subject.kind, p.subject.index}); });
+  bool lost = false;
+  for (const Problem& problem : reading) {
+    if (problem.severity != Severity::error) continue;
+    broken.insert({problem.subject.kind, problem.subject.index});
+    lost = lost || problem.subject.kind.empty() || problem.subject.index >= objects_of(scene, problem.subject.kind);
+  }
+  const auto add_users = [&](const char* kind, const auto& products) {
+    for (std::size_t i = 0; i < products.size(); ++i)
+      if (broken.contains({"radar", find_radar(scene, products[i].radar)})) broken.insert({kind, i});
+  };
+  add_users("simulation", scene.simulations);
+  add_users("geometry", scene.geometries);
+  std::erase_if(found, [&](const Problem& p) {
+    const bool name = p.subject.field == "platform" || p.subject.field == "radar";
+    return broken.contains({p.subject.kind, p.subject.index}) || (lost && name);
+  });
   return found;
 }
 
@@ -56,7 +76,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
   if (scrutiny != Scrutiny::reading) {
-    Problems found = without_objects_of(check(input.scene), reading.problems);
+    Problems found = without_objects_of(check(input.scene), reading.problems, input.scene);
     append(reading.problems, std::move(found));
   }
   if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems)) append(reading.problems, survey(input.scene));

@@ -154,9 +154,9 @@ void check_antenna(Findings& findings, std::string_view field, std::string_view 
     const std::string member = fmt::format("{}.{}_beamwidth", field, plane);
     if (findings.finite(member, name, width.deg(), "deg") && beam && !(width.deg() > 0.0 && width.deg() <= 360.0))
       findings.error(member, {.message = fmt::format("the {} is out of range", name),
-                             .found = value_text(width.deg(), "deg"),
-                             .expected = "above 0 and up to 360 deg",
-                             .hint = {}});
+                              .found = value_text(width.deg(), "deg"),
+                              .expected = "above 0 and up to 360 deg",
+                              .hint = {}});
   }
   check_function(findings,
                  {.field = field,

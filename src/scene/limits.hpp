@@ -4,8 +4,8 @@
 
 namespace sarsim {
 
-/// No number of a scene may be larger than this (SI units, degrees): far beyond anything physical, and small enough that
-/// squares and products of several such numbers stay finite.
+/// No number of a scene may be larger than this (SI units, degrees): far beyond anything physical, and small enough
+/// that squares and products of several such numbers stay finite.
 inline constexpr double largest_value = 1e18;
 
 /// The same for decibels, which are exponents. Losses may be of any size: they only make an echo vanish.

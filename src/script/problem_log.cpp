@@ -157,7 +157,8 @@ bool read_number(const Token& token, const Field& field, Reporter& reporter, dou
   if (value == 0.0 && holds_digit_above_zero(token.text))
     reporter.warning(token, field.member,
                      {fmt::format("{} is too small for a number and counts as zero", field.words), shown(token.text)});
-  if (check_size(token, field, reporter, value)) check_range(token, field, reporter, value, "a number");
+  if (!check_size(token, field, reporter, value)) return false;
+  check_range(token, field, reporter, value, "a number");
   return true;
 }
 

@@ -28,7 +28,8 @@ inline constexpr Field position_error{"position_error", "kind of position errors
 inline constexpr Field position_stddev{"position_stddev_m", "standard deviation of position", "m", 0, zero_or_more};
 inline constexpr Field position_envelope{"position_envelope", "envelope of the position errors"};
 inline constexpr Field rotation_error{"rotation_error", "kind of rotation errors"};
-inline constexpr Field rotation_stddev{"rotation_stddev", "standard deviation of the rotation about", "deg", 0, zero_or_more};
+inline constexpr Field rotation_stddev{"rotation_stddev", "standard deviation of the rotation about", "deg", 0,
+                                       zero_or_more};
 inline constexpr Field rotation_envelope{"rotation_envelope", "envelope of the rotation errors"};
 
 inline constexpr Alternatives<Platform::Path, 2> paths{
@@ -54,12 +55,14 @@ inline constexpr Field platform{"platform", "name of the platform"};
 inline constexpr Field position{"position_m", "position", "m"};
 inline constexpr Field position_stddev{"position_stddev_m", "standard deviation of position", "m", 0, zero_or_more};
 inline constexpr Field rcs{"rcs_m2", "radar cross-section", "m^2"};
-inline constexpr Field rcs_stddev{"rcs_stddev_m2", "standard deviation of the radar cross-section", "m^2", 0, zero_or_more};
+inline constexpr Field rcs_stddev{"rcs_stddev_m2", "standard deviation of the radar cross-section", "m^2", 0,
+                                  zero_or_more};
 inline constexpr Field reflectivity{"reflectivity", "kind of reflectivity"};
 inline constexpr Field azimuth{"azimuth", "azimuth of the target's face", "deg"};
 inline constexpr Field elevation{"elevation", "elevation of the target's face", "deg"};
 inline constexpr Field azimuth_stddev{"azimuth_stddev", "standard deviation of the azimuth", "deg", 0, zero_or_more};
-inline constexpr Field elevation_stddev{"elevation_stddev", "standard deviation of the elevation", "deg", 0, zero_or_more};
+inline constexpr Field elevation_stddev{"elevation_stddev", "standard deviation of the elevation", "deg", 0,
+                                        zero_or_more};
 inline constexpr Field gain{"gain", "law of reflectivity"};
 inline constexpr Field gain_user{"gain_db", "reflectivity"};
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "simulate/impossible_echo.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -42,6 +44,21 @@ std::optional<SinxBeam> simd_beam(const ResolvedScene& scene, const ResolvedRada
   beam.cut[2] = cut(radar.receive, radar.receive.azimuth_beamwidth_rad);
   beam.cut[3] = cut(radar.receive, radar.receive.elevation_beamwidth_rad);
   return beam;
+}
+
+// Refuses what PulseGeometry::echoes refuses. The echoes of a run begin at `first` of the batch.
+void expect_possible(const PointGroups::Run& run, const ResolvedScene& scene, const PulseGeometry& geometry,
+                     const EchoBatch& echoes, std::size_t first) {
+  const double light_mps = scene.conventions.light_speed_mps;
+  for (std::size_t k = first; k < echoes.size(); ++k) {
+    const double distance_m = 0.5 * echoes.delay_s[k] * (light_mps - echoes.speed_mps[k]);
+    const ScattererView view{distance_m, echoes.speed_mps[k], echoes.delay_s[k], echoes.amplitude_sqrt_w[k]};
+    if (possible_echo({view.distance_m, view.speed_mps, std::abs(view.amplitude_sqrt_w)}, light_mps)) continue;
+    if (run.sheet)
+      geometry.expect_possible("surface", run.first_target, view);
+    else
+      geometry.expect_possible("target", run.first_target + (k - first), geometry.view(run.first_target + (k - first)));
+  }
 }
 
 bool isotropic(const ResolvedRadar& radar) {
@@ -101,9 +118,7 @@ void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const Re
         echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
       }
     }
-    if (run.sheet) continue;
-    for (std::size_t k = old; k < echoes.size(); ++k)
-      if (!(echoes.delay_s[k] > 0.0)) geometry.refuse_target(run.first_target + (k - old));
+    expect_possible(run, scene, geometry, echoes, old);
   }
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "base/constants.hpp"
 #include "base/random.hpp"
+#include "simulate/impossible_echo.hpp"
 
 namespace sarsim {
 
@@ -100,20 +100,23 @@ void PulseGeometry::echoes(EchoBatch& echoes) const {
   const Pointing axis = pointing();
   for (std::size_t i = 0; i < scene_->scatterers.size(); ++i) {
     const ScattererView v = view(i, axis);
-    if (!(v.distance_m > 0.0)) refuse_target(i);
+    expect_possible("target", i, v);
     echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
   }
-  for (const ScattererSheet& sheet : scene_->sheets) add_sheet(sheet, axis, echoes);
+  for (std::size_t i = 0; i < scene_->sheets.size(); ++i) add_sheet(i, axis, echoes);
 }
 
-void PulseGeometry::refuse_target(std::size_t index) const {
-  throw std::runtime_error(
-      fmt::format("target {} stands at the position of radar '{}' when pulse {} leaves ({:g} s); its echo would be "
-                  "infinite. Move the target or the radar.",
-                  index + 1, radar_->name, pulse_, time_s_));
+void PulseGeometry::expect_possible(std::string_view kind, std::size_t index, const ScattererView& view) const {
+  const EchoExtremes echo{view.distance_m, view.speed_mps, view.amplitude_sqrt_w};
+  const double light_mps = scene_->conventions.light_speed_mps;
+  if (possible_echo(echo, light_mps)) return;
+  Problem problem = problem_of_echo(kind, index, radar_->name, echo, light_mps);
+  problem.message += fmt::format(" (pulse {}, {:g} s)", pulse_, time_s_);
+  throw ImpossibleEcho(std::move(problem));
 }
 
-void PulseGeometry::add_sheet(const ScattererSheet& sheet, const Pointing& pointing, EchoBatch& echoes) const {
+void PulseGeometry::add_sheet(std::size_t index, const Pointing& pointing, EchoBatch& echoes) const {
+  const ScattererSheet& sheet = scene_->sheets[index];
   const Pose& pose = poses_[sheet.platform];
   const Vec3 normal_world = pose.world_from_platform * sheet.normal_platform;
   static const Interpolator none;
@@ -124,7 +127,9 @@ void PulseGeometry::add_sheet(const ScattererSheet& sheet, const Pointing& point
     const double law = reflectivity(ReflectivityLaw::cosine, none, incidence_rad(normal_world, sight.look_world_m));
     if (law <= 0.0) continue;
     const ScattererView v = seen(sight, sheet.point_rcs_m2 * law, pointing);
-    if (v.distance_m > 0.0) echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
+    if (v.distance_m == 0.0) continue;  // A plane through the radar shows it neither side.
+    expect_possible("surface", index, v);
+    echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "echo/echo_batch.hpp"
@@ -43,16 +44,16 @@ class PulseGeometry {
   [[nodiscard]] ScattererView view(std::size_t index, const Pointing& pointing) const;
 
   /// All echoes of the current pulse: targets in order, then the points of the surfaces. Replaces `echoes`.
-  /// Throws std::runtime_error that names the target where one stands at the radar's own position.
+  /// Throws ImpossibleEcho where a target stands at the radar's own position, outruns light or is too strong.
   void echoes(EchoBatch& echoes) const;
-  /// Adds the echoes of one surface.
-  void add_sheet(const ScattererSheet& sheet, const Pointing& pointing, EchoBatch& echoes) const;
-  /// The error that `echoes` throws for a target at the radar's position.
-  [[noreturn]] void refuse_target(std::size_t index) const;
+  /// Throws the error that `echoes` throws where a view is none of a possible echo.
+  /// @param kind  "target" or "surface", number `index` of its list
+  void expect_possible(std::string_view kind, std::size_t index, const ScattererView& view) const;
 
  private:
   struct Sight;  // position and velocity relative to the radar
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const Pointing& pointing) const;
+  void add_sheet(std::size_t index, const Pointing& pointing, EchoBatch& echoes) const;
 
   const ResolvedScene* scene_;
   const ResolvedRadar* radar_;

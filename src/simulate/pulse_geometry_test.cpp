@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "simulate/impossible_echo.hpp"
 #include "simulate/simulate_test_scene.hpp"
 
 namespace sarsim {
@@ -262,18 +263,48 @@ TEST(PulseGeometry, EchoesListsTheTargetsAndThenTheSurfaces) {
   EXPECT_EQ(echoes.size(), 2u);
 }
 
-TEST(PulseGeometry, RefusesATargetAtTheRadarsPositionAndNamesIt) {
-  Scene scene = one_target_scene();
-  scene.targets.push_back(target_on("Earth", {}));
+// What is wrong with the echoes of pulse 0; empty for nothing.
+Problem impossible_echo(const Scene& scene) {
   Sky sky(scene);
   sky.geometry().set_pulse(0);
   EchoBatch echoes;
   try {
     sky.geometry().echoes(echoes);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("target 2"), std::string::npos) << error.what();
+  } catch (const ImpossibleEcho& error) {
+    return error.problem;
   }
+  return {};
+}
+
+TEST(PulseGeometry, RefusesATargetAtTheRadarsPositionAndNamesIt) {
+  Scene scene = one_target_scene();
+  EXPECT_EQ(impossible_echo(scene).message, "");
+  scene.targets.push_back(target_on("Earth", {}));
+  const Problem problem = impossible_echo(scene);
+  EXPECT_NE(problem.message.find("position of radar"), std::string::npos) << problem.message;
+  EXPECT_EQ(problem.subject, (Subject{"target", 1, "position_m"}));
+}
+
+TEST(PulseGeometry, RefusesATargetAsFastAsLight) {
+  Scene scene = one_target_scene();
+  Platform comet;
+  comet.name = "Comet";
+  comet.path = Platform::Path::trajectory;
+  comet.trajectory_m.part[0].knots = {{0.0, 1000.0}, {1.0, -2.9e8}};
+  scene.platforms.push_back(comet);
+  scene.targets.push_back(target_on("Comet", {}));
+  EXPECT_EQ(impossible_echo(scene).message, "");
+  scene.platforms.back().trajectory_m.part[0].knots[1].y = -3e8;
+  EXPECT_NE(impossible_echo(scene).message.find("fast as light"), std::string::npos);
+}
+
+TEST(PulseGeometry, RefusesEchoesThatNoRecordingCanHold) {
+  Scene scene = one_target_scene();
+  scene.radars[0].power_w = 1e18;
+  EXPECT_EQ(impossible_echo(scene).message, "");
+  scene.radars[0].transmit_gain = PowerRatio::from_db(300.0);
+  scene.radars[0].receive_gain = PowerRatio::from_db(300.0);
+  EXPECT_NE(impossible_echo(scene).message.find("too strong"), std::string::npos);
 }
 
 }  // namespace

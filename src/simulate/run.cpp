@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "base/parallel.hpp"
 #include "receiver/converter.hpp"
@@ -23,6 +28,15 @@ struct Encoded {
   std::size_t rows = 0;
 };
 
+// No file may hold samples that are no numbers, whatever sum of extremes led to them.
+void expect_finite(std::span<const std::complex<double>> row, std::size_t number) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  bool good = true;
+  for (const std::complex<double>& v : row) good &= std::abs(v.real()) <= largest && std::abs(v.imag()) <= largest;
+  if (!good)
+    throw std::overflow_error(fmt::format("row {} of the recording holds samples that are too large", number + 1));
+}
+
 // Each thread's own workshop: from a block number to the bytes of the block.
 class BlockMaker {
  public:
@@ -36,7 +50,9 @@ class BlockMaker {
     volts_.resize(result.rows * plan_.columns);
     for (std::size_t r = 0; r < result.rows; ++r) {
       if (stop_ != nullptr && stop_->requested()) throw Interrupted();
-      rows_.make_row(result.first_row + r, std::span(volts_).subspan(r * plan_.columns, plan_.columns));
+      const auto row = std::span(volts_).subspan(r * plan_.columns, plan_.columns);
+      rows_.make_row(result.first_row + r, row);
+      expect_finite(row, result.first_row + r);
     }
     if (sink_ == nullptr) {
       result.tally.maximum_v = largest_magnitude(volts_);

@@ -9,6 +9,7 @@
 
 #include "base/number_text.hpp"
 #include "receiver/converter.hpp"
+#include "simulate/impossible_echo.hpp"
 
 namespace sarsim {
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t most_pulses = 64;  // decisions: "at most 64 pulses x all targets, labelled as an estimate"
 constexpr double closest_m = 1e-9;       // a target nearer than this stands on the radar
-constexpr double strongest_v = 1e30;     // many of these together still fit a single-precision number
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
 std::vector<std::int64_t> sampled_pulses(const PulseRange& range) {
@@ -60,40 +60,6 @@ void take_band(EchoSurvey& survey) {
     survey.highest_doppler_hz = any ? std::max(survey.highest_doppler_hz, t.highest_doppler_hz) : t.highest_doppler_hz;
     any = true;
   }
-}
-
-Problem error_of_target(std::size_t index) {
-  Problem problem;
-  problem.subject = {"target", index, "position_m"};
-  return problem;
-}
-
-// Why the echo of a target cannot be recorded; nothing where it can.
-std::optional<Problem> problem_of_echo(const TargetSurvey& target, std::size_t index, const Plan& plan) {
-  Problem problem = error_of_target(index);
-  if (target.nearest_m <= closest_m) {
-    problem.message =
-        fmt::format("the target stands at the position of radar '{}'; its echo would be infinite", plan.radar.name);
-    problem.found = fmt::format("distance {} m", format_number(target.nearest_m));
-    problem.expected = "a distance above 0";
-    problem.hint = "move the target or the radar's platform";
-    return problem;
-  }
-  const double light_mps = plan.scene->conventions.light_speed_mps;
-  if (!(target.largest_speed_mps < light_mps)) {
-    problem.message =
-        fmt::format("the target moves as fast as light, or faster, as radar '{}' sees it", plan.radar.name);
-    problem.found = fmt::format("{:.6g} m/s", target.largest_speed_mps);
-    problem.expected = fmt::format("below {} m/s", format_number(light_mps));
-    problem.hint = "look at the paths and the rotation rates of its platform and the radar's: times are in seconds";
-    return problem;
-  }
-  if (target.largest_amplitude_v <= strongest_v) return std::nullopt;
-  problem.message = fmt::format("the target's echo in radar '{}' is too strong to be recorded", plan.radar.name);
-  problem.found = fmt::format("{:.3g} V", target.largest_amplitude_v);
-  problem.expected = fmt::format("up to {:g} V", strongest_v);
-  problem.hint = "look at its radar cross-section and reflectivity and at the radar's power and gains";
-  return problem;
 }
 
 // Collects the problems of one simulation.
@@ -170,11 +136,14 @@ class Surveyor {
   bool check_echoes(const EchoSurvey& survey, const Plan& plan) {
     bool sound = true;
     for (std::size_t i = 0; i < survey.targets.size(); ++i) {
-      std::optional<Problem> problem = problem_of_echo(survey.targets[i], i, plan);
-      if (!problem) continue;
+      const TargetSurvey& target = survey.targets[i];
+      const EchoExtremes echo{target.nearest_m > closest_m ? target.nearest_m : 0.0, target.largest_speed_mps,
+                              target.largest_amplitude_v};
+      if (possible_echo(echo, plan.scene->conventions.light_speed_mps)) continue;
       sound = false;
-      const auto same_target = [&](const Problem& p) { return p.subject == problem->subject; };
-      if (std::ranges::none_of(problems_, same_target)) problems_.push_back(std::move(*problem));
+      Problem problem = problem_of_echo("target", i, plan.radar.name, echo, plan.scene->conventions.light_speed_mps);
+      const auto same_target = [&](const Problem& p) { return p.subject == problem.subject; };
+      if (std::ranges::none_of(problems_, same_target)) problems_.push_back(std::move(problem));
     }
     return sound;
   }
@@ -289,7 +258,7 @@ EchoSurvey survey_echoes(const Plan& plan) {
   EchoSurvey survey;
   survey.surface_faces_radar.assign(plan.scene->sheets.size(), false);
   const double infinity = std::numeric_limits<double>::infinity();
-  survey.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, false});
+  survey.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false});
   const std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses);
   survey.pulses_sampled = pulses.size();
   survey.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan.pulses.count();

@@ -16,6 +16,7 @@ struct TargetSurvey {
   double lowest_doppler_hz = 0.0;  ///< -2 v f/c: positive approaching.
   double highest_doppler_hz = 0.0;
   double largest_amplitude_v = 0.0;
+  double largest_speed_mps = 0.0;  ///< Radial, without its sign.
   double snr = 0.0;        ///< P Tp/(k T) at the largest amplitude, per pulse after a matched filter; 0 without noise.
   bool in_window = false;  ///< Some sampled echo touches the window.
 };
@@ -36,9 +37,9 @@ struct EchoSurvey {
 [[nodiscard]] EchoSurvey survey_echoes(const Plan& plan);
 
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
-/// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets at the radar's
-/// position, echoes beyond the PRI, surfaces that show their back, a window
-/// function without weight. The scene must have passed `check`.
+/// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
+/// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
+/// back, a window function without weight. The scene must have passed `check`.
 [[nodiscard]] Problems survey(const Scene& scene);
 
 }  // namespace sarsim

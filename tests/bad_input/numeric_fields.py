@@ -1,7 +1,8 @@
 """Every numeric field of the script language with every value that is none.
 
 In SCENE a line `~VALUE  what it is | more bad values` is a numeric field on a line of its own. `#` before the value marks
-a whole number, `*` a number of points, `=` a number whose size does not matter (it is ignored or means no harm).
+a whole number, `*` a number of points. A bad value with a `+` behind it is found at the line after its own, where it
+contradicts what stands there.
 """
 
 import dataclasses
@@ -175,16 +176,16 @@ OTHER LINEAR INLINE
 ~1  amplitude of a point
 OTHER LINEAR INLINE
 ~*2  number of points for interval | -1
-~=0  pulse number of a point
-~0.001  interval of a point
-~=1  pulse number of a point
-~0.002  interval of a point
+~0  pulse number of a point
+~0.001  interval of a point | 0, -1e-300
+~1  pulse number of a point
+~0.002  interval of a point | 0, -1e-300
 OTHER LINEAR INLINE
 ~*2  number of points for frequency | -1
-~=0  pulse number of a point
-~1  frequency of a point
-~=1  pulse number of a point
-~1.1  frequency of a point
+~0  pulse number of a point
+~1  frequency of a point | 0, -1e-300
+~1  pulse number of a point
+~1.1  frequency of a point | 0, -1e-300
 1 0 0
 OTHER LINEAR LINEAR INLINE
 ~*2  number of points for gain in azimuth | -1
@@ -225,23 +226,23 @@ APPLY_STC OTHER LINEAR INLINE
 ~2000  range of a point | 0
 ~1  voltage gain of a point
 $SIMULATION Steps
-~900  slant range of the start | 1400
+~900  slant range of the first sample | 1400+
 ~1400  slant range of the end | 900
-~0  slow time of the start | 0.021
+~0  slow time of the start | 0.021+
 ~0.02  slow time of the end | -0.001
 ~#8  bits | 0, 65
 ~0.01  sampling frequency | 0, -1, 1e-300
 ~0  least significant bit | -1e-300
 BINARY RAW steps.bin BEGIN
 ~1  over-sampling | 0.9999999999999999, 100.00000000000001
-~1  width | 0.9999999999999999, 100.00000000000001
+~1  kept length of a band-limited pulse | 0.9999999999999999, 100.00000000000001
 $SIMULATION User 900 1400 0 0.02 8 0.01 0 ASCII MATCHED_FILTER user.asc BEGIN 1 1
 $SIMULATION Code 900 1400 0 0.02 8 0.02 0 ASCII RAW code.asc BEGIN 1 1
 $SIMULATION Spot 900 1400 0 0.02 8 0.02 0 ASCII RAW spot.asc BEGIN 1 1
 $GEOMETRY Steps
-~900  slant range of the start | 1400
+~900  slant range of the start | 1400+
 ~1400  slant range of the end | 900
-~0  slow time of the start | 0.021
+~0  slow time of the start | 0.021+
 ~0.02  slow time of the end | -0.001
 SPACE
 ~#255  sum of the column bits | -1, 256
@@ -250,9 +251,8 @@ steps.txt
 
 PRODUCTS = ("steps.bin", "user.asc", "code.asc", "spot.asc", "steps.txt")
 NO_NUMBERS = ("NaN", "inf", "-inf", "1e999", "xyz", "5Hz")
-# Finite, but no distance, time or power of this world: every value of the scene has to be refused before it makes
-# infinite or undefined samples, unless its size does no harm.
-HUGE = ("1e300", "-1e300")
+# Finite, but no distance, time or power of this world: nothing can be computed with them.
+TOO_LARGE = ("1e300", "-1e300")
 
 
 @dataclasses.dataclass
@@ -262,12 +262,11 @@ class Field:
     command: str
     line: int  # In SCENE, from 1.
     words: str
-    kind: str  # "", "#", "*" or "="
+    kind: str  # "", "#" or "*"
     out_of_range: list[str]
 
     def bad_values(self):
-        more = ["1.5"] if self.kind in ("#", "*") else []
-        return [*NO_NUMBERS, *more, *self.out_of_range]
+        return [*NO_NUMBERS, *TOO_LARGE, *(["1.5"] if self.kind else []), *self.out_of_range]
 
 
 def parse():
@@ -282,7 +281,7 @@ def parse():
             lines.append(line)
             continue
         value, text = line[1:].split(None, 1)
-        kind = value[0] if value[0] in "#*=" else ""
+        kind = value[0] if value[0] in "#*" else ""
         words, _, bad = text.partition(" | ")
         fields.append(Field(command, number, words, kind, bad.split(", ") if bad else []))
         lines.append(value[len(kind) :])
@@ -301,10 +300,19 @@ def sound_case():
 
 def case_of(field, value):
     lines = list(LINES)
-    lines[field.line - 1] = "@" + value
-    name = f"{field.command} line {field.line}, {field.words}: {value}"
-    found = rf"found '[^'\n]*{value.rstrip('0')[:9] if value[0].isdigit() or value[0] == '-' else value}"
-    return Case(name, f"{field.words} is {value}", {SCRIPT: "\n".join(lines) + "\n"}, message=[found])
+    elsewhere = value.endswith("+")
+    lines[field.line - 1] = value.rstrip("+")
+    marked = field.line if elsewhere else field.line - 1
+    lines[marked] = "@" + lines[marked]
+    message = []
+    if value in NO_NUMBERS:
+        message = [rf"{field.words}\b.* (is not a number|is too large a number|is not a seed|whole number)", f"found '{value}'"]
+    return Case(
+        f"{field.command} line {field.line}, {field.words}: {value}",
+        f"{field.words} is {value}",
+        {SCRIPT: "\n".join(lines) + "\n"},
+        message=message,
+    )
 
 
 def cases(command):
