@@ -106,8 +106,8 @@ class Runner {
     const OutputNames names =
         output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
     jobs_ = chosen_products(input_.scene, names, arguments_.products);
-    if (jobs_.empty())
-      throw BadInput(arguments_.scene + ": the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+    if (jobs_.empty() && !arguments_.quiet)
+      streams_.err << arguments_.scene << ": nothing to do: the script has no $SIMULATION and no $GEOMETRY\n";
     take_problems(names.problems);
     expect_sound();
     forget_other_products();

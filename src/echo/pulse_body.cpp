@@ -10,6 +10,10 @@ namespace sarsim {
 
 namespace {
 
+// A band-limited pulse is confined to -120 dB, not for ever: bodies with steps of a larger beta, for promises below 3e-8,
+// take the skirts of its filter with them, half as much again on either side.
+constexpr double beta_of_skirts = 20.8;
+
 constexpr std::size_t step_points = 1024;  // cubic interpolation between them: error below 1e-12
 
 // Integral of Kaiser's window from -1 to 2x - 1, normalised to 1, tabulated for x in [0, 1].
@@ -40,7 +44,7 @@ PulseBody::PulseBody(const EchoPulse& pulse, double interval_s, std::size_t edge
       step_table_(kaiser_step(beta)) {
   const double margin = std::sqrt(1.0 + (beta / pi) * (beta / pi)) / width_;
   if (pulse.band_limited)
-    half_band_ = 0.5;
+    half_band_ = beta > beta_of_skirts ? 0.75 : 0.5;
   else
     half_band_ =
         0.5 * bandwidth_hz(pulse.pulse) * interval_s * (pulse.pulse.kind == Pulse::Kind::user ? 2.0 : 1.0) + margin;

@@ -78,14 +78,15 @@ HWY_INLINE void add_tone(const Tone& tone, double centre, T* HWY_RESTRICT row_re
   vector_phasors<T>(tone, centre, lanes, vectors, turn_re, turn_im);
   const auto p_re = hn::Load(d, lane_re);
   const auto p_im = hn::Load(d, lane_im);
-  // The step changes slowly along the pulse; its first-order effect within a vector is j 2 pi (change) (lane - middle).
-  const double change_per_vector = 2.0 * tone.gamma * static_cast<double>(lanes);
-  const bool bends =
-      std::abs(change_per_vector) * static_cast<double>(vectors * lanes) > (sizeof(T) == 4 ? 1e-8 : 1e-17);
+  // The step changes slowly along the pulse: exp(j x), x = 2 pi (change) (lane - middle), as a series in x of as many
+  // terms as its largest value asks for.
+  const double bend = 6.283185307179586476925 * 2.0 * tone.gamma * static_cast<double>(lanes);
+  const double largest = 0.25 * std::abs(bend) * static_cast<double>(vectors * lanes);
+  const bool bends = largest > (sizeof(T) == 4 ? 1e-8 : 1e-17);
+  const bool bends_much = largest > (sizeof(T) == 4 ? 2e-4 : 1e-8);
   const auto lane = hn::Sub(hn::Iota(d, T(0)), hn::Set(d, T(0.5) * static_cast<T>(lanes - 1)));
   const auto q_re = hn::Neg(hn::Mul(lane, p_im));
   const auto q_im = hn::Mul(lane, p_re);
-  const double bend = 6.283185307179586476925 * change_per_vector;
   T* HWY_RESTRICT re = row_re + tone.begin;
   T* HWY_RESTRICT im = row_im + tone.begin;
   for (std::size_t v = 0; v < vectors; ++v) {
@@ -97,8 +98,19 @@ HWY_INLINE void add_tone(const Tone& tone, double centre, T* HWY_RESTRICT row_re
       const auto share =
           hn::Set(d, static_cast<T>(bend * (static_cast<double>(v) -
                                             0.5 * static_cast<double>(length) / static_cast<double>(lanes) + 0.5)));
-      z_re = hn::MulAdd(share, q_re, z_re);
-      z_im = hn::MulAdd(share, q_im, z_im);
+      if (bends_much) {
+        const auto x = hn::Mul(share, lane);
+        const auto more_re = hn::Mul(x, hn::Set(d, T(0.5)));
+        const auto more_im = hn::Mul(hn::Mul(x, x), hn::Set(d, T(-1.0 / 6.0)));
+        // q (1 + j x/2 - x^2/6)
+        const auto b_re = hn::NegMulAdd(q_im, more_re, hn::MulAdd(q_re, more_im, q_re));
+        const auto b_im = hn::MulAdd(q_re, more_re, hn::MulAdd(q_im, more_im, q_im));
+        z_re = hn::MulAdd(share, b_re, z_re);
+        z_im = hn::MulAdd(share, b_im, z_im);
+      } else {
+        z_re = hn::MulAdd(share, q_re, z_re);
+        z_im = hn::MulAdd(share, q_im, z_im);
+      }
     }
     const std::size_t at = v * lanes;
     if (at + lanes <= length) {
@@ -163,17 +175,16 @@ HWY_EXPORT(add_tones_on_target);
 
 void add_tones(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row, ToneScratch& scratch) {
   const std::size_t size = row.re.size();
-  if (scratch.capacity < size + SplitRow::padding) {
-    scratch.capacity = size + SplitRow::padding;
-    if (single_precision) {
-      scratch.re_single.assign(size + SplitRow::padding, 0.0F);
-      scratch.im_single.assign(size + SplitRow::padding, 0.0F);
-      scratch.turn_re.resize(size + SplitRow::padding);
-      scratch.turn_im.resize(size + SplitRow::padding);
-    } else {
-      scratch.turn_re_double.resize(size + SplitRow::padding);
-      scratch.turn_im_double.resize(size + SplitRow::padding);
-    }
+  const std::size_t room = size + SplitRow::padding;
+  if (single_precision && scratch.re_single.size() < room) {
+    scratch.re_single.assign(room, 0.0F);
+    scratch.im_single.assign(room, 0.0F);
+    scratch.turn_re.resize(room);
+    scratch.turn_im.resize(room);
+  }
+  if (!single_precision && scratch.turn_re_double.size() < room) {
+    scratch.turn_re_double.resize(room);
+    scratch.turn_im_double.resize(room);
   }
   HWY_DYNAMIC_DISPATCH(add_tones_on_target)(tones, centre, single_precision, row, scratch);
 }

@@ -14,8 +14,7 @@ struct Tone {
   std::size_t end = 0;
   double alpha = 0.0;  ///< Turns.
   double beta = 0.0;   ///< Turns per sample.
-  double gamma =
-      0.0;  ///< Turns per sample squared; |gamma| (end - begin) below 1e-6, as any Doppler of a moving target is.
+  double gamma = 0.0;  ///< Turns per sample squared; |gamma| (end - begin) below 1e-4, a Doppler of 2v/c = 2e-4.
   double amplitude = 0.0;
 };
 
@@ -28,7 +27,6 @@ struct SplitRow {
 
 /// Room that `add_tones` works in; one per thread.
 struct ToneScratch {
-  std::size_t capacity = 0;
   std::vector<float> re_single;  // sums of a few dozen tones
   std::vector<float> im_single;
   std::vector<float> turn_re;  // phasor of each vector of samples
@@ -41,7 +39,7 @@ struct ToneScratch {
 ///
 /// Each vector of samples is the product of one exact phasor and the powers of the tone's step, so errors do not grow
 /// along the pulse. Single precision (sums of at most 64 tones in float, then double): each sample within 3e-7 of its
-/// tone's amplitude. Double precision: within 1e-14.
+/// tone's amplitude. Double precision: within 1e-11, and 1e-14 where |gamma| (end - begin) is below 1e-5.
 void add_tones(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row, ToneScratch& scratch);
 
 }  // namespace sarsim

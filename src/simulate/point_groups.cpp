@@ -48,12 +48,17 @@ std::optional<SinxBeam> simd_beam(const ResolvedScene& scene, const ResolvedRada
 
 // Refuses what PulseGeometry::echoes refuses. The echoes of a run begin at `first` of the batch.
 void expect_possible(const PointGroups::Run& run, const ResolvedScene& scene, const PulseGeometry& geometry,
-                     const EchoBatch& echoes, std::size_t first) {
+                     EchoBatch& echoes, std::size_t first) {
   const double light_mps = scene.conventions.light_speed_mps;
   for (std::size_t k = first; k < echoes.size(); ++k) {
     const double distance_m = 0.5 * echoes.delay_s[k] * (light_mps - echoes.speed_mps[k]);
     const ScattererView view{distance_m, echoes.speed_mps[k], echoes.delay_s[k], echoes.amplitude_sqrt_w[k]};
     if (possible_echo({view.distance_m, view.speed_mps, std::abs(view.amplitude_sqrt_w)}, light_mps)) continue;
+    if (run.sheet && !(distance_m > 0.0)) {
+      // A plane through the radar shows it neither side.
+      echoes.delay_s[k] = echoes.speed_mps[k] = echoes.amplitude_sqrt_w[k] = 0.0;
+      continue;
+    }
     if (run.sheet)
       geometry.expect_possible("surface", run.first_target, view);
     else

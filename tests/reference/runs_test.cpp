@@ -75,7 +75,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
   return files;
 }
 
-TEST(OriginalScripts, PassCheckAndRunTwiceInAnEmptyFolderToTheSameBytes) {
+TEST(OriginalScriptsThroughTheCommand, PassCheckAndRunTwiceInAnEmptyFolderToTheSameBytes) {
   if (!test::have_reference_folder()) GTEST_SKIP() << "no reference folder at " << test::reference_folder();
   const fs::path base = fs::temp_directory_path() / ("sarsim_original_" + std::to_string(::getpid()));
   for (const Case& c : cases()) {
