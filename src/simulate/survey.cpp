@@ -15,14 +15,17 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_pulses = 64;  // decisions: "at most 64 pulses x all targets, labelled as an estimate"
-constexpr double closest_m = 1e-9;       // a target nearer than this stands on the radar
+constexpr std::size_t most_pulses = 64;        // decisions: "at most 64 pulses x all targets, labelled as an estimate"
+constexpr std::size_t most_views = 1'000'000;  // targets times pulses: a look takes well below a second
+constexpr double closest_m = 1e-9;             // a target nearer than this stands on the radar
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
-std::vector<std::int64_t> sampled_pulses(const PulseRange& range) {
+std::vector<std::int64_t> sampled_pulses(const PulseRange& range, std::size_t targets) {
   std::vector<std::int64_t> pulses;
   const std::int64_t count = range.count();
-  const std::int64_t looks = std::min<std::int64_t>(count, static_cast<std::int64_t>(most_pulses));
+  const std::size_t affordable =
+      std::clamp<std::size_t>(most_views / std::max<std::size_t>(targets, 1), 3, most_pulses);
+  const std::int64_t looks = std::min<std::int64_t>(count, static_cast<std::int64_t>(affordable));
   for (std::int64_t i = 0; i < looks; ++i) {
     const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
     pulses.push_back(range.first + std::llround(share * static_cast<double>(count - 1)));
@@ -259,18 +262,19 @@ EchoSurvey survey_echoes(const Plan& plan) {
   survey.surface_faces_radar.assign(plan.scene->sheets.size(), false);
   const double infinity = std::numeric_limits<double>::infinity();
   survey.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false});
-  const std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses);
+  const std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses, plan.scene->scatterers.size());
   survey.pulses_sampled = pulses.size();
   survey.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan.pulses.count();
   const double c = plan.scene->conventions.light_speed_mps;
   PulseGeometry geometry(*plan.scene, plan.radar);
   for (const std::int64_t pulse : pulses) {
     geometry.set_pulse(pulse);
+    const Pointing pointing = geometry.pointing();
     for (std::size_t i = 0; i < plan.scene->sheets.size(); ++i)
       if (faces_radar(plan.scene->sheets[i], geometry)) survey.surface_faces_radar[i] = true;
     double sum_v = 0.0;
     for (std::size_t i = 0; i < survey.targets.size(); ++i) {
-      const ScattererView view = geometry.view(i);
+      const ScattererView view = geometry.view(i, pointing);
       const SampleSpan touched = touched_samples(plan.pulse, plan.raw_grid, view.delay_s);
       const bool in_window = touched.begin < touched.end;
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);

@@ -21,7 +21,8 @@ struct TargetSurvey {
   bool in_window = false;  ///< Some sampled echo touches the window.
 };
 
-/// A quick look at the echoes of a simulation: at most 64 of its pulses, all targets. An estimate: what happens between
+/// A quick look at the echoes of a simulation: at most 64 of its pulses (3 where there are
+/// very many targets), all targets. An estimate: what happens between
 /// the sampled pulses is not seen.
 struct EchoSurvey {
   std::size_t pulses_sampled = 0;
