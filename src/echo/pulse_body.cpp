@@ -10,8 +10,8 @@ namespace sarsim {
 
 namespace {
 
-// A band-limited pulse is confined to -120 dB, not for ever: bodies with steps of a larger beta, for promises below 3e-8,
-// take the skirts of its filter with them, half as much again on either side.
+// A band-limited pulse is confined to -120 dB, not for ever: bodies with steps of a larger beta, for promises below
+// 3e-8, take the skirts of its filter with them, half as much again on either side.
 constexpr double beta_of_skirts = 20.8;
 
 constexpr std::size_t step_points = 1024;  // cubic interpolation between them: error below 1e-12

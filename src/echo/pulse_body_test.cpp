@@ -168,7 +168,7 @@ double energy_beyond(const PulseBody& body) {
 
 // A user-defined pulse that is nearly all constant, with a weak ripple as fast as its knots.
 EchoPulse rippled() {
-  EchoPulse pulse = test_pulse(Pulse::Kind::user, 400.0);
+  EchoPulse pulse = test_pulse(Pulse::Kind::user, 600.0);
   SampledFunction f{Interpolation::cubic, {}};
   for (int i = 0; i <= 20; ++i) f.knots.push_back({i / 20.0, 1.0 + (i % 2 == 0 ? 0.04 : -0.04)});
   pulse.pulse.in_phase = Interpolator(f);

@@ -141,8 +141,7 @@ void expect_beam(const SinxBeam& beam, const double (&beamwidth)[4], const Sight
   append_echoes(points, 0, points.size(), frame, &beam, seen);
   std::size_t lit = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 look =
-        frame.origin_m + frame.world_from_platform * Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
+    const Vec3 look = frame.origin_m + frame.world_from_platform * Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
     const Vec3 a = beam.antenna_from_world * look;
     const double azimuth = std::atan2(a.x, a.y), elevation = std::asin(a.z / norm(a));
     double gain = std::abs(azimuth) < 0.5 * pi ? 1.0 : 0.0;
@@ -157,8 +156,8 @@ void expect_beam(const SinxBeam& beam, const double (&beamwidth)[4], const Sight
 
 TEST(AppendEchoes, WithABeamAreMultipliedBySinXOverXOfEveryCut) {
   std::mt19937 random(4);
-  const double widths[][4] = {{0.3, 0.2, 0.3, 0.2}, {0.3, 0.2, 0.5, 0.9}, {0.0, 0.0, 0.4, 0.3}, {0.1, 0.2, 0.0, 0.0},
-                              {0.3, 0.2, 0.3, 0.7}};
+  const double widths[][4] = {
+      {0.3, 0.2, 0.3, 0.2}, {0.3, 0.2, 0.5, 0.9}, {0.0, 0.0, 0.4, 0.3}, {0.1, 0.2, 0.0, 0.0}, {0.3, 0.2, 0.3, 0.7}};
   at_every_simd_level([&] {
     for (const auto& beamwidth : widths) {
       SightFrame frame = random_frame(random);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t most_terms = 24;   // of the Doppler expansion; beyond, pulses are added directly
 constexpr std::size_t spectra_kept = 6;  // Doppler spans whose spectra are remembered
+constexpr std::size_t bands_kept = 4;    // allowances for Doppler shifts whose transforms are remembered
 constexpr std::size_t oversampling = 4;  // of the body, for its spectrum
 
 // How an error budget is divided and what follows from it.
@@ -70,6 +71,14 @@ DopplerSpan span_covering(double lowest, double highest) {
   }
 }
 
+// What a body's band is widened by for Doppler shifts of up to `shift` cycles per sample: nothing where it is too small
+// to move more than a trifle over the edge, otherwise a power of two, so that few widths occur. It depends on the
+// pulse's own echoes alone, so that a kernel gives the same samples whatever it did before.
+double allowance_for(double shift) {
+  constexpr double trifle = 1.0 / 4096.0;
+  return shift <= trifle ? 0.0 : std::exp2(std::ceil(std::log2(shift)));
+}
+
 double node(std::size_t r, std::size_t terms) {
   return std::cos(pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
 }
@@ -91,6 +100,26 @@ struct SpectralKernel::Typed : Implementation {
     std::vector<std::vector<std::complex<Real>>> factor;  // [term][mode + modes]
   };
 
+  // The transform between the spreading grid and the modes of a band.
+  struct Band {
+    double allowance;   // for Doppler shifts, cycles per sample
+    std::size_t modes;  // -modes ... modes - 1
+    std::size_t cells;  // of the spreading grid
+    BasicFft<Real> grid_fft;
+    std::vector<double> kernel_transform;
+    std::list<Spectra> recent;
+
+    Band(double shift_allowance, double half_band, std::size_t row_size, const SpreadingKernel& kernel)
+        : allowance(shift_allowance),
+          modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
+          cells(good_fft_size(4 * modes + 2 * kernel.width)),
+          grid_fft(cells),
+          kernel_transform(modes + 1) {
+      for (std::size_t j = 0; j <= modes; ++j)
+        kernel_transform[j] = kernel.transform(static_cast<double>(j) / static_cast<double>(cells));
+    }
+  };
+
   Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance)
       : pulse(&echo_pulse),
         grid(sample_grid),
@@ -101,14 +130,8 @@ struct SpectralKernel::Typed : Implementation {
         direct(echo_pulse, sample_grid, tolerance),
         row_size(
             good_fft_size(sample_grid.count + static_cast<std::size_t>(std::ceil(body.last() - body.first())) + 4)),
-        modes(static_cast<std::size_t>(std::ceil(body.half_band() * static_cast<double>(row_size)))),
-        cells(good_fft_size(4 * modes + 2 * kernel.width)),
-        grid_fft(cells),
         row_fft(row_size),
         folded(row_size) {
-    kernel_transform.resize(modes + 1);
-    for (std::size_t j = 0; j <= modes; ++j)
-      kernel_transform[j] = kernel.transform(static_cast<double>(j) / static_cast<double>(cells));
     edge_row.resize(grid.count);
   }
 
@@ -122,10 +145,22 @@ struct SpectralKernel::Typed : Implementation {
       direct.add(row, carrier_hz, echoes);
       return;
     }
-    const Spectra& s = spectra_for(span, carrier_hz);
-    spread_terms(s);
-    transform(s, row);
+    Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * carrier_hz * grid.interval_s);
+    const Spectra& s = spectra_for(band, span, carrier_hz);
+    spread_terms(band, s);
+    transform(band, s, row);
     add_edge_pieces(carrier_hz, row);
+  }
+
+  Band& band_for(double shift) {
+    const double allowance = allowance_for(shift);
+    const auto found = std::ranges::find(bands, allowance, &Band::allowance);
+    if (found != bands.end()) {
+      bands.splice(bands.begin(), bands, found);
+      return bands.front();
+    }
+    if (bands.size() >= bands_kept) bands.pop_back();
+    return bands.emplace_front(allowance, body.half_band(), row_size, kernel);
   }
 
   // The echoes that touch the row.
@@ -140,15 +175,15 @@ struct SpectralKernel::Typed : Implementation {
     gather_strengths(echoes, frame, gathered);
   }
 
-  void spread_terms(const Spectra& s) {
+  void spread_terms(const Band& band, const Spectra& s) {
     const std::size_t count = position.size();
-    const double scale = static_cast<double>(cells) / static_cast<double>(row_size);
+    const double scale = static_cast<double>(band.cells) / static_cast<double>(row_size);
     cell_position.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       const double wrapped = position[k] < 0.0 ? position[k] + static_cast<double>(row_size) : position[k];
-      cell_position[k] = std::min(wrapped * scale, static_cast<double>(cells));
+      cell_position[k] = std::min(wrapped * scale, static_cast<double>(band.cells));
     }
-    spread_grid.resize(cells, s.terms);
+    spread_grid.resize(band.cells, s.terms);
     spread_grid.clear();
     if (s.terms == 1) {
       spread<Real>(taps, kernel.width, cell_position, strength, spread_grid);
@@ -178,17 +213,18 @@ struct SpectralKernel::Typed : Implementation {
   }
 
   // Grid to modes, times the factors, folded into the sampled band, back to samples.
-  void transform(const Spectra& s, std::span<std::complex<double>> row) {
+  void transform(const Band& band, const Spectra& s, std::span<std::complex<double>> row) {
     std::ranges::fill(folded, std::complex<Real>());
     for (std::size_t r = 0; r < s.terms; ++r) {
       const std::span<std::complex<Real>> cell = spread_grid.fold(r);
-      grid_fft.forward(cell);
+      band.grid_fft.forward(cell);
       const std::complex<Real>* factor = s.factor[r].data();
-      const auto half = static_cast<std::ptrdiff_t>(modes);
+      const auto half = static_cast<std::ptrdiff_t>(band.modes);
       const auto size = static_cast<std::ptrdiff_t>(row_size);
       std::ptrdiff_t bin = ((-half % size) + size) % size;
       for (std::ptrdiff_t j = -half; j < half; ++j) {
-        const std::complex<Real> c = cell[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(cells) : j)];
+        const std::complex<Real> c =
+            cell[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(band.cells) : j)];
         const std::complex<Real> f = factor[j + half];
         auto& out = folded[static_cast<std::size_t>(bin)];
         out = {out.real() + (c.real() * f.real() - c.imag() * f.imag()),
@@ -242,35 +278,35 @@ struct SpectralKernel::Typed : Implementation {
     }
   }
 
-  const Spectra& spectra_for(const DopplerSpan& span, double carrier_hz) {
-    const auto found = std::ranges::find_if(recent, [&](const Spectra& s) {
+  const Spectra& spectra_for(Band& band, const DopplerSpan& span, double carrier_hz) {
+    const auto found = std::ranges::find_if(band.recent, [&](const Spectra& s) {
       return s.span == span && (s.carrier_hz == carrier_hz || (span.half == 0.0 && span.middle == 0.0));
     });
-    if (found != recent.end()) {
-      recent.splice(recent.begin(), recent, found);
-      return recent.front();
+    if (found != band.recent.end()) {
+      band.recent.splice(band.recent.begin(), band.recent, found);
+      return band.recent.front();
     }
-    if (recent.size() >= spectra_kept) recent.pop_back();
-    recent.push_front(make_spectra(span, carrier_hz));
-    return recent.front();
+    if (band.recent.size() >= spectra_kept) band.recent.pop_back();
+    band.recent.push_front(make_spectra(band, span, carrier_hz));
+    return band.recent.front();
   }
 
-  Spectra make_spectra(const DopplerSpan& span, double carrier_hz) {
+  Spectra make_spectra(const Band& band, const DopplerSpan& span, double carrier_hz) {
     Spectra s;
     s.span = span;
     s.carrier_hz = carrier_hz;
     s.terms = span.half > 0.0 ? terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) : 1;
     for (std::size_t r = 0; r < s.terms; ++r) {
       const double d = span.middle + (span.half > 0.0 ? span.half * node(r, s.terms) : 0.0);
-      s.factor.push_back(mode_factors(d, carrier_hz));
+      s.factor.push_back(mode_factors(band, d, carrier_hz));
     }
     return s;
   }
 
   // Spectrum of the body with Doppler d at the modes, over the kernel's transform, with the scale of the transforms.
-  std::vector<std::complex<Real>> mode_factors(double d, double carrier_hz) {
-    const std::size_t fine = oversampling * fine_factor() * row_size;
-    const double per_sample = static_cast<double>(oversampling * fine_factor());
+  std::vector<std::complex<Real>> mode_factors(const Band& band, double d, double carrier_hz) {
+    const std::size_t fine = oversampling * fine_factor(band) * row_size;
+    const double per_sample = static_cast<double>(oversampling * fine_factor(band));
     std::vector<std::complex<double>> spectrum(fine);
     const auto first = static_cast<std::ptrdiff_t>(std::ceil(body.first() * per_sample));
     const auto last = static_cast<std::ptrdiff_t>(std::floor(body.last() * per_sample));
@@ -286,20 +322,20 @@ struct SpectralKernel::Typed : Implementation {
     }
     const Fft fft(fine);
     fft.forward(spectrum);
-    const auto half = static_cast<std::ptrdiff_t>(modes);
-    std::vector<std::complex<Real>> factor(2 * modes);
+    const auto half = static_cast<std::ptrdiff_t>(band.modes);
+    std::vector<std::complex<Real>> factor(2 * band.modes);
     for (std::ptrdiff_t j = -half; j < half; ++j) {
       const std::complex<double> q =
           spectrum[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(fine) : j)] / per_sample;
       factor[static_cast<std::size_t>(j + half)] = std::complex<Real>(
-          q / (static_cast<double>(row_size) * kernel_transform[static_cast<std::size_t>(std::abs(j))]));
+          q / (static_cast<double>(row_size) * band.kernel_transform[static_cast<std::size_t>(std::abs(j))]));
     }
     return factor;
   }
 
   // The body is sampled often enough that its spectrum, twice as wide as the modes, does not alias.
-  [[nodiscard]] std::size_t fine_factor() const {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(body.half_band())));
+  [[nodiscard]] std::size_t fine_factor(const Band& band) const {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(body.half_band() + band.allowance)));
   }
 
   const EchoPulse* pulse;
@@ -310,13 +346,9 @@ struct SpectralKernel::Typed : Implementation {
   LanePolynomials<Real> taps;
   DirectKernel direct;
   std::size_t row_size;  // points of the period that the row is part of
-  std::size_t modes;     // -modes ... modes - 1
-  std::size_t cells;     // of the spreading grid
-  BasicFft<Real> grid_fft;
   BasicFft<Real> row_fft;
-  std::vector<double> kernel_transform;
   std::vector<EdgePiece<Real>> pieces;
-  std::list<Spectra> recent;
+  std::list<Band> bands;
 
   Strengths<Real> gathered;
   std::vector<double>& position = gathered.position;

@@ -14,13 +14,60 @@
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::HWY_NAMESPACE {
 
-template <class D>
-HWY_INLINE hn::Vec<D> horner(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients, std::size_t stride,
-                             std::size_t degree, hn::Vec<D> y) {
-  auto sum = hn::LoadU(d, coefficients);
-  for (std::size_t p = 1; p <= degree; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, coefficients + p * stride));
+#if HWY_TARGET == HWY_SCALAR
+
+// One lane holds no pair of a real and an imaginary part: plain loops.
+
+template <class Real>
+Real lane_value(const LanePolynomials<Real>& lanes, std::size_t lane, Real y) {
+  Real sum = lanes.coefficients[lane];
+  for (std::size_t p = 1; p <= lanes.degree; ++p) sum = sum * y + lanes.coefficients[p * lanes.lanes + lane];
   return sum;
 }
+
+template <class Real>
+void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
+                      std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  for (std::size_t k = 0; k < position.size(); ++k) {
+    const double left = position[k] - 0.5 * static_cast<double>(width);
+    const double cell = std::ceil(left);
+    const auto y = static_cast<Real>(cell - left - 0.5);
+    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) +
+                                             static_cast<std::ptrdiff_t>(SpreadGrid<Real>::padding));
+    for (std::size_t tap = 0; tap < width; ++tap) {
+      const Real weight = lane_value(taps, 2 * tap, y);
+      for (std::size_t r = 0; r < grid.term.size(); ++r)
+        grid.term[r][at + tap] += weight * strength[r * position.size() + k];
+    }
+  }
+}
+
+template <class Real>
+void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
+                         std::span<const std::complex<Real>> strength, std::span<const double> doppler,
+                         EdgeRow<Real>& row) {
+  const std::size_t samples = piece.samples.lanes / 2;
+  for (std::size_t k = 0; k < position.size(); ++k) {
+    const double start = position[k] + piece.start;
+    const double first = std::ceil(start - 1e-9);
+    if (first <= -static_cast<double>(samples) || first >= static_cast<double>(row.count)) continue;
+    const double fraction = std::max(0.0, first - start);
+    const auto y = static_cast<Real>(fraction - 0.5);
+    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(first) +
+                                             static_cast<std::ptrdiff_t>(EdgeRow<Real>::padding));
+    for (std::size_t i = 0; i < samples; ++i) {
+      std::complex<Real> z(lane_value(piece.samples, 2 * i, y), lane_value(piece.samples, 2 * i + 1, y));
+      if (!doppler.empty()) {
+        const double t = static_cast<double>(i) + fraction;
+        const double turns = doppler[k] * (piece.doppler_offset + t * (piece.doppler_slope + t * piece.doppler_bend));
+        z *= std::complex<Real>(std::polar(1.0, -6.283185307179586476925 * (turns - std::round(turns))));
+      }
+      row.samples[at + i] += strength[k] * z;
+    }
+  }
+}
+
+#else
 
 // Even and odd powers by Horner's rule side by side, unrolled: half the chain of dependent operations. Degree 0 stands
 // for one that is only known at run time.
@@ -152,12 +199,8 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
 
 // Interleaved complex numbers times (re, im): re in both lanes of a pair, im with the sign that its lane takes.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V complex_product([[maybe_unused]] D d, V pairs, V re, V signed_im) {
-#if HWY_TARGET == HWY_SCALAR
-  return hn::MulAdd(pairs, re, signed_im);  // no pairs in one lane: engines ask simd_level() first and never come here
-#else
+HWY_INLINE V complex_product(D d, V pairs, V re, V signed_im) {
   return hn::MulAdd(pairs, re, hn::Mul(hn::Reverse2(d, pairs), signed_im));
-#endif
 }
 
 // -1 in even lanes, +1 in odd ones.
@@ -245,6 +288,8 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
       edge_loop<Real, degree(), false>(piece, position, strength, doppler, row);
   });
 }
+
+#endif  // HWY_SCALAR
 
 void spread_single(const LanePolynomials<float>& taps, std::size_t width, std::span<const double> position,
                    std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {

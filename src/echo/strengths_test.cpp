@@ -49,8 +49,7 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
       EXPECT_EQ(out.moving, count > 0);
       for (std::size_t k = 0; k < out.position.size(); ++k) {
         const long double cycles = 3e9L * echoes.delay_s[k];
-        const auto angle =
-            static_cast<double>(-2.0L * std::numbers::pi_v<long double> * (cycles - std::round(cycles)));
+        const auto angle = static_cast<double>(-2.0L * std::numbers::pi_v<long double> * (cycles - std::round(cycles)));
         const std::complex<double> expected = echoes.amplitude_sqrt_w[k] * std::polar(1.0, angle);
         EXPECT_LT(std::abs(std::complex<double>(out.strength[k]) - expected),
                   2.0 * pi * 9e4 * epsilon + rounding_of<TypeParam>);
