@@ -16,7 +16,7 @@ namespace sarsim {
 namespace {
 
 constexpr std::size_t most_terms = 24;   // of the Doppler expansion; beyond, pulses are added directly
-constexpr std::size_t spectra_kept = 6;  // Doppler spans whose spectra are remembered
+constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per thread
 constexpr std::size_t bands_kept = 4;    // allowances for Doppler shifts whose transforms are remembered
 constexpr std::size_t oversampling = 4;  // of the body, for its spectrum
 
@@ -286,8 +286,16 @@ struct SpectralKernel::Typed : Implementation {
       band.recent.splice(band.recent.begin(), band.recent, found);
       return band.recent.front();
     }
-    if (band.recent.size() >= spectra_kept) band.recent.pop_back();
     band.recent.push_front(make_spectra(band, span, carrier_hz));
+    // Stepped carriers come back; the least recently used spectra make room.
+    std::size_t bytes = 0;
+    std::size_t kept = 0;
+    for (const Spectra& s : band.recent) {
+      bytes += s.terms * s.factor.front().size() * sizeof(std::complex<Real>);
+      if (bytes > spectra_bytes && kept > 0) break;
+      ++kept;
+    }
+    band.recent.resize(kept);
     return band.recent.front();
   }
 

@@ -80,6 +80,37 @@ TEST(Fft, GivesTheSameBytesForUnalignedData) {
   for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(one[i], shifted[i + 1]);
 }
 
+// The same signal in float: a stage costs a few roundings of the sum so far.
+TEST(SingleFft, IsTheDoubleTransformToItsPrecision) {
+  for (const std::size_t size : {1u, 2u, 45u, 1024u, 3001u}) {
+    Signal exact = random_signal(size);
+    std::vector<std::complex<float>> data(exact.begin(), exact.end());
+    std::copy(data.begin(), data.end(), exact.begin());
+    const BasicFft<float> fft(size);
+    ASSERT_EQ(fft.size(), size);
+    fft.forward(data);
+    Fft(size).forward(exact);
+    const double bound = 2.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) *
+                         std::sqrt(static_cast<double>(size)) * (1.0 + std::log2(static_cast<double>(size)));
+    for (std::size_t i = 0; i < size; ++i) EXPECT_LT(std::abs(std::complex<double>(data[i]) - exact[i]), bound) << size;
+    fft.inverse(data);
+    Fft(size).inverse(exact);
+    for (std::size_t i = 0; i < size; ++i)
+      EXPECT_LT(std::abs(std::complex<double>(data[i]) - exact[i]), bound * std::sqrt(static_cast<double>(size)) * 2.0);
+  }
+}
+
+TEST(SingleFft, GivesTheSameBytesForUnalignedData) {
+  const Signal signal = random_signal(128);
+  std::vector<std::complex<float>> one(signal.begin(), signal.end()), shifted(129);
+  std::copy(one.begin(), one.end(), shifted.begin() + 1);
+  BasicFft<float> fft(128);
+  fft.forward(one);
+  const BasicFft<float> moved = std::move(fft);
+  moved.forward(std::span(shifted).subspan(1));
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i], shifted[i + 1]);
+}
+
 TEST(GoodFftSize, IsTheSmallestProductOfTwosThreesAndFivesFromTheMinimumOn) {
   const auto good = [](std::size_t n) {
     for (const std::size_t p : {2u, 3u, 5u})

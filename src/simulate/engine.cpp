@@ -87,7 +87,8 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   const double spectral_ns =
       echoes * (4.0 + spread_term_ns * terms + edge_sample_ns * static_cast<double>(cost.edge_samples)) +
       transform_point_ns * terms * static_cast<double>(cost.transform_size);
-  if (cost.doppler_terms > 20 || direct_ns <= spectral_ns)
+  constexpr std::size_t largest_transform = std::size_t{1} << 27U;
+  if (cost.doppler_terms > 20 || cost.transform_size > largest_transform || direct_ns <= spectral_ns)
     return {Engine::direct,
             fmt::format(
                 "{:.0f} echoes a pulse of {:.0f} samples cost less than transforms of {} points with {} Doppler terms",
