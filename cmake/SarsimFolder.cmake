@@ -2,13 +2,17 @@
 #
 #   sarsim_folder(NAME USES lower folders... LIBS outside libraries...)
 #
-# x.cpp goes into the library, x_test.cpp into the test program NAME_test. The names after USES are
-# the folder's allowed includes; tools/check-layers holds the same rule against the sources.
+# x.cpp goes into the library, x_test.cpp into the test program NAME_test, x_bench.cpp into the benchmark
+# NAME_bench. The names after USES are the folder's allowed includes; tools/check-layers holds the same rule
+# against the sources.
 
 find_package(Threads REQUIRED)
 if(SARSIM_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)
+endif()
+if(SARSIM_BENCH)
+  find_package(benchmark REQUIRED)
 endif()
 
 add_library(sarsim_flags INTERFACE)
@@ -39,6 +43,8 @@ function(sarsim_folder name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  set(benches ${sources})
+  list(FILTER benches INCLUDE REGEX "_bench\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$|/main\\.cpp$")
   list(TRANSFORM arg_USES PREPEND sarsim_)
   if(sources)
@@ -52,6 +58,10 @@ function(sarsim_folder name)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE sarsim_${name} GTest::gmock GTest::gtest_main)
     gtest_discover_tests(${name}_test PROPERTIES LABELS ${name} DISCOVERY_TIMEOUT 60)
+  endif()
+  if(SARSIM_BENCH AND benches)
+    add_executable(${name}_bench ${benches})
+    target_link_libraries(${name}_bench PRIVATE sarsim_${name} benchmark::benchmark_main)
   endif()
 endfunction()
 

@@ -7,21 +7,33 @@
 
 namespace sarsim {
 
+namespace {
+
+// Half a block squared over the samples of a chirp is the largest number of turns: 3e5 for one of 500 at full band,
+// which a double resolves to 3e-11.
+constexpr std::size_t longest_block = 32768;
+
+double centre_of_block(std::size_t block, std::size_t length) {
+  return static_cast<double>(block * length + length / 2);
+}
+
+}  // namespace
+
 DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance)
     : pulse_(&pulse),
       grid_(grid),
       single_precision_(tolerance >= 1e-6),
       tonal_(!pulse.band_limited && pulse.pulse.kind != Pulse::Kind::user &&
              pulse.pulse.envelope == Pulse::Envelope::rectangular),
-      centre_(std::floor(0.5 * static_cast<double>(grid.count))) {
+      block_(std::clamp<std::size_t>(grid.count, 1, longest_block)) {
   if (!tonal_) return;
   sum_.re.resize(grid.count + SplitRow::padding);
   sum_.im.resize(grid.count + SplitRow::padding);
   const double sweep = pulse.pulse.sweep_rate_hz_per_s() * grid.interval_s * grid.interval_s;
   if (sweep == 0.0) return;
-  chirp_.resize(grid.count);
-  for (std::size_t n = 0; n < grid.count; ++n) {
-    const double m = static_cast<double>(n) - centre_;
+  chirp_.resize(block_);
+  for (std::size_t n = 0; n < block_; ++n) {
+    const double m = static_cast<double>(n) - centre_of_block(0, block_);
     const double turns = 0.5 * sweep * m * m;
     chirp_[n] = std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
   }
@@ -35,39 +47,48 @@ void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, c
   collect_tones(carrier_hz, echoes);
   std::ranges::fill(sum_.re, 0.0);
   std::ranges::fill(sum_.im, 0.0);
-  add_tones(tones_, centre_, single_precision_, sum_, scratch_);
+  add_tones(tones_, single_precision_, sum_, scratch_);
   for (std::size_t n = 0; n < row.size(); ++n) {
     const double re = sum_.re[n];
     const double im = sum_.im[n];
-    const std::complex<double> c = chirp_.empty() ? 1.0 : chirp_[n];
+    const std::complex<double> c = chirp_.empty() ? 1.0 : chirp_[n % block_];
     row[n] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
   }
 }
 
 void DirectKernel::collect_tones(double carrier_hz, const EchoBatch& echoes) {
   tones_.clear();
-  const double dt = grid_.interval_s;
-  const double sweep_rate = pulse_->pulse.sweep_rate_hz_per_s();
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k]);
-    if (on.begin >= on.end) continue;
-    // Phase in turns of sample centre + m: K(1 - D)u^2/2 - D f u - f tau with u = u0 + m dt, less K (m dt)^2/2.
-    const double doppler = 2.0 * echoes.speed_mps[k] / pulse_->light_speed_mps;
-    const double u0 = grid_.first_s + centre_ * dt - echoes.delay_s[k] + pulse_->lead_s - 0.5 * pulse_->pulse.width_s;
-    const double carrier_turns = carrier_hz * echoes.delay_s[k];
-    Tone tone;
-    tone.begin = on.begin;
-    tone.end = on.end;
-    tone.alpha = 0.5 * sweep_rate * (1.0 - doppler) * u0 * u0 - doppler * carrier_hz * u0 -
-                 (carrier_turns - std::round(carrier_turns));
-    tone.beta = (sweep_rate * (1.0 - doppler) * u0 - doppler * carrier_hz) * dt;
-    tone.gamma = -0.5 * sweep_rate * doppler * dt * dt;
-    tone.amplitude = echoes.amplitude_sqrt_w[k];
-    if (pulse_->pulse.kind == Pulse::Kind::code)
-      add_code_tones(tone, echoes.delay_s[k]);
-    else
-      tones_.push_back(tone);
+    for (std::size_t begin = on.begin; begin < on.end;) {
+      const std::size_t block = begin / block_;
+      Tone tone = tone_at(echoes, k, carrier_hz, block);
+      tone.begin = begin;
+      tone.end = std::min(on.end, (block + 1) * block_);
+      if (pulse_->pulse.kind == Pulse::Kind::code)
+        add_code_tones(tone, echoes.delay_s[k]);
+      else
+        tones_.push_back(tone);
+      begin = tone.end;
+    }
   }
+}
+
+// Phase in turns of sample centre + m: K(1 - D)u^2/2 - D f u - f tau with u = u0 + m dt, less K (m dt)^2/2.
+Tone DirectKernel::tone_at(const EchoBatch& echoes, std::size_t k, double carrier_hz, std::size_t block) const {
+  const double dt = grid_.interval_s;
+  const double sweep_rate = pulse_->pulse.sweep_rate_hz_per_s();
+  const double doppler = 2.0 * echoes.speed_mps[k] / pulse_->light_speed_mps;
+  const double carrier_turns = carrier_hz * echoes.delay_s[k];
+  Tone tone;
+  tone.centre = centre_of_block(block, block_);
+  const double u0 = grid_.first_s + tone.centre * dt - echoes.delay_s[k] + pulse_->lead_s - 0.5 * pulse_->pulse.width_s;
+  tone.alpha = 0.5 * sweep_rate * (1.0 - doppler) * u0 * u0 - doppler * carrier_hz * u0 -
+               (carrier_turns - std::round(carrier_turns));
+  tone.beta = (sweep_rate * (1.0 - doppler) * u0 - doppler * carrier_hz) * dt;
+  tone.gamma = -0.5 * sweep_rate * doppler * dt * dt;
+  tone.amplitude = echoes.amplitude_sqrt_w[k];
+  return tone;
 }
 
 // One tone per run of chips with the same sign.

@@ -94,6 +94,23 @@ TEST(DirectKernel, AddsShapedPulsesLikeTheReference) {
   }
 }
 
+// Phases against the centre of a row of a million samples would be 1e8 cycles.
+TEST(DirectKernel, KeepsItsAccuracyInRowsOfAMillionSamples) {
+  const SampleGrid grid = test_grid(1'000'000);
+  for (const Pulse::Kind kind : {Pulse::Kind::chirp, Pulse::Kind::mono, Pulse::Kind::code}) {
+    const EchoPulse pulse = test_pulse(kind, 1000.0, 1.0);
+    EchoBatch echoes;
+    for (const double at : {3.3, 32768.0 - 500.0, 65536.0, 500'000.7, 999'500.2})  // some across the borders of blocks
+      echoes.add(grid.first_s + at * test_interval_s, 1.0, 20.0);
+    const ComplexRow expected = reference_row(pulse, grid, carrier_hz, echoes);
+    DirectKernel kernel(pulse, grid, 1e-9);
+    // Carrier: 2e7 cycles; sweep: 1e6 cycles against the block's centre; times: 1e-2 s, to 2e-10 samples of half a
+    // cycle.
+    EXPECT_LT(largest_difference(row_of(kernel, grid, carrier_hz, echoes), expected),
+              2.0 * pi * (2e7 * 2.3e-16 + 1e6 * 5e-16 + 4e-10));
+  }
+}
+
 TEST(DirectKernel, TakesTheCarrierOfEachCall) {
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 80.0, 0.8);
   const SampleGrid grid = test_grid(200);

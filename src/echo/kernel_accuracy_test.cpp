@@ -99,7 +99,7 @@ class RowGenerator {
 
   // Echoes inside, overhanging either end and outside; Doppler up to one cycle per pulse, common or spread, or none.
   void add_echoes_to(RandomRow& r, double samples) {
-    const double most = std::clamp(4e5 / samples, 1.0, 5000.0);
+    const double most = std::clamp(2e5 / samples, 1.0, 2500.0);
     const auto count = static_cast<int>(std::exp(uniform(0.0, std::log(most))));
     const double row_s = static_cast<double>(r.grid.count) * r.grid.interval_s;
     const double cycle_mps = light_mps / (2.0 * r.carrier_hz * r.pulse.pulse.width_s);  // one cycle per pulse

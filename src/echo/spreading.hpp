@@ -37,6 +37,10 @@ struct SpreadingKernel {
   /// Integral of phi(2 g/width) exp(-2 pi j g nu) dg over the kernel, g in cells: what a mode at nu cycles per cell is
   /// multiplied by.
   [[nodiscard]] double transform(double nu) const;
+
+ private:
+  std::vector<double> cells_;    // nodes of the integral on the right half of the kernel, in cells,
+  std::vector<double> weights_;  // and what the cosine there counts
 };
 
 /// A spreading kernel's taps as polynomials of the fraction, real and imaginary lanes interleaved.

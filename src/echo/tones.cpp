@@ -14,11 +14,11 @@ namespace sarsim::HWY_NAMESPACE {
 
 // Phasors of the middles of consecutive vectors of `lanes` samples, times the amplitude.
 template <class T>
-HWY_INLINE void vector_phasors(const Tone& tone, double centre, std::size_t lanes, std::size_t vectors,
-                               T* HWY_RESTRICT turn_re, T* HWY_RESTRICT turn_im) {
+HWY_INLINE void vector_phasors(const Tone& tone, std::size_t lanes, std::size_t vectors, T* HWY_RESTRICT turn_re,
+                               T* HWY_RESTRICT turn_im) {
   const hn::ScalableTag<double> dd;
   const hn::Rebind<T, hn::ScalableTag<double>> narrow;
-  const double first = static_cast<double>(tone.begin) + 0.5 * static_cast<double>(lanes - 1) - centre;
+  const double first = static_cast<double>(tone.begin) + 0.5 * static_cast<double>(lanes - 1) - tone.centre;
   const auto alpha = hn::Set(dd, tone.alpha);
   const auto beta = hn::Set(dd, tone.beta);
   const auto gamma = hn::Set(dd, tone.gamma);
@@ -65,17 +65,16 @@ HWY_INLINE void lane_phasors(double slope, double gamma, std::size_t lanes, T* H
 }
 
 template <class T>
-HWY_INLINE void add_tone(const Tone& tone, double centre, T* HWY_RESTRICT row_re, T* HWY_RESTRICT row_im, T* turn_re,
-                         T* turn_im) {
+HWY_INLINE void add_tone(const Tone& tone, T* HWY_RESTRICT row_re, T* HWY_RESTRICT row_im, T* turn_re, T* turn_im) {
   const hn::ScalableTag<T> d;
   const std::size_t lanes = hn::Lanes(d);
   const std::size_t length = tone.end - tone.begin;
   const std::size_t vectors = (length + lanes - 1) / lanes;
-  const double middle = static_cast<double>(tone.begin) + 0.5 * static_cast<double>(length - 1) - centre;
+  const double middle = static_cast<double>(tone.begin) + 0.5 * static_cast<double>(length - 1) - tone.centre;
   HWY_ALIGN T lane_re[hn::MaxLanes(d)];
   HWY_ALIGN T lane_im[hn::MaxLanes(d)];
   lane_phasors<T>(tone.beta + 2.0 * tone.gamma * middle, tone.gamma, lanes, lane_re, lane_im);
-  vector_phasors<T>(tone, centre, lanes, vectors, turn_re, turn_im);
+  vector_phasors<T>(tone, lanes, vectors, turn_re, turn_im);
   const auto p_re = hn::Load(d, lane_re);
   const auto p_im = hn::Load(d, lane_im);
   // The step changes slowly along the pulse: exp(j x), x = 2 pi (change) (lane - middle), as a series in x of as many
@@ -142,11 +141,10 @@ HWY_INLINE void flush(std::size_t begin, std::size_t end, ToneScratch& scratch, 
   }
 }
 
-void add_tones_on_target(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row,
-                         ToneScratch& scratch) {
+void add_tones_on_target(std::span<const Tone> tones, bool single_precision, SplitRow& row, ToneScratch& scratch) {
   if (!single_precision) {
     for (const Tone& tone : tones)
-      add_tone<double>(tone, centre, row.re.data(), row.im.data(), scratch.turn_re_double.data(),
+      add_tone<double>(tone, row.re.data(), row.im.data(), scratch.turn_re_double.data(),
                        scratch.turn_im_double.data());
     return;
   }
@@ -155,7 +153,7 @@ void add_tones_on_target(std::span<const Tone> tones, double centre, bool single
     std::size_t begin = row.re.size();
     std::size_t end = 0;
     for (const Tone& tone : tones.subspan(first, std::min(group, tones.size() - first))) {
-      add_tone<float>(tone, centre, scratch.re_single.data(), scratch.im_single.data(), scratch.turn_re.data(),
+      add_tone<float>(tone, scratch.re_single.data(), scratch.im_single.data(), scratch.turn_re.data(),
                       scratch.turn_im.data());
       begin = std::min(begin, tone.begin);
       end = std::max(end, tone.end);
@@ -173,7 +171,7 @@ namespace sarsim {
 
 HWY_EXPORT(add_tones_on_target);
 
-void add_tones(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row, ToneScratch& scratch) {
+void add_tones(std::span<const Tone> tones, bool single_precision, SplitRow& row, ToneScratch& scratch) {
   const std::size_t size = row.re.size();
   const std::size_t room = size + SplitRow::padding;
   if (single_precision && scratch.re_single.size() < room) {
@@ -186,7 +184,7 @@ void add_tones(std::span<const Tone> tones, double centre, bool single_precision
     scratch.turn_re_double.resize(room);
     scratch.turn_im_double.resize(room);
   }
-  HWY_DYNAMIC_DISPATCH(add_tones_on_target)(tones, centre, single_precision, row, scratch);
+  HWY_DYNAMIC_DISPATCH(add_tones_on_target)(tones, single_precision, row, scratch);
 }
 
 }  // namespace sarsim

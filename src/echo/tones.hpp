@@ -8,13 +8,14 @@ namespace sarsim {
 
 /// A piece of a row that one echo fills with an almost pure tone: sample n in [begin, end) receives
 ///
-///     amplitude exp(2 pi j (alpha + beta m + gamma m^2)),   m = n - centre of the row.
+///     amplitude exp(2 pi j (alpha + beta m + gamma m^2)),   m = n - centre.
 struct Tone {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double alpha = 0.0;  ///< Turns.
-  double beta = 0.0;   ///< Turns per sample.
-  double gamma = 0.0;  ///< Turns per sample squared; |gamma| (end - begin) below 1e-4, a Doppler of 2v/c = 2e-4.
+  double centre = 0.0;  ///< Best a sample near the tone: alpha + beta m + gamma m^2 is rounded to a double.
+  double alpha = 0.0;   ///< Turns.
+  double beta = 0.0;    ///< Turns per sample.
+  double gamma = 0.0;   ///< Turns per sample squared; |gamma| (end - begin) below 1e-4, a Doppler of 2v/c = 2e-4.
   double amplitude = 0.0;
 };
 
@@ -35,11 +36,11 @@ struct ToneScratch {
   std::vector<double> turn_im_double;
 };
 
-/// Adds tones to a row of `count` samples whose centre is `centre`, in SIMD.
+/// Adds tones to a row in SIMD.
 ///
 /// Each vector of samples is the product of one exact phasor and the powers of the tone's step, so errors do not grow
 /// along the pulse. Single precision (sums of at most 64 tones in float, then double): each sample within 3e-7 of its
 /// tone's amplitude. Double precision: within 1e-11, and 1e-14 where |gamma| (end - begin) is below 1e-5.
-void add_tones(std::span<const Tone> tones, double centre, bool single_precision, SplitRow& row, ToneScratch& scratch);
+void add_tones(std::span<const Tone> tones, bool single_precision, SplitRow& row, ToneScratch& scratch);
 
 }  // namespace sarsim

@@ -1,0 +1,217 @@
+// What an echo costs in each kernel. Every case is held against the reference before it is timed.
+//
+//   items_per_second   echoes
+//   echo_samples       echoes times samples of a pulse, per second
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "base/constants.hpp"
+#include "echo/direct_kernel.hpp"
+#include "echo/sight.hpp"
+#include "echo/spectral_kernel.hpp"
+#include "echo/strengths.hpp"
+
+namespace sarsim {
+namespace {
+
+constexpr double interval_s = 1e-8;
+constexpr double carrier_hz = 5e9;
+
+struct Workload {
+  EchoPulse pulse;
+  SampleGrid grid;
+  EchoBatch echoes;
+  double samples = 0.0;  // of a pulse
+};
+
+enum class Band { hard_edged, limited };
+
+// Echoes whose pulses lie inside the row; `cycles` of Doppler over the pulse at the most, of either sign.
+Workload workload(Pulse::Kind kind, double samples, std::size_t echo_count, double cycles = 0.0,
+                  Band band = Band::hard_edged) {
+  Workload w;
+  w.samples = samples;
+  w.pulse.pulse.kind = kind;
+  w.pulse.pulse.width_s = samples * interval_s;
+  w.pulse.pulse.sweep_hz = kind == Pulse::Kind::chirp ? 0.8 / interval_s : 0.0;
+  if (kind == Pulse::Kind::code) w.pulse.pulse.code = barker_code(6);
+  if (band == Band::limited) w.pulse.band_limited.emplace(w.pulse.pulse, 0.5 / interval_s, 1.0 / interval_s, 0.0);
+  w.pulse.light_speed_mps = exact_light_speed_mps;
+  w.grid = {40e-6, interval_s, static_cast<std::size_t>(4.0 * samples)};
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> position(0.0, 3.0 * samples), unit(-1.0, 1.0);
+  const double fastest_mps = cycles * exact_light_speed_mps / (2.0 * carrier_hz * w.pulse.pulse.width_s);
+  for (std::size_t k = 0; k < echo_count; ++k)
+    w.echoes.add(w.grid.first_s + position(random) * interval_s, unit(random), fastest_mps * unit(random));
+  return w;
+}
+
+// Error of a row of the first few echoes over sqrt(sum |a|^2 ||p||^2); all of them would take the reference too long.
+template <class Kernel>
+double error_of(Kernel& kernel, const Workload& w) {
+  const std::size_t few = std::min<std::size_t>(w.echoes.size(), 200);
+  EchoBatch echoes;
+  double strength = 0.0;
+  for (std::size_t k = 0; k < few; ++k) {
+    echoes.add(w.echoes.delay_s[k], w.echoes.amplitude_sqrt_w[k], w.echoes.speed_mps[k]);
+    strength += w.echoes.amplitude_sqrt_w[k] * w.echoes.amplitude_sqrt_w[k];
+  }
+  std::vector<std::complex<double>> got(w.grid.count), expected(w.grid.count);
+  kernel.add(got, carrier_hz, echoes);
+  add_echoes(expected, w.grid, w.pulse, carrier_hz, echoes);
+  double error = 0.0;
+  for (std::size_t n = 0; n < got.size(); ++n) error += std::norm(got[n] - expected[n]);
+  return std::sqrt(error / (strength * w.samples));
+}
+
+void count(benchmark::State& state, const Workload& w) {
+  const double echoes = static_cast<double>(state.iterations()) * static_cast<double>(w.echoes.size());
+  state.SetItemsProcessed(static_cast<std::int64_t>(echoes));
+  state.counters["echo_samples"] = benchmark::Counter(echoes * w.samples, benchmark::Counter::kIsRate);
+}
+
+template <class Kernel>
+void time_kernel(benchmark::State& state, Kernel& kernel, const Workload& w, double promise) {
+  const double error = error_of(kernel, w);
+  if (!(error < promise)) {
+    state.SkipWithError(("differs from the reference by " + std::to_string(error)).c_str());
+    return;
+  }
+  std::vector<std::complex<double>> row(w.grid.count);
+  for ([[maybe_unused]] auto _ : state) {
+    kernel.add(row, carrier_hz, w.echoes);
+    benchmark::DoNotOptimize(row.data());
+    benchmark::ClobberMemory();
+  }
+  count(state, w);
+  state.counters["error"] = error;
+}
+
+void reference(benchmark::State& state, Pulse::Kind kind, double samples) {
+  const Workload w = workload(kind, samples, 50);
+  std::vector<std::complex<double>> row(w.grid.count);
+  for ([[maybe_unused]] auto _ : state) {
+    add_echoes(row, w.grid, w.pulse, carrier_hz, w.echoes);
+    benchmark::DoNotOptimize(row.data());
+  }
+  count(state, w);
+}
+BENCHMARK_CAPTURE(reference, chirp_1000, Pulse::Kind::chirp, 1000.0);
+BENCHMARK_CAPTURE(reference, mono_1000, Pulse::Kind::mono, 1000.0);
+
+void direct(benchmark::State& state, Pulse::Kind kind, double samples, double cycles, double promise) {
+  const Workload w = workload(kind, samples, 1000, cycles);
+  DirectKernel kernel(w.pulse, w.grid, promise);
+  time_kernel(state, kernel, w, promise);
+}
+BENCHMARK_CAPTURE(direct, chirp_1000, Pulse::Kind::chirp, 1000.0, 0.0, 1e-6);
+BENCHMARK_CAPTURE(direct, chirp_1000_moving, Pulse::Kind::chirp, 1000.0, 0.1, 1e-6);
+BENCHMARK_CAPTURE(direct, chirp_1000_double, Pulse::Kind::chirp, 1000.0, 0.0, 1e-9);
+BENCHMARK_CAPTURE(direct, chirp_10000, Pulse::Kind::chirp, 10000.0, 0.0, 1e-6);
+BENCHMARK_CAPTURE(direct, mono_1000, Pulse::Kind::mono, 1000.0, 0.0, 1e-6);
+BENCHMARK_CAPTURE(direct, barker_1000, Pulse::Kind::code, 1000.0, 0.0, 1e-6);
+
+void spectral(benchmark::State& state, Band band, double cycles, double promise) {
+  const Workload w = workload(Pulse::Kind::chirp, 1000.0, 20000, cycles, band);
+  SpectralKernel kernel(w.pulse, w.grid, promise);
+  time_kernel(state, kernel, w, promise);
+  const double span = cycles == 0.0 ? 0.0 : 2.0 * cycles / (carrier_hz * w.pulse.pulse.width_s);
+  state.counters["terms"] =
+      static_cast<double>(SpectralKernel::cost(w.pulse, w.grid, promise, carrier_hz, span).doppler_terms);
+}
+BENCHMARK_CAPTURE(spectral, limited_1e_3, Band::limited, 0.0, 1e-3);
+BENCHMARK_CAPTURE(spectral, limited_1e_6, Band::limited, 0.0, 1e-6);
+BENCHMARK_CAPTURE(spectral, limited_1e_9, Band::limited, 0.0, 1e-9);
+BENCHMARK_CAPTURE(spectral, hard_1e_3, Band::hard_edged, 0.0, 1e-3);
+BENCHMARK_CAPTURE(spectral, hard_1e_6, Band::hard_edged, 0.0, 1e-6);
+BENCHMARK_CAPTURE(spectral, hard_1e_9, Band::hard_edged, 0.0, 1e-9);
+BENCHMARK_CAPTURE(spectral, limited_1e_6_hundredth_of_a_cycle, Band::limited, 0.01, 1e-6);
+BENCHMARK_CAPTURE(spectral, limited_1e_6_tenth_of_a_cycle, Band::limited, 0.1, 1e-6);
+BENCHMARK_CAPTURE(spectral, limited_1e_6_one_cycle, Band::limited, 1.0, 1e-6);
+BENCHMARK_CAPTURE(spectral, hard_1e_6_tenth_of_a_cycle, Band::hard_edged, 0.1, 1e-6);
+
+// Making a kernel: what a thread pays once.
+void spectral_set_up(benchmark::State& state, double promise) {
+  const Workload w = workload(Pulse::Kind::chirp, 1000.0, 1);
+  std::vector<std::complex<double>> row(w.grid.count);
+  for ([[maybe_unused]] auto _ : state) {
+    SpectralKernel kernel(w.pulse, w.grid, promise);
+    kernel.add(row, carrier_hz, w.echoes);
+    benchmark::DoNotOptimize(row.data());
+  }
+}
+BENCHMARK_CAPTURE(spectral_set_up, hard_1e_6, 1e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(spectral_set_up, hard_1e_9, 1e-9)->Unit(benchmark::kMillisecond);
+
+template <class Real>
+void gather(benchmark::State& state) {
+  const Workload w = workload(Pulse::Kind::chirp, 1000.0, 20000, 0.1);
+  const RowFrame frame{carrier_hz, exact_light_speed_mps, w.grid.first_s, interval_s, -1e9, 1e9};
+  Strengths<Real> out;
+  gather_strengths(w.echoes, frame, out);
+  for (std::size_t k = 0; k < w.echoes.size(); ++k) {
+    const double cycles = carrier_hz * w.echoes.delay_s[k];
+    const std::complex<double> expected =
+        w.echoes.amplitude_sqrt_w[k] * std::polar(1.0, -2.0 * pi * (cycles - std::round(cycles)));
+    if (!(std::abs(std::complex<double>(out.strength[k]) - expected) < 1e-6))
+      return state.SkipWithError("a strength differs from its formula");
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    gather_strengths(w.echoes, frame, out);
+    benchmark::DoNotOptimize(out.strength.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(w.echoes.size()));
+}
+BENCHMARK_TEMPLATE(gather, float);
+BENCHMARK_TEMPLATE(gather, double);
+
+PointArrays random_points(std::size_t count, bool cosine) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(-500.0, 500.0);
+  PointArrays points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.x_m.push_back(place(random));
+    points.y_m.push_back(place(random));
+    points.z_m.push_back(0.1 * place(random));
+    points.root_rcs_m.push_back(1.0);
+    if (!cosine) continue;
+    points.normal_x.push_back(0.0);
+    points.normal_y.push_back(-0.6);
+    points.normal_z.push_back(0.8);
+  }
+  return points;
+}
+
+void sight(benchmark::State& state, bool cosine, bool beam) {
+  const PointArrays points = random_points(20000, cosine);
+  SightFrame frame;
+  frame.origin_m = {100.0, 3000.0, -1000.0};
+  frame.velocity_mps = {-100.0, 0.0, 0.0};
+  frame.light_speed_mps = exact_light_speed_mps;
+  frame.amplitude_scale = 1e-3;
+  SinxBeam sinx;
+  for (double& cut : sinx.cut) cut = 2.5;
+  EchoBatch echoes;
+  append_echoes(points, 0, points.size(), frame, beam ? &sinx : nullptr, echoes);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double distance = norm(frame.origin_m + Vec3{points.x_m[i], points.y_m[i], points.z_m[i]});
+    const double delay = 2.0 * distance / (exact_light_speed_mps - echoes.speed_mps[i]);
+    if (!(std::abs(echoes.delay_s[i] - delay) < 1e-12 * delay)) return state.SkipWithError("a delay is wrong");
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    echoes.clear();
+    append_echoes(points, 0, points.size(), frame, beam ? &sinx : nullptr, echoes);
+    benchmark::DoNotOptimize(echoes.delay_s.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK_CAPTURE(sight, isotropic, false, false);
+BENCHMARK_CAPTURE(sight, cosine_law, true, false);
+BENCHMARK_CAPTURE(sight, sinx_beam, false, true);
+
+}  // namespace
+}  // namespace sarsim
