@@ -90,8 +90,11 @@ class Runner {
     const OutputNames names =
         output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
     jobs_ = chosen_products(input_.scene, names, arguments_.products);
-    if (jobs_.empty())
-      throw BadInput(arguments_.scene + ": the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+    if (jobs_.empty()) {
+      BadInput nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+      nothing.problems.front().place.file = arguments_.scene;
+      throw nothing;
+    }
     take_problems(names.problems);
     expect_sound();
     forget_other_products();
@@ -144,7 +147,10 @@ class Runner {
   void announce() {
     double bytes_wanted = 0.0;
     for (const ProductJob& job : jobs_) {
-      if (job.table) continue;
+      if (job.table) {
+        bytes_wanted += smallest_table_bytes(input_.scene.geometries[job.index]);
+        continue;
+      }
       const Plan plan = make_plan(input_.scene, job.index, resolved_);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
       // The size of text is an estimate from above.
@@ -160,6 +166,15 @@ class Runner {
                                   bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
     }
     if (!arguments_.discard) expect_room(bytes_wanted);
+  }
+
+  // No line of a table is shorter than its pulse number and its end.
+  [[nodiscard]] double smallest_table_bytes(const GeometryTable& table) const {
+    const std::size_t radar = find_radar(input_.scene, table.radar);
+    if (radar == not_found) return 0.0;
+    const PulseRange pulses =
+        resolve_radar(input_.scene, *resolved_, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
+    return 10.0 * static_cast<double>(pulses.count());
   }
 
   void expect_room(double bytes) const {
