@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <unistd.h>
@@ -135,8 +136,24 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
   return chosen->second(streams);
 }
 
+// What to do about a failure of the system; empty where nothing helps.
+std::string remedy(const std::error_code& failure) {
+  if (failure == std::errc::no_space_on_device || failure == std::errc::file_too_large)
+    return "make room or write elsewhere; what was there before is untouched";
+  if (failure == std::errc::permission_denied || failure == std::errc::operation_not_permitted ||
+      failure == std::errc::read_only_file_system || failure == std::errc::not_a_directory ||
+      failure == std::errc::no_such_file_or_directory || failure == std::errc::is_a_directory ||
+      failure == std::errc::file_exists)
+    return "write into a folder that can be written, with another --out or output name";
+  if (failure == std::errc::filename_too_long) return "give the output a shorter name";
+  return {};
+}
+
 int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
-  const auto say = [&](const std::string& text) { streams.err << "sarsim: error: " << text << '\n'; };
+  const auto say = [&](const std::string& text, const std::string& hint = {}) {
+    streams.err << "sarsim: error: " << text << '\n';
+    if (!hint.empty()) streams.err << "    " << hint << '\n';
+  };
   try {
     const ExitStatus status = dispatch(program, std::move(words), streams);
     flush_out(streams);
@@ -151,7 +168,9 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     streams.err << "sarsim: interrupted; nothing unfinished was left behind\n";
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
-    say("not enough memory");
+    say("not enough memory", "record less at once, or with fewer --threads");
+  } catch (const std::system_error& error) {
+    say(error.what(), remedy(error.code()));
   } catch (const std::exception& error) {
     say(error.what());
   }

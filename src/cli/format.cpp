@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/output_names.hpp"
 #include "cli/scene_input.hpp"
 #include "data/output_file.hpp"
 #include "script/writer.hpp"
@@ -28,6 +29,9 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   const SceneInput input = read_scene(arguments.scene, {}, Scrutiny::reading);
   expect_usable(input);
+  if (!arguments.output.empty() && !arguments.force)
+    if (Problems problems = problems_of_output(arguments.output, {}, false); !problems.empty())
+      throw BadInput(std::move(problems));
   print_problems(streams, input.problems);
   const std::string text = write_script(input.scene);
   if (arguments.in_place)

@@ -10,6 +10,7 @@
 #include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/output_names.hpp"
 #include "cli/scene_input.hpp"
 #include "data/output_file.hpp"
 #include "simulate/geometry_table.hpp"
@@ -40,7 +41,8 @@ GeometryTable described_table(const GeometryArguments& arguments, const Scene& s
                    "give the send times of its first and last pulse in s");
   if (*arguments.end_s < *arguments.start_s)
     throw BadInput(fmt::format("--end {} lies before --start {}", format_number(*arguments.end_s),
-                               format_number(*arguments.start_s)));
+                               format_number(*arguments.start_s)),
+                   "exchange them");
   GeometryTable table;
   table.radar = scene.radars[radar_named(scene, arguments.radar)].name;
   table.range_start_m = 0.0;
@@ -89,6 +91,9 @@ ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) 
     write_tables(arguments, input.scene, tables, write, streams.stop);
     return exit_done;
   }
+  if (!arguments.force)
+    if (Problems problems = problems_of_output(arguments.output, {}, false); !problems.empty())
+      throw BadInput(std::move(problems));
   OutputFile file(arguments.output, arguments.force);
   const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
   write_tables(arguments, input.scene, tables, write, streams.stop);

@@ -106,8 +106,7 @@ class Runner {
     const OutputNames names =
         output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
     jobs_ = chosen_products(input_.scene, names, arguments_.products);
-    if (jobs_.empty() && !arguments_.quiet)
-      streams_.err << arguments_.scene << ": nothing to do: the script has no $SIMULATION and no $GEOMETRY\n";
+    if (jobs_.empty()) expect_objects();
     take_problems(names.problems);
     expect_sound();
     forget_other_products();
@@ -116,6 +115,18 @@ class Runner {
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
     resolved_ = std::make_shared<const ResolvedScene>(resolve(input_.scene));
     announce();
+  }
+
+  // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
+  void expect_objects() const {
+    const Scene& scene = input_.scene;
+    if (scene.platforms.empty() && scene.targets.empty() && scene.surfaces.empty() && scene.radars.empty()) {
+      BadInput nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+      nothing.problems.front().place.file = arguments_.scene;
+      throw nothing;
+    }
+    if (!arguments_.quiet)
+      streams_.err << arguments_.scene << ": nothing to do: the script has no $SIMULATION and no $GEOMETRY\n";
   }
 
   // Errors end the run; where only they are wanted, without what else was found.
@@ -160,7 +171,10 @@ class Runner {
   void announce() {
     double bytes_wanted = 0.0;
     for (const ProductJob& job : jobs_) {
-      if (job.table) continue;
+      if (job.table) {
+        bytes_wanted += smallest_table_bytes(input_.scene.geometries[job.index]);
+        continue;
+      }
       const Plan plan = planned(job.index);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
       // The size of text is an estimate from above.
@@ -176,6 +190,15 @@ class Runner {
                                   bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
     }
     if (!arguments_.discard) expect_room(bytes_wanted);
+  }
+
+  // No line of a table is shorter than its pulse number and its end.
+  [[nodiscard]] double smallest_table_bytes(const GeometryTable& table) const {
+    const std::size_t radar = find_radar(input_.scene, table.radar);
+    if (radar == not_found) return 0.0;
+    const PulseRange pulses =
+        resolve_radar(input_.scene, *resolved_, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
+    return 10.0 * static_cast<double>(pulses.count());
   }
 
   void expect_room(double bytes) const {

@@ -29,7 +29,8 @@ Problems without_objects_of(Problems found, const Problems& reading, const Scene
   for (const Problem& problem : reading) {
     if (problem.severity != Severity::error) continue;
     broken.insert({problem.subject.kind, problem.subject.index});
-    lost = lost || problem.subject.kind.empty() || problem.subject.index >= objects_of(scene, problem.subject.kind);
+    lost = lost || problem.subject.kind.empty() || problem.subject.field == "name" ||
+           problem.subject.index >= objects_of(scene, problem.subject.kind);
   }
   const auto add_users = [&](const char* kind, const auto& products) {
     for (std::size_t i = 0; i < products.size(); ++i)
@@ -42,6 +43,15 @@ Problems without_objects_of(Problems found, const Problems& reading, const Scene
     return broken.contains({p.subject.kind, p.subject.index}) || (lost && name);
   });
   return found;
+}
+
+// Where check refuses a field, what the reader had to remark about it is said already.
+void drop_warnings_of(const Problems& found, Problems& reading) {
+  std::erase_if(reading, [&](const Problem& remark) {
+    return remark.severity == Severity::warning && std::ranges::any_of(found, [&](const Problem& p) {
+             return p.severity == Severity::error && p.subject == remark.subject;
+           });
+  });
 }
 
 void apply(const SceneOverrides& overrides, Scene& scene) {
@@ -77,6 +87,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   apply(overrides, input.scene);
   if (scrutiny != Scrutiny::reading) {
     Problems found = without_objects_of(check(input.scene), reading.problems, input.scene);
+    drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
   if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems)) append(reading.problems, survey(input.scene));
@@ -98,8 +109,9 @@ std::size_t radar_named(const Scene& scene, const std::string& name) {
   std::vector<std::string> names;
   for (const Radar& radar : scene.radars) names.push_back(radar.name);
   const std::string_view nearest = nearest_word(name, names);
+  const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
   throw BadInput("the scene has no radar '" + name + "'",
-                 nearest.empty() ? std::string() : "did you mean '" + std::string(nearest) + "'?");
+                 nearest.empty() ? others : "did you mean '" + std::string(nearest) + "'?");
 }
 
 }  // namespace sarsim::cli

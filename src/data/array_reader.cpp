@@ -116,9 +116,12 @@ std::optional<Problem> strange_values(const InputFile& file, const CountRange& r
 Problems binary_hint_problems(const std::string& name, const SampleFileHints& hints) {
   Problems problems;
   const char* hint = "a BINARY file does not say its own shape; give both the samples of a row and the A/D bits";
-  if (hints.columns == 0)
-    problems.push_back(file_problem(name, "the number of samples of a row is not known", {}, {}, hint));
-  if (hints.bits == 0) problems.push_back(file_problem(name, "the number of A/D bits is not known", {}, {}, hint));
+  const char* unknown = hints.columns == 0 && hints.bits == 0
+                            ? "neither the samples of a row nor the A/D bits are known"
+                        : hints.columns == 0 ? "the number of samples of a row is not known"
+                        : hints.bits == 0    ? "the number of A/D bits is not known"
+                                             : nullptr;
+  if (unknown != nullptr) problems.push_back(file_problem(name, unknown, {}, {}, hint));
   if (hints.bits < 0 || hints.bits > 64)
     problems.push_back(
         file_problem(name, "the number of A/D bits is out of range", fmt::format("{}", hints.bits), "1 to 64"));

@@ -200,7 +200,9 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
   H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
 #endif
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
-  if (!file) return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text()));
+  if (!file)
+    return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
+                                      "the file is damaged or of another format, which --from can name"));
   const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
   auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
   if (auto* problem = std::get_if<Problem>(&opened)) return refused(name, std::move(*problem));

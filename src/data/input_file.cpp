@@ -12,10 +12,12 @@ namespace sarsim {
 
 namespace {
 
-Problem cannot_open(const std::filesystem::path& path, const std::string& why) {
+Problem cannot_open(const std::filesystem::path& path, const std::string& why,
+                    const char* hint = "give a file that you may read") {
   Problem problem;
   problem.message = "cannot read the file: " + why;
   problem.place.file = path.string();
+  problem.hint = hint;
   return problem;
 }
 
@@ -24,7 +26,11 @@ Problem cannot_open(const std::filesystem::path& path, const std::string& why) {
 std::variant<InputFile, Problem> InputFile::open(const std::filesystem::path& path) {
   // Without O_NONBLOCK the opening of a pipe would wait for somebody to write.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor < 0) return cannot_open(path, std::generic_category().message(errno));
+  if (descriptor < 0) {
+    const int error = errno;
+    return cannot_open(path, std::generic_category().message(error),
+                       error == ENOENT ? "look at the name and the folder" : "give a file that you may read");
+  }
   struct stat status {};
   const bool known = ::fstat(descriptor, &status) == 0;
   if (!known || !S_ISREG(status.st_mode)) {

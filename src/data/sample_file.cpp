@@ -56,7 +56,8 @@ OpenedSampleFile SampleFile::open(const std::filesystem::path& path, const Sampl
   auto opened = InputFile::open(path);
   if (auto* problem = std::get_if<Problem>(&opened)) return {std::nullopt, {std::move(*problem)}};
   auto& file = std::get<InputFile>(opened);
-  if (file.size() == 0) return {std::nullopt, {file_problem(path.string(), "the file is empty")}};
+  if (file.size() == 0)
+    return {std::nullopt, {file_problem(path.string(), "the file is empty", {}, "samples", "make it anew")}};
   const auto format = detect_format(file, hints);
   if (!format)
     return {std::nullopt,

@@ -19,13 +19,19 @@ bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) 
 Finding too_large(std::string_view what, std::string found, std::string_view unit) {
   return {.message = fmt::format("the {} is too large to compute with", what),
           .found = std::move(found),
-          .expected = unit == "dB" ? fmt::format("up to {:g} dB", largest_gain_db)
-                                   : fmt::format("a magnitude up to {:g} {}", largest_value, unit),
+          .expected = fmt::format("a magnitude up to {:g} {}", largest_value, unit),
           .hint = {}};
 }
 
 std::string vector_text(const Vec3& v, std::string_view unit) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g}) {}", v.x, v.y, v.z, unit);
+}
+
+// Names can be of any length, messages cannot.
+std::string clipped(std::string text) {
+  constexpr std::size_t longest = 200;
+  if (text.size() > longest) text.replace(longest, std::string::npos, "...");
+  return text;
 }
 
 std::string title(const FunctionRule& rule, std::size_t part) {
@@ -48,8 +54,8 @@ bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std:
 
 bool check_points_are_computable(Findings& findings, const FunctionRule& rule, std::size_t part,
                                  const SampledFunction& function) {
-  const auto bad = std::ranges::find_if(
-      function.knots, [](const Knot& knot) { return !computable(knot.x, "") || !computable(knot.y, ""); });
+  const auto bad =
+      std::ranges::find_if(function.knots, [](const Knot& knot) { return !computable(knot.x) || !computable(knot.y); });
   if (bad == function.knots.end()) return true;
   findings.error(rule.field,
                  too_large(fmt::format("point of the {}", title(rule, part)),
@@ -100,8 +106,8 @@ void Findings::about(std::string_view kind, std::size_t index) {
 void Findings::add(Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count) {
   Problem problem{.severity = severity,
                   .message = std::move(finding.message),
-                  .found = std::move(finding.found),
-                  .expected = std::move(finding.expected),
+                  .found = clipped(std::move(finding.found)),
+                  .expected = clipped(std::move(finding.expected)),
                   .hint = std::move(finding.hint),
                   .place = {},
                   .subject = subject_,
@@ -121,7 +127,7 @@ void Findings::note(std::string_view field, Finding finding, std::size_t count) 
 }
 
 bool Findings::finite(std::string_view field, std::string_view what, double value, std::string_view unit) {
-  if (computable(value, unit)) return true;
+  if (computable(value)) return true;
   if (std::isfinite(value)) {
     error(field, too_large(what, value_text(value, unit), unit));
     return false;
@@ -134,7 +140,7 @@ bool Findings::finite(std::string_view field, std::string_view what, double valu
 }
 
 bool Findings::finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
-  if (computable(value.x, unit) && computable(value.y, unit) && computable(value.z, unit)) return true;
+  if (computable(value.x) && computable(value.y) && computable(value.z)) return true;
   if (is_finite(value)) {
     error(field, too_large(what, vector_text(value, unit), unit));
     return false;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "scene/check_objects.hpp"
+#include "scene/limits.hpp"
 #include "waveform/pulse.hpp"
 
 namespace sarsim {
@@ -139,8 +140,8 @@ void check_carrier(Findings& findings, const Radar& radar) {
 
 void check_power(Findings& findings, const Radar& radar) {
   findings.not_negative("power_w", "output power", radar.power_w, "W");
-  findings.finite("transmit_gain", "transmit gain", radar.transmit_gain.db(), "dB");
-  findings.finite("receive_gain", "receive gain", radar.receive_gain.db(), "dB");
+  findings.between("transmit_gain", "transmit gain", radar.transmit_gain.db(), -largest_value, largest_gain_db, "dB");
+  findings.between("receive_gain", "receive gain", radar.receive_gain.db(), -largest_value, largest_gain_db, "dB");
   findings.not_negative("losses", "total of the losses", radar.losses.db(), "dB");
   findings.not_negative("noise_temperature_k", "noise temperature", radar.noise_temperature_k, "K");
 }

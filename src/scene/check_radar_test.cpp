@@ -147,7 +147,7 @@ TEST(CheckRadar, HoldsBeamWidthsBetweenZeroAndAFullCircle) {
   for (const double width_deg : {0.0, -1.0, 361.0}) {
     const Angle width = Angle::from_deg(width_deg);
     expect_error(with_radar([&](Radar& r) { r.transmit_antenna.azimuth_beamwidth = width; }),
-                 radar_field("transmit_antenna"));
+                 radar_field("transmit_antenna.azimuth_beamwidth"));
     EXPECT_TRUE(check(with_radar([&](Radar& r) { r.receive_antenna.azimuth_beamwidth = width; })).empty())
         << "an antenna that is not used";
     const Scene scene = with_radar([&](Radar& r) {
@@ -155,7 +155,8 @@ TEST(CheckRadar, HoldsBeamWidthsBetweenZeroAndAFullCircle) {
       r.receive_antenna.pattern = Antenna::Pattern::sinx;
       r.receive_antenna.elevation_beamwidth = width;
     });
-    EXPECT_THAT(expect_error(scene, radar_field("receive_antenna")).message, HasSubstr("elevation beam width"));
+    EXPECT_THAT(expect_error(scene, radar_field("receive_antenna.elevation_beamwidth")).message,
+                HasSubstr("elevation beam width"));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "scene/check_objects.hpp"
+#include "scene/limits.hpp"
 
 namespace sarsim {
 
@@ -79,6 +80,33 @@ double sample_count(const Simulation& simulation) {
   return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
                         exact_light_speed_mps +
                     0.5);
+}
+
+void report_long_row(Findings& findings, std::string_view field, const char* message, double samples,
+                     std::string found) {
+  findings.error(field, {.message = fmt::format("{} of {:.4g} samples is too long", message, samples),
+                         .found = std::move(found),
+                         .expected = fmt::format("up to {:g} samples", longest_row),
+                         .hint = "Sample more slowly or take a shorter one; a row is made in memory."});
+}
+
+// What is kept in memory as samples: the row, and the pulse where it is correlated with or limited to a band.
+bool check_row_length(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
+  const double columns = sample_count(simulation);
+  const double steps = simulation.processing == Processing::srp ? radar.carrier_steps : 1;
+  if (columns * steps > longest_row) {
+    report_long_row(findings, "range_end_m", "a row", columns * steps,
+                    fmt::format("{} at {}", value_text(simulation.range_end_m - simulation.range_start_m, "m"),
+                                value_text(simulation.sample_rate_hz, "Hz")));
+    return false;
+  }
+  const bool kept = simulation.processing == Processing::matched_filter || pulse == PulseDefinition::band_limited;
+  const double pulse_samples = radar.pulse_width_s * simulation.sample_rate_hz * simulation.width_factor;
+  if (!kept || !(pulse_samples > longest_row)) return true;
+  report_long_row(
+      findings, "sample_rate_hz", "a pulse", pulse_samples,
+      fmt::format("{} at {}", value_text(radar.pulse_width_s, "s"), value_text(simulation.sample_rate_hz, "Hz")));
+  return false;
 }
 
 void check_samples(Findings& findings, const Simulation& simulation, double rows) {
@@ -232,7 +260,9 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
     pulses = check_pulses(findings, window_of(simulation), *repetition);
     check_ranges(findings, simulation, *repetition);
   }
-  if (window_sound && rate_sound) check_samples(findings, simulation, static_cast<double>(pulses.count()));
+  const bool rows_fit = !window_sound || !rate_sound || radar == nullptr ||
+                        check_row_length(findings, simulation, *radar, scene.options.pulse);
+  if (window_sound && rate_sound && rows_fit) check_samples(findings, simulation, static_cast<double>(pulses.count()));
   if (radar != nullptr && rate_sound) check_bandwidth(findings, simulation, *radar, scene.options.pulse);
   if (radar != nullptr && simulation.processing == Processing::srp) check_profile(findings, *radar, pulses);
 }

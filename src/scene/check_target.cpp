@@ -1,4 +1,5 @@
 #include "scene/check_objects.hpp"
+#include "scene/limits.hpp"
 
 namespace sarsim {
 
@@ -36,7 +37,14 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
   bool sound = true;
   for (const Vec3& corner : surface.corner_m) sound = findings.finite("corner_m", "corner", corner, "m") && sound;
   const auto& [a, b, c] = surface.corner_m;
-  if (sound && norm(cross(b - a, c - a)) == 0.0)
+  if (!sound) return;
+  const double area_m2 = 0.5 * norm(cross(b - a, c - a));
+  if (area_m2 > largest_surface_m2)
+    findings.error("corner_m", {.message = "the surface is too large to be filled with points, one per square metre",
+                                .found = value_text(area_m2, "m2"),
+                                .expected = value_text(largest_surface_m2, "m2") + " or less",
+                                .hint = "Corners are given in metres."});
+  if (area_m2 == 0.0)
     findings.warning(Consequence::lost_signal, "corner_m",
                      {.message = "the surface has no area and reflects nothing",
                       .found = "three corners on a line",

@@ -103,13 +103,13 @@ std::vector<Field> radar_fields() {
       {{"radar", 0, "receive_gain"}, [](Scene& s, double v) { s.radars[0].receive_gain = PowerRatio::from_db(v); }},
       {{"radar", 0, "losses"}, [](Scene& s, double v) { s.radars[0].losses = PowerRatio::from_db(v); }},
       {{"radar", 0, "noise_temperature_k"}, [](Scene& s, double v) { s.radars[0].noise_temperature_k = v; }},
-      {{"radar", 0, "transmit_antenna"},
+      {{"radar", 0, "transmit_antenna.azimuth_beamwidth"},
        [](Scene& s, double v) { s.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(v); }},
       {{"radar", 0, "transmit_antenna"},
        [](Scene& s, double v) {
          s.radars[0].transmit_antenna.gain_db.part[0] = points({{v, v}});
        }},
-      {{"radar", 0, "receive_antenna"},
+      {{"radar", 0, "receive_antenna.elevation_beamwidth"},
        [](Scene& s, double v) { s.radars[0].receive_antenna.elevation_beamwidth = Angle::from_deg(v); }},
       {{"radar", 0, "receive_antenna"},
        [](Scene& s, double v) {
@@ -190,6 +190,36 @@ TEST(Check, PutsErrorsBeforeWarningsAndFalseSignalsBeforeSurprises) {
   std::vector<std::string> fields;
   for (const Problem& problem : check(scene)) fields.push_back(problem.subject.field);
   EXPECT_THAT(fields, testing::ElementsAre("columns", "sample_rate_hz", "rcs_m2", "name", "range_start_m"));
+}
+
+TEST(Check, RefusesNumbersThatNothingCanBeComputedWith) {
+  for (const double value : {1e18, -1e18}) {
+    Scene scene = sound_scene();
+    scene.platforms[0].position_m.y = value;
+    EXPECT_FALSE(has_errors(check(scene))) << value;
+    scene.platforms[0].position_m.y = 1.1 * value;
+    EXPECT_THAT(expect_error(scene, {"platform", 0, "position_m"}).message, testing::HasSubstr("too large"));
+  }
+  Scene scene = sound_scene();
+  scene.radars[0].transmit_gain = PowerRatio::from_db(300.1);
+  expect_error(scene, {"radar", 0, "transmit_gain"});
+}
+
+TEST(Check, RefusesASurfaceOfTooManyPoints) {
+  Scene scene = sound_scene();
+  scene.surfaces.push_back({"Earth", {Vec3{}, Vec3{6e3, 0.0, 0.0}, Vec3{0.0, 6e3, 0.0}}});
+  EXPECT_FALSE(has_errors(check(scene)));
+  scene.surfaces.back().corner_m[2].y = 7e3;
+  EXPECT_THAT(expect_error(scene, {"surface", scene.surfaces.size() - 1, "corner_m"}).message,
+              testing::HasSubstr("too large"));
+}
+
+TEST(Check, SaysOfAnObjectWithAnErrorOnlyTheError) {
+  Scene scene = sound_scene();
+  scene.targets[0].rcs_m2 = -1.0;  // A warning.
+  EXPECT_EQ(check(scene).size(), 1U);
+  scene.targets[0].rcs_stddev_m2 = -1.0;
+  expect_error(scene, {"target", 0, "rcs_stddev_m2"});
 }
 
 TEST(Check, NamesTheObjectByItsPositionInItsList) {

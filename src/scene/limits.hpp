@@ -1,19 +1,21 @@
 #pragma once
 
-#include <string_view>
-
 namespace sarsim {
 
 /// No number of a scene may be larger than this (SI units, degrees): far beyond anything physical, and small enough
 /// that squares and products of several such numbers stay finite.
 inline constexpr double largest_value = 1e18;
 
-/// The same for decibels, which are exponents. Losses may be of any size: they only make an echo vanish.
+/// The largest gain of a transmitter or receiver. Losses may be of any size: they only make an echo vanish.
 inline constexpr double largest_gain_db = 300.0;
 
-/// Whether echoes can be computed with a number of this unit ("m", "dB"; SI otherwise); false for NaN.
-[[nodiscard]] constexpr bool computable(double value, std::string_view unit) {
-  return value >= -largest_value && value <= (unit == "dB" ? largest_gain_db : largest_value);
-}
+/// The largest surface, which is filled with a point per square metre; half a gigabyte of them.
+inline constexpr double largest_surface_m2 = 2e7;
+
+/// The most samples of a row, and of a pulse that is kept as samples: a row is made in memory, by every thread.
+inline constexpr double longest_row = 1e7;
+
+/// Whether echoes can be computed with a number; false for NaN.
+[[nodiscard]] constexpr bool computable(double value) { return value >= -largest_value && value <= largest_value; }
 
 }  // namespace sarsim

@@ -56,7 +56,7 @@ bool read_coordinate(const Token& token, const FunctionText& text, bool is_y, Re
   const FunctionAxis& axis = is_y ? text.block.y[text.part] : text.block.x;
   const int shift = is_y ? text.block.y_shift : 0;
   const Range range = is_y && text.block.x_ignored ? above_zero : any_value;  // Lists of intervals and of carriers.
-  if (const std::optional<double> plain = plain_number(token, shift, axis.unit); plain && range.holds(*plain)) {
+  if (const std::optional<double> plain = plain_number(token, shift); plain && range.holds(*plain)) {
     value = *plain;
     return true;
   }
@@ -80,14 +80,18 @@ bool ends_data(const Token& token, const FunctionText& text) {
   return !text.whole_file && token.kind == TokenKind::word && !begins_like_number(token.text) && is_keyword(token.text);
 }
 
-// Reports the first point of a function whose x does not ascend; the rest would only say the same again.
-void check_ascent(const Token& x_token, const FunctionText& text, Reporter& reporter, const std::vector<Knot>& points,
-                  double x, bool& reported) {
-  if (reported || text.block.x_ignored || points.empty() || x > points.back().x) return;
-  reported = true;
-  reporter.error(x_token, text.member,
+// The first point of a function whose x does not ascend; the rest would only say the same again. Nothing is said where
+// the points end early: then a wrong count is the likelier mistake.
+struct Descent {
+  Token x_token;
+  double above = 0.0;
+};
+
+void report(const std::optional<Descent>& descent, const FunctionText& text, Reporter& reporter) {
+  if (!descent) return;
+  reporter.error(descent->x_token, text.member,
                  {fmt::format("{} of the points of {} must ascend", text.block.x.name, subject_of(text)),
-                  shown(x_token.text), fmt::format("more than {}", format_number(points.back().x))});
+                  shown(descent->x_token.text), fmt::format("more than {}", format_number(descent->above))});
 }
 
 }  // namespace
@@ -98,7 +102,7 @@ PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& report
   if (!count) return PointsEnd::broken;
   // A point takes at least four bytes of text, so that a wrong count cannot ask for more memory than the text has.
   points.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, tokens.remaining_bytes() / 4 + 1)));
-  bool descent_reported = false;
+  std::optional<Descent> descent;
   bool x_known = true;
   for (std::uint64_t i = 0; i < *count; ++i) {
     if (ends_data(tokens.peek(), text)) return report_early_end(tokens.peek(), text, reporter, *count, points.size());
@@ -107,11 +111,13 @@ PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& report
     const bool x_good = read_coordinate(x_token, text, false, reporter, point.x);
     if (ends_data(tokens.peek(), text)) return report_early_end(tokens.peek(), text, reporter, *count, points.size());
     static_cast<void>(read_coordinate(tokens.take(), text, true, reporter, point.y));
-    if (x_good && x_known) check_ascent(x_token, text, reporter, points, point.x, descent_reported);
+    const bool comparable = x_good && x_known && !text.block.x_ignored && !points.empty();
+    if (comparable && !descent && !(point.x > points.back().x)) descent = Descent{x_token, points.back().x};
     x_known = x_good;
     points.push_back(point);
     if (reporter.full()) return PointsEnd::broken;
   }
+  report(descent, text, reporter);
   return PointsEnd::complete;
 }
 

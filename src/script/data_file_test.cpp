@@ -57,7 +57,8 @@ TEST(DataFile, IsReadBackBitForBitForEveryBlock) {
     std::vector<SampledFunction> functions(block->count);
     double x = -1.0 / 3.0;
     for (SampledFunction& function : functions)
-      for (int i = 0; i < 50; ++i) function.knots.push_back({x += 1.0 / 7.0, std::ldexp(x, 3 * i - 70)});
+      for (int i = 0; i < 50; ++i)
+        function.knots.push_back({x += 1.0 / 7.0, std::ldexp(block->x_ignored ? std::abs(x) : x, 2 * i - 70)});
     const std::string text = write_data_file(functions, *block);
     const DataFileReading reading = read_data_file(text, "p.dat", *block);
     EXPECT_TRUE(reading.problems.empty()) << text;
@@ -105,6 +106,20 @@ TEST(DataFile, DemandsThatXAscends) {
 }
 
 TEST(DataFile, IgnoresXInLists) { EXPECT_TRUE(read_data_file("3 0 1 0 2 -5 3", "p.dat", carriers).problems.empty()); }
+
+TEST(DataFile, DemandsListsAboveZero) {
+  for (const char* text : {"2 0 1 0 0", "2 0 1 0 -5"}) {
+    const Problems problems = read_data_file(text, "p.dat", carriers).problems;
+    ASSERT_EQ(problems.size(), 1U) << text;
+    EXPECT_EQ(problems[0].place.column, 9U) << text;
+  }
+}
+
+TEST(DataFile, SaysOnlyThatPointsAreMissingWhereTheCountIsWrong) {
+  const Problems problems = read_data_file("9 0 0 1 1 1 0 1 1 1 0", "p.dat", trajectory).problems;
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(holds(problems[0].message, "9 points were announced"));
+}
 
 TEST(DataFile, WarnsOfNumbersBehindTheLastFunction) {
   const Problem problem = data_problem("1 0 1 7", carriers);

@@ -81,7 +81,9 @@ bool FieldReader::leading_name(const Field& field, std::string& name) {
   note_object();
   note_place(field, token);
   name = name_text(token);
-  if (name.empty()) reporter_.error(token, field.member, {fmt::format("{} is empty", field.words)});
+  if (name.empty())
+    reporter_.error(token, field.member,
+                    {fmt::format("{} is empty", field.words), "", "a name with at least one character"});
   return true;
 }
 
@@ -91,7 +93,9 @@ void FieldReader::text(const Field& field, std::string& text) {
   const Token token = take(field);
   note_place(field, token);
   text = name_text(token);
-  if (text.empty()) reporter_.error(token, field.member, {fmt::format("{} is empty", field.words)});
+  if (text.empty())
+    reporter_.error(token, field.member,
+                    {fmt::format("{} is empty", field.words), "", "a name with at least one character"});
 }
 
 void FieldReader::number_in(const Field& field, double& value) {
@@ -146,7 +150,7 @@ void FieldReader::vector(const Field& field, Vec3& value) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (skipping()) return;
     // The plain case first: the words of a coordinate are only put together where something is to be said.
-    const auto plain = more() ? plain_number(peek(), field.shift, field.unit) : std::nullopt;
+    const auto plain = more() ? plain_number(peek(), field.shift) : std::nullopt;
     if (plain && field.range.holds(*plain)) {
       *parts[i] = *plain;
       last_ = reading_.tokens.take();
@@ -244,7 +248,8 @@ void FieldReader::read_file(const Field& field, const FunctionBlock& block, std:
   if (!value_follows(field, "the name of a data file")) return;
   const Token token = take(field);
   file = name_text(token);
-  if (file.empty()) return reporter_.error(token, field.member, {"name of the data file is empty"});
+  if (file.empty())
+    return reporter_.error(token, field.member, {"name of the data file is empty", "", "the name of a file"});
   const DataFileText data = reading_.loader ? reading_.loader(file) : DataFileText{};
   if (!data.failure.empty() || data.path.empty()) {
     const std::string why = data.failure.empty() ? "data file is not available" : data.failure;

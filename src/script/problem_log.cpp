@@ -80,11 +80,10 @@ void check_range(const Token& token, const Field& field, Reporter& reporter, dou
 
 // A number that is finite, and yet so large that nothing can be computed with it.
 bool check_size(const Token& token, const Field& field, Reporter& reporter, double value) {
-  if (computable(value, field.unit)) return true;
-  const double limit = field.unit == "dB" && value > 0.0 ? largest_gain_db : largest_value;
+  if (computable(value)) return true;
   reporter.error(token, field.member,
                  {fmt::format("{} is too large to compute with", field.words), shown(token.text),
-                  fmt::format("a magnitude up to {:g}{}{}", limit * std::pow(10.0, -field.shift),
+                  fmt::format("a magnitude up to {:g}{}{}", largest_value * std::pow(10.0, -field.shift),
                               field.unit.empty() ? "" : " ", field.unit)});
   return false;
 }
@@ -139,11 +138,11 @@ void Reporter::check_spelling(const Token& token, std::string_view member) {
     error(token, member, {"a quote is not closed", "\"" + shown(token.text), "a second '\"' on the same line", ""});
 }
 
-std::optional<double> plain_number(const Token& token, int shift, std::string_view unit) {
+std::optional<double> plain_number(const Token& token, int shift) {
   if (token.comment_follows || token.open_quote) return std::nullopt;
   const std::optional<double> number = parse_number(token.text, shift);
   if (number && *number == 0.0 && holds_digit_above_zero(token.text)) return std::nullopt;
-  if (number && !computable(*number, unit)) return std::nullopt;
+  if (number && !computable(*number)) return std::nullopt;
   return number;
 }
 
@@ -168,9 +167,10 @@ bool read_integer(const Token& token, const Field& field, Reporter& reporter, st
     const std::optional<double> real = parse_number(token.text);
     if (real && *real == std::trunc(*real) && std::abs(*real) < 9e15) number = static_cast<std::int64_t>(*real);
     if (!number && real) {
-      reporter.error(token, field.member,
-                     {fmt::format("{} is not a whole number", field.words), shown(token.text),
-                      expected_number(field, "a whole number")});
+      const char* what = *real == std::trunc(*real) ? "{} is too large" : "{} is not a whole number";
+      reporter.error(
+          token, field.member,
+          {fmt::format(fmt::runtime(what), field.words), shown(token.text), expected_number(field, "a whole number")});
       return false;
     }
   }

@@ -70,7 +70,7 @@ class Reporter {
 };
 
 /// The number of a token about which nothing at all is to be said; fast, for the many that are so.
-[[nodiscard]] std::optional<double> plain_number(const Token& token, int shift, std::string_view unit);
+[[nodiscard]] std::optional<double> plain_number(const Token& token, int shift);
 
 /// Reads a token as the number that `field` describes. On failure reports why and gives nothing; a number outside the
 /// field's range is reported and given all the same.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/limits.hpp"
 #include "scene/scene.hpp"
 #include "script/grammar.hpp"
 
@@ -32,8 +33,8 @@ inline constexpr Field carrier_steps{"carrier_steps", "number of frequencies", "
 inline constexpr Field pulses_per_step{"pulses_per_step", "pulses at each frequency", "", 0, {1.0, 100.0}};
 inline constexpr Field carrier_list{"carrier_list_hz", "carrier frequencies"};
 inline constexpr Field power{"power_w", "transmitted power", "kW", 3, zero_or_more};
-inline constexpr Field transmit_gain{"transmit_gain", "gain of the transmitter", "dB", 0, zero_or_more};
-inline constexpr Field receive_gain{"receive_gain", "gain of the receiver", "dB", 0, zero_or_more};
+inline constexpr Field transmit_gain{"transmit_gain", "gain of the transmitter", "dB", 0, {0.0, largest_gain_db}};
+inline constexpr Field receive_gain{"receive_gain", "gain of the receiver", "dB", 0, {0.0, largest_gain_db}};
 inline constexpr Field losses{"losses", "losses of the system", "dB", 0, zero_or_more};
 inline constexpr Field noise_temperature{"noise_temperature_k", "noise temperature", "K", 0, zero_or_more};
 inline constexpr Field transmit_antenna{"transmit_antenna", "transmit antenna"};

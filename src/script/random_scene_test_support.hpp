@@ -30,13 +30,13 @@ class RandomScenes {
     return scene;
   }
 
-  /// Any finite number: zero, a typed-looking decimal, a whole number, or all 64 bits at random.
+  /// A number that a scene may hold: zero, a typed-looking decimal, a whole number, or all 64 bits at random.
   double number() {
     switch (below(5)) {
       case 0: return 0.0;
       case 1: return static_cast<double>(below(20001)) - 10000.0;
       case 2: return (static_cast<double>(below(2000001)) - 1e6) / 1000.0;
-      case 3: return std::ldexp(uniform() - 0.5, static_cast<int>(below(120)) - 60);
+      case 3: return std::ldexp(uniform() - 0.5, static_cast<int>(below(110)) - 60);
       default: return any_bits();
     }
   }
@@ -56,7 +56,7 @@ class RandomScenes {
   // Finite, of a magnitude that survives the change of units (GHz to Hz and back).
   double any_bits() {
     const double mantissa = 1.0 + uniform();
-    const double value = std::ldexp(mantissa, static_cast<int>(below(1900)) - 950);
+    const double value = std::ldexp(mantissa, static_cast<int>(below(1000)) - 950);
     return coin() ? value : -value;
   }
 
@@ -80,8 +80,10 @@ class RandomScenes {
   }
 
   Vec3 vector() { return {number(), number(), number()}; }
+  Vec3 magnitudes() { return {not_negative(), not_negative(), not_negative()}; }
+  Angle magnitude() { return Angle::from_deg(not_negative()); }
   Angle angle() { return Angle::from_deg(number()); }
-  PowerRatio gain() { return coin() ? PowerRatio{} : PowerRatio::from_db(not_negative()); }
+  PowerRatio gain() { return coin() ? PowerRatio{} : PowerRatio::from_db(between(0.0, 300.0)); }
   std::array<Angle, 3> angles() { return {angle(), angle(), angle()}; }
 
   SampledFunction sampled(bool ascending) {
@@ -89,7 +91,7 @@ class RandomScenes {
     function.method = one_of<Interpolation>(3);
     double x = std::ldexp(uniform() - 0.5, 10);
     for (std::uint64_t i = below(6); i > 0; --i) {
-      function.knots.push_back({ascending ? x : number(), number()});
+      function.knots.push_back({ascending ? x : number(), ascending ? number() : positive()});
       x += std::ldexp(1.0 + uniform(), static_cast<int>(below(20)) - 10);
     }
     return function;
@@ -120,12 +122,12 @@ class RandomScenes {
     platform.rotation_rate = angles();
     platform.position_error = one_of<Platform::MotionError>(2);
     if (platform.position_error == Platform::MotionError::gaussian)
-      platform.position_stddev_m = vector();
+      platform.position_stddev_m = magnitudes();
     else
       platform.position_envelope = function<3>();
     platform.rotation_error = one_of<Platform::MotionError>(2);
     if (platform.rotation_error == Platform::MotionError::gaussian)
-      platform.rotation_stddev = angles();
+      platform.rotation_stddev = {magnitude(), magnitude(), magnitude()};
     else
       platform.rotation_envelope = function<3>();
     return platform;
@@ -142,15 +144,15 @@ class RandomScenes {
     Target target;
     target.platform = name();
     target.position_m = vector();
-    target.position_stddev_m = vector();
+    target.position_stddev_m = magnitudes();
     target.rcs_m2 = number();
-    target.rcs_stddev_m2 = number();
+    target.rcs_stddev_m2 = not_negative();
     target.reflectivity = one_of<Target::Reflectivity>(2);
     if (target.reflectivity == Target::Reflectivity::isotropic) return target;
     target.azimuth = angle();
     target.elevation = angle();
-    target.azimuth_stddev = angle();
-    target.elevation_stddev = angle();
+    target.azimuth_stddev = magnitude();
+    target.elevation_stddev = magnitude();
     target.gain = one_of<Target::Gain>(2);
     if (target.gain == Target::Gain::user) target.gain_db = function<1>();
     return target;

@@ -60,7 +60,11 @@ ScriptReading read_script(std::string_view text, const std::string& file_name, c
   const std::size_t control = find_control_byte(text);
   if (control != std::string_view::npos) {
     ProblemLog log(problem_limit);
-    Reporter(log, file_name, {}).error(token_at(text, control), "", {"not a text file", "", "a script as text"});
+    const bool wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    Reporter(log, file_name, {})
+        .error(
+            token_at(text, control), "",
+            {"not a text file", "", "a script as text", wide ? "it looks like UTF-16: save it as UTF-8 or ASCII" : ""});
     result.problems = log.take();
     return result;
   }

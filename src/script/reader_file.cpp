@@ -90,6 +90,15 @@ DataFileText load(const fs::path& script_folder, const std::string& name) {
   return {{}, {}, fmt::format("data file not found; looked for {}", looked_at)};
 }
 
+// What to do about a script that cannot be read.
+std::string remedy(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status)) return "look at the name and the folder; file names are case-sensitive";
+  if (fs::is_directory(status)) return "name a script in that folder";
+  return "give a text file that you may read";
+}
+
 }  // namespace
 
 DataFileLoader disk_loader(const fs::path& script_folder) {
@@ -103,6 +112,7 @@ ScriptReading read_script_file(const fs::path& path) {
   Problem problem;
   problem.message = fmt::format("cannot read the script: {}", bytes.failure);
   problem.place.file = path.string();
+  problem.hint = remedy(path);
   result.problems.push_back(std::move(problem));
   return result;
 }

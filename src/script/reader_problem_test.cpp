@@ -259,4 +259,28 @@ TEST(ReaderProblem, ShowsOnlyTheBeginningOfAVeryLongText) {
   EXPECT_LT(problem.found.size(), 100U);
 }
 
+TEST(ReaderProblem, RefusesFiniteNumbersThatAreTooLargeToComputeWith) {
+  EXPECT_EQ(
+      to_string(target_problem("0 -1e300 0 0 0 0 1 0 ISO")),
+      "t.scr:1:13: error: position y is too large to compute with; found '-1e300', expected a magnitude up to 1e+18 "
+      "m");
+  EXPECT_TRUE(holds(radar_problem("CHIRP 1e10 100 RECT CON 1 SIN 1 1 0 0").expected, "up to 1e+09 GHz"));
+  EXPECT_TRUE(problems_of("$TARGET E 0 1e18 0 0 0 0 1 0 ISO").empty());
+}
+
+TEST(ReaderProblem, PlacesANegativeDeviationAtItsOwnCoordinate) {
+  const Problem problem = target_problem("0 0 0 0 -1 0 1 0 ISO");
+  EXPECT_EQ(problem.place.column, 19U);
+  EXPECT_TRUE(holds(problem.message, "standard deviation of position y"));
+}
+
+TEST(ReaderProblem, RecognizesUtf16) {
+  EXPECT_TRUE(holds(only_problem(std::string_view("\xFF\xFE$\0T\0", 6)).hint, "UTF-16"));
+  EXPECT_EQ(only_problem(std::string_view("\x7F"
+                                          "ELF\0",
+                                          5))
+                .hint,
+            "");
+}
+
 }  // namespace sarsim

@@ -46,6 +46,13 @@ UserFunction<N> some_function() {
   return function;
 }
 
+// Intervals or carriers, which have to be above zero.
+UserFunction<1> some_list() {
+  UserFunction<1> list = some_function<1>();
+  list.part[0].knots[1].y = 7.0;
+  return list;
+}
+
 }  // namespace
 
 TEST(RoundTrip, KeepsAThousandRandomScenesBitForBit) {
@@ -95,9 +102,9 @@ TEST(RoundTrip, KeepsAUserFunctionInEveryPlaceOfTheLanguage) {
   radar.envelope = Radar::Envelope::user;
   radar.envelope_gain = some_function<1>();
   radar.repetition = Radar::Repetition::user;
-  radar.pri_s = some_function<1>();
+  radar.pri_s = some_list();
   radar.carrier = Radar::Carrier::user;
-  radar.carrier_list_hz = some_function<1>();
+  radar.carrier_list_hz = some_list();
   radar.transmit_antenna.pattern = Antenna::Pattern::user;
   radar.transmit_antenna.gain_db = some_function<2>();
   radar.same_antenna = false;

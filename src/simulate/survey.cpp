@@ -80,7 +80,7 @@ class Surveyor {
                  ? ""
                  : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
     if (!check_echoes(survey, plan)) return;
-    check_surfaces(survey);
+    check_surfaces(survey, plan);
     check_window(survey, plan);
     check_doppler(survey, plan);
     check_lsb(survey, plan);
@@ -151,9 +151,9 @@ class Surveyor {
     return sound;
   }
 
-  void check_surfaces(const EchoSurvey& survey) {
+  void check_surfaces(const EchoSurvey& survey, const Plan& plan) {
     for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
-      if (!survey.surface_faces_radar[i])
+      if (!survey.surface_faces_radar[i] && !plan.scene->sheets[i].points_m.empty())
         problems_.push_back({Severity::warning,
                              "the surface shows its back to the radar and gives no echo" + scope_,
                              "",

@@ -117,6 +117,24 @@ TEST(Survey, RefusesATargetAtTheRadarsPosition) {
   EXPECT_EQ(problems[0].subject.index, 1u);
 }
 
+TEST(Survey, SaysOnceThatATargetIsImpossibleWhateverRecordsIt) {
+  Scene scene = sound_scene();
+  scene.targets.push_back(target_on("Earth", {}));
+  scene.simulations.push_back(scene.simulations[0]);
+  EXPECT_EQ(survey(scene).size(), 1u);
+}
+
+TEST(Survey, RefusesATargetFasterThanLight) {
+  Scene scene = sound_scene();
+  Platform comet;
+  comet.name = "Comet";
+  comet.path = Platform::Path::trajectory;
+  comet.trajectory_m.part[0].knots = {{0.0, 1000.0}, {1.0, 3.1e8}};
+  scene.platforms.push_back(comet);
+  scene.targets.push_back(target_on("Comet", {}));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "position_m", "fast as light")));
+}
+
 TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
   Scene scene = sound_scene();
   scene.radars[0].prf_hz = 200e3;  // 749 m

@@ -1,9 +1,11 @@
 """Runs sarsim on a bad input in a folder of its own and says what is wrong with how it took it."""
 
 import dataclasses
+import functools
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -16,8 +18,8 @@ PROBLEM = re.compile(r"^(?:\S+: )?(?:sarsim: )?(?P<severity>error|warning|note):
 
 
 def program():
-    """The program under test; the environment variable SARSIM_PROGRAM overrules what the build gives."""
-    name = os.environ.get("SARSIM_PROGRAM")
+    """The program under test; the environment variable SARSIM_PROGRAM overrules what the build names."""
+    name = os.environ.get("SARSIM_PROGRAM") or os.environ.get("SARSIM_BUILT_PROGRAM")
     if not name:
         raise SystemExit("set SARSIM_PROGRAM to the program to test")
     return os.path.abspath(name)
@@ -42,7 +44,9 @@ class Case:
     shell: str = ""  # Instead of the command; {sarsim} stands for the program.
     makes: typing.Sequence[str] = ()  # Files that a command that ends well leaves.
     anywhere: bool = False  # The message has a place, which is not marked.
+    alone: bool = True  # Nothing else is said but the one error.
     user: int | None = None  # Run as this user where the tests run as root.
+    mounts: bool = False  # Makes a small disk of its own.
     shown: str = ""  # The command line for the table, where it is not the default one.
 
 
@@ -148,7 +152,7 @@ def faults_of_problem(case, seen, marked):
         return [f"{len(problems)} {case.severity}s instead of one"]
     problem = problems[0]
     faults = []
-    if case.severity == "error" and len(seen.paragraphs()) != 1:
+    if case.severity == "error" and case.alone and len(seen.paragraphs()) != 1:
         faults.append("more is said than the one error")
     place = PLACE.match(problem)
     if marked and not problem.startswith(marked + ": "):
@@ -169,6 +173,8 @@ def faults(case, seen, marked):
         found.append(f"exit status {seen.status} instead of {case.status}")
     if case.severity:
         found += faults_of_problem(case, seen, marked)
+    elif case.hint and seen.err and "\n    " not in seen.err and "Make room" not in seen.err:
+        found.append("there is no hint")
     found += [f"the message does not say: {text}" for text in case.message if not re.search(text, seen.err, re.DOTALL)]
     if seen.out:
         found.append("something stands on standard output")
@@ -177,6 +183,31 @@ def faults(case, seen, marked):
     found += [change for change in seen.changes if change.removesuffix(": left behind") not in case.makes]
     found += [f"{name} was not made" for name in case.makes if f"{name}: left behind" not in seen.changes]
     return found
+
+
+@functools.cache
+def can_mount():
+    """Whether a small disk can be made without being the superuser."""
+    if not shutil.which("unshare"):
+        return False
+    command = ["unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=100k none /mnt"]
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+@functools.cache
+def can_run_as(user):
+    """Whether the program can be started as this user, which only the superuser has to care about."""
+    if os.geteuid() != 0:
+        return True
+    try:
+        return subprocess.run([program(), "--version"], user=user, capture_output=True, check=False).returncode == 0
+    except PermissionError:
+        return False
+
+
+def possible(case):
+    """Whether a case can be tried on this machine."""
+    return (not case.mounts or can_mount()) and (case.user is None or can_run_as(case.user))
 
 
 def try_case(case):

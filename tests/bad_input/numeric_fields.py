@@ -1,8 +1,8 @@
 """Every numeric field of the script language with every value that is none.
 
-In SCENE a line `~VALUE  what it is | more bad values` is a numeric field on a line of its own. `#` before the value marks
-a whole number, `*` a number of points. A bad value with a `+` behind it is found at the line after its own, where it
-contradicts what stands there.
+In SCENE a line `~VALUE  what it is | more bad values` is a numeric field on a line of its own. `#` before the value
+marks a whole number, `*` a number of points. A bad value with a `+` behind it is found at the line after its own, where
+it contradicts what stands there.
 """
 
 import dataclasses
@@ -306,7 +306,8 @@ def case_of(field, value):
     lines[marked] = "@" + lines[marked]
     message = []
     if value in NO_NUMBERS:
-        message = [rf"{field.words}\b.* (is not a number|is too large a number|is not a seed|whole number)", f"found '{value}'"]
+        wrong = "is not a number|is too large a number|is not a seed|whole number"
+        message = [rf"{field.words}\b.* ({wrong})", f"found '{value}'"]
     return Case(
         f"{field.command} line {field.line}, {field.words}: {value}",
         f"{field.words} is {value}",

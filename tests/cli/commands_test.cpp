@@ -129,7 +129,7 @@ TEST_F(Commands, FormatWritesFilesWithCare) {
   const std::string formatted = sarsim({"format", "scene.scr"}).out;
   EXPECT_EQ(sarsim({"format", "scene.scr", "-o", "new.scr"}).status, 0);
   EXPECT_EQ(text_of(folder_ / "new.scr"), formatted);
-  EXPECT_EQ(sarsim({"format", "scene.scr", "-o", "new.scr"}).status, 1);
+  EXPECT_EQ(sarsim({"format", "scene.scr", "-o", "new.scr"}).status, 2);
   EXPECT_EQ(sarsim({"format", "scene.scr", "--in-place"}).status, 0);
   EXPECT_EQ(text_of(folder_ / "scene.scr"), formatted);
 }
