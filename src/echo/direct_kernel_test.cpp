@@ -54,6 +54,7 @@ TEST(DirectKernel, AddsEveryBarkerCodeLikeTheReference) {
         for (const double samples : {7.3, 77.77, 156.0}) {
           EchoPulse pulse = test_pulse(Pulse::Kind::code, samples);
           pulse.pulse.code = barker_code(code);
+          pulse.lead_s = code % 2 == 0 ? 0.0 : 0.5 * pulse.pulse.width_s;
           const SampleGrid grid = test_grid(400);
           expect_reference(pulse, grid, random_echoes(40, grid, samples, speed_mps));
         }

@@ -36,7 +36,7 @@ class RowGenerator {
         std::floor(std::exp(uniform(std::log(20.0), std::log(1500.0)))) + (chance(0.5) ? uniform(0.0, 1.0) : 0.0);
     r.carrier_hz = rate_hz * uniform(5.0, 50.0);
     r.grid = {uniform(1.0, 100.0) * 1e-6, 1.0 / rate_hz,
-              static_cast<std::size_t>(std::exp(uniform(std::log(200.0), std::log(4000.0))))};
+              static_cast<std::size_t>(std::exp(uniform(std::log(200.0), std::log(3000.0))))};
     r.pulse.light_speed_mps = light_mps;
     r.pulse.pulse = pulse(samples / rate_hz, rate_hz, r.kind);
     r.pulse.lead_s = chance(0.5) ? 0.0 : 0.5 * r.pulse.pulse.width_s;

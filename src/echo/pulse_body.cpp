@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/constants.hpp"
-#include "math/window.hpp"
 
 namespace sarsim {
 
@@ -16,20 +15,27 @@ constexpr double beta_of_skirts = 20.8;
 
 constexpr std::size_t step_points = 1024;  // cubic interpolation between them: error below 1e-12
 
-// Integral of Kaiser's window from -1 to 2x - 1, normalised to 1, tabulated for x in [0, 1].
+// Integral of Kaiser's window from -1 to 2x - 1, normalised to 1, tabulated for x in [0, 1]: Simpson's rule on the
+// rising half, the other is its mirror image.
 std::vector<double> kaiser_step(double beta) {
-  constexpr int panels = 4;
+  constexpr std::size_t panels = 4;
   std::vector<double> table(step_points + 1, 0.0);
-  for (std::size_t i = 0; i < step_points; ++i) {
-    double sum = 0.0;
-    for (int k = 0; k <= 2 * panels; ++k) {
-      const double x = (static_cast<double>(i) + k / (2.0 * panels)) / step_points;
-      const double weight = (k == 0 || k == 2 * panels) ? 1.0 : (k % 2 == 1 ? 4.0 : 2.0);
-      sum += weight * kaiser_window(2.0 * x - 1.0, beta);
-    }
-    table[i + 1] = table[i] + sum;
+  const auto window = [&](std::size_t node) {
+    const double x = static_cast<double>(node) / (2.0 * panels * step_points);
+    return std::cyl_bessel_i(0.0, beta * 2.0 * std::sqrt(x * (1.0 - x)));
+  };
+  double before = window(0);
+  for (std::size_t i = 0; i < step_points / 2; ++i) {
+    double sum = before;
+    for (std::size_t k = 1; k < 2 * panels; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * window(2 * panels * i + k);
+    before = window(2 * panels * (i + 1));
+    table[i + 1] = table[i] + sum + before;
   }
-  for (double& value : table) value /= table.back();
+  const double whole = 2.0 * table[step_points / 2];
+  for (std::size_t i = 0; i <= step_points / 2; ++i) {
+    table[i] /= whole;
+    table[step_points - i] = 1.0 - table[i];
+  }
   return table;
 }
 

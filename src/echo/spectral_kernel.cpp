@@ -15,10 +15,10 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_terms = 24;   // of the Doppler expansion; beyond, pulses are added directly
+constexpr std::size_t most_terms = 24;             // of the Doppler expansion; beyond, pulses are added directly
 constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per thread
-constexpr std::size_t bands_kept = 4;    // allowances for Doppler shifts whose transforms are remembered
-constexpr std::size_t oversampling = 4;  // of the body, for its spectrum
+constexpr std::size_t bands_kept = 4;              // allowances for Doppler shifts whose transforms are remembered
+constexpr std::size_t oversampling = 4;            // of the body, for its spectrum
 
 // How an error budget is divided and what follows from it.
 struct Settings {

@@ -14,7 +14,7 @@ constexpr double filter_beta = 14.0;
 constexpr double cut_fraction = 0.92;      // Fc/F
 constexpr double half_length_band = 28.0;  // Th F
 constexpr double interpolation_beta = 28.0;
-constexpr double edge_tolerance = 1e-9;    // of a sampling interval (decision 8)
+constexpr double edge_tolerance = 1e-9;  // of a sampling interval (decision 8)
 
 double semicircle_window(double z, double beta) {
   const double inside = (1.0 - z) * (1.0 + z);

@@ -59,8 +59,8 @@ def file_cases():
         ),
         Case(
             "nothing_asked",
-            "script without $SIMULATION and $GEOMETRY",
-            {SCRIPT: SCENE[: SCENE.index("$SIM")]},
+            "script that describes nothing: options alone",
+            {SCRIPT: "$OPTIONS SEED 2\n"},
             message=[r"scene\.scr: .*asks for nothing"],
         ),
     ]

@@ -215,13 +215,20 @@ TEST_F(RunCommand, ScriptIsNeverReplacedByItsProduct) {
   EXPECT_EQ(text_of(folder_ / "scene.scr"), scene.text());
 }
 
-TEST_F(RunCommand, ScriptsThatAskForNothingAreRefused) {
+TEST_F(RunCommand, ScenesWithoutProductsAreNothingToDo) {
   SceneText scene;
   scene.files = {};
   write_scene(scene);
   const Finished run = sarsim({"run", "scene.scr"});
-  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.err, HasSubstr("$SIMULATION"));
+}
+
+TEST_F(RunCommand, ScriptsThatDescribeNothingAreRefused) {
+  write_text(folder_ / "scene.scr", "$OPTIONS SEED 2\n");
+  const Finished run = sarsim({"run", "scene.scr"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("asks for nothing"));
 }
 
 TEST_F(RunCommand, AllMistakesAreShownAtOnceWithTheirPlaces) {
