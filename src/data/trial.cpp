@@ -15,7 +15,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr rlim_t more_bytes = rlim_t{2} << 30U;
+constexpr rlim_t more_bytes = rlim_t{512} << 20U;
 
 // Address space of this process in bytes; 0 where the system does not say.
 rlim_t mapped_bytes() {

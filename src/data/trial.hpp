@@ -11,7 +11,7 @@ enum class TrialResult { passed, crashed, timed_out };
 /// crash.
 ///
 /// The child has its own copy of everything; what it computes is lost, exceptions count as survival, it prints nothing,
-/// and it may map at most 2 GB more than this process. A child that still runs after `seconds` is ended.
+/// and it may map at most 512 MB more than this process. A child that still runs after `seconds` is ended.
 /// @throws std::system_error where no child can be made
 [[nodiscard]] TrialResult run_trial(const std::function<void()>& work, unsigned seconds);
 

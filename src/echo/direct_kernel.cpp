@@ -48,11 +48,18 @@ void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, c
   std::ranges::fill(sum_.re, 0.0);
   std::ranges::fill(sum_.im, 0.0);
   add_tones(tones_, single_precision_, sum_, scratch_);
-  for (std::size_t n = 0; n < row.size(); ++n) {
-    const double re = sum_.re[n];
-    const double im = sum_.im[n];
-    const std::complex<double> c = chirp_.empty() ? 1.0 : chirp_[n % block_];
-    row[n] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
+  if (chirp_.empty()) {
+    for (std::size_t n = 0; n < row.size(); ++n) row[n] += std::complex(sum_.re[n], sum_.im[n]);
+    return;
+  }
+  for (std::size_t first = 0; first < row.size(); first += block_) {
+    const std::size_t count = std::min(block_, row.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double re = sum_.re[first + i];
+      const double im = sum_.im[first + i];
+      const std::complex<double> c = chirp_[i];
+      row[first + i] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
+    }
   }
 }
 

@@ -23,7 +23,8 @@ constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::aut
 constexpr double direct_echo_ns = 40.0;
 constexpr double direct_sample_ns = 0.13;
 constexpr double shaped_sample_ns = 30.0;  // pulses that the direct kernel leaves to the reference
-constexpr double spread_term_ns = 6.0;
+constexpr double spread_ns = 6.0;
+constexpr double doppler_term_ns = 20.0;  // spreading again and the weight of the term
 constexpr double edge_sample_ns = 0.35;
 constexpr double transform_point_ns = 4.0;
 
@@ -84,9 +85,9 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   const SpectralCost cost =
       SpectralKernel::cost(pulse, grid, tolerance, radar.carrier.highest_hz(), doppler_span(scene, radar, pulses));
   const auto terms = static_cast<double>(cost.doppler_terms);
-  const double spectral_ns =
-      echoes * (4.0 + spread_term_ns * terms + edge_sample_ns * static_cast<double>(cost.edge_samples)) +
-      transform_point_ns * terms * static_cast<double>(cost.transform_size);
+  const double spectral_ns = echoes * (4.0 + (terms > 1.0 ? doppler_term_ns * terms : spread_ns) +
+                                       edge_sample_ns * static_cast<double>(cost.edge_samples)) +
+                             transform_point_ns * terms * static_cast<double>(cost.transform_size);
   constexpr std::size_t largest_transform = std::size_t{1} << 27U;
   if (cost.doppler_terms > 20 || cost.transform_size > largest_transform || direct_ns <= spectral_ns)
     return {Engine::direct,
