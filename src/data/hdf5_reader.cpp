@@ -233,20 +233,49 @@ void read_through(const SampleReader& reader) {
   (void)reader.axes();
 }
 
+// A problem as text and back, for the way from one process to the other.
+std::string packed(const Problem& problem) {
+  return problem.message + '\0' + problem.found + '\0' + problem.expected + '\0' + problem.hint;
+}
+
+Problem unpacked(const std::string& text) {
+  std::array<std::string, 4> part;
+  std::size_t index = 0;
+  for (const char c : text)
+    if (c == '\0' && index + 1 < part.size())
+      ++index;
+    else
+      part[index] += c;
+  Problem problem;
+  problem.message = part[0];
+  problem.found = part[1];
+  problem.expected = part[2];
+  problem.hint = part[3];
+  return problem;
+}
+
 }  // namespace
 
 OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
-  // libhdf5 trusts what a file says of itself and can crash or hang on a damaged one; so a child process goes first.
+  // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
+  // So a child process goes first, and this one opens only what the child could read.
   constexpr unsigned patience_s = 20;
-  const TrialResult trial = run_trial(
+  const std::string good = "good";
+  const TrialReport trial = run_trial(
       [&] {
         const OpenedReader opened = open_here(path, file_bytes, hints);
-        if (opened.reader) read_through(*opened.reader);
+        if (!opened.reader) return packed(opened.problems.front());
+        read_through(*opened.reader);
+        return good;
       },
       patience_s);
-  if (trial != TrialResult::passed)
-    return refused(path.string(), file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
-                                                               trial == TrialResult::crashed ? "crashes" : "hangs")));
+  if (trial.result != TrialResult::passed)
+    return refused(path.string(),
+                   file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
+                                                trial.result == TrialResult::crashed ? "crashes" : "hangs")));
+  if (trial.text.empty())
+    return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library cannot read all of it"));
+  if (trial.text != good) return refused(path.string(), unpacked(trial.text));
   return open_here(path, file_bytes, hints);
 }
 

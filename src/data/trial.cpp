@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -33,7 +34,14 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(resource, &value);
 }
 
-[[noreturn]] void child(const std::function<void()>& work, unsigned seconds, rlim_t mapped) {
+// Writes what fits into the pipe's own buffer, so that nobody has to read meanwhile.
+void send(int pipe_end, const std::string& text) {
+  constexpr std::size_t most = 60'000;
+  const ssize_t sent = ::write(pipe_end, text.data(), std::min(text.size(), most));
+  (void)sent;  // A lost text is an empty one.
+}
+
+[[noreturn]] void child(const std::function<std::string()>& work, unsigned seconds, rlim_t mapped, int pipe_end) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGINT, SIGTERM})
     std::signal(signal, SIG_DFL);
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -45,26 +53,48 @@ void limit(int resource, rlim_t most) {
   if (mapped > 0) limit(RLIMIT_AS, mapped + more_bytes);
   ::alarm(seconds);
   try {
-    work();
+    send(pipe_end, work());
   } catch (...) {
-    // An exception is an answer: the same call in the parent gives it again.
+    // An exception is an answer too.
   }
   ::_exit(0);
 }
 
+std::string everything_from(int pipe_end) {
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ssize_t got = ::read(pipe_end, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(got));
+  }
+}
+
 }  // namespace
 
-TrialResult run_trial(const std::function<void()>& work, unsigned seconds) {
+TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds) {
+  const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
   const rlim_t mapped = mapped_bytes();
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
   const pid_t process = ::fork();
-  if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process to try a file in");
-  if (process == 0) child(work, seconds, mapped);
+  if (process < 0) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    fail("cannot start a process to try a file in");
+  }
+  if (process == 0) child(work, seconds, mapped, ends[1]);
+  ::close(ends[1]);
+  TrialReport report;
+  report.text = everything_from(ends[0]);
+  ::close(ends[0]);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR)
-      throw std::system_error(errno, std::generic_category(), "cannot wait for the process that tries a file");
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return TrialResult::passed;
-  return WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM ? TrialResult::timed_out : TrialResult::crashed;
+    if (errno != EINTR) fail("cannot wait for the process that tries a file");
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return report;
+  const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+  return {late ? TrialResult::timed_out : TrialResult::crashed, {}};
 }
 
 }  // namespace sarsim

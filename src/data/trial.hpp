@@ -1,18 +1,25 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace sarsim {
 
 /// How a trial ended.
 enum class TrialResult { passed, crashed, timed_out };
 
-/// Runs `work` in a child process and tells whether it survived: for calls into a library that a damaged file can
-/// crash.
+struct TrialReport {
+  TrialResult result = TrialResult::passed;
+  std::string text;  ///< What the work returned, where it passed.
+};
+
+/// Runs `work` in a child process and tells whether it survived, and what it returned: for calls into a library that a
+/// damaged file can crash.
 ///
-/// The child has its own copy of everything; what it computes is lost, exceptions count as survival, it prints nothing,
-/// and it may map at most 512 MB more than this process. A child that still runs after `seconds` is ended.
+/// The child has its own copy of everything; but for the text, what it computes is lost. An exception counts as
+/// survival with an empty text. The child prints nothing and may map at most 512 MB more than this process; one that
+/// still runs after `seconds` is ended. The text may have up to 60 000 bytes.
 /// @throws std::system_error where no child can be made
-[[nodiscard]] TrialResult run_trial(const std::function<void()>& work, unsigned seconds);
+[[nodiscard]] TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds);
 
 }  // namespace sarsim

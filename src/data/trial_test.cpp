@@ -12,22 +12,30 @@ namespace sarsim {
 namespace {
 
 TEST(Trial, TellsSurvivalFromCrashAndHang) {
-  EXPECT_EQ(run_trial([] {}, 5), TrialResult::passed);
-  EXPECT_EQ(run_trial([] { throw std::runtime_error("an answer"); }, 5), TrialResult::passed);
-  EXPECT_EQ(run_trial([] { std::abort(); }, 5), TrialResult::crashed);
+  EXPECT_EQ(run_trial([] { return std::string(); }, 5).result, TrialResult::passed);
+  EXPECT_EQ(run_trial([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result, TrialResult::passed);
+  EXPECT_EQ(run_trial([]() -> std::string { std::abort(); }, 5).result, TrialResult::crashed);
   volatile bool never = false;
   EXPECT_EQ(run_trial(
                 [&] {
                   while (!never) {
                   }
+                  return std::string();
                 },
-                1),
+                1)
+                .result,
             TrialResult::timed_out);
 }
 
-TEST(Trial, LeavesThisProcessAsItWas) {
+TEST(Trial, BringsBackTheTextAndNothingElse) {
   int value = 1;
-  EXPECT_EQ(run_trial([&] { value = 2; }, 5), TrialResult::passed);
+  const TrialReport report = run_trial(
+      [&] {
+        value = 2;
+        return std::string(50'000, 'x') + '\0' + "end";
+      },
+      5);
+  EXPECT_EQ(report.text, std::string(50'000, 'x') + '\0' + "end");
   EXPECT_EQ(value, 1);
 }
 
@@ -40,6 +48,16 @@ TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
   EXPECT_FALSE(opened.file.has_value());
   ASSERT_FALSE(opened.problems.empty());
   EXPECT_EQ(opened.problems.front().severity, Severity::error);
+}
+
+// Another: the library asks for 17 GB because a header says so.
+TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
+  const auto path =
+      std::filesystem::path(__FILE__).parent_path() / "../../fuzz/corpus/hdf5_samples/claims_17_gigabytes.h5";
+  ASSERT_TRUE(std::filesystem::exists(path));
+  const OpenedSampleFile opened = SampleFile::open(path);
+  EXPECT_FALSE(opened.file.has_value());
+  EXPECT_FALSE(opened.problems.empty());
 }
 
 }  // namespace
