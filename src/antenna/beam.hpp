@@ -14,7 +14,7 @@ enum class PointingRule {
                  ///< (1998).
 };
 
-/// Where an antenna points (thesis 4.4; engine-behaviour 7). Angles in the platform's frame, azimuth from +y towards
+/// Where an antenna points (thesis 4.4; decision 11). Angles in the platform's frame, azimuth from +y towards
 /// +x.
 struct Beam {
   enum class Kind { fixed, rotating, spot, user };

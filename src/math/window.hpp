@@ -6,7 +6,7 @@
 
 namespace sarsim {
 
-/// Weights on x in [0, 1], symmetric about 1/2 (Harris 1978; the forms of script-format 2.4).
+/// Weights on x in [0, 1], symmetric about 1/2 (Harris 1978; the forms of the script language, docs/formats/script.md).
 
 /// (1 + h - (1 - h) cos 2 pi x)/2: a Hann window on a pedestal h in [0, 1].
 inline double hanning_window(double x, double pedestal) {

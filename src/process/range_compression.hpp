@@ -26,9 +26,9 @@ struct CompressionFilter {
 [[nodiscard]] CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* band_limited,
                                                const WindowFunction& window, double sample_rate_hz);
 
-/// Filter of the classic profile (engine-behaviour 16): both ends of the pulse included, envelope left out, divided by
-/// twice the sampling rate; a point target's peak is A Tp/2 times the window's mean. A user-defined pulse is matched as
-/// it is.
+/// Filter of the classic profile (docs/theory/compression.md): both ends of the pulse included, envelope left out,
+/// divided by twice the sampling rate; a point target's peak is A Tp/2 times the window's mean. A user-defined pulse is
+/// matched as it is.
 [[nodiscard]] CompressionFilter classic_matched_filter(const Pulse& pulse, const WindowFunction& window,
                                                        double sample_rate_hz);
 

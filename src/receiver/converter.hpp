@@ -18,7 +18,7 @@ struct ConversionTally {
   void add(const ConversionTally& other);
 };
 
-/// An A/D converter for I and Q: count = floor(v/LSB + 1/2) clipped to [-C, C + 1] (engine-behaviour 17).
+/// An A/D converter for I and Q: count = floor(v/LSB + 1/2) clipped to [-C, C + 1] (decision 24).
 /// Counts are exact up to 53 bits; beyond, they are the multiples that doubles can hold.
 struct Converter {
   int bits = 8;

@@ -11,7 +11,7 @@ namespace sarsim {
 /// arguments and never hear of a profile.
 struct Conventions {
   enum class SampleSpacing { sampling_rate, window_fraction };  ///< c/(2 fs), or (end - start)/N for raw data.
-  enum class Compression { keeps_peak, pulse_energy };          ///< Decision 12; engine-behaviour 16.
+  enum class Compression { keeps_peak, pulse_energy };          ///< Decision 12; docs/theory/compression.md.
   enum class Noise { per_sample, per_bandwidth };  ///< kT fs in all; sqrt(kTB) in I and in Q (thesis 4.1-4.3).
   enum class Stc { receiver_gain, no_spreading };  ///< Gain at the sample's range; 1/d^2 left out of the amplitude.
 

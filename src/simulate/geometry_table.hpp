@@ -11,7 +11,7 @@
 
 namespace sarsim {
 
-/// Column bits of a geometry table (script-format 2.7).
+/// Column bits of a geometry table (docs/formats/geometry-table.md).
 enum GeometryColumn : int {
   geometry_time = 1,
   geometry_frequency = 2,
@@ -24,8 +24,8 @@ enum GeometryColumn : int {
 };
 
 /// Writes the table of a `$GEOMETRY` command: four header lines, then a line per pulse, in the columns and widths of
-/// script-format 6. Every target has its columns in every line; where its range c tau/2 lies outside the window they
-/// hold "nan". Radial speeds are signed (positive receding), the frequency of a line is that of its pulse.
+/// docs/formats/geometry-table.md. Every target has its columns in every line; where its range c tau/2 lies outside the
+/// window they hold "nan". Radial speeds are signed (positive receding), the frequency of a line is that of its pulse.
 /// @param write  takes the text piece by piece
 /// @throws Interrupted when stopped
 void write_geometry_text(const Scene& scene, const GeometryTable& table,

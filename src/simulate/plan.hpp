@@ -56,7 +56,7 @@ struct Plan {
   [[nodiscard]] std::int64_t first_pulse_of_row(std::size_t row) const;
 };
 
-/// Range samples of a window: floor(2 fs (end - start)/c + 1/2) (script-format 2.5, decision 2).
+/// Range samples of a window: floor(2 fs (end - start)/c + 1/2) (decision 2).
 [[nodiscard]] double sample_count(const Simulation& simulation, double light_speed_mps);
 
 /// Decides everything about simulation number `index` of a scene.

@@ -71,7 +71,7 @@ struct ResolvedScene {
   std::vector<Interpolator> gain_curves;
 };
 
-/// Points per square metre that a `$SURFACE` is filled with (script-format 2.6).
+/// Points per square metre that a `$SURFACE` is filled with (docs/theory/echo-model.md).
 inline constexpr double surface_points_per_m2 = 1.0;
 
 /// Resolves everything but the radars. The scene must have passed `check`; a name that is not found is

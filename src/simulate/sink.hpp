@@ -39,7 +39,7 @@ struct Block {
   std::span<const std::int64_t> counts;  ///< 2 * rows * columns signed counts, or empty where the sink wants none.
 };
 
-/// What the original printed after a run, in SI units (script-format 5.5).
+/// What the original printed after a run, in SI units.
 struct RunReport {
   std::size_t rows = 0;
   std::size_t columns = 0;
