@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "math/window.hpp"
 
 namespace sarsim {
 
@@ -22,7 +23,7 @@ std::vector<double> kaiser_step(double beta) {
   std::vector<double> table(step_points + 1, 0.0);
   const auto window = [&](std::size_t node) {
     const double x = static_cast<double>(node) / (2.0 * panels * step_points);
-    return std::cyl_bessel_i(0.0, beta * 2.0 * std::sqrt(x * (1.0 - x)));
+    return bessel_i0(beta * 2.0 * std::sqrt(x * (1.0 - x)));
   };
   double before = window(0);
   for (std::size_t i = 0; i < step_points / 2; ++i) {
