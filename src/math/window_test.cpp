@@ -43,7 +43,7 @@ TEST(BartlettWindow, IsATriangle) {
 // Abramowitz and Stegun, table 9.8: exp(-x) I0(x) at 1, 5 and 20 to ten digits; and the library's function.
 TEST(BesselI0, HasTheTabulatedValues) {
   EXPECT_EQ(bessel_i0(0.0), 1.0);
-  EXPECT_NEAR(std::exp(-1.0) * bessel_i0(1.0), 0.4657596077, 5e-11);
+  EXPECT_NEAR(std::exp(-1.0) * bessel_i0(1.0), 0.4657596076, 5e-11);
   EXPECT_NEAR(std::exp(-5.0) * bessel_i0(5.0), 0.1835408126, 5e-11);
   EXPECT_NEAR(std::exp(-20.0) * bessel_i0(20.0), 0.0897803119, 5e-11);
   for (double x = 0.1; x < 40.0; x += 0.7) EXPECT_NEAR(bessel_i0(x) / std::cyl_bessel_i(0.0, x), 1.0, 1e-13) << x;
