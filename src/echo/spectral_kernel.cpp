@@ -5,6 +5,7 @@
 #include <list>
 
 #include "base/constants.hpp"
+#include "echo/complex_rows.hpp"
 #include "echo/direct_kernel.hpp"
 #include "echo/pulse_body.hpp"
 #include "echo/spreading.hpp"
@@ -15,7 +16,6 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_terms = 24;             // of the Doppler expansion; beyond, pulses are added directly
 constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per thread
 constexpr std::size_t bands_kept = 4;              // allowances for Doppler shifts whose transforms are remembered
 constexpr std::size_t oversampling = 4;            // of the body, for its spectrum
@@ -40,7 +40,7 @@ std::size_t terms_for(double z, double error) {
   double bound = 2.0;
   for (std::size_t terms = 1;; ++terms) {
     bound *= 0.5 * z / static_cast<double>(terms);
-    if (bound < error || terms > most_terms) return terms;
+    if (bound < error || terms > most_doppler_terms) return terms;
   }
 }
 
@@ -53,13 +53,7 @@ double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
   return 2.0 * pi * largest;
 }
 
-// A span of D = 2v/c on a fixed ladder of spans, so that neighbouring pulses share spectra.
-struct DopplerSpan {
-  double middle = 0.0;
-  double half = 0.0;
-  friend bool operator==(const DopplerSpan&, const DopplerSpan&) = default;
-};
-
+// A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
 DopplerSpan span_covering(double lowest, double highest) {
   if (lowest == highest) return {lowest, 0.0};
   // Half spans are powers of two; middles are multiples of half of that.
@@ -79,15 +73,12 @@ double allowance_for(double shift) {
   return shift <= trifle ? 0.0 : std::exp2(std::ceil(std::log2(shift)));
 }
 
-double node(std::size_t r, std::size_t terms) {
-  return std::cos(pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
-}
-
 }  // namespace
 
 struct SpectralKernel::Implementation {
   virtual ~Implementation() = default;
   virtual void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) = 0;
+  virtual void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) = 0;
 };
 
 template <class Real>
@@ -120,7 +111,8 @@ struct SpectralKernel::Typed : Implementation {
     }
   };
 
-  Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance)
+  Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance,
+        const RowFilter& filter)
       : pulse(&echo_pulse),
         grid(sample_grid),
         settings(choices),
@@ -133,23 +125,74 @@ struct SpectralKernel::Typed : Implementation {
         row_fft(row_size),
         folded(row_size) {
     edge_row.resize(grid.count);
+    has_body = body.has_body() && make_pieces();
+    if (!filter.taps.empty()) set_filter(filter);
+  }
+
+  void set_filter(const RowFilter& filter) {
+    // Correlation: the transform of the filter run backwards in time.
+    std::vector<std::complex<double>> backwards(row_size);
+    for (std::size_t k = 0; k < filter.taps.size(); ++k) backwards[(row_size - k) % row_size] = filter.taps[k];
+    const Fft fft(row_size);
+    fft.forward(backwards);
+    response.assign(backwards.begin(), backwards.end());
+    output_index.assign(filter.output_index.begin(), filter.output_index.end());
   }
 
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) override {
+    if (!add_bodies(carrier_hz, echoes)) {
+      if (!position.empty()) direct.add(row, carrier_hz, echoes);
+      return;
+    }
+    row_fft.inverse(folded);
+    add_row<Real>(row, std::span(folded).first(row.size()));
+    if (pieces.empty()) return;
+    add_edge_pieces(carrier_hz);
+    add_row<Real>(row, std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, row.size()));
+  }
+
+  void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) override {
+    if (!add_bodies(carrier_hz, echoes)) {
+      if (position.empty()) return;
+      raw_row.assign(grid.count, {});
+      direct.add(raw_row, carrier_hz, echoes);
+      std::ranges::fill(folded, std::complex<Real>());
+      time_row.assign(row_size, {});
+      std::ranges::transform(raw_row, time_row.begin(), [](std::complex<double> z) { return std::complex<Real>(z); });
+      add_time_row();
+    } else if (!pieces.empty()) {
+      add_edge_pieces(carrier_hz);
+      time_row.assign(row_size, {});
+      std::ranges::copy(std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, grid.count), time_row.begin());
+      add_time_row();
+    }
+    multiply_by<Real>(folded, response);
+    row_fft.inverse(folded);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += std::complex<double>(folded[output_index[i]]);
+  }
+
+  // Adds the spectrum of a row of samples to that of the bodies.
+  void add_time_row() {
+    row_fft.forward(time_row);
+    const Real scale = Real(1) / static_cast<Real>(row_size);
+    for (std::size_t j = 0; j < row_size; ++j) folded[j] += scale * time_row[j];
+  }
+
+  // The spectrum of the row's bodies, into `folded`; false where the echoes are better added directly, or there are
+  // none.
+  bool add_bodies(double carrier_hz, const EchoBatch& echoes) {
     gather(carrier_hz, echoes);
-    if (position.empty()) return;
+    if (position.empty()) return false;
     const auto [lowest, highest] =
         gathered.moving ? std::ranges::minmax(doppler) : std::ranges::minmax_result<double>{0.0, 0.0};
     const DopplerSpan span = span_covering(lowest, highest);
-    if (!body.has_body() || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_terms) {
-      direct.add(row, carrier_hz, echoes);
-      return;
-    }
+    if (!has_body || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_doppler_terms)
+      return false;
     Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * carrier_hz * grid.interval_s);
     const Spectra& s = spectra_for(band, span, carrier_hz);
     spread_terms(band, s);
-    transform(band, s, row);
-    add_edge_pieces(carrier_hz, row);
+    transform(band, s);
+    return true;
   }
 
   Band& band_for(double shift) {
@@ -176,72 +219,44 @@ struct SpectralKernel::Typed : Implementation {
   }
 
   void spread_terms(const Band& band, const Spectra& s) {
-    const std::size_t count = position.size();
-    const double scale = static_cast<double>(band.cells) / static_cast<double>(row_size);
-    cell_position.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const double wrapped = position[k] < 0.0 ? position[k] + static_cast<double>(row_size) : position[k];
-      cell_position[k] = std::min(wrapped * scale, static_cast<double>(band.cells));
-    }
     spread_grid.resize(band.cells, s.terms);
     spread_grid.clear();
     if (s.terms == 1) {
-      spread<Real>(taps, kernel.width, cell_position, strength, spread_grid);
+      spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strength, spread_grid);
       return;
     }
-    weighted.resize(count * s.terms);
-    for (std::size_t k = 0; k < count; ++k) weigh(k, count, s);
-    spread<Real>(taps, kernel.width, cell_position, weighted, spread_grid);
+    weigh_strengths(gathered, s.span, s.terms, weighted);
+    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, weighted, spread_grid);
   }
 
-  // Strengths of one echo for the Doppler nodes: Lagrange's polynomials in Chebyshev form.
-  void weigh(std::size_t k, std::size_t count, const Spectra& s) {
-    const double x = (doppler[k] - s.span.middle) / s.span.half;
-    const auto terms = static_cast<double>(s.terms);
-    for (std::size_t r = 0; r < s.terms; ++r) {
-      const double xr = node(r, s.terms);
-      double sum = 0.5;
-      double before = 1.0, now = x, node_before = 1.0, node_now = xr;
-      for (std::size_t m = 1; m < s.terms; ++m) {
-        sum += now * node_now;
-        const double next = 2.0 * x * now - before;
-        const double node_next = 2.0 * xr * node_now - node_before;
-        before = now, now = next, node_before = node_now, node_now = node_next;
-      }
-      weighted[r * count + k] = strength[k] * static_cast<Real>(2.0 * sum / terms);
-    }
-  }
-
-  // Grid to modes, times the factors, folded into the sampled band, back to samples.
-  void transform(const Band& band, const Spectra& s, std::span<std::complex<double>> row) {
+  // Grid to modes, times the factors, folded into the sampled band.
+  void transform(const Band& band, const Spectra& s) {
     std::ranges::fill(folded, std::complex<Real>());
     for (std::size_t r = 0; r < s.terms; ++r) {
       const std::span<std::complex<Real>> cell = spread_grid.fold(r);
       band.grid_fft.forward(cell);
-      const std::complex<Real>* factor = s.factor[r].data();
-      const auto half = static_cast<std::ptrdiff_t>(band.modes);
-      const auto size = static_cast<std::ptrdiff_t>(row_size);
-      std::ptrdiff_t bin = ((-half % size) + size) % size;
-      for (std::ptrdiff_t j = -half; j < half; ++j) {
-        const std::complex<Real> c =
-            cell[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(band.cells) : j)];
-        const std::complex<Real> f = factor[j + half];
-        auto& out = folded[static_cast<std::size_t>(bin)];
-        out = {out.real() + (c.real() * f.real() - c.imag() * f.imag()),
-               out.imag() + (c.real() * f.imag() + c.imag() * f.real())};
-        if (++bin == size) bin = 0;
-      }
+      fold_modes(cell.last(band.modes), std::span(s.factor[r]).first(band.modes), row_size - band.modes % row_size);
+      fold_modes(cell.first(band.modes), std::span(s.factor[r]).last(band.modes), 0);
     }
-    row_fft.inverse(folded);
-    for (std::size_t n = 0; n < row.size(); ++n) row[n] += std::complex<double>(folded[n]);
   }
 
-  void add_edge_pieces(double carrier_hz, std::span<std::complex<double>> row) {
-    if (body.edges().empty()) return;
-    if (pieces.empty()) make_pieces();
+  // Adds modes times factors to the bins of the row from `bin` on, again and again around the circle.
+  void fold_modes(std::span<const std::complex<Real>> modes, std::span<const std::complex<Real>> factors,
+                  std::size_t bin) {
+    bin %= row_size;
+    for (std::size_t from = 0; from < modes.size();) {
+      const std::size_t count = std::min(modes.size() - from, row_size - bin);
+      add_products<Real>(std::span(folded).subspan(bin, count), modes.subspan(from, count),
+                         factors.subspan(from, count));
+      from += count;
+      bin = 0;
+    }
+  }
+
+  // The samples next to the hard edges, into `edge_row`.
+  void add_edge_pieces(double carrier_hz) {
     edge_row.clear();
-    for (std::size_t e = 0; e < pieces.size(); ++e) {
-      EdgePiece<Real>& piece = pieces[e];
+    for (EdgePiece<Real>& piece : pieces) {
       piece.doppler_offset = body.doppler_turns(piece.start, carrier_hz);
       piece.doppler_bend = 0.5 * (body.doppler_turns(piece.start + 1.0, carrier_hz) +
                                   body.doppler_turns(piece.start - 1.0, carrier_hz)) -
@@ -251,11 +266,10 @@ struct SpectralKernel::Typed : Implementation {
       add_edges<Real>(piece, position, strength,
                       gathered.moving ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
     }
-    for (std::size_t n = 0; n < row.size(); ++n)
-      row[n] += std::complex<double>(edge_row.samples[n + EdgeRow<Real>::padding]);
   }
 
-  void make_pieces() {
+  // False where a pulse is too wild next to its edges for polynomials.
+  bool make_pieces() {
     const auto width = static_cast<double>(settings.edge_samples);
     for (const PulseBody::Edge& edge : body.edges()) {
       // Kept off the border by a hair, so that a value there is the one inside the piece.
@@ -265,17 +279,20 @@ struct SpectralKernel::Typed : Implementation {
         const double x = t / width;
         return body.value(inside(edge.start + t)) * (1.0 - body.step(edge.rising ? x : 1.0 - x));
       };
-      EdgePiece<Real> piece;
-      piece.start = edge.start;
-      piece.samples = fit_lanes<Real>(
+      auto samples = fit_lanes<Real>(
           2 * settings.edge_samples,
           [&](std::size_t lane, double x) {
             const std::complex<double> e = left_out(lane / 2, x);
             return lane % 2 == 0 ? e.real() : e.imag();
           },
           0.3 * settings.share);
+      if (!samples) return false;
+      EdgePiece<Real> piece;
+      piece.start = edge.start;
+      piece.samples = std::move(*samples);
       pieces.push_back(std::move(piece));
     }
+    return true;
   }
 
   const Spectra& spectra_for(Band& band, const DopplerSpan& span, double carrier_hz) {
@@ -305,7 +322,7 @@ struct SpectralKernel::Typed : Implementation {
     s.carrier_hz = carrier_hz;
     s.terms = span.half > 0.0 ? terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) : 1;
     for (std::size_t r = 0; r < s.terms; ++r) {
-      const double d = span.middle + (span.half > 0.0 ? span.half * node(r, s.terms) : 0.0);
+      const double d = span.middle + (span.half > 0.0 ? span.half * doppler_node(r, s.terms) : 0.0);
       s.factor.push_back(mode_factors(band, d, carrier_hz));
     }
     return s;
@@ -362,19 +379,25 @@ struct SpectralKernel::Typed : Implementation {
   std::vector<double>& position = gathered.position;
   std::vector<std::complex<Real>>& strength = gathered.strength;
   std::vector<double>& doppler = gathered.doppler;
-  std::vector<double> cell_position;
   std::vector<std::complex<Real>> weighted;
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
-  std::vector<std::complex<Real>> folded;
+  bool has_body = false;
+  std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
+
+  std::vector<std::complex<Real>> response;  // of the filter
+  std::vector<std::size_t> output_index;
+  std::vector<std::complex<Real>> time_row;
+  std::vector<std::complex<double>> raw_row;
 };
 
-SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance) {
+SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance,
+                               const RowFilter& filter) {
   const Settings settings(tolerance);
   if (settings.single_precision)
-    implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance);
+    implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance, filter);
   else
-    implementation_ = std::make_unique<Typed<double>>(pulse, grid, settings, tolerance);
+    implementation_ = std::make_unique<Typed<double>>(pulse, grid, settings, tolerance, filter);
 }
 
 SpectralKernel::~SpectralKernel() = default;
@@ -383,6 +406,10 @@ SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
 
 void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
   implementation_->add(row, carrier_hz, echoes);
+}
+
+void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) {
+  implementation_->add_filtered(out, carrier_hz, echoes);
 }
 
 SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, double carrier_hz,
@@ -395,7 +422,7 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
   cost.edge_samples = body.edges().size() * settings.edge_samples;
   cost.transform_size = static_cast<std::size_t>(4.0 * body.half_band() * row);
   cost.doppler_terms = terms_for(largest_doppler_rad(body, carrier_hz) * doppler_span, settings.share);
-  if (!body.has_body()) cost.doppler_terms = most_terms + 1;
+  if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
   return cost;
 }
 

@@ -19,6 +19,13 @@ struct SpectralCost {
   std::size_t doppler_terms = 1;    ///< For the Doppler span asked about.
 };
 
+/// A finite filter that a row passes: out[i] = sum over k of taps[k] row[output_index[i] + k], all of them inside the
+/// row.
+struct RowFilter {
+  std::span<const std::complex<double>> taps;
+  std::span<const std::size_t> output_index;
+};
+
 /// Adds the echoes of a pulse through a type-1 non-uniform Fourier transform: cost per echo independent of the pulse's
 /// length (docs/theory/spectral-kernel.md). The same definition of a row as `add_echoes`, to the tolerance.
 ///
@@ -39,13 +46,18 @@ struct SpectralCost {
 class SpectralKernel {
  public:
   /// Keeps a reference to the pulse.
-  SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance);
+  /// @param filter  for `add_filtered`; nothing of it is kept
+  SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, const RowFilter& filter = {});
   ~SpectralKernel();
   SpectralKernel(SpectralKernel&&) noexcept;
   SpectralKernel& operator=(SpectralKernel&&) noexcept;
 
   /// As `add_echoes`.
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
+  /// Adds the echoes as the filter passes them, one factor more of the spectrum: what `add` and then the filter would
+  /// give, to the tolerance.
+  /// @param[in,out] out  as many samples as the filter has outputs
+  void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes);
 
   /// Estimate for choosing a kernel.
   /// @param doppler_span  largest minus smallest 2v/c among the echoes of a pulse

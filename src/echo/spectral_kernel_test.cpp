@@ -184,6 +184,90 @@ TEST(SpectralKernel, LeavesARowAloneThatNoEchoTouches) {
     }
 }
 
+// A row through a filter, sum by sum.
+ComplexRow filtered(const ComplexRow& row, const RowFilter& filter) {
+  ComplexRow out(filter.output_index.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (std::size_t k = 0; k < filter.taps.size(); ++k) out[i] += filter.taps[k] * row.at(filter.output_index[i] + k);
+  return out;
+}
+
+// The filter's largest gain: its error is at most that of the row times this.
+double largest_gain(const ComplexRow& taps) {
+  double largest = 0.0;
+  for (int i = 0; i < 4096; ++i) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t k = 0; k < taps.size(); ++k)
+      sum += taps[k] * std::polar(1.0, 2.0 * pi * std::remainder(static_cast<double>(k) * i / 4096.0, 1.0));
+    largest = std::max(largest, std::abs(sum));
+  }
+  return largest;
+}
+
+void expect_filtered(const EchoPulse& pulse, const SampleGrid& grid, const EchoBatch& echoes,
+                     const std::vector<std::size_t>& index, const ComplexRow& taps) {
+  const RowFilter filter{taps, index};
+  const ComplexRow expected = filtered(reference_row(pulse, grid, carrier_hz, echoes), filter);
+  const double strength = strength_of(pulse, grid, echoes) * largest_gain(taps);
+  for (const double tolerance : tolerances) {
+    SpectralKernel kernel(pulse, grid, tolerance, filter);
+    ComplexRow out(index.size(), {0.5, -2.0});  // is added to
+    kernel.add_filtered(out, carrier_hz, echoes);
+    for (auto& z : out) z -= std::complex(0.5, -2.0);
+    EXPECT_LT(relative_error(out, expected, strength), tolerance) << tolerance;
+    const ComplexRow raw = row_of(kernel, grid, carrier_hz, echoes);  // and the row is still to be had
+    EXPECT_LT(relative_error(raw, reference_row(pulse, grid, carrier_hz, echoes), strength_of(pulse, grid, echoes)),
+              tolerance);
+  }
+}
+
+ComplexRow replica(const EchoPulse& pulse, std::size_t count) {
+  ComplexRow taps(count);
+  for (std::size_t k = 0; k < count; ++k)
+    taps[k] = std::conj(pulse.pulse.value(static_cast<double>(k) * test_interval_s)) / static_cast<double>(count);
+  return taps;
+}
+
+std::vector<std::size_t> every(std::size_t stride, std::size_t count) {
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < count; i += stride) index.push_back(i);
+  return index;
+}
+
+TEST(SpectralKernel, FiltersEchoesInTheSpectrumLikeASumOverTheRow) {
+  const SampleGrid grid = test_grid(400);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  const EchoPulse code = test_pulse(Pulse::Kind::code, 350.0);
+  const EchoPulse band = band_limited_test_pulse(60.0, 0.9);
+  const double moving = 0.3 * cycle_mps(100.0);
+  for (const EchoPulse& pulse : {chirp, code, band, test_pulse(Pulse::Kind::mono, 40.0)})
+    for (const double speed : {0.0, moving}) {
+      const EchoBatch echoes = random_echoes(30, grid, 120.0, speed);  // some overhang either end
+      expect_filtered(pulse, grid, echoes, every(1, 300), replica(chirp, 101));
+      expect_filtered(pulse, grid, echoes, every(3, 400), ComplexRow{{0.0, 2.0}});
+    }
+}
+
+// Pulses without a body and pulses that turn too often are added as samples before they are filtered.
+TEST(SpectralKernel, FiltersWhatItAddsDirectly) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chip = test_pulse(Pulse::Kind::chirp, 7.5, 0.8);
+  expect_filtered(chip, grid, random_echoes(20, grid, 9.0, 100.0), every(1, 290), replica(chip, 8));
+  const EchoPulse mono = test_pulse(Pulse::Kind::mono, 120.0);
+  expect_filtered(mono, grid, moving_echoes(grid, 0.0, 12.0 * cycle_mps(120.0)), every(1, 181), replica(mono, 120));
+}
+
+TEST(SpectralKernel, FiltersNothingWhereNoEchoTouchesTheRow) {
+  const SampleGrid grid = test_grid(100);
+  const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 80.0, 0.8);
+  const ComplexRow taps = replica(pulse, 80);
+  const std::vector<std::size_t> index = every(1, 20);
+  SpectralKernel kernel(pulse, grid, 1e-6, {taps, index});
+  ComplexRow out(20, {1.0, 1.0});
+  kernel.add_filtered(out, carrier_hz, {});
+  for (const auto& z : out) EXPECT_EQ(z, std::complex(1.0, 1.0));
+}
+
 TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {
   const SampleGrid grid = test_grid(1000);
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 200.0, 0.8);

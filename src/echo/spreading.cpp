@@ -1,7 +1,6 @@
 #include "echo/spreading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -14,187 +13,140 @@
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::HWY_NAMESPACE {
 
+// Where a block of echoes goes: for each the first sample or cell it touches, and what of the table of polynomials
+// belongs to its fraction.
+template <class Real>
+struct Places {
+  static constexpr std::size_t most = 64;
+  HWY_ALIGN Real y[most];
+  HWY_ALIGN double fraction[most];  // of a sample, to that first sample
+  HWY_ALIGN double cell[most];
+  HWY_ALIGN double table[most];  // offset of the piece's coefficients
+};
+
+// `x` in [0, 1): the piece of it and the position inside.
+template <class Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void place_on_pieces(D d, V x, const LanePolynomials<Real>& lanes, std::size_t k, Places<Real>& out) {
+  const auto pieces = static_cast<double>(lanes.pieces);
+  const auto scaled = hn::Mul(x, hn::Set(d, pieces));
+  const auto piece = hn::Min(hn::Floor(scaled), hn::Set(d, pieces - 1.0));
+  const auto y = hn::Sub(hn::Sub(scaled, piece), hn::Set(d, 0.5));
+  hn::Store(hn::Mul(piece, hn::Set(d, static_cast<double>((lanes.degree + 1) * lanes.lanes))), d, out.table + k);
+  if constexpr (sizeof(Real) == 4) {
+    const hn::Rebind<float, D> narrow;
+    hn::StoreU(hn::DemoteTo(narrow, y), narrow, out.y + k);
+  } else {
+    hn::Store(y, d, out.y + k);
+  }
+}
+
+// A copy of positions [first, first + count), padded to whole vectors.
+HWY_INLINE void padded_copy(std::span<const double> position, std::size_t first, std::size_t count,
+                            double* HWY_RESTRICT out) {
+  const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
+  std::copy_n(position.begin() + static_cast<std::ptrdiff_t>(first), count, out);
+  for (; count % lanes != 0; ++count) out[count] = out[0];
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 // One lane holds no pair of a real and an imaginary part: plain loops.
 
 template <class Real>
-Real lane_value(const LanePolynomials<Real>& lanes, std::size_t lane, Real y) {
-  Real sum = lanes.coefficients[lane];
-  for (std::size_t p = 1; p <= lanes.degree; ++p) sum = sum * y + lanes.coefficients[p * lanes.lanes + lane];
+Real lane_value(const LanePolynomials<Real>& lanes, std::size_t table, std::size_t lane, Real y) {
+  const Real* at = lanes.coefficients.data() + table + lane;
+  Real sum = at[0];
+  for (std::size_t p = 1; p <= lanes.degree; ++p) sum = sum * y + at[p * lanes.lanes];
   return sum;
 }
 
-template <class Real>
-void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
-                      std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    const double left = position[k] - 0.5 * static_cast<double>(width);
-    const double cell = std::ceil(left);
-    const auto y = static_cast<Real>(cell - left - 0.5);
-    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) +
-                                             static_cast<std::ptrdiff_t>(SpreadGrid<Real>::padding));
-    for (std::size_t tap = 0; tap < width; ++tap) {
-      const Real weight = lane_value(taps, 2 * tap, y);
+template <class Real, std::size_t Degree, std::size_t Chunks>
+void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first, std::size_t count,
+                  std::size_t total, std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(places.cell[k]);
+    const auto table = static_cast<std::size_t>(places.table[k]);
+    for (std::size_t tap = 0; 2 * tap < taps.lanes; ++tap) {
+      const Real weight = lane_value(taps, table, 2 * tap, places.y[k]);
       for (std::size_t r = 0; r < grid.term.size(); ++r)
-        grid.term[r][at + tap] += weight * strength[r * position.size() + k];
+        grid.term[r][at + tap] += weight * strength[r * total + first + k];
     }
-  }
-}
-
-template <class Real>
-void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
-                         std::span<const std::complex<Real>> strength, std::span<const double> doppler,
-                         EdgeRow<Real>& row) {
-  const std::size_t samples = piece.samples.lanes / 2;
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    const double start = position[k] + piece.start;
-    const double first = std::ceil(start - 1e-9);
-    if (first <= -static_cast<double>(samples) || first >= static_cast<double>(row.count)) continue;
-    const double fraction = std::max(0.0, first - start);
-    const auto y = static_cast<Real>(fraction - 0.5);
-    const auto at = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(first) +
-                                             static_cast<std::ptrdiff_t>(EdgeRow<Real>::padding));
-    for (std::size_t i = 0; i < samples; ++i) {
-      std::complex<Real> z(lane_value(piece.samples, 2 * i, y), lane_value(piece.samples, 2 * i + 1, y));
-      if (!doppler.empty()) {
-        const double t = static_cast<double>(i) + fraction;
-        const double turns = doppler[k] * (piece.doppler_offset + t * (piece.doppler_slope + t * piece.doppler_bend));
-        z *= std::complex<Real>(std::polar(1.0, -6.283185307179586476925 * (turns - std::round(turns))));
-      }
-      row.samples[at + i] += strength[k] * z;
-    }
-  }
-}
-
-#else
-
-// Even and odd powers by Horner's rule side by side, unrolled: half the chain of dependent operations. Degree 0 stands
-// for one that is only known at run time.
-template <std::size_t Degree, class D>
-HWY_INLINE hn::Vec<D> polynomial(D d, const hn::TFromD<D>* HWY_RESTRICT coefficients, std::size_t stride,
-                                 std::size_t degree, hn::Vec<D> y) {
-  const std::size_t last = Degree > 0 ? Degree : degree;
-  const auto y2 = hn::Mul(y, y);
-  auto first = hn::LoadU(d, coefficients);
-  auto second = hn::LoadU(d, coefficients + stride);
-  std::size_t p = 2;
-  for (; p + 1 <= last; p += 2) {
-    first = hn::MulAdd(first, y2, hn::LoadU(d, coefficients + p * stride));
-    second = hn::MulAdd(second, y2, hn::LoadU(d, coefficients + (p + 1) * stride));
-  }
-  if (p > last) return hn::MulAdd(first, y, second);
-  return hn::MulAdd(second, y, hn::MulAdd(first, y2, hn::LoadU(d, coefficients + p * stride)));
-}
-
-#if HWY_HAVE_SCALABLE
-#define SARSIM_HOLD_COEFFICIENTS 0  // vectors without a size known to the compiler cannot stand in arrays
-#else
-#define SARSIM_HOLD_COEFFICIENTS 1
-#endif
-
-// The polynomials of one vector of lanes; where degree and stride are known, their coefficients stay in registers.
-template <std::size_t Degree, class D>
-struct Polynomials {
-  using T = hn::TFromD<D>;
-  using V = hn::Vec<D>;
-  const T* HWY_RESTRICT coefficients;
-  std::size_t stride;
-  std::size_t degree;
-#if SARSIM_HOLD_COEFFICIENTS
-  V held[Degree + 1];
-#endif
-
-  HWY_INLINE Polynomials(D d, const LanePolynomials<T>& all, std::size_t lane)
-      : coefficients(all.coefficients.data() + lane), stride(all.lanes), degree(all.degree) {
-#if SARSIM_HOLD_COEFFICIENTS
-    if constexpr (Degree > 0)
-      for (std::size_t p = 0; p <= Degree; ++p) held[p] = hn::LoadU(d, coefficients + p * stride);
-#else
-    (void)d;
-#endif
-  }
-
-  HWY_INLINE V operator()(D d, V y) const {
-#if SARSIM_HOLD_COEFFICIENTS
-    if constexpr (Degree > 1) {
-      const auto y2 = hn::Mul(y, y);
-      auto first = held[0];
-      auto second = held[1];
-      for (std::size_t p = 2; p + 1 <= Degree; p += 2) {
-        first = hn::MulAdd(first, y2, held[p]);
-        second = hn::MulAdd(second, y2, held[p + 1]);
-      }
-      if constexpr (Degree % 2 == 1) return hn::MulAdd(first, y, second);
-      return hn::MulAdd(second, y, hn::MulAdd(first, y2, held[Degree]));
-    }
-#endif
-    return polynomial<Degree>(d, coefficients, stride, degree, y);
-  }
-};
-
-// Calls f with the degree as a compile-time constant where it is a usual one.
-template <class F>
-HWY_INLINE void with_degree(std::size_t degree, const F& f) {
-  switch (degree) {
-    case 6: return f(std::integral_constant<std::size_t, 6>());
-    case 7: return f(std::integral_constant<std::size_t, 7>());
-    case 8: return f(std::integral_constant<std::size_t, 8>());
-    case 9: return f(std::integral_constant<std::size_t, 9>());
-    case 10: return f(std::integral_constant<std::size_t, 10>());
-    case 11: return f(std::integral_constant<std::size_t, 11>());
-    case 12: return f(std::integral_constant<std::size_t, 12>());
-    case 13: return f(std::integral_constant<std::size_t, 13>());
-    case 14: return f(std::integral_constant<std::size_t, 14>());
-    case 15: return f(std::integral_constant<std::size_t, 15>());
-    case 16: return f(std::integral_constant<std::size_t, 16>());
-    default: return f(std::integral_constant<std::size_t, 0>());
   }
 }
 
 template <class Real, std::size_t Degree, std::size_t Chunks>
-HWY_INLINE void spread_loop(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
-                            std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
-  const hn::ScalableTag<Real> d;
-  constexpr std::ptrdiff_t padding = SpreadGrid<Real>::padding;
-  const std::size_t lanes = hn::Lanes(d);
-  const std::size_t chunks = Chunks > 0 ? Chunks : (2 * width + lanes - 1) / lanes;
-  const std::size_t count = position.size();
-  const std::size_t terms = grid.term.size();
-  const double half_width = 0.5 * static_cast<double>(width);
-  const Polynomials<Chunks == 1 ? Degree : 0, hn::ScalableTag<Real>> only(d, taps, 0);
+void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first, std::size_t count,
+                std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row) {
+  const std::size_t samples = piece.samples.lanes / 2;
   for (std::size_t k = 0; k < count; ++k) {
-    const double left = position[k] - half_width;
-    const double cell = std::ceil(left);
-    const auto y = hn::Set(d, static_cast<Real>(cell - left - 0.5));
-    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) + padding;
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const std::size_t lane = chunk * lanes;
-      const auto weight =
-          Chunks == 1 ? only(d, y) : polynomial<Degree>(d, taps.coefficients.data() + lane, taps.lanes, taps.degree, y);
-      for (std::size_t r = 0; r < terms; ++r) {
-        const std::complex<Real> s = strength[r * count + k];
-        const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
-        Real* HWY_RESTRICT out = reinterpret_cast<Real*>(grid.term[r].data() + at) + lane;
-        hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
+    if (places.cell[k] < 0.0) continue;
+    const auto at = static_cast<std::size_t>(places.cell[k]);
+    const auto table = static_cast<std::size_t>(places.table[k]);
+    for (std::size_t i = 0; i < samples; ++i) {
+      std::complex<Real> z(lane_value(piece.samples, table, 2 * i, places.y[k]),
+                           lane_value(piece.samples, table, 2 * i + 1, places.y[k]));
+      if (!doppler.empty()) {
+        const double t = static_cast<double>(i) + places.fraction[k];
+        const double turns =
+            doppler[first + k] * (piece.doppler_offset + t * (piece.doppler_slope + t * piece.doppler_bend));
+        z *= std::complex<Real>(std::polar(1.0, -6.283185307179586476925 * (turns - std::round(turns))));
       }
+      row.samples[at + i] += strength[first + k] * z;
     }
   }
 }
 
-template <class Real>
-HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
-                                 std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
-  const std::size_t lanes = hn::Lanes(hn::ScalableTag<Real>());
-  const std::size_t chunks = (2 * width + lanes - 1) / lanes;
-  with_degree(taps.degree, [&](auto degree) {
-    if (chunks == 1)
-      spread_loop<Real, degree(), 1>(taps, width, position, strength, grid);
-    else if (chunks == 2)
-      spread_loop<Real, degree(), 2>(taps, width, position, strength, grid);
-    else
-      spread_loop<Real, degree(), 0>(taps, width, position, strength, grid);
-  });
+#else
+
+// Polynomials of one degree by Horner's rule. Degree and Chunks, the vectors that the lanes fill, are 0 where they are
+// only known at run time.
+template <class Real, std::size_t Degree, std::size_t Chunks>
+struct Polynomials {
+  using D = hn::ScalableTag<Real>;
+  const Real* HWY_RESTRICT coefficients;
+  std::size_t lanes;
+  std::size_t chunks;
+  std::size_t degree;
+
+  HWY_INLINE explicit Polynomials(const LanePolynomials<Real>& all)
+      : coefficients(all.coefficients.data()),
+        lanes(Chunks > 0 ? Chunks * hn::Lanes(D()) : all.lanes),
+        chunks(Chunks > 0 ? Chunks : all.lanes / hn::Lanes(D())),
+        degree(Degree > 0 ? Degree : all.degree) {}
+
+  // Of the lanes of one vector; `table` counts the coefficients before the piece's.
+  HWY_INLINE hn::Vec<D> at(double table, std::size_t chunk, hn::Vec<D> y) const {
+    const D d;
+    const Real* HWY_RESTRICT from = coefficients + static_cast<std::ptrdiff_t>(table) + chunk * hn::Lanes(d);
+    const std::size_t last = Degree > 0 ? Degree : degree;
+    const std::size_t stride = Chunks > 0 ? Chunks * hn::Lanes(d) : lanes;
+    auto sum = hn::LoadU(d, from);
+    for (std::size_t p = 1; p <= last; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, from + p * stride));
+    return sum;
+  }
+};
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
+                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
+                             SpreadGrid<Real>& grid) {
+  const hn::ScalableTag<Real> d;
+  const Polynomials<Real, Degree, Chunks> polynomials(taps);
+  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+  const std::size_t terms = grid.term.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto y = hn::Set(d, places.y[k]);
+    const auto at = static_cast<std::ptrdiff_t>(places.cell[k]);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const auto weight = polynomials.at(places.table[k], chunk, y);
+      for (std::size_t r = 0; r < terms; ++r) {
+        const std::complex<Real> s = strength[r * total + first + k];
+        const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
+        Real* HWY_RESTRICT out = reinterpret_cast<Real*>(grid.term[r].data() + at) + chunk * hn::Lanes(d);
+        hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
+      }
+    }
+  }
 }
 
 // Interleaved complex numbers times (re, im): re in both lanes of a pair, im with the sign that its lane takes.
@@ -244,35 +196,91 @@ struct EdgeTurn {
   }
 };
 
-template <class Real, std::size_t Degree, bool OneVector>
-HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, std::span<const double> position,
-                          std::span<const std::complex<Real>> strength, std::span<const double> doppler,
-                          EdgeRow<Real>& row) {
+template <class Real, std::size_t Degree, std::size_t Chunks, bool Moving>
+HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t count,
+                          const std::complex<Real>* HWY_RESTRICT strength, const double* HWY_RESTRICT doppler,
+                          std::complex<Real>* HWY_RESTRICT row) {
   const hn::ScalableTag<Real> d;
-  const std::size_t lanes = hn::Lanes(d);
-  const Real* HWY_RESTRICT coefficients = piece.samples.coefficients.data();
-  const std::size_t used = OneVector ? lanes : piece.samples.lanes;
-  const Polynomials<OneVector ? Degree : 0, hn::ScalableTag<Real>> only(d, piece.samples, 0);
-  const double first_useful = -0.5 * static_cast<double>(piece.samples.lanes);
-  const auto last_useful = static_cast<double>(row.count);
-  constexpr std::ptrdiff_t padding = EdgeRow<Real>::padding;
+  const Polynomials<Real, Degree, Chunks> polynomials(piece.samples);
+  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
   const auto signs = pair_signs(d);
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    const double start = position[k] + piece.start;
-    const double sample = std::ceil(start - 1e-9);
-    if (sample <= first_useful || sample >= last_useful) continue;
-    const double fraction = std::max(0.0, sample - start);
-    const auto y = hn::Set(d, static_cast<Real>(fraction - 0.5));
-    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(sample) + padding;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (places.cell[k] < 0.0) continue;
+    const auto y = hn::Set(d, places.y[k]);
     const auto s_re = hn::Set(d, strength[k].real());
     const auto s_im = hn::Mul(hn::Set(d, strength[k].imag()), signs);
-    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row.samples.data() + at);
-    for (std::size_t lane = 0; lane < used; lane += lanes) {
-      auto pairs = OneVector ? only(d, y)
-                             : polynomial<Degree>(d, coefficients + lane, piece.samples.lanes, piece.samples.degree, y);
-      if (!doppler.empty()) pairs = EdgeTurn<Real>(piece, doppler[k], fraction).applied(d, lane, pairs);
-      hn::StoreU(hn::Add(hn::LoadU(d, out + lane), complex_product(d, pairs, s_re, s_im)), d, out + lane);
+    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + static_cast<std::ptrdiff_t>(places.cell[k]));
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const std::size_t lane = chunk * hn::Lanes(d);
+      auto pairs = polynomials.at(places.table[k], chunk, y);
+      if (Moving) pairs = EdgeTurn<Real>(piece, doppler[k], places.fraction[k]).applied(d, lane, pairs);
+      const auto sum = hn::MulAdd(pairs, s_re, hn::LoadU(d, out + lane));
+      hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), s_im, sum), d, out + lane);
     }
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first,
+                           std::size_t count, std::span<const std::complex<Real>> strength,
+                           std::span<const double> doppler, EdgeRow<Real>& row) {
+  if (doppler.empty())
+    edge_loop<Real, Degree, Chunks, false>(piece, places, count, strength.data() + first, nullptr, row.samples.data());
+  else
+    edge_loop<Real, Degree, Chunks, true>(piece, places, count, strength.data() + first, doppler.data() + first,
+                                          row.samples.data());
+}
+
+#endif  // HWY_SCALAR
+
+// Calls f with the degree and the number of vectors as compile-time constants where they are usual ones.
+template <std::size_t Chunks, class F>
+HWY_INLINE void with_degree(std::size_t degree, const F& f) {
+  constexpr std::integral_constant<std::size_t, Chunks> chunks;
+  switch (degree) {
+    case 3: return f(std::integral_constant<std::size_t, 3>(), chunks);
+    case 4: return f(std::integral_constant<std::size_t, 4>(), chunks);
+    case 5: return f(std::integral_constant<std::size_t, 5>(), chunks);
+    case 6: return f(std::integral_constant<std::size_t, 6>(), chunks);
+    case 7: return f(std::integral_constant<std::size_t, 7>(), chunks);
+    default: return f(std::integral_constant<std::size_t, 0>(), chunks);
+  }
+}
+template <class Real, class F>
+HWY_INLINE void with_shape(const LanePolynomials<Real>& lanes, const F& f) {
+  switch (lanes.lanes / hn::Lanes(hn::ScalableTag<Real>())) {
+    case 1: return with_degree<1>(lanes.degree, f);
+    case 2: return with_degree<2>(lanes.degree, f);
+    case 4: return with_degree<4>(lanes.degree, f);
+    default: return with_degree<0>(lanes.degree, f);
+  }
+}
+
+template <class Real>
+HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, double period,
+                                 std::span<const double> position, std::span<const std::complex<Real>> strength,
+                                 SpreadGrid<Real>& grid) {
+  using Block = Places<Real>;
+  const hn::ScalableTag<double> d;
+  const auto cells = static_cast<double>(grid.cells);
+  const auto padding = hn::Set(d, static_cast<double>(SpreadGrid<Real>::padding));
+  HWY_ALIGN double buffer[Block::most];
+  Block places;
+  for (std::size_t first = 0; first < position.size(); first += Block::most) {
+    const std::size_t count = std::min(Block::most, position.size() - first);
+    padded_copy(position, first, count, buffer);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const auto given = hn::Load(d, buffer + k);
+      const auto wrapped = hn::IfThenElse(hn::Lt(given, hn::Zero(d)), hn::Add(given, hn::Set(d, period)), given);
+      const auto on_grid = hn::Min(hn::Mul(wrapped, hn::Set(d, cells / period)), hn::Set(d, cells));
+      const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
+      const auto cell = hn::Ceil(left);
+      hn::Store(hn::Add(cell, padding), d, places.cell + k);
+      place_on_pieces(d, hn::Sub(cell, left), taps, k, places);
+    }
+    with_shape(taps, [&](auto degree, auto chunks) {
+      spread_block<Real, degree(), chunks()>(taps, places, first, count, position.size(), strength, grid);
+    });
   }
 }
 
@@ -280,24 +288,40 @@ template <class Real>
 HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
                                     std::span<const std::complex<Real>> strength, std::span<const double> doppler,
                                     EdgeRow<Real>& row) {
-  const bool one_vector = hn::Lanes(hn::ScalableTag<Real>()) == piece.samples.lanes;
-  with_degree(piece.samples.degree, [&](auto degree) {
-    if (one_vector)
-      edge_loop<Real, degree(), true>(piece, position, strength, doppler, row);
-    else
-      edge_loop<Real, degree(), false>(piece, position, strength, doppler, row);
-  });
+  using Block = Places<Real>;
+  const hn::ScalableTag<double> d;
+  const auto padding = hn::Set(d, static_cast<double>(EdgeRow<Real>::padding));
+  const auto first_useful = hn::Set(d, -0.5 * static_cast<double>(piece.samples.lanes));
+  const auto last_useful = hn::Set(d, static_cast<double>(row.count));
+  HWY_ALIGN double buffer[Block::most];
+  Block places;
+  for (std::size_t first = 0; first < position.size(); first += Block::most) {
+    const std::size_t count = std::min(Block::most, position.size() - first);
+    padded_copy(position, first, count, buffer);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const auto start = hn::Add(hn::Load(d, buffer + k), hn::Set(d, piece.start));
+      const auto sample = hn::Ceil(hn::Sub(start, hn::Set(d, 1e-9)));
+      const auto fraction = hn::Max(hn::Zero(d), hn::Sub(sample, start));
+      const auto useful = hn::And(hn::Gt(sample, first_useful), hn::Lt(sample, last_useful));
+      hn::Store(hn::IfThenElse(useful, hn::Add(sample, padding), hn::Set(d, -1.0)), d, places.cell + k);
+      hn::Store(fraction, d, places.fraction + k);
+      place_on_pieces(d, fraction, piece.samples, k, places);
+    }
+    with_shape(piece.samples, [&](auto degree, auto chunks) {
+      edge_block<Real, degree(), chunks()>(piece, places, first, count, strength, doppler, row);
+    });
+  }
 }
 
-#endif  // HWY_SCALAR
-
-void spread_single(const LanePolynomials<float>& taps, std::size_t width, std::span<const double> position,
-                   std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {
-  spread_on_target(taps, width, position, strength, grid);
+void spread_single(const LanePolynomials<float>& taps, std::size_t width, double period,
+                   std::span<const double> position, std::span<const std::complex<float>> strength,
+                   SpreadGrid<float>& grid) {
+  spread_on_target(taps, width, period, position, strength, grid);
 }
-void spread_double(const LanePolynomials<double>& taps, std::size_t width, std::span<const double> position,
-                   std::span<const std::complex<double>> strength, SpreadGrid<double>& grid) {
-  spread_on_target(taps, width, position, strength, grid);
+void spread_double(const LanePolynomials<double>& taps, std::size_t width, double period,
+                   std::span<const double> position, std::span<const std::complex<double>> strength,
+                   SpreadGrid<double>& grid) {
+  spread_on_target(taps, width, period, position, strength, grid);
 }
 void edges_single(const EdgePiece<float>& piece, std::span<const double> position,
                   std::span<const std::complex<float>> strength, std::span<const double> doppler, EdgeRow<float>& row) {
@@ -322,14 +346,14 @@ HWY_EXPORT(edges_single);
 HWY_EXPORT(edges_double);
 
 template <>
-void spread(const LanePolynomials<float>& taps, std::size_t width, std::span<const double> position,
+void spread(const LanePolynomials<float>& taps, std::size_t width, double period, std::span<const double> position,
             std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {
-  HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, position, strength, grid);
+  HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, period, position, strength, grid);
 }
 template <>
-void spread(const LanePolynomials<double>& taps, std::size_t width, std::span<const double> position,
+void spread(const LanePolynomials<double>& taps, std::size_t width, double period, std::span<const double> position,
             std::span<const std::complex<double>> strength, SpreadGrid<double>& grid) {
-  HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, position, strength, grid);
+  HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, period, position, strength, grid);
 }
 template <>
 void add_edges(const EdgePiece<float>& piece, std::span<const double> position,

@@ -3,27 +3,31 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace sarsim {
 
-/// Polynomials in y = x - 1/2, x in [0, 1), one for each of some lanes, evaluated together by Horner's rule.
-/// Real is float or double.
+/// Functions of x in [0, 1), one for each of some lanes, as polynomials on equal pieces of that interval: on piece p
+/// they are polynomials in y = pieces x - p - 1/2, evaluated together. Real is float or double.
 template <class Real>
 struct LanePolynomials {
   std::size_t lanes = 0;  ///< Padded to a multiple of `granularity`; the padding lanes are 0.
   std::size_t degree = 0;
-  std::vector<Real> coefficients;  ///< [degree + 1][lanes], highest power first.
+  std::size_t pieces = 1;
+  std::vector<Real> coefficients;  ///< [pieces][degree + 1][lanes], highest power first.
 
   static constexpr std::size_t granularity = 64 / sizeof(Real);
 };
 
-/// Fits f(lane, x) for lanes 0 ... count - 1 at Chebyshev points of the lowest degree, at most 24, whose largest error
-/// at check points is below `tolerance`.
+/// Fits f(lane, x) for lanes 0 ... count - 1 at Chebyshev points, with an error below `tolerance` at check points
+/// between them: the lowest degree, from 3 on, for which pieces of at most 8 kB (32 kB in double precision) in all
+/// suffice. Nothing where no degree up to 24 does.
 template <class Real>
-[[nodiscard]] LanePolynomials<Real> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
-                                              double tolerance);
+[[nodiscard]] std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count,
+                                                             const std::function<double(std::size_t, double)>& f,
+                                                             double tolerance);
 
 /// Where a non-uniform transform puts its strengths: the exponential of a semicircle,
 /// phi(z) = exp(beta (sqrt(1 - z^2) - 1)), |z| <= 1, over `width` grid cells, for a grid with twice as many points as
@@ -61,11 +65,12 @@ struct SpreadGrid {
   std::span<std::complex<Real>> fold(std::size_t index);
 };
 
-/// Spreads strengths onto the grids in SIMD: grid r cell g receives strength[r][k] phi(2 (g - position[k])/width).
-/// @param position  in cells, in [0, cells)
+/// Spreads strengths onto the grids in SIMD: grid r cell g receives strength[r][k] phi(2 (g - x[k])/width), where x is
+/// the position in cells.
+/// @param position  in units of which `period` make the circle, in [-period, period]
 /// @param strength  terms x positions, term-major
 template <class Real>
-void spread(const LanePolynomials<Real>& taps, std::size_t width, std::span<const double> position,
+void spread(const LanePolynomials<Real>& taps, std::size_t width, double period, std::span<const double> position,
             std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid);
 
 /// The samples next to one hard edge of a pulse that its smooth body leaves out, for each fraction of a sample.

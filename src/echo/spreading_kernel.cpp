@@ -38,47 +38,65 @@ double polynomial(const std::vector<double>& lowest_first, double y) {
   return sum;
 }
 
-std::vector<double> fit_one(const std::function<double(double)>& f, std::size_t degree) {
+// The polynomial of a degree that fits f on [from, from + length], in y from -1/2 to 1/2; nothing where it is off by
+// `tolerance` or more anywhere between.
+std::optional<std::vector<double>> fit_piece(const std::function<double(double)>& f, double from, double length,
+                                             std::size_t degree, double tolerance) {
   std::vector<double> values(degree + 1);
   for (std::size_t i = 0; i <= degree; ++i)
-    values[i] = f(0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(degree + 1)));
-  return chebyshev_fit(values);
+    values[i] = f(
+        from + length * (0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(degree + 1))));
+  std::vector<double> fit = chebyshev_fit(values);
+  // The error is largest about halfway between the points that were fitted.
+  for (std::size_t i = 0; i <= degree + 1; ++i) {
+    const double y = 0.5 * std::cos(pi * static_cast<double>(i) / static_cast<double>(degree + 1));
+    if (!(std::abs(polynomial(fit, y) - f(from + length * (y + 0.5))) < tolerance)) return std::nullopt;
+  }
+  return fit;
+}
+
+// Pieces that a table of `bytes` has room for, a power of two.
+std::size_t pieces_in(std::size_t bytes, std::size_t bytes_per_piece) {
+  std::size_t pieces = 1;
+  while (2 * pieces * bytes_per_piece <= bytes) pieces *= 2;
+  return pieces;
 }
 
 }  // namespace
 
 template <class Real>
-LanePolynomials<Real> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
-                                double tolerance) {
+std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
+                                               double tolerance) {
   constexpr std::size_t highest = 24;
-  constexpr int checks = 33;
-  std::vector<std::vector<double>> fits(count);
-  std::size_t degree = 3;
-  for (;; ++degree) {
-    double worst = 0.0;
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      const auto g = [&](double x) { return f(lane, x); };
-      fits[lane] = fit_one(g, degree);
-      for (int i = 0; i <= checks; ++i) {
-        const double x = static_cast<double>(i) / checks;
-        worst = std::max(worst, std::abs(polynomial(fits[lane], x - 0.5) - g(x)));
-      }
-    }
-    if (worst < tolerance || degree == highest) break;
-  }
+  constexpr std::size_t table_bytes = sizeof(Real) == 4 ? 8192 : 32768;
   LanePolynomials<Real> result;
   const std::size_t grain = LanePolynomials<Real>::granularity;
   result.lanes = (count + grain - 1) / grain * grain;
-  result.degree = degree;
-  result.coefficients.assign((degree + 1) * result.lanes, Real(0));
-  for (std::size_t lane = 0; lane < count; ++lane)
-    for (std::size_t p = 0; p <= degree; ++p)
-      result.coefficients[p * result.lanes + lane] = static_cast<Real>(fits[lane][degree - p]);
-  return result;
+  const auto fits = [&] {
+    const double length = 1.0 / static_cast<double>(result.pieces);
+    result.coefficients.assign(result.pieces * (result.degree + 1) * result.lanes, Real(0));
+    for (std::size_t lane = 0; lane < count; ++lane)
+      for (std::size_t piece = 0; piece < result.pieces; ++piece) {
+        const auto fit = fit_piece([&](double x) { return f(lane, x); }, static_cast<double>(piece) * length, length,
+                                   result.degree, tolerance);
+        if (!fit) return false;
+        for (std::size_t p = 0; p <= result.degree; ++p)
+          result.coefficients[(piece * (result.degree + 1) + p) * result.lanes + lane] =
+              static_cast<Real>((*fit)[result.degree - p]);
+      }
+    return true;
+  };
+  for (result.degree = 3; result.degree <= highest; ++result.degree) {
+    result.pieces = pieces_in(table_bytes, (result.degree + 1) * result.lanes * sizeof(Real));
+    if (fits()) return result;
+  }
+  return std::nullopt;
 }
 
-template LanePolynomials<float> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&, double);
-template LanePolynomials<double> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&, double);
+template std::optional<LanePolynomials<float>> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&,
+                                                         double);
+template std::optional<LanePolynomials<double>> fit_lanes(std::size_t,
+                                                          const std::function<double(std::size_t, double)>&, double);
 
 SpreadingKernel::SpreadingKernel(double tolerance)
     : width(static_cast<std::size_t>(std::clamp(std::ceil(std::log10(1.0 / tolerance)) + 1.0, 4.0, 14.0))),
@@ -112,7 +130,7 @@ LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tole
     const double g = x - 0.5 * static_cast<double>(kernel.width) + static_cast<double>(lane / 2);
     return kernel.value(2.0 * g / static_cast<double>(kernel.width));
   };
-  return fit_lanes<Real>(2 * kernel.width, tap, tolerance);
+  return fit_lanes<Real>(2 * kernel.width, tap, tolerance).value();
 }
 
 template LanePolynomials<float> tap_polynomials(const SpreadingKernel&, double);

@@ -32,4 +32,23 @@ struct Strengths {
 template <class Real>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
 
+/// A span of D = 2v/c.
+struct DopplerSpan {
+  double middle = 0.0;
+  double half = 0.0;
+  friend bool operator==(const DopplerSpan&, const DopplerSpan&) = default;
+};
+
+/// The node in [-1, 1] that term `r` of an interpolation in D stands at: Chebyshev's points.
+[[nodiscard]] double doppler_node(std::size_t r, std::size_t terms);
+
+/// Strengths of the echoes for each node of an interpolation in D: times Lagrange's polynomials, in SIMD.
+/// @param terms          at most `most_doppler_terms`
+/// @param[out] weighted  terms x echoes, term-major
+template <class Real>
+void weigh_strengths(const Strengths<Real>& echoes, const DopplerSpan& span, std::size_t terms,
+                     std::vector<std::complex<Real>>& weighted);
+
+inline constexpr std::size_t most_doppler_terms = 24;
+
 }  // namespace sarsim

@@ -88,5 +88,38 @@ TYPED_TEST(GatherStrengths, MovesWhereOneOfTheEchoesMoves) {
   EXPECT_TRUE(out.position.empty());
 }
 
+// Chebyshev interpolation is exact for polynomials of D below the number of terms, D's own span included.
+TYPED_TEST(GatherStrengths, WeightsInterpolatePolynomialsOfTheDoppler) {
+  at_every_simd_level([] {
+    for (const std::size_t terms : {1u, 2u, 3u, 5u, 12u, 24u}) {
+      const DopplerSpan span{3e-6, 2e-6};
+      Strengths<TypeParam> echoes;
+      for (int k = 0; k < 37; ++k) {
+        echoes.position.push_back(k);
+        echoes.strength.push_back({TypeParam(1 + k), TypeParam(-2)});
+        echoes.doppler.push_back(span.middle + span.half * std::cos(0.7 * k));
+      }
+      std::vector<std::complex<TypeParam>> weighted;
+      weigh_strengths(echoes, span, terms, weighted);
+      ASSERT_EQ(weighted.size(), terms * 37);
+      for (std::size_t power = 0; power < terms; ++power)
+        for (std::size_t k = 0; k < 37; ++k) {
+          std::complex<double> sum = 0.0;
+          for (std::size_t r = 0; r < terms; ++r)
+            sum += std::complex<double>(weighted[r * 37 + k]) *
+                   std::pow(doppler_node(r, terms), static_cast<double>(power));
+          const double x = (echoes.doppler[k] - span.middle) / span.half;
+          const std::complex<double> expected =
+              std::complex<double>(echoes.strength[k]) * std::pow(x, static_cast<double>(power));
+          // The sum of the weights' magnitudes (Lebesgue's constant) is below 3 for up to 24 nodes; x, rounded once
+          // or twice, has a slope of up to the power.
+          EXPECT_LT(std::abs(sum - expected), 3.0 * 40.0 * static_cast<double>(4 + 2 * terms) *
+                                                  static_cast<double>(std::numeric_limits<TypeParam>::epsilon()))
+              << terms << ' ' << power;
+        }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace sarsim

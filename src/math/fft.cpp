@@ -4,6 +4,7 @@
 
 #include <mutex>
 #include <new>
+#include <stdexcept>
 #include <vector>
 
 namespace sarsim {
@@ -25,9 +26,10 @@ struct Fftw<double> {
   using Plan = fftw_plan;
   static fftw_complex* data(std::complex<double>* x) { return reinterpret_cast<fftw_complex*>(x); }
   static Plan make(int size, std::complex<double>* x, int sign) {
-    return fftw_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE | FFTW_UNALIGNED);
+    return fftw_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
   }
   static void run(Plan plan, std::complex<double>* x) { fftw_execute_dft(plan, data(x), data(x)); }
+  static bool aligned(std::complex<double>* x) { return fftw_alignment_of(reinterpret_cast<double*>(x)) == 0; }
   static void destroy(Plan plan) { fftw_destroy_plan(plan); }
 };
 
@@ -36,11 +38,18 @@ struct Fftw<float> {
   using Plan = fftwf_plan;
   static fftwf_complex* data(std::complex<float>* x) { return reinterpret_cast<fftwf_complex*>(x); }
   static Plan make(int size, std::complex<float>* x, int sign) {
-    return fftwf_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE | FFTW_UNALIGNED);
+    return fftwf_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
   }
   static void run(Plan plan, std::complex<float>* x) { fftwf_execute_dft(plan, data(x), data(x)); }
+  static bool aligned(std::complex<float>* x) { return fftwf_alignment_of(reinterpret_cast<float*>(x)) == 0; }
   static void destroy(Plan plan) { fftwf_destroy_plan(plan); }
 };
+
+template <class Real>
+void expect_aligned(std::span<std::complex<Real>> data) {
+  if (!Fftw<Real>::aligned(data.data()))
+    throw std::invalid_argument("the data of a Fourier transform must begin at a multiple of 16 bytes");
+}
 
 }  // namespace
 
@@ -77,10 +86,12 @@ BasicFft<Real>& BasicFft<Real>::operator=(BasicFft&&) noexcept = default;
 
 template <class Real>
 void BasicFft<Real>::forward(std::span<std::complex<Real>> data) const {
+  expect_aligned(data);
   Fftw<Real>::run(plans_->forward, data.data());
 }
 template <class Real>
 void BasicFft<Real>::inverse(std::span<std::complex<Real>> data) const {
+  expect_aligned(data);
   Fftw<Real>::run(plans_->inverse, data.data());
 }
 

@@ -10,8 +10,8 @@ namespace sarsim {
 /// Discrete Fourier transforms of one length, in place and without scaling (FFTW), in float or double.
 ///
 /// forward:  X[k] = sum over n of x[n] exp(-2 pi j k n/N);  inverse the same with +j.
-/// Plans are estimated, never timed, and made for unaligned data, so that the same input gives the same bytes in
-/// every run. Executing is safe from many threads at once; making a plan takes a lock.
+/// Plans are estimated, never timed, so that the same input gives the same bytes in every run. Executing is safe from
+/// many threads at once; making a plan takes a lock.
 template <class Real>
 class BasicFft {
  public:
@@ -21,7 +21,8 @@ class BasicFft {
   BasicFft& operator=(BasicFft&&) noexcept;
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// @param[in,out] data  `size()` values.
+  /// @param[in,out] data  `size()` values that begin at a multiple of 16 bytes, as those of a std::vector do: what the
+  ///                      library's vector code needs; anything else is std::invalid_argument
   void forward(std::span<std::complex<Real>> data) const;
   void inverse(std::span<std::complex<Real>> data) const;
 

@@ -57,16 +57,17 @@ CompressionFilter classic_matched_filter(const Pulse& pulse, const WindowFunctio
   return filter;
 }
 
-RangeCompressor::RangeCompressor(const CompressionFilter& filter, std::size_t input_count,
+RangeCompressor::RangeCompressor(CompressionFilter filter, std::size_t input_count,
                                  std::vector<std::size_t> output_index)
-    : input_count_(input_count),
+    : filter_(std::move(filter)),
+      input_count_(input_count),
       output_index_(std::move(output_index)),
-      fft_(good_fft_size(input_count + filter.taps.size())),
+      fft_(good_fft_size(input_count + filter_.taps.size())),
       response_(fft_.size()) {
   // Correlation: multiply by the transform of the filter run backwards in time.
   const std::size_t size = fft_.size();
   const double scale = 1.0 / static_cast<double>(size);
-  for (std::size_t k = 0; k < filter.taps.size(); ++k) response_[(size - k) % size] = scale * filter.taps[k];
+  for (std::size_t k = 0; k < filter_.taps.size(); ++k) response_[(size - k) % size] = scale * filter_.taps[k];
   fft_.forward(response_);
 }
 

@@ -37,8 +37,10 @@ class RangeCompressor {
  public:
   /// @param input_count   samples of a raw row
   /// @param output_index  for each output sample the raw index i it is taken at, in [0, input_count)
-  RangeCompressor(const CompressionFilter& filter, std::size_t input_count, std::vector<std::size_t> output_index);
+  RangeCompressor(CompressionFilter filter, std::size_t input_count, std::vector<std::size_t> output_index);
 
+  [[nodiscard]] const CompressionFilter& filter() const { return filter_; }
+  [[nodiscard]] const std::vector<std::size_t>& output_index() const { return output_index_; }
   [[nodiscard]] std::size_t input_count() const { return input_count_; }
   [[nodiscard]] std::size_t output_count() const { return output_index_.size(); }
   /// Length of the scratch space that `compress` needs.
@@ -51,6 +53,7 @@ class RangeCompressor {
                 std::span<std::complex<double>> scratch) const;
 
  private:
+  CompressionFilter filter_;
   std::size_t input_count_;
   std::vector<std::size_t> output_index_;
   Fft fft_;

@@ -108,7 +108,7 @@ void plan_samples(Plan& plan, std::size_t count) {
   const std::size_t raw_count = index.back() + filter.taps.size();
   plan.raw_grid = {first_s, interval_s, raw_count};
   plan.column_range_m = ranges_m(plan, index);
-  plan.compressor = std::make_shared<RangeCompressor>(filter, raw_count, std::move(index));
+  plan.compressor = std::make_shared<RangeCompressor>(std::move(filter), raw_count, std::move(index));
 }
 
 void plan_rows(Plan& plan, std::size_t count) {
@@ -207,20 +207,38 @@ RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan
   if (plan.profiler) scratch_.resize(plan.columns);
   const double tolerance = plan.scene->options.tolerance;
   if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
-  if (plan.engine.engine == Engine::spectral) spectral_.emplace(plan.pulse, plan.raw_grid, tolerance);
+  if (plan.engine.engine != Engine::spectral) return;
+  RowFilter filter;
+  if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
+  spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
 }
 
 void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
   const Plan& plan = *plan_;
   switch (plan.simulation.processing) {
     case Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
-    case Processing::matched_filter:
-      raw_.resize(plan.raw_grid.count);
-      make_raw(plan.first_pulse_of_row(row), raw_);
-      plan.compressor->compress(raw_, out, scratch_);
-      return;
+    case Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
     case Processing::srp: make_profile(row, out); return;
   }
+}
+
+void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  raw_.resize(plan.raw_grid.count);
+  if (!plan.filters_spectra()) {
+    make_raw(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+    return;
+  }
+  std::ranges::fill(out, std::complex<double>());
+  if (plan.noise_stddev_v > 0.0) {
+    std::ranges::fill(raw_, std::complex<double>());
+    add_receiver_noise(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+  }
+  geometry_.set_pulse(pulse);
+  fast_echoes(*plan.points, *plan.scene, plan.radar, geometry_, echoes_);
+  spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
 }
 
 void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw) {
@@ -228,11 +246,14 @@ void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw)
   std::ranges::fill(raw, std::complex<double>());
   geometry_.set_pulse(pulse);
   add_row(raw);
-  if (plan.noise_stddev_v > 0.0) {
-    const RandomStream stream(plan.scene->options.seed, RandomKind::receiver_noise, name_key(plan.radar.name));
-    add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
-  }
+  if (plan.noise_stddev_v > 0.0) add_receiver_noise(pulse, raw);
   for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
+}
+
+void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
+  const Plan& plan = *plan_;
+  const RandomStream stream(plan.scene->options.seed, RandomKind::receiver_noise, name_key(plan.radar.name));
+  add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
 }
 
 // The echoes of the current pulse.

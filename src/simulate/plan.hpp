@@ -52,6 +52,11 @@ struct Plan {
   [[nodiscard]] std::int64_t burst_pulses() const {
     return std::int64_t{radar.carrier.steps()} * radar.carrier.pulses_per_step();
   }
+  /// Whether the matched filter is one more factor of the spectral kernel's spectra. A gain over time (STC) comes
+  /// between echoes and filter and keeps them apart.
+  [[nodiscard]] bool filters_spectra() const {
+    return engine.engine == Engine::spectral && compressor && stc_gain.empty();
+  }
   /// First (or only) pulse of a product row.
   [[nodiscard]] std::int64_t first_pulse_of_row(std::size_t row) const;
 };
@@ -81,9 +86,11 @@ class RowMaker {
 
  private:
   void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
+  void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
   void add_row(std::span<std::complex<double>> raw);
+  void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
 
   const Plan* plan_;
   PulseGeometry geometry_;

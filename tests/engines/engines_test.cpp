@@ -85,15 +85,28 @@ TEST(Engines, AgreeOnScenesWithEverything) {
         }
 }
 
-TEST(Engines, SameBytesForAnyNumberOfThreads) {
-  Scene scene = scene_of(busy_scene("SINX 30 12 SAME FIXED -9 0 RECT", "NO_STC", "RAW", ""));
-  scene.simulations[0].time_end_s = 1.5;
-  scene.radars[0].noise_temperature_k = 300.0;
-  for (const Engine engine : {Engine::direct, Engine::spectral}) {
-    const auto one = samples_with(scene, engine, 1);
-    for (const unsigned threads : {2U, 3U, 8U})
-      EXPECT_EQ(samples_with(scene, engine, threads), one) << name_of(engine) << threads;
+// The spectral engine compresses echoes in its spectra and noise by itself: their sum is what other engines compress.
+TEST(Engines, AgreeOnCompressedEchoesInNoise) {
+  for (const char* options : {"", "$OPTIONS PROFILE CLASSIC", "$OPTIONS PULSE BAND_LIMITED"}) {
+    Scene scene = scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", "MATCHED_FILTER", options));
+    const auto quiet = samples_with(scene, Engine::spectral);
+    scene.radars[0].noise_temperature_k = 3e4;
+    const auto expected = samples_with(scene, Engine::reference);
+    EXPECT_GT(deviation(quiet, expected), 0.01) << "the noise is to be seen";
+    EXPECT_LT(deviation(samples_with(scene, Engine::spectral), expected), 5e-6) << options;
   }
+}
+
+TEST(Engines, SameBytesForAnyNumberOfThreads) {
+  for (const char* processing : {"RAW", "MATCHED_FILTER"})
+    for (const Engine engine : {Engine::direct, Engine::spectral}) {
+      Scene scene = scene_of(busy_scene("SINX 30 12 SAME FIXED -9 0 RECT", "NO_STC", processing, ""));
+      scene.simulations[0].time_end_s = 1.5;
+      scene.radars[0].noise_temperature_k = 300.0;
+      const auto one = samples_with(scene, engine, 1);
+      for (const unsigned threads : {2U, 3U, 8U})
+        EXPECT_EQ(samples_with(scene, engine, threads), one) << name_of(engine) << threads << processing;
+    }
 }
 
 TEST(Engines, ReproduceTheDirectReferenceCases) {
