@@ -105,10 +105,7 @@ struct SpectralKernel::Typed : Implementation {
           modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
           cells(good_fft_size(4 * modes + 2 * kernel.width)),
           grid_fft(cells),
-          kernel_transform(modes + 1) {
-      for (std::size_t j = 0; j <= modes; ++j)
-        kernel_transform[j] = kernel.transform(static_cast<double>(j) / static_cast<double>(cells));
-    }
+          kernel_transform(kernel.transforms(cells, modes + 1)) {}
   };
 
   Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance,

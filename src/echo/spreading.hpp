@@ -18,6 +18,9 @@ struct LanePolynomials {
   std::size_t pieces = 1;
   std::vector<Real> coefficients;  ///< [pieces][degree + 1][lanes], highest power first.
 
+  /// One lane at x in [0, 1], one at a time.
+  [[nodiscard]] double value(std::size_t lane, double x) const;
+
   static constexpr std::size_t granularity = 64 / sizeof(Real);
 };
 
@@ -41,6 +44,8 @@ struct SpreadingKernel {
   /// Integral of phi(2 g/width) exp(-2 pi j g nu) dg over the kernel, g in cells: what a mode at nu cycles per cell is
   /// multiplied by.
   [[nodiscard]] double transform(double nu) const;
+  /// Same at nu = j/cells for j = 0 ... count - 1, to 1e-13 of the largest.
+  [[nodiscard]] std::vector<double> transforms(std::size_t cells, std::size_t count) const;
 
  private:
   std::vector<double> cells_;    // nodes of the integral on the right half of the kernel, in cells,

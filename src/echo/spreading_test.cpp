@@ -13,17 +13,6 @@ template <class Real>
 constexpr double rounding_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
 template <class Real>
-double lane_value(const LanePolynomials<Real>& p, std::size_t lane, double x) {
-  const auto pieces = static_cast<double>(p.pieces);
-  const double piece = std::min(std::floor(x * pieces), pieces - 1.0);
-  const Real* at = p.coefficients.data() + static_cast<std::size_t>(piece) * (p.degree + 1) * p.lanes + lane;
-  double sum = 0.0;
-  for (std::size_t i = 0; i <= p.degree; ++i)
-    sum = sum * (x * pieces - piece - 0.5) + static_cast<double>(at[i * p.lanes]);
-  return sum;
-}
-
-template <class Real>
 class Spreading : public testing::Test {};
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(Spreading, Precisions);
@@ -38,7 +27,7 @@ TYPED_TEST(Spreading, FitReproducesAPolynomialAndLeavesThePaddingZero) {
   ASSERT_EQ(p.coefficients.size(), p.pieces * (p.degree + 1) * p.lanes);
   for (std::size_t lane = 0; lane < p.lanes; ++lane)
     for (const double x : {0.0, 0.3, 0.77, 1.0})
-      EXPECT_NEAR(lane_value(p, lane, x), lane < 5 ? f(lane, x) : 0.0, 20.0 * rounding_of<TypeParam> + 1e-12);
+      EXPECT_NEAR(p.value(lane, x), lane < 5 ? f(lane, x) : 0.0, 20.0 * rounding_of<TypeParam> + 1e-12);
 }
 
 TYPED_TEST(Spreading, FitTakesTheLowestDegreeThatKeepsTheToleranceOnATableOfItsSize) {
@@ -50,7 +39,7 @@ TYPED_TEST(Spreading, FitTakesTheLowestDegreeThatKeepsTheToleranceOnATableOfItsS
     EXPECT_GE(p.degree, before);
     before = p.degree;
     for (double x = 0.0; x <= 1.0; x += 0.001)
-      EXPECT_LT(std::abs(lane_value(p, 39, x) - f(0, x)), 1.1 * tolerance + 4.0 * rounding_of<TypeParam>);
+      EXPECT_LT(std::abs(p.value(39, x) - f(0, x)), 1.1 * tolerance + 4.0 * rounding_of<TypeParam>);
     // One degree less would not do: the error of degree n - 1 is near (20/(2 pieces))^n exp(0)/(2^(n-1) n!).
     if (p.degree == 3) continue;
     const auto n = static_cast<double>(p.degree);
@@ -78,7 +67,7 @@ TYPED_TEST(Spreading, TapsAreTheKernelAtTheCellsAroundAPosition) {
       for (double x = 0.0; x < 1.0; x += 0.0173) {
         const double expected = kernel.value((x - half + static_cast<double>(tap)) / half);
         for (const std::size_t part : {0u, 1u})  // checked at 33 points: half as much again between them
-          EXPECT_NEAR(lane_value(taps, 2 * tap + part, x), expected, 1.5 * tolerance + 4.0 * rounding_of<TypeParam>);
+          EXPECT_NEAR(taps.value(2 * tap + part, x), expected, 1.5 * tolerance + 4.0 * rounding_of<TypeParam>);
       }
   }
 }
@@ -117,6 +106,19 @@ TEST(SpreadingKernel, TransformIsItsFourierIntegral) {
       EXPECT_NEAR(kernel.transform(nu), sum * h,
                   kernel.beta * std::exp(-kernel.beta) * 3.0 * std::pow(h, 1.5) +
                       half * std::exp(-kernel.beta) * 2e-5 * 2.0 + 1e-12);
+    }
+  }
+}
+
+TEST(SpreadingKernel, TransformsOfARowAreThoseOfItsModes) {
+  for (const double tolerance : {1e-3, 1e-7, 1e-12}) {
+    const SpreadingKernel kernel(tolerance);
+    for (const std::size_t count : {1u, 2u, 77u, 3000u}) {
+      const std::vector<double> values = kernel.transforms(4 * count, count);
+      ASSERT_EQ(values.size(), count);
+      for (std::size_t j = 0; j < count; j += 1 + count / 50)
+        EXPECT_NEAR(values[j], kernel.transform(static_cast<double>(j) / static_cast<double>(4 * count)),
+                    3e-13 * kernel.transform(0.0));
     }
   }
 }
