@@ -410,15 +410,17 @@ void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double ca
 }
 
 SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, double carrier_hz,
-                                  double doppler_span) {
+                                  double lowest_doppler, double highest_doppler) {
   const Settings settings(tolerance);
   const PulseBody body(pulse, grid.interval_s, settings.edge_samples, settings.beta);
   const auto row = static_cast<double>(grid.count) + body.last() - body.first();
+  const double shift = std::max(std::abs(lowest_doppler), std::abs(highest_doppler)) * carrier_hz * grid.interval_s;
+  const DopplerSpan span = span_covering(lowest_doppler, highest_doppler);
   SpectralCost cost;
   cost.spreading_width = SpreadingKernel(settings.share).width;
   cost.edge_samples = body.edges().size() * settings.edge_samples;
-  cost.transform_size = static_cast<std::size_t>(4.0 * body.half_band() * row);
-  cost.doppler_terms = terms_for(largest_doppler_rad(body, carrier_hz) * doppler_span, settings.share);
+  cost.transform_size = static_cast<std::size_t>(4.0 * (body.half_band() + allowance_for(shift)) * row);
+  cost.doppler_terms = terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share);
   if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
   return cost;
 }

@@ -60,9 +60,10 @@ class SpectralKernel {
   void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes);
 
   /// Estimate for choosing a kernel.
-  /// @param doppler_span  largest minus smallest 2v/c among the echoes of a pulse
+  /// @param lowest_doppler   smallest 2v/c among the echoes of a pulse
+  /// @param highest_doppler  largest
   [[nodiscard]] static SpectralCost cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance,
-                                         double carrier_hz, double doppler_span);
+                                         double carrier_hz, double lowest_doppler, double highest_doppler);
 
  private:
   struct Implementation;

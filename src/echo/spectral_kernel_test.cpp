@@ -97,7 +97,7 @@ TEST(SpectralKernel, AddsDirectlyWhatTurnsTooOften) {
   const SampleGrid grid = test_grid(300);
   const EchoPulse pulse = test_pulse(Pulse::Kind::mono, 120.0);
   expect_promise(pulse, grid, moving_echoes(grid, 0.0, 12.0 * cycle_mps(120.0)));
-  EXPECT_GT(SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 2e-3).doppler_terms, 24u);
+  EXPECT_GT(SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, -1e-3, 1e-3).doppler_terms, 24u);
 }
 
 TEST(SpectralKernel, AddsShortPulsesLikeTheReference) {
@@ -271,22 +271,29 @@ TEST(SpectralKernel, FiltersNothingWhereNoEchoTouchesTheRow) {
 TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {
   const SampleGrid grid = test_grid(1000);
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 200.0, 0.8);
-  const SpectralCost resting = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.0);
+  const SpectralCost resting = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.0, 0.0);
   EXPECT_EQ(resting.spreading_width, 8u);  // 10^(1 - 8) for an eighth of the promise
   EXPECT_EQ(resting.edge_samples, 16u);
   EXPECT_EQ(resting.doppler_terms, 1u);
   EXPECT_GT(resting.transform_size, 4u * 1200u / 2u);
-  EXPECT_EQ(SpectralKernel::cost(pulse, grid, 1e-9, carrier_hz, 0.0).edge_samples, 24u);
+  EXPECT_EQ(SpectralKernel::cost(pulse, grid, 1e-9, carrier_hz, 0.0, 0.0).edge_samples, 24u);
   // A hundredth of a cycle over the pulse takes a few terms, one cycle about a dozen (at 1e-6).
   const double cycle = 1.0 / (carrier_hz * pulse.pulse.width_s);
-  const std::size_t few = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.01 * cycle).doppler_terms;
+  const std::size_t few = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.0, 0.01 * cycle).doppler_terms;
   EXPECT_GE(few, 3u);
   EXPECT_LE(few, 5u);
-  const std::size_t more = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, cycle).doppler_terms;
+  const std::size_t more = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, 0.0, cycle).doppler_terms;
   EXPECT_GE(more, 8u);
   EXPECT_LE(more, 16u);
-  EXPECT_EQ(SpectralKernel::cost(test_pulse(Pulse::Kind::mono, 5.0), grid, 1e-6, carrier_hz, 0.0).doppler_terms, 25u);
-  EXPECT_EQ(SpectralKernel::cost(band_limited_test_pulse(60.0, 0.9), grid, 1e-6, carrier_hz, 0.0).edge_samples, 0u);
+  EXPECT_EQ(SpectralKernel::cost(test_pulse(Pulse::Kind::mono, 5.0), grid, 1e-6, carrier_hz, 0.0, 0.0).doppler_terms,
+            25u);
+  // A shift of a tenth of the sampling rate widens the band by an eighth on either side, whatever the span.
+  const double tenth = 0.1 / (carrier_hz * test_interval_s);
+  const SpectralCost fast = SpectralKernel::cost(pulse, grid, 1e-6, carrier_hz, -tenth, -tenth);
+  EXPECT_EQ(fast.doppler_terms, 1u);
+  EXPECT_NEAR(static_cast<double>(fast.transform_size - resting.transform_size), 4.0 * 0.125 * 1200.0, 2.0);
+  EXPECT_EQ(SpectralKernel::cost(band_limited_test_pulse(60.0, 0.9), grid, 1e-6, carrier_hz, 0.0, 0.0).edge_samples,
+            0u);
 }
 
 }  // namespace

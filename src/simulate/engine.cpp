@@ -23,32 +23,33 @@ constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::aut
 constexpr double direct_echo_ns = 40.0;
 constexpr double direct_sample_ns = 0.13;
 constexpr double shaped_sample_ns = 30.0;  // pulses that the direct kernel leaves to the reference
-constexpr double spread_ns = 6.0;
-constexpr double doppler_term_ns = 20.0;  // spreading again and the weight of the term
-constexpr double edge_sample_ns = 0.35;
-constexpr double transform_point_ns = 4.0;
+constexpr double spread_ns = 5.0;
+constexpr double doppler_term_ns = 3.5;  // spreading again and the weight of the term
+constexpr double edge_sample_ns = 0.22;
+constexpr double transform_point_ns = 2.5;
 
-// Largest spread of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
-double doppler_span(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses) {
+struct DopplerRange {
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+
+// The widest range of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
+DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses) {
   constexpr std::size_t most = 1000;
   PulseGeometry geometry(scene, radar);
   const std::size_t stride = scene.scatterers.size() / most + 1;
-  double span = 0.0;
+  DopplerRange widest;
   for (const double share : {0.0, 0.5, 1.0}) {
     geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
     const Pointing pointing = geometry.pointing();
-    double lowest = 0.0;
-    double highest = 0.0;
-    bool any = false;
+    DopplerRange here{1.0, -1.0};
     for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
       const double d = 2.0 * geometry.view(i, pointing).speed_mps / scene.conventions.light_speed_mps;
-      lowest = any ? std::min(lowest, d) : d;
-      highest = any ? std::max(highest, d) : d;
-      any = true;
+      here = {std::min(here.lowest, d), std::max(here.highest, d)};
     }
-    span = std::max(span, highest - lowest);
+    if (here.highest - here.lowest >= widest.highest - widest.lowest) widest = here;
   }
-  return span;
+  return widest;
 }
 
 double scatterer_count(const ResolvedScene& scene) {
@@ -82,8 +83,9 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   // Few echoes of short pulses: not worth asking what the transform would cost.
   if (direct_ns < 20e3)
     return {Engine::direct, fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", echoes, samples)};
+  const DopplerRange doppler = widest_doppler(scene, radar, pulses);
   const SpectralCost cost =
-      SpectralKernel::cost(pulse, grid, tolerance, radar.carrier.highest_hz(), doppler_span(scene, radar, pulses));
+      SpectralKernel::cost(pulse, grid, tolerance, radar.carrier.highest_hz(), doppler.lowest, doppler.highest);
   const auto terms = static_cast<double>(cost.doppler_terms);
   const double spectral_ns = echoes * (4.0 + (terms > 1.0 ? doppler_term_ns * terms : spread_ns) +
                                        edge_sample_ns * static_cast<double>(cost.edge_samples)) +

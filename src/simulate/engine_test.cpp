@@ -67,7 +67,7 @@ TEST_F(AutomaticEngine, IsDirectForABarkerCodeWithAnEdgeForEveryFewSamples) {
 }
 
 TEST_F(AutomaticEngine, IsSpectralForABandLimitedPulseWithFewerEchoes) {
-  Scene scene = scene_with(300);
+  Scene scene = scene_with(180);
   scene.options.pulse = PulseDefinition::band_limited;
   EXPECT_EQ(choice(scene).engine, Engine::spectral) << choice(scene).reason;
   scene.options.pulse = PulseDefinition::ideal;
