@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sarsim {
+
+/// What a number measures: which units may be typed, and which one is shown.
+enum class Quantity {
+  number,       ///< No unit.
+  length,       ///< m: nm, um, mm, cm, m, km, ft, nmi
+  time,         ///< s: ns, us, ms, s, min
+  frequency,    ///< Hz, kHz, MHz, GHz
+  angle,        ///< Held in degrees: deg, rad, mrad, '
+  angle_rate,   ///< Held in deg/s: deg/s, rad/s, rpm
+  area,         ///< m2: m2, cm2, dBsm
+  power,        ///< W: mW, W, kW, MW, dBW, dBm
+  ratio_db,     ///< Held in dB: dB, or a bare factor as "x100"
+  temperature,  ///< K
+  voltage,      ///< V: nV, uV, mV, V
+  count,        ///< A whole number.
+};
+
+/// A value read from what was typed, in the unit in which the quantity is held, or why it could not be read, in words.
+struct QuantityReading {
+  std::optional<double> value;
+  std::string failure;  ///< "'5 kg' is no length; try m, km or mm"
+};
+
+/// Reads "50 MHz", "3us", "10 km", "1e3", "1,5" is refused with a hint at the point. Case matters only where it must
+/// (mW and MW); "µ" counts as "u". A number without a unit is in `bare_unit`, one of the quantity's units; empty: the
+/// base unit. Values outside double's range and NaN are failures.
+[[nodiscard]] QuantityReading read_quantity(std::string_view text, Quantity quantity, std::string_view bare_unit = "");
+
+/// The value with the unit that suits its size: 5e7, frequency: "50 MHz". Reading it back gives exactly `value`.
+[[nodiscard]] std::string quantity_text(double value, Quantity quantity);
+/// Same with a given unit of the quantity.
+[[nodiscard]] std::string quantity_text(double value, Quantity quantity, std::string_view unit);
+
+/// The units that may be typed, the base unit first.
+[[nodiscard]] std::vector<std::string_view> units_of(Quantity quantity);
+
+}  // namespace sarsim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sarsim {
+
+/// Copies of unsaved documents that survive a crash: one file per running program in a folder, holding the path of the
+/// document and its text.
+class Recovery {
+ public:
+  /// @param folder  is made where it does not exist
+  /// @param owner   number of the process that owns this copy
+  Recovery(std::filesystem::path folder, long owner);
+
+  /// Writes the copy, completely or not at all. Throws std::runtime_error.
+  void keep(const std::filesystem::path& document, const std::string& text) const;
+  /// Forgets it: the document was saved or closed.
+  void forget() const;
+
+  struct Copy {
+    std::filesystem::path file;      ///< The copy itself.
+    std::filesystem::path document;  ///< Empty where it was never saved.
+    std::string text;
+  };
+  /// Copies whose owners no longer run, newest first. Damaged ones are left out.
+  [[nodiscard]] static std::vector<Copy> orphans(const std::filesystem::path& folder);
+  static void discard(const Copy& copy);
+
+ private:
+  std::filesystem::path file_;
+};
+
+}  // namespace sarsim

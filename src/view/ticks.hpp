@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sarsim {
+
+/// One mark of an axis.
+struct Tick {
+  double value = 0.0;
+  std::string label;  ///< "2.5"; the unit is the axis's.
+};
+
+/// Marks of an axis from `first` to `last` (either order): multiples of 1, 2 or 5 times a power of ten, as many as fit
+/// `length_px` at `spacing_px` each.
+struct Ticks {
+  std::vector<Tick> ticks;
+  std::string unit;    ///< With its prefix, common to all labels: "km".
+  double scale = 1.0;  ///< What values are divided by for the labels.
+};
+[[nodiscard]] Ticks axis_ticks(double first, double last, double length_px, double spacing_px, const std::string& unit);
+
+/// The largest of 1, 2, 5, 10, 20, 50 ... that is at most `value`; for scale bars and the marks of the scene's axes.
+[[nodiscard]] double round_below(double value);
+
+}  // namespace sarsim
