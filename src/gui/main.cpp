@@ -1,2 +1,5 @@
 #include <QApplication>
-int main(int argc, char** argv) { QApplication application(argc, argv); return 0; }
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  return 0;
+}

@@ -56,11 +56,13 @@ struct Drawing {
     bool bold;
     bool centred;
   };
-  /// What can be picked: the object with its place and reach.
+  /// What can be picked: an object with a place of it. A platform has a second one at its name, because its radar
+  /// covers its origin; the handle of a surface, at its centroid, says only that it was drawn.
   struct Handle {
     ObjectId id;
-    float x, y;
-    float depth_m;
+    float x = 0.0F;
+    float y = 0.0F;
+    float depth_m = 0.0F;
   };
   std::vector<Polygon> polygons;  ///< Drawn first, farthest first.
   std::vector<Line> lines;        ///< Then lines,
@@ -69,18 +71,22 @@ struct Drawing {
   std::vector<Handle> handles;
 };
 
-/// Draws a snapshot after the rules of the thesis (4.1.2): main axes 200 px long with a mark at a round distance,
-/// corner triad, platforms with own axes of 50 px and name, targets as discs of 7 px with drop lines and, where
-/// directional, the normal of 20 px, surfaces with their normal, radars as discs of 10 px with the cone of their beam
-/// (50 px, 16 points, 4 ribs) or a dotted circle where isotropic. Fills `drawing`, whose room is used again.
+/// Draws a snapshot, whose objects are in the order of their lists, after the rules of the thesis (4.1.2): main axes
+/// 200 px long with a mark at a round distance, corner triad, platforms with own axes of 50 px and name, targets as
+/// discs of 7 px with drop lines and, where directional, the normal of 20 px, surfaces with their normal, radars as
+/// discs of 10 px with the cone of their beam (50 px, 16 points, 4 ribs) or a dotted circle where isotropic. Beyond
+/// them: a scale bar with the main axes, the names of radars, trails. What is selected or hovered has its own role and
+/// is larger. Marks end at most 64 pixels of the screen outside the picture. Drop lines of platforms and surfaces end
+/// at the world's z = 0. Fills `drawing`, whose room is used again. About 1 ms for 10 000 targets.
 void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options, Drawing& drawing);
 
 /// The object under a picture point: the nearest handle within `reach_px`, targets and radars before platforms, the
-/// nearer to the viewer first where two are equally near; else a surface whose triangle holds the point.
+/// nearer to the viewer first where two are equally near (to half a pixel); else the nearest surface whose triangle
+/// holds the point or has its rim within reach. Only what `draw_scene` put into `drawing`.
 [[nodiscard]] std::optional<ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
                                              double x_px, double y_px, double reach_px);
 
-/// All points of a snapshot that a fitted view should show.
+/// All points of a snapshot that a fitted view should show: objects, not trails.
 [[nodiscard]] std::vector<Vec3> points_of(const Snapshot& snapshot);
 
 }  // namespace sarsim

@@ -38,6 +38,13 @@ struct Field {
 /// The fields of `$OPTIONS`.
 [[nodiscard]] const std::vector<Field>& option_fields();
 
+/// The field at which a problem is shown: the one that `Problem::subject.field` names, or the first of its components
+/// ("position_m" is shown at "position_m.x"); empty where the problem is about the whole object.
+[[nodiscard]] std::string_view field_of_problem(ObjectKind kind, std::string_view problem_field);
+[[nodiscard]] std::string_view option_field_of_problem(std::string_view problem_field);
+
+/// The functions below throw std::invalid_argument for an id that is none of the object's fields.
+
 /// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
 
@@ -47,7 +54,10 @@ struct Field {
 [[nodiscard]] std::string field_text(const RunOptions& options, std::string_view id);
 
 /// Sets a field from what was typed. Choosing another alternative gives the members that become meaningless their
-/// initial values, as the script writer wants it.
+/// initial values, as the script writer wants it, and a user-defined function that becomes meaningful one point to
+/// begin with. Choices are matched without regard to case, by their whole name or a beginning that only one has. What a
+/// script cannot say is refused; what only `check` judges is taken, so that an object can be half-typed. A function
+/// takes only the text that it shows.
 /// @returns empty, or why not, in words; the object is then unchanged
 [[nodiscard]] std::string set_field(AnyObject& object, std::string_view id, std::string_view text);
 [[nodiscard]] std::string set_field(RunOptions& options, std::string_view id, std::string_view text);
@@ -59,8 +69,10 @@ struct DerivedFigure {
   std::string formula;
 };
 /// Derived values of an object: of a radar wavelength, resolutions, unambiguous range and velocity, duty cycle, mean
-/// power, noise; of a target its SNR as each radar sees it at `time_s`; of a simulation its size, sampling ratio, LSB.
-/// Empty where the scene has errors that stand in the way.
+/// power, noise; of a target range, delay, radial speed and SNR as each radar sees it at `time_s`, without random
+/// errors; of a simulation its pulses, samples, size and sampling ratio; of a platform where it is and how fast at
+/// `time_s`; of a surface its area and points. Figures that errors of the scene stand in the way of are left out. Never
+/// throws; quick enough for every keystroke, because only the objects concerned are looked at.
 [[nodiscard]] std::vector<DerivedFigure> derived_figures(const Scene& scene, ObjectId id, double time_s);
 
 }  // namespace sarsim

@@ -36,7 +36,8 @@ struct QuantityReading {
 
 /// The value with the unit that suits its size: 5e7, frequency: "50 MHz". Reading it back gives exactly `value`.
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity);
-/// Same with a given unit of the quantity.
+/// Same with a given unit of the quantity; a unit that is not a power of ten of the base unit (ft, rad, dBm) gives the
+/// nearest number, which need not read back exactly. std::invalid_argument for a unit that is none of the quantity's.
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity, std::string_view unit);
 
 /// The units that may be typed, the base unit first.

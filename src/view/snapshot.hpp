@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,27 +22,28 @@ struct Snapshot {
   };
   struct Target {
     ObjectId id;
-    Vec3 position_world_m;
-    Vec3 foot_world_m;  ///< Below or above it in the platform's x-y plane.
-    Vec3 normal_world;  ///< Unit; of directional ones.
+    Vec3 position_world_m;  ///< Without the jitter that a target draws for every pulse.
+    Vec3 foot_world_m;      ///< Below or above it in the platform's x-y plane.
+    Vec3 normal_world;      ///< Unit; of directional ones.
     bool directional = false;
   };
   struct Surface {
     ObjectId id;
     std::array<Vec3, 3> corner_world_m;
-    Vec3 normal_world;  ///< Unit; the side that reflects.
+    Vec3 normal_world;  ///< Unit; the side that reflects. 0 where the triangle has no area.
   };
   struct Radar {
     ObjectId id;
     std::string name;
     Vec3 position_world_m;
-    Vec3 axis_world;           ///< Unit vector along the beam.
-    Vec3 across_world;         ///< Unit vector of the antenna's x, for the beam's cross-section.
-    double azimuth_width_rad;  ///< Half-power widths of a sin(x)/x pattern; of a user pattern where it falls by 3 dB.
-    double elevation_width_rad;
+    Vec3 axis_world;    ///< Unit vector along the beam.
+    Vec3 across_world;  ///< Unit vector of the antenna's x, for the beam's cross-section.
+    double azimuth_width_rad =
+        0.0;  ///< Half-power widths of a sin(x)/x pattern; of a user pattern where it falls by 3 dB.
+    double elevation_width_rad = 0.0;
     bool isotropic = true;
-    /// Points of the pattern's lobe: gain against direction, for those who draw it: [elevation][azimuth], world
-    /// directions times the one-way amplitude (0 to 1).
+    /// Points of the transmit pattern's lobe: gain against direction, for those who draw it: [elevation][azimuth],
+    /// world directions times the one-way amplitude over its largest (0 to 1). Empty where isotropic.
     std::vector<std::vector<Vec3>> lobe_world;
   };
   double time_s = 0.0;
@@ -61,10 +62,13 @@ class SnapshotMaker {
   SnapshotMaker(SnapshotMaker&&) noexcept;
   SnapshotMaker& operator=(SnapshotMaker&&) noexcept;
 
-  /// @param trail_s  length of the trails, half before and half after the time; 0: none
+  /// Poses are those of the pulse that the scene's first radar sent last, random motion errors included.
+  /// @param time_s   taken as 0 where it is not a finite number
+  /// @param trail_s  length of the trails, half before and half after the time; 0: none. Trails follow the nominal
+  /// path.
   [[nodiscard]] Snapshot at(double time_s, double trail_s = 0.0) const;
-  /// From the first to the last time that a trajectory, rotation or simulation of the scene mentions; 0 to 1 s where
-  /// none does.
+  /// From the first to the last time that a trajectory, rotation, steered beam, simulation or geometry table of the
+  /// scene mentions; 1 s from the only one, 0 to 1 s where there is none.
   [[nodiscard]] std::array<double, 2> time_span_s() const;
 
  private:

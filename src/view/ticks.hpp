@@ -12,7 +12,8 @@ struct Tick {
 };
 
 /// Marks of an axis from `first` to `last` (either order): multiples of 1, 2 or 5 times a power of ten, as many as fit
-/// `length_px` at `spacing_px` each.
+/// `length_px` at `spacing_px` each, in the order from `first` to `last`. Units of decibels, degrees, percent, square
+/// metres and kelvins, and no unit at all, take no prefix. No marks for an empty or infinite span.
 struct Ticks {
   std::vector<Tick> ticks;
   std::string unit;    ///< With its prefix, common to all labels: "km".
@@ -20,7 +21,8 @@ struct Ticks {
 };
 [[nodiscard]] Ticks axis_ticks(double first, double last, double length_px, double spacing_px, const std::string& unit);
 
-/// The largest of 1, 2, 5, 10, 20, 50 ... that is at most `value`; for scale bars and the marks of the scene's axes.
+/// The largest of 1, 2, 5, 10, 20, 50 ... that is at most `value`; for scale bars and the marks of the scene's axes. 0
+/// for anything but a positive number.
 [[nodiscard]] double round_below(double value);
 
 }  // namespace sarsim

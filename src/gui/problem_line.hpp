@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+#include "base/problem.hpp"
+
+class QLabel;
+
+namespace sarsim {
+
+/// What is wrong, in words: "Error: the pulse width is not above zero; found 0 s, expected more than 0 s". Severity is
+/// told by the first word, so that neither colour nor icon is needed to understand it.
+[[nodiscard]] QString problem_text(const Problem& problem);
+
+/// "Error", "Warning" or "Note".
+[[nodiscard]] QString severity_word(Severity severity);
+
+/// The icon of a severity in the style of the desktop.
+[[nodiscard]] QIcon severity_icon(Severity severity, const QWidget& widget);
+
+/// A line below a field or panel that says what is wrong; takes no room where nothing is.
+class ProblemLine : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProblemLine(QWidget* parent = nullptr);
+
+  /// Shows some texts below each other, with icon and colour of the severity.
+  void show_texts(Severity severity, const QStringList& texts);
+  void clear();
+  [[nodiscard]] QString text() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void colour_text();
+
+  QLabel* icon_ = nullptr;
+  QLabel* text_ = nullptr;
+  Severity severity_ = Severity::error;
+};
+
+}  // namespace sarsim

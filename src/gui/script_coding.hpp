@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+
+#include <string>
+#include <string_view>
+
+namespace sarsim {
+
+/// How the characters and lines of a script stand in its bytes, so that an editor gives back what it was given: UTF-8,
+/// or Latin-1 where that cannot be (scripts of the 1998 programs); line ends LF, CR LF or CR.
+struct ScriptCoding {
+  enum class LineEnd { lf, crlf, cr };
+
+  bool latin1 = false;
+  LineEnd line_end = LineEnd::lf;
+
+  friend bool operator==(const ScriptCoding&, const ScriptCoding&) = default;
+};
+
+/// The coding of a text: that of its first line end; LF where it has none.
+[[nodiscard]] ScriptCoding coding_of(std::string_view text);
+
+/// The text with '\n' at the ends of lines. A carriage return that ends no line, a separator like a blank, becomes one.
+[[nodiscard]] QString decoded(std::string_view text, const ScriptCoding& coding);
+/// Back to bytes. Characters that Latin-1 has not turn the whole text into UTF-8.
+[[nodiscard]] std::string encoded(const QString& text, const ScriptCoding& coding);
+
+/// Position in a decoded line (from 0) of a column in bytes (from 1); the line's length for a column beyond its end.
+[[nodiscard]] int position_of_column(const QString& line, std::size_t column, const ScriptCoding& coding);
+
+}  // namespace sarsim

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+#include "gui/script_coding.hpp"
+#include "gui/session.hpp"
+
+class QAction;
+class QLabel;
+class QListWidget;
+
+namespace sarsim {
+
+class FindBar;
+class ScriptText;
+
+/// The script as text, both ways: what is typed becomes the scene after a pause, and what is done to the scene changes
+/// only those places of the text that it concerns, so that comments, cursor and scroll position stay. Below stands a
+/// list of what is wrong; undo and redo are those of the document.
+class ScriptEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScriptEditor(Session& session, QWidget* parent = nullptr);
+  ~ScriptEditor() override;
+
+  /// Gives what was typed to the session now, without waiting for a pause.
+  void commit();
+  [[nodiscard]] ScriptText& text() { return *text_; }
+  /// Puts the cursor where a problem is.
+  void jump_to(const Place& place);
+  /// The command that runs the script without the workbench: "sarsim run 'ship.scr'"; empty where it was never saved.
+  [[nodiscard]] QString command_line() const;
+  [[nodiscard]] QAction* find_action() const { return find_; }
+  [[nodiscard]] QAction* copy_command_action() const { return copy_command_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void make_actions();
+  void take_document();
+  void take_session_text();
+  void note_typing();
+  void refresh_problems();
+  void show_position();
+  void copy_command();
+  [[nodiscard]] bool in_script(const Place& place) const;
+
+  Session& session_;
+  ScriptText* text_ = nullptr;
+  FindBar* find_bar_ = nullptr;
+  QListWidget* problems_ = nullptr;
+  QLabel* position_ = nullptr;
+  QLabel* state_ = nullptr;
+  QAction* find_ = nullptr;
+  QAction* copy_command_ = nullptr;
+  QTimer pause_;    // since the last key
+  QTimer run_end_;  // after which typing is another step of undo
+  QTimer problems_soon_;
+  ScriptCoding coding_;
+  QString shared_;             // the text that editor and session had in common last
+  bool stale_ = false;         // the session's text changed while nobody looked
+  bool splicing_ = false;      // the session's text is being put in
+  std::vector<Place> places_;  // of the lines of the list
+};
+
+/// A file name as one word for a shell.
+[[nodiscard]] QString shell_word(const QString& name);
+
+}  // namespace sarsim

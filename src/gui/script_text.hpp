@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include <vector>
+
+#include "base/problem.hpp"
+#include "gui/script_coding.hpp"
+
+namespace sarsim {
+
+class ScriptHighlighter;
+
+/// The text of a script as it is typed: line numbers, colours, the current line marked, problems underlined where they
+/// are with their words as tooltips. Undo and redo are left to whoever holds the document.
+class ScriptText : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  explicit ScriptText(QWidget* parent = nullptr);
+
+  /// The text with '\n' at the ends of lines, character by character as it was put in.
+  [[nodiscard]] QString script() const;
+  /// Puts another text in its place.
+  void set_script(const QString& text);
+  /// Puts a stretch of text in place of another; the cursor and what is on screen stay where they are.
+  void splice(int at, int length, const QString& with);
+
+  /// Underlines problems; they move with the text until they are set again.
+  void underline(const std::vector<Problem>& problems, const ScriptCoding& coding);
+  /// The underlined stretches, as begin and end.
+  [[nodiscard]] std::vector<std::pair<int, int>> underlined() const;
+  /// Words of the problems underlined at a position of the text; empty where there are none.
+  [[nodiscard]] QString problem_at(int position) const;
+  void jump_to(const Place& place, const ScriptCoding& coding);
+
+  /// Makes the text larger (steps above 0) or smaller; 0 steps: as at first.
+  void zoom(int steps);
+
+  [[nodiscard]] int margin_width() const;
+  void paint_margin(QPaintEvent* event);
+
+ signals:
+  void undo_wanted();
+  void redo_wanted();
+  void left();  ///< The keyboard goes elsewhere.
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  struct Mark {
+    QTextCursor where;
+    QString text;
+    Severity severity = Severity::error;
+  };
+
+  void place_margin();
+  void scroll_margin(const QRect& area, int dy);
+  void show_marks();
+  void refresh_colours();
+  [[nodiscard]] QTextCursor stretch_of(const Place& place, const ScriptCoding& coding) const;
+
+  QWidget* margin_ = nullptr;
+  ScriptHighlighter* highlighter_ = nullptr;
+  std::vector<Mark> marks_;
+  double first_size_pt_ = 0.0;
+};
+
+}  // namespace sarsim

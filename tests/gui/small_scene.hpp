@@ -1,0 +1,51 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "gui/session.hpp"
+#include "script/writer.hpp"
+#include "view/document.hpp"
+
+/// Scenes for tests of the workbench.
+namespace sarsim::test {
+
+/// Platforms "Earth" and "Ship"; on Earth Radar1, two targets and a surface, on the Ship Radar2 and a target; a stored
+/// simulation and a geometry table of Radar1.
+inline Scene small_scene() {
+  Scene scene;
+  scene.platforms.emplace_back();
+  scene.platforms.emplace_back().name = "Ship";
+  scene.radars.emplace_back();
+  scene.radars.emplace_back().name = "Radar2";
+  scene.radars.back().platform = "Ship";
+  for (const double x : {1000.0, 2000.0, 3000.0}) scene.targets.emplace_back().position_m = {x, 0.0, 0.0};
+  scene.targets.back().platform = "Ship";
+  scene.surfaces.emplace_back();
+  Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_end_m = 2000.0;
+  simulation.sample_rate_hz = 4e6;
+  scene.simulations.push_back(simulation);
+  scene.geometries.emplace_back().radar = "Radar1";
+  return scene;
+}
+
+inline void open(Session& session, const Scene& scene) { session.take(Document::from_text(write_script(scene))); }
+
+inline ObjectId target(std::size_t index) { return {ObjectKind::target, index}; }
+inline ObjectId platform(std::size_t index) { return {ObjectKind::platform, index}; }
+inline ObjectId radar(std::size_t index) { return {ObjectKind::radar, index}; }
+
+/// Targets 10 m apart, a hundred in a row, on one platform with a radar.
+inline Scene many_targets(std::size_t count) {
+  Scene scene;
+  scene.platforms.emplace_back();
+  scene.radars.emplace_back();
+  for (std::size_t i = 0; i < count; ++i)
+    scene.targets.emplace_back().position_m = {10.0 * static_cast<double>(i % 100), 10.0 * static_cast<double>(i / 100),
+                                               0.0};
+  return scene;
+}
+
+}  // namespace sarsim::test

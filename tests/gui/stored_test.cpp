@@ -1,0 +1,298 @@
+#include <QApplication>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "data/sinks.hpp"
+#include "gui/problem_line.hpp"
+#include "gui/run_panel.hpp"
+#include "gui/stored_simulations.hpp"
+#include "scene/check.hpp"
+#include "simulate/run.hpp"
+#include "small_scene.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int patience_ms = 60'000;
+constexpr ObjectId first{ObjectKind::simulation, 0};
+
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// Radar1 looks at two targets for some pulses.
+Scene recorded_scene() {
+  Scene scene = test::small_scene();
+  scene.simulations[0].range_end_m = 4000.0;
+  scene.simulations[0].time_end_s = 0.049;
+  scene.simulations[0].file = "echo.bin";
+  return scene;
+}
+
+// A recording that takes minutes.
+Scene slow_scene() {
+  Scene scene = test::many_targets(2000);
+  Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_end_m = 20e3;
+  simulation.time_end_s = 100.0;
+  simulation.sample_rate_hz = 50e6;
+  simulation.lsb_v = 1e-6;
+  simulation.file = "slow.bin";
+  scene.simulations = {simulation};
+  for (Target& target : scene.targets) target.position_m.x += 1000.0;
+  return scene;
+}
+
+// What `sarsim run` writes for a simulation.
+std::string run_by_hand(const Scene& scene, const std::filesystem::path& path) {
+  const Plan plan = make_plan(scene, 0, nullptr, Engine::automatic);
+  const std::unique_ptr<Sink> sink =
+      make_sink(path, product_of(plan, {}), {plan.simulation.format, true, false, false});
+  run(plan, resolved_lsb_v(plan, {}), *sink, {});
+  return file_text(path);
+}
+
+struct Bench {
+  explicit Bench(const Scene& scene) {
+    test::open(session, scene);
+    folder_path = folder.path().toStdString();
+    stored.ask_folder = [this]() -> std::optional<std::filesystem::path> {
+      ++folder_questions;
+      return folder_path;
+    };
+    stored.ask_replace = [this](const std::filesystem::path&) {
+      ++replace_questions;
+      return may_replace;
+    };
+    stored.resize(900, 600);
+    stored.show();
+    table = stored.findChild<QTableWidget*>("stored_table");
+    ended = std::make_unique<QSignalSpy>(&stored.run_panel(), &RunPanel::ended);
+  }
+  void click(const char* name) const { stored.findChild<QPushButton*>(name)->click(); }
+  [[nodiscard]] QString label(const char* name) const { return stored.findChild<QLabel*>(name)->text(); }
+  [[nodiscard]] JobEnd wait_for_end() const {
+    if (ended->isEmpty() && !ended->wait(patience_ms)) qFatal("the run did not end");
+    return ended->last()[0].value<JobEnd>();
+  }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_path), {}));
+  }
+
+  QTemporaryDir folder;
+  std::filesystem::path folder_path;
+  Session session;
+  StoredSimulations stored{session};
+  QTableWidget* table = nullptr;
+  std::unique_ptr<QSignalSpy> ended;
+  int folder_questions = 0;
+  int replace_questions = 0;
+  bool may_replace = false;
+};
+
+}  // namespace
+
+class StoredTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void simulations_are_listed_with_what_they_record() {
+    Scene scene = recorded_scene();
+    scene.simulations.push_back(scene.simulations[0]);
+    scene.simulations[1].processing = Processing::matched_filter;
+    scene.simulations[1].lsb_v = 2e-3;
+    scene.simulations[1].file = "compressed.bin";
+    const Bench bench(scene);
+    QCOMPARE(bench.table->rowCount(), 2);
+    QStringList first_line;
+    QStringList second_line;
+    for (int column = 0; column < bench.table->columnCount(); ++column) {
+      first_line += bench.table->item(0, column)->text();
+      second_line += bench.table->item(1, column)->text();
+    }
+    QCOMPARE(first_line,
+             QStringList({"Raw", "Radar1", "0 m to 4 km", "0 s to 49 ms", "4 MHz", "8", "estimated", "echo.bin"}));
+    QCOMPARE(second_line[0], QString("Compressed"));
+    QCOMPARE(second_line[6], QString("2 mV"));
+  }
+
+  void show_edit_and_delete_work_on_the_chosen_line() {
+    Bench bench(recorded_scene());
+    QVERIFY(!bench.stored.findChild<QPushButton*>("stored_show")->isEnabled());
+    bench.stored.choose(first);
+    ObjectId shown{};
+    connect(&bench.stored, &StoredSimulations::show_requested, this, [&](ObjectId id) { shown = id; });
+    bench.click("stored_show");
+    QVERIFY(shown == first);
+    bench.click("stored_edit");
+    QVERIFY(bench.session.current() == first);
+    bench.click("stored_delete");
+    QVERIFY(bench.session.scene().simulations.empty());
+    QCOMPARE(bench.table->rowCount(), 0);
+    bench.session.undo();
+    QCOMPARE(bench.session.scene().simulations, recorded_scene().simulations);
+    QCOMPARE(bench.table->rowCount(), 1);
+  }
+
+  void a_new_simulation_suits_its_radar_and_scene() {
+    Bench bench(recorded_scene());
+    bench.click("stored_new");
+    QCOMPARE(bench.session.scene().simulations.size(), std::size_t{2});
+    const Simulation& made = bench.session.scene().simulations[1];
+    QCOMPARE(made.radar, std::string("Radar1"));
+    QCOMPARE(made.file, std::string("sim2.bin"));
+    // Targets stand at 1, 2 and 3 km; the pulse is 5 us long, 0.75 km.
+    QVERIFY(made.range_start_m <= 1000.0 && made.range_end_m >= 3000.0 + 1500.0);
+    QVERIFY(made.range_end_m < 6000.0);
+    QVERIFY(made.sample_rate_hz > 0.0);
+    QVERIFY(bench.stored.chosen() == (ObjectId{ObjectKind::simulation, 1}));
+    QVERIFY(!has_errors(check(bench.session.scene())));
+  }
+
+  void a_run_writes_the_file_of_the_command_line_and_reports() {
+    Bench bench(recorded_scene());
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    QVERIFY(bench.stored.run_panel().isVisible());
+    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QCOMPARE(bench.folder_questions, 1);
+    const std::string expected = run_by_hand(bench.session.scene(), bench.folder_path / "by_hand.bin");
+    QVERIFY(expected.size() > 1000);
+    QCOMPARE(file_text(bench.folder_path / "echo.bin"), expected);
+    const QString report = bench.label("run_report");
+    QVERIFY(report.contains("echo.bin") && report.contains("50 x 107") && report.contains("saturated"));
+    QVERIFY(!bench.stored.findChild<QPushButton*>("run_use_lsb")->isVisible());
+  }
+
+  void a_saved_scene_is_run_into_its_folder_and_asks_before_replacing() {
+    Bench bench(recorded_scene());
+    bench.session.save(bench.folder_path / "scene.scr");
+    std::ofstream(bench.folder_path / "echo.bin") << "precious";
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    QCOMPARE(bench.replace_questions, 1);
+    QVERIFY(!bench.stored.run_panel().running());
+    QCOMPARE(file_text(bench.folder_path / "echo.bin"), std::string("precious"));
+    bench.may_replace = true;
+    bench.click("stored_run");
+    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QCOMPARE(bench.folder_questions, 0);
+    QVERIFY(file_text(bench.folder_path / "echo.bin") != "precious");
+  }
+
+  void a_long_run_gives_its_estimate_first_and_cancelling_leaves_nothing() {
+    Bench bench(slow_scene());
+    bench.stored.run_panel().set_patience_s(0.0);
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    auto* start = bench.stored.findChild<QPushButton*>("run_start");
+    QTRY_VERIFY_WITH_TIMEOUT(start->isVisible(), patience_ms);
+    QVERIFY(bench.label("run_report").contains("of memory"));
+    QCOMPARE(bench.files(), std::size_t{0});
+    start->click();
+    auto* bar = bench.stored.findChild<QProgressBar*>("run_progress");
+    QTRY_VERIFY_WITH_TIMEOUT(bar->value() > 0 && bench.label("run_state").contains("left"), patience_ms);
+    QElapsedTimer timer;
+    timer.start();
+    bench.click("run_cancel");
+    QCOMPARE(bench.wait_for_end(), JobEnd::cancelled);
+    qInfo() << "cancelled within" << timer.elapsed() << "ms";
+    QCOMPARE(bench.files(), std::size_t{0});
+    QVERIFY(bench.label("run_state").contains("no file was written"));
+    QVERIFY(bench.stored.findChild<QPushButton*>("stored_run")->isEnabled());
+  }
+
+  void a_run_that_waits_for_start_can_be_cancelled() {
+    Bench bench(recorded_scene());
+    bench.stored.run_panel().set_patience_s(-1.0);
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    QTRY_VERIFY_WITH_TIMEOUT(bench.stored.findChild<QPushButton*>("run_start")->isVisible(), patience_ms);
+    bench.click("run_cancel");
+    QCOMPARE(bench.wait_for_end(), JobEnd::cancelled);
+    QCOMPARE(bench.files(), std::size_t{0});
+  }
+
+  void closing_ends_a_run_and_leaves_nothing() {
+    const QTemporaryDir folder;
+    {
+      Session session;
+      test::open(session, slow_scene());
+      StoredSimulations stored(session);
+      stored.run_panel().set_patience_s(1e9);
+      stored.run_into(first, folder.filePath("slow.bin").toStdString(), false);
+      const auto* bar = stored.findChild<QProgressBar*>("run_progress");
+      QTRY_VERIFY_WITH_TIMEOUT(bar->value() > 0, patience_ms);
+    }
+    QVERIFY(std::filesystem::is_empty(folder.path().toStdString()));
+  }
+
+  void clipped_samples_are_warned_of_and_the_best_lsb_is_taken_over() {
+    Scene scene = recorded_scene();
+    scene.simulations[0].lsb_v = 1e-12;
+    Bench bench(scene);
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QVERIFY(bench.stored.findChild<ProblemLine*>("run_problems")->text().contains("clipped"));
+    bench.click("run_use_lsb");
+    const double lsb_v = bench.session.scene().simulations[0].lsb_v;
+    QVERIFY(lsb_v > 1e-12);
+    bench.may_replace = true;
+    bench.ended->clear();
+    bench.click("stored_run");
+    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QVERIFY(bench.label("run_report").contains("0 % of the samples saturated"));
+    bench.session.undo();
+    QCOMPARE(bench.session.scene().simulations[0].lsb_v, 1e-12);
+  }
+
+  void errors_are_told_in_words() {
+    Scene scene = recorded_scene();
+    scene.simulations[0].range_end_m = 0.0;
+    Bench bench(scene);
+    bench.stored.choose(first);
+    bench.click("stored_run");
+    QCOMPARE(bench.wait_for_end(), JobEnd::failed);
+    auto* problems = bench.stored.findChild<ProblemLine*>("run_problems");
+    QVERIFY(problems->isVisible() && problems->text().startsWith("Error: "));
+    QCOMPARE(bench.files(), std::size_t{0});
+
+    Bench without_folder(recorded_scene());
+    without_folder.folder_path = "/no/such/folder";
+    without_folder.stored.choose(first);
+    without_folder.click("stored_run");
+    QCOMPARE(without_folder.wait_for_end(), JobEnd::failed);
+    QVERIFY(without_folder.stored.findChild<ProblemLine*>("run_problems")->text().contains("/no/such/folder"));
+  }
+
+  void files_of_one_name_are_numbered_as_the_command_line_does() {
+    Scene scene = recorded_scene();
+    scene.simulations.push_back(scene.simulations[0]);
+    scene.simulations[1].file = "somewhere\\echo.bin";
+    scene.simulations.push_back(scene.simulations[0]);
+    scene.simulations[2].file = "folder/";
+    QCOMPARE(run_file(scene, 0, "out"), std::filesystem::path("out/echo.bin"));
+    QCOMPARE(run_file(scene, 1, "out"), std::filesystem::path("out/echo-2.bin"));
+    QVERIFY(run_file(scene, 2, "out").empty());
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::StoredTest)
+#include "stored_test.moc"
