@@ -97,6 +97,19 @@ TEST(Engines, AgreeOnCompressedEchoesInNoise) {
   }
 }
 
+TEST(Engines, MakeARowWhateverStoodInItsPlace) {
+  for (const char* processing : {"RAW", "MATCHED_FILTER"})
+    for (const Engine engine : {Engine::direct, Engine::spectral}) {
+      const Plan plan = make_plan(scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", processing, "")), 0,
+                                  nullptr, engine);
+      RowMaker maker(plan);
+      std::vector<std::complex<double>> clean(plan.columns), used(plan.columns, {7.0, -3.0});
+      maker.make_row(1, clean);
+      maker.make_row(1, used);
+      EXPECT_EQ(clean, used) << name_of(engine) << processing;
+    }
+}
+
 TEST(Engines, SameBytesForAnyNumberOfThreads) {
   for (const char* processing : {"RAW", "MATCHED_FILTER"})
     for (const Engine engine : {Engine::direct, Engine::spectral}) {
