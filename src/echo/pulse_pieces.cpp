@@ -129,6 +129,12 @@ void PulsePieces::mark_sharp_borders() {
 }
 
 std::size_t PulsePieces::piece_at(double position, std::size_t first, std::size_t last) const {
+  std::size_t piece = first;
+  if (last - first <= 8) {
+    // Without branches: they could not be predicted.
+    for (std::size_t k = first + 1; k < last; ++k) piece += border_[k] <= position ? 1U : 0U;
+    return piece;
+  }
   const auto begin = border_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto after = std::upper_bound(begin + 1, border_.begin() + static_cast<std::ptrdiff_t>(last), position);
   return first + static_cast<std::size_t>(after - begin) - 1;

@@ -13,7 +13,8 @@ constexpr double largest_bytes = 32e6;
 constexpr std::size_t front = ShapeTable::cells_per_block;
 constexpr double sharp_reach = 1e-8;      // how near to a cell a jump asks for its patch, intervals
 constexpr double end_tolerance = 1.1e-9;  // a band-limited pulse is 0 from 1e-9 of an interval before its end
-constexpr std::size_t shortest_constant = 64;
+// A tone of its own costs as much as this many values from the table.
+constexpr std::size_t shortest_constant = 1024;
 
 double double_of(std::size_t n) { return static_cast<double>(n); }
 
@@ -142,16 +143,17 @@ void ShapeTable::find_constant(const Fits& fits) {
   }
 }
 
-// As few parts as the degree allows: a table that the caches hold counts for more than a term.
+// Four parts suit pulses that fill the sampled band; wider ones need more.
 void ShapeTable::tabulate_band_limited() {
   const BandLimitedPulse& pulse = *pulse_->band_limited;
+  std::vector<std::complex<double>> samples(cells_ - front);
+  pulse.values(origin_s_, samples);
   double largest = 0.0;
-  for (double t = origin_s_; t < pulse.last_s(); t += grid_.interval_s)
-    largest = std::max(largest, std::abs(pulse.value(t)));
+  for (const auto& sample : samples) largest = std::max(largest, std::abs(sample));
   const double tolerance = largest * (single_precision_ ? 4e-8 : 2e-12);
-  const std::size_t wanted_degree = single_precision_ ? 5 : 9;
-  constexpr std::size_t most_parts = 8;
-  for (parts_ = 1;; parts_ *= 2) {
+  const std::size_t wanted_degree = single_precision_ ? 8 : fit_terms - 2;
+  constexpr std::size_t most_parts = 32;
+  for (parts_ = 4;; parts_ *= 2) {
     const Fits fits = fit_band_limited(parts_, tolerance);
     degree_ = std::min(*std::ranges::max_element(fits.degree), fit_terms - 1);
     if (degree_ > wanted_degree && parts_ < most_parts) continue;

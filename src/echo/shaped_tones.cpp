@@ -13,25 +13,34 @@ namespace sarsim::HWY_NAMESPACE {
 
 constexpr std::size_t block = ShapeTable::cells_per_block;
 
-// Values of the shape at one place of `blocks` blocks of cells (Horner).
-template <class T, bool complex>
-HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, std::size_t blocks, std::size_t degree,
-                         double place, T* HWY_RESTRICT re, T* HWY_RESTRICT im) {
+// Values of the shape at one place of `blocks` blocks of cells (Horner). The degree is a constant so that the loop over
+// it is unrolled.
+template <class T, bool complex, std::size_t degree>
+HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, std::size_t blocks, double place,
+                         T* HWY_RESTRICT re, T* HWY_RESTRICT im) {
   const hn::CappedTag<T, block> d;
   const auto y = hn::Set(d, static_cast<T>(place));
-  for (std::size_t b = 0; b < blocks; ++b) {
+  for (std::size_t b = 0; b < blocks; ++b, coefficients += (degree + 1) * (complex ? 2 : 1))
     for (std::size_t i = 0; i < block; i += hn::Lanes(d)) {
       auto sum_re = hn::Load(d, coefficients[degree].value + i);
-      for (std::size_t k = degree; k-- > 0;) sum_re = hn::MulAdd(sum_re, y, hn::Load(d, coefficients[k].value + i));
-      hn::Store(sum_re, d, re + b * block + i);
-      if constexpr (complex) {
-        const ShapeTable::Block<T>* const imaginary = coefficients + degree + 1;
-        auto sum_im = hn::Load(d, imaginary[degree].value + i);
-        for (std::size_t k = degree; k-- > 0;) sum_im = hn::MulAdd(sum_im, y, hn::Load(d, imaginary[k].value + i));
-        hn::Store(sum_im, d, im + b * block + i);
+      auto sum_im = complex ? hn::Load(d, coefficients[2 * degree + 1].value + i) : sum_re;
+      for (std::size_t k = degree; k-- > 0;) {
+        sum_re = hn::MulAdd(sum_re, y, hn::Load(d, coefficients[k].value + i));
+        if (complex) sum_im = hn::MulAdd(sum_im, y, hn::Load(d, coefficients[degree + 1 + k].value + i));
       }
+      hn::Store(sum_re, d, re + b * block + i);
+      if (complex) hn::Store(sum_im, d, im + b * block + i);
     }
-    coefficients += (degree + 1) * (complex ? 2 : 1);
+}
+
+template <class T, bool complex, std::size_t degree = 0>
+void evaluate_degree(std::size_t wanted, const ShapeTable::Block<T>* coefficients, std::size_t blocks, double place,
+                     T* re, T* im) {
+  if constexpr (degree < fit_terms) {
+    if (wanted == degree)
+      evaluate<T, complex, degree>(coefficients, blocks, place, re, im);
+    else
+      evaluate_degree<T, complex, degree + 1>(wanted, coefficients, blocks, place, re, im);
   }
 }
 
@@ -41,8 +50,8 @@ HWY_INLINE void evaluate_shape(const ShapeTable& table, const ShapePlace& place,
                                T* HWY_RESTRICT im) {
   const std::size_t first = place.cell / block;
   const std::size_t last = (place.cell + place.count - 1) / block;
-  evaluate<T, complex>(table.coefficients<T>(place.part, place.cell), last + 1 - first, table.degree(), place.y, re,
-                       im);
+  evaluate_degree<T, complex>(table.degree(), table.coefficients<T>(place.part, place.cell), last + 1 - first, place.y,
+                              re, im);
   table.patch(place, first * block, re, im);
 }
 
