@@ -18,12 +18,11 @@ namespace sarsim {
 /// complex multiply-add per sample, and the chirp is put back once per row. Long rows are taken in blocks with a centre
 /// each, lest these phases grow beyond what a double resolves. An envelope, I and Q of a user-defined pulse or a
 /// band-limited pulse multiply the tone; their values come from a table (echo/shape_table.hpp). Only where that table
-/// would be very large, a band-limited pulse of more than 1e5 samples, the reference kernel takes over. One object per
-/// thread.
+/// would be very large, for a band-limited pulse of 50 000 samples in double precision, the reference kernel takes
+/// over. One object per thread.
 ///
-/// Accuracy, relative to each echo's amplitude and the largest magnitude of an envelope or pulse: 3e-7, with an
-/// envelope, user-defined or band-limited 6e-7, where `tolerance` is 1e-6 or more; otherwise that of double precision,
-/// 3e-11.
+/// Accuracy, relative to each echo's amplitude and the largest magnitude of an envelope or pulse: where `tolerance` is
+/// 1e-6 or more, 3e-7, and 5e-7 with a table; otherwise 1e-11 and the rounding of phases.
 class DirectKernel {
  public:
   /// Keeps a reference to the pulse.

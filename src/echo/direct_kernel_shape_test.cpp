@@ -215,7 +215,9 @@ TEST(DirectKernelShapes, DecidesSamplesOnEdgesBordersAndJumpsLikeTheReference) {
   for (const Pulse::Kind kind : {Pulse::Kind::mono, Pulse::Kind::code})
     pulses.push_back(with_ramps(test_pulse(kind, 26.0), 4.0, 3.0));
   for (const Method& method : methods) {
-    pulses.push_back(user_pulse(20.0, method, 11));  // knots and, of the classic rule, jumps stand on samples
+    // Knots stand on even samples, the jumps of the rule of 1998 on odd ones.
+    pulses.push_back(test_pulse(Pulse::Kind::user, 80.0));
+    pulses.back().pulse.in_phase = curve(method, 41);
     pulses.push_back(user_pulse(20.0, method, 6));
   }
   // Knots as close as numbers come: a step for all purposes.
@@ -230,7 +232,7 @@ TEST(DirectKernelShapes, DecidesSamplesOnEdgesBordersAndJumpsLikeTheReference) {
   }
   for (std::size_t i = 0; i < pulses.size(); ++i)
     for (int k = 0; k < 20; ++k) {
-      SampleGrid grid = early_grid(40);
+      SampleGrid grid = early_grid(100);
       grid.first_s += k * 0.07e-6;
       expect_reference(pulses[i], grid, echoes_on_samples(grid), "pulse " + std::to_string(i));
       if (HasFatalFailure()) return;
