@@ -4,6 +4,7 @@
 //   echo_samples       echoes times samples of a pulse, per second
 
 #include <benchmark/benchmark.h>
+#include <hwy/targets.h>
 
 #include <cmath>
 #include <random>
@@ -29,6 +30,50 @@ struct Workload {
 };
 
 enum class Band { hard_edged, limited };
+
+// What makes a pulse more than a tone.
+enum class Shape { none, ramps, curve_8, curve_200, user_8, user_200, user_2000, low_pass_100, band_limited, cut };
+
+Interpolator curve(Interpolation method, int knots) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> value(0.3, 1.0);
+  SampledFunction f;
+  f.method = method;
+  for (int i = 0; i < knots; ++i) f.knots.push_back({static_cast<double>(i) / (knots - 1), value(random)});
+  return Interpolator(f);
+}
+
+void give_user_pulse(Pulse& pulse, Interpolation method, int knots) {
+  pulse.kind = Pulse::Kind::user;
+  pulse.sweep_hz = 0.0;
+  pulse.in_phase = curve(method, knots);
+  pulse.quadrature = curve(method, knots);
+}
+
+void give_shape(EchoPulse& echo, Shape shape) {
+  Pulse& pulse = echo.pulse;
+  const auto limit = [&](double kept_width_s) {
+    echo.band_limited.emplace(pulse, 0.5 / interval_s, 1.0 / interval_s, kept_width_s);
+  };
+  switch (shape) {
+    case Shape::none: break;
+    case Shape::ramps:
+      pulse.envelope = Pulse::Envelope::linear;
+      pulse.rise_s = pulse.fall_s = 0.1 * pulse.width_s;
+      break;
+    case Shape::curve_8:
+    case Shape::curve_200:
+      pulse.envelope = Pulse::Envelope::user;
+      pulse.envelope_gain = curve(Interpolation::linear, shape == Shape::curve_8 ? 8 : 200);
+      break;
+    case Shape::user_8: give_user_pulse(pulse, Interpolation::cubic, 8); break;
+    case Shape::user_200: give_user_pulse(pulse, Interpolation::linear, 200); break;
+    case Shape::user_2000: give_user_pulse(pulse, Interpolation::linear, 2000); break;
+    case Shape::low_pass_100: give_user_pulse(pulse, Interpolation::low_pass, 100); break;
+    case Shape::band_limited: limit(0.0); break;
+    case Shape::cut: limit(pulse.width_s); break;
+  }
+}
 
 // Echoes whose pulses lie inside the row; `cycles` of Doppler over the pulse at the most, of either sign.
 Workload workload(Pulse::Kind kind, double samples, std::size_t echo_count, double cycles = 0.0,
@@ -114,6 +159,78 @@ BENCHMARK_CAPTURE(direct, chirp_1000_double, Pulse::Kind::chirp, 1000.0, 0.0, 1e
 BENCHMARK_CAPTURE(direct, chirp_10000, Pulse::Kind::chirp, 10000.0, 0.0, 1e-6);
 BENCHMARK_CAPTURE(direct, mono_1000, Pulse::Kind::mono, 1000.0, 0.0, 1e-6);
 BENCHMARK_CAPTURE(direct, barker_1000, Pulse::Kind::code, 1000.0, 0.0, 1e-6);
+
+struct ShapedCase {
+  std::string name;
+  Shape shape;
+  double samples;
+  double cycles;  // of Doppler over the pulse
+  double promise;
+};
+
+Workload shaped_workload(const ShapedCase& c, std::size_t echo_count) {
+  Workload w = workload(Pulse::Kind::chirp, c.samples, echo_count, c.cycles);
+  give_shape(w.pulse, c.shape);
+  return w;
+}
+
+void shaped(benchmark::State& state, const ShapedCase& c, std::int64_t targets) {
+  const Workload w = shaped_workload(c, 1000);
+  if (targets != 0) hwy::SetSupportedTargetsForTest(targets);
+  DirectKernel kernel(w.pulse, w.grid, c.promise);
+  time_kernel(state, kernel, w, c.promise);
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+void shaped_reference(benchmark::State& state, const ShapedCase& c) {
+  const Workload w = shaped_workload(c, 20);
+  std::vector<std::complex<double>> row(w.grid.count);
+  for ([[maybe_unused]] auto _ : state) {
+    add_echoes(row, w.grid, w.pulse, carrier_hz, w.echoes);
+    benchmark::DoNotOptimize(row.data());
+  }
+  count(state, w);
+}
+
+// Making a kernel: what a thread pays once.
+void shaped_set_up(benchmark::State& state, const ShapedCase& c) {
+  const Workload w = shaped_workload(c, 1);
+  for ([[maybe_unused]] auto _ : state) {
+    DirectKernel kernel(w.pulse, w.grid, c.promise);
+    benchmark::DoNotOptimize(&kernel);
+  }
+}
+
+// Every shape with the best instruction set and with AVX2, against the reference and what a kernel costs to make.
+const bool shapes_registered = [] {
+  const std::vector<ShapedCase> cases{{"chirp_1000", Shape::none, 1000.0, 0.0, 1e-6},
+                                      {"chirp_10000", Shape::none, 10000.0, 0.0, 1e-6},
+                                      {"ramps_1000", Shape::ramps, 1000.0, 0.0, 1e-6},
+                                      {"ramps_1000_double", Shape::ramps, 1000.0, 0.0, 1e-9},
+                                      {"curve_8_1000", Shape::curve_8, 1000.0, 0.0, 1e-6},
+                                      {"curve_200_1000", Shape::curve_200, 1000.0, 0.0, 1e-6},
+                                      {"user_8_1000", Shape::user_8, 1000.0, 0.0, 1e-6},
+                                      {"user_8_1000_moving", Shape::user_8, 1000.0, 0.1, 1e-6},
+                                      {"user_8_1000_double", Shape::user_8, 1000.0, 0.0, 1e-9},
+                                      {"user_200_1000", Shape::user_200, 1000.0, 0.0, 1e-6},
+                                      {"user_2000_1000", Shape::user_2000, 1000.0, 0.0, 1e-6},
+                                      {"low_pass_100_1000", Shape::low_pass_100, 1000.0, 0.0, 1e-6},
+                                      {"band_limited_100", Shape::band_limited, 100.0, 0.0, 1e-6},
+                                      {"band_limited_1000", Shape::band_limited, 1000.0, 0.0, 1e-6},
+                                      {"band_limited_1000_moving", Shape::band_limited, 1000.0, 0.1, 1e-6},
+                                      {"band_limited_1000_double", Shape::band_limited, 1000.0, 0.0, 1e-9},
+                                      {"band_limited_10000", Shape::band_limited, 10000.0, 0.0, 1e-6},
+                                      {"cut_1000", Shape::cut, 1000.0, 0.0, 1e-6}};
+  for (const ShapedCase& c : cases) {
+    benchmark::RegisterBenchmark(("shaped/" + c.name).c_str(), shaped, c, 0);
+    benchmark::RegisterBenchmark(("shaped_avx2/" + c.name).c_str(), shaped, c, HWY_AVX2);
+    benchmark::RegisterBenchmark(("shaped_reference/" + c.name).c_str(), shaped_reference, c);
+    if (c.shape != Shape::none)
+      benchmark::RegisterBenchmark(("shaped_set_up/" + c.name).c_str(), shaped_set_up, c)
+          ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
 
 void spectral(benchmark::State& state, Band band, double cycles, double promise) {
   const Workload w = workload(Pulse::Kind::chirp, 1000.0, 20000, cycles, band);
