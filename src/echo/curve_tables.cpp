@@ -15,9 +15,10 @@ namespace sarsim {
 namespace {
 
 constexpr double last_deg = 180.0;
-constexpr std::size_t most_terms = 8;
+constexpr std::size_t most_terms = 6;
 constexpr double rounding = 1e-13;      // of a curve's value, relative to its ordinates
 constexpr double shortest_deg = 1e-10;  // pieces below this are not looked at closely
+constexpr double margin_deg = 2e-13;    // a few roundings of an angle
 constexpr int most_halvings = 10;       // of the distance between two breaks
 
 // A polynomial in (x - centre) on [left, right).
@@ -66,7 +67,7 @@ Piece interpolant(const Interpolator& curve, double left, double right, std::siz
   return piece;
 }
 
-// Whether a piece is as close to the curve as `tolerance_db`, looked at where it is likely to be farthest.
+// Whether a piece is within half of `tolerance_db` where it is likely to be farthest from the curve.
 bool close_to(const Interpolator& curve, const Piece& piece, double tolerance_db) {
   if (piece.right - piece.left < shortest_deg) return true;
   const double half = 0.5 * (piece.right - piece.left);
@@ -75,7 +76,7 @@ bool close_to(const Interpolator& curve, const Piece& piece, double tolerance_db
     // Not at the ends themselves, which may belong to the neighbours.
     const double x = piece.centre() + 0.999 * half * std::cos(pi * static_cast<double>(j) / parts);
     const double value = curve.value(x);
-    if (!(std::abs(piece.value(x) - value) <= std::max(tolerance_db, rounding * std::abs(value)))) return false;
+    if (!(std::abs(piece.value(x) - value) <= std::max(0.5 * tolerance_db, rounding * std::abs(value)))) return false;
   }
   return true;
 }
@@ -175,63 +176,120 @@ bool finite(const std::vector<Piece>& pieces) {
   });
 }
 
-// Left end of a cell, with a margin for the rounding of an angle's cell.
-double cell_left(std::size_t cell, std::size_t cells) {
-  return last_deg * static_cast<double>(cell) / static_cast<double>(cells) * (1.0 - 1e-12);
-}
+using Pieces = std::vector<Piece>;
 
 // The piece that holds x.
-std::size_t piece_at(const std::vector<Piece>& pieces, double x) {
+std::size_t piece_at(const Pieces& pieces, double x) {
   const auto after = std::ranges::upper_bound(pieces, x, {}, &Piece::left);
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - pieces.begin() - 1));
 }
 
+// The pieces in a cell. What begins within rounding of a cell's ends is taken to begin there.
+struct Cell {
+  double centre = 0.0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+Cell cell_of(const Pieces& pieces, std::size_t cell, std::size_t cells) {
+  const double width = last_deg / static_cast<double>(cells);
+  const double left = static_cast<double>(cell) * width;
+  return {left + 0.5 * width, piece_at(pieces, left + margin_deg), piece_at(pieces, left + width - margin_deg)};
+}
+
 // The largest number of pieces that begin inside a cell.
-std::size_t crowd(const std::vector<std::vector<Piece>>& tables, std::size_t cells) {
+std::size_t crowd(const std::vector<Pieces>& tables, std::size_t cells) {
   std::size_t most = 0;
-  for (const std::vector<Piece>& pieces : tables)
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-      const double right =
-          cell + 1 < cells ? last_deg * static_cast<double>(cell + 1) / static_cast<double>(cells) : 2.0 * last_deg;
-      most = std::max(most, piece_at(pieces, right * (1.0 + 1e-12)) - piece_at(pieces, cell_left(cell, cells)));
+  for (const Pieces& pieces : tables)
+    for (std::size_t i = 0; i < cells; ++i) {
+      const Cell cell = cell_of(pieces, i, cells);
+      most = std::max(most, cell.last - cell.first);
     }
   return most;
 }
 
-// As many cells as it takes to have one piece begin in a cell, within reason.
-std::size_t cell_count(const std::vector<std::vector<Piece>>& tables) {
+// Whether all pieces begin where cells do.
+bool aligned(const std::vector<Pieces>& tables, std::size_t cells) {
+  const double width = last_deg / static_cast<double>(cells);
+  return std::ranges::all_of(tables, [&](const Pieces& pieces) {
+    return std::ranges::all_of(
+        pieces, [&](const Piece& piece) { return std::abs(std::remainder(piece.left, width)) < margin_deg; });
+  });
+}
+
+// The fewest cells that pieces begin at only, or else as many as it takes to have one piece begin in a cell, within
+// reason.
+std::size_t cell_count(const std::vector<Pieces>& tables) {
   constexpr std::size_t fewest = 16;
   constexpr std::size_t most = 1024;
   constexpr std::size_t most_in_all = 1U << 18;
+  const std::size_t affordable = std::clamp(most_in_all / tables.size(), fewest, most);
+  for (std::size_t cells = 1; cells <= affordable; ++cells)
+    if (aligned(tables, cells)) return cells;
   std::size_t cells = fewest;
-  while (cells < most && 2 * cells * tables.size() <= most_in_all && crowd(tables, cells) > 1) cells *= 2;
+  while (2 * cells <= affordable && crowd(tables, cells) > 1) cells *= 2;
   return cells;
 }
 
-void add_record(CurveTables& tables, const Piece& piece) {
-  tables.records.push_back(piece.left);
-  tables.records.push_back(piece.centre());
-  for (std::size_t k = 0; k <= tables.degree; ++k) tables.records.push_back(piece.coefficient[k]);
+double narrowest(const std::vector<Pieces>& tables) {
+  double width = last_deg;
+  for (const Pieces& pieces : tables)
+    for (const Piece& piece : pieces) width = std::min(width, piece.right - piece.left);
+  return width;
 }
 
-// Lays the pieces out as records.
-void lay_out(const std::vector<std::vector<Piece>>& all, CurveTables& tables) {
+// Coefficients of the same polynomial in powers of (x - centre).
+std::array<double, most_terms> about(const Piece& piece, double centre) {
+  std::array<double, most_terms> c = piece.coefficient;
+  const double shift = centre - piece.centre();
+  for (std::size_t k = 0; k < piece.degree; ++k)
+    for (std::size_t i = piece.degree; i-- > k;) c[i] += shift * c[i + 1];
+  return c;
+}
+
+void add_record(CurveTables& tables, double left, double centre, const std::array<double, most_terms>& coefficients) {
+  tables.records.push_back(left);
+  tables.records.push_back(centre);
+  for (std::size_t k = 0; k <= tables.degree; ++k) tables.records.push_back(coefficients[k]);
+}
+
+void add_never(CurveTables& tables) { add_record(tables, std::numeric_limits<double>::infinity(), 0.0, {}); }
+
+// One or two pieces for each cell.
+void lay_out_cells(const Pieces& pieces, CurveTables& tables) {
+  for (std::size_t i = 0; i < tables.cells; ++i) {
+    const Cell cell = cell_of(pieces, i, tables.cells);
+    for (std::size_t k = cell.first; k <= cell.last; ++k)
+      add_record(tables, pieces[k].left, cell.centre, about(pieces[k], cell.centre));
+    if (cell.last - cell.first < tables.first_stride) add_never(tables);
+  }
+}
+
+// All pieces once, and where those of each cell begin.
+void lay_out_crowd(const Pieces& pieces, CurveTables& tables) {
+  const std::size_t first = tables.records.size();
+  for (std::size_t i = 0; i < tables.cells; ++i)
+    tables.cell_record.push_back(
+        static_cast<std::int64_t>(first + tables.record_size() * cell_of(pieces, i, tables.cells).first));
+  for (const Piece& piece : pieces) add_record(tables, piece.left, piece.centre(), piece.coefficient);
+  for (std::size_t i = 0; i < 2 * tables.first_stride; ++i) add_never(tables);
+}
+
+void lay_out(const std::vector<Pieces>& all, CurveTables& tables) {
   tables.count = all.size();
   tables.cells = cell_count(all);
-  for (const std::vector<Piece>& pieces : all)
-    for (const Piece& piece : pieces) tables.degree = std::max(tables.degree, piece.degree);
+  const auto straight = [](const Piece& piece) { return piece.degree == 1; };
+  const bool lines = std::ranges::all_of(all, [&](const Pieces& p) { return std::ranges::all_of(p, straight); });
+  tables.degree = lines ? 1 : most_terms - 1;
   const std::size_t most = crowd(all, tables.cells);
   tables.first_stride = most > 0 ? std::bit_floor(most) : 0;
-  Piece never;
-  never.left = never.right = std::numeric_limits<double>::infinity();
-  for (const std::vector<Piece>& pieces : all) {
-    const std::size_t first = tables.records.size();
-    for (std::size_t cell = 0; cell < tables.cells; ++cell)
-      tables.cell_record.push_back(
-          static_cast<std::int64_t>(first + tables.record_size() * piece_at(pieces, cell_left(cell, tables.cells))));
-    for (const Piece& piece : pieces) add_record(tables, piece);
-    for (std::size_t i = 0; i < 2 * tables.first_stride; ++i) add_record(tables, never);
-  }
+  // Powers about the middle of a cell lose digits where a piece is much narrower than the cell.
+  tables.crowded = most > 1 || narrowest(all) * static_cast<double>(2 * tables.cells) < last_deg;
+  for (const Pieces& pieces : all)
+    if (tables.crowded)
+      lay_out_crowd(pieces, tables);
+    else
+      lay_out_cells(pieces, tables);
 }
 
 // Whether two curves through the same knots are the same function: of the ways to interpolate, no two agree beside the
@@ -262,7 +320,7 @@ std::size_t hash_of(const std::vector<Knot>& knots) {
 
 CurveTables tabulate(std::span<const Interpolator* const> curves, double tolerance_db) {
   CurveTables tables;
-  std::vector<std::vector<Piece>> all;
+  std::vector<Pieces> all;
   std::vector<const Interpolator*> distinct;
   std::unordered_multimap<std::size_t, std::uint32_t> by_hash;
   for (const Interpolator* curve : curves) {

@@ -13,11 +13,11 @@ namespace sarsim::HWY_NAMESPACE {
 void curve_values(const CurveTables& tables, const std::int64_t* table, const double* angle, double* out,
                   std::size_t count) {
   const hn::ScalableTag<double> d;
-  const hn::RebindToSigned<decltype(d)> di;
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    HWY_ALIGN std::int64_t first[hn::MaxLanes(d)];
-    for (std::size_t l = 0; l < hn::Lanes(d); ++l) first[l] = table[i + l] * static_cast<std::int64_t>(tables.cells);
-    hn::StoreU(curve_value(d, tables, hn::Load(di, first), hn::LoadU(d, angle + i)), d, out + i);
+    HWY_ALIGN double first[hn::MaxLanes(d)];
+    for (std::size_t l = 0; l < hn::Lanes(d); ++l)
+      first[l] = static_cast<double>(table[i + l]) * static_cast<double>(tables.cells);
+    hn::StoreU(curve_value(d, tables, hn::Load(d, first), hn::LoadU(d, angle + i)), d, out + i);
   }
 }
 

@@ -199,7 +199,7 @@ PointArrays random_points(std::size_t count, Law law) {
     points.normal_x.push_back(0.0);
     points.normal_y.push_back(-0.6);
     points.normal_z.push_back(0.8);
-    if (law == Law::curve) points.curve.push_back(0);
+    if (law == Law::curve) points.curve_cell.push_back(0.0);
   }
   return points;
 }
@@ -235,7 +235,7 @@ AntennaSight user_antenna(Interpolation method, Offsets offsets = Offsets::anten
   AntennaSight antenna;
   antenna.offsets = offsets;
   antenna.curves = tables_of(method);
-  antenna.curve.fill(0);
+  antenna.curve_cell.fill(0.0);
   return antenna;
 }
 

@@ -155,14 +155,13 @@ HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFr
     azimuth = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_azimuth_rad), hn::CopySign(azimuth, v.x)));
     elevation = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_elevation_rad), hn::CopySign(elevation, v.z)));
   }
-  const hn::RebindToSigned<Tag> di;
-  const auto cells = static_cast<std::int64_t>(antenna.curves.cells);
   const auto at = [&](std::size_t i, Vector offset) {
-    if (antenna.curve[i] < 0) return hn::Zero(d);
-    return curve_value(d, antenna.curves, hn::Set(di, antenna.curve[i] * cells), offset);
+    if (antenna.curve_cell[i] < 0.0) return hn::Zero(d);
+    return curve_value(d, antenna.curves, hn::Set(d, antenna.curve_cell[i]), offset);
   };
   auto gain = hn::Add(at(0, azimuth), at(1, elevation));
-  if (antenna.curve[2] == antenna.curve[0] && antenna.curve[3] == antenna.curve[1]) return hn::Add(gain, gain);
+  if (antenna.curve_cell[2] == antenna.curve_cell[0] && antenna.curve_cell[3] == antenna.curve_cell[1])
+    return hn::Add(gain, gain);
   return hn::Add(gain, hn::Add(at(2, azimuth), at(3, elevation)));
 }
 
@@ -172,7 +171,7 @@ HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Triple& look, Vector 
   const AntennaSight& antenna = scenery.antenna;
   const SightFrame& frame = scenery.frame;
   const bool sinx = antenna.cut != std::array<double, 4>{};
-  const bool user = antenna.curve[0] >= 0 || antenna.curve[2] >= 0;
+  const bool user = antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0;
   if (!sinx && !user) return;
   const bool world = antenna.offsets == AntennaSight::Offsets::world_angles;
   const Triple v = world ? look : turned(d, frame.antenna_from_world, look, Vec3{});
@@ -249,8 +248,7 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<whole>& at, 
   }
   const Triple across = outer(normal, look);
   const auto incidence = angle_between(d, hn::Sqrt(inner(across, across)), towards);
-  const hn::RebindToSigned<Tag> di;
-  decibels = hn::Add(decibels, curve_value(d, scenery.curves, at.of(di, points.curve), degrees(d, incidence)));
+  decibels = hn::Add(decibels, curve_value(d, scenery.curves, at.of(d, points.curve_cell), degrees(d, incidence)));
 }
 
 // The echoes of one vector of points; a mask of those that are certain to be possible.
@@ -276,7 +274,7 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<whole>& at, doubl
   auto decibels = hn::Zero(d);
   reflect(d, scenery, at, look, distance, a, decibels);
   weigh(d, scenery, look, distance, a, decibels);
-  if (points.law == PointArrays::Law::curve || antenna.curve[0] >= 0 || antenna.curve[2] >= 0)
+  if (points.law == PointArrays::Law::curve || antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0)
     a = hn::Mul(a, amplitude_of_decibels(d, decibels));
   if (frame.spreading) a = hn::Div(a, distance2);
   at.put(d, a, amplitude);

@@ -33,7 +33,7 @@ struct PointArrays {
   std::vector<double> x_m, y_m, z_m;
   std::vector<double> root_rcs_m;                    ///< Square root of the cross-section, facing the radar.
   std::vector<double> normal_x, normal_y, normal_z;  ///< Unit normals; not for Law::isotropic.
-  std::vector<std::int64_t> curve;                   ///< Number of the table times its cells; Law::curve.
+  std::vector<double> curve_cell;                    ///< First cell of the point's table; Law::curve.
   PointJitter jitter;
 
   [[nodiscard]] std::size_t size() const { return x_m.size(); }
@@ -51,10 +51,10 @@ struct AntennaSight {
   /// receive azimuth, receive elevation; 0 stands for no such cut.
   std::array<double, 4> cut{};
   bool roots = false;  ///< Take the root of the magnitude of each antenna's sin(x)/x.
-  /// Decibels against degrees of user-defined cuts, in the order of `cut`; a negative number of a table stands for
-  /// none.
+  /// Decibels against degrees of user-defined cuts, in the order of `cut`: the first cell of a table, or below 0 for no
+  /// such cut.
   CurveTables curves;
-  std::array<std::int64_t, 4> curve{-1, -1, -1, -1};
+  std::array<double, 4> curve_cell{-1.0, -1.0, -1.0, -1.0};
 };
 
 /// One pulse's view of a platform: everything relative to the radar.

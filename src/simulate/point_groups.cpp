@@ -82,6 +82,10 @@ void add_jitter(PointJitter& jitter, const Scatterer& s, const GroupKey& key, st
 // target's and two of each antenna.
 double curve_error_db(const ResolvedScene& scene) { return 0.2 * scene.options.tolerance; }
 
+double first_cell(const CurveTables& tables, std::size_t curve) {
+  return static_cast<double>(tables.number[curve]) * static_cast<double>(tables.cells);
+}
+
 CurveTables reflectivity_tables(const ResolvedScene& scene) {
   std::vector<const Interpolator*> curves;
   curves.reserve(scene.gain_curves.size());
@@ -107,7 +111,7 @@ AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRadar& rada
     first += 2;
   }
   antenna.curves = tabulate(curves, curve_error_db(scene));
-  for (std::size_t i = 0; i < cuts.size(); ++i) antenna.curve[cuts[i]] = antenna.curves.number[i];
+  for (std::size_t i = 0; i < cuts.size(); ++i) antenna.curve_cell[cuts[i]] = first_cell(antenna.curves, i);
   return antenna;
 }
 
@@ -142,14 +146,13 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar)
   PointGroups groups;
   groups.antenna = antenna_sight(scene, radar);
   groups.reflectivity = reflectivity_tables(scene);
-  const auto cells = static_cast<std::int64_t>(groups.reflectivity.cells);
   Grouping grouping(groups);
   for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
     const Scatterer& s = scene.scatterers[i];
     const GroupKey key = key_of(s);
     PointArrays& points = grouping.of(key);
     add_point(points, s.position_m, s.rcs_m2, direction(s.azimuth_rad, s.elevation_rad));
-    if (s.law == ReflectivityLaw::user) points.curve.push_back(groups.reflectivity.number[s.gain_curve] * cells);
+    if (s.law == ReflectivityLaw::user) points.curve_cell.push_back(first_cell(groups.reflectivity, s.gain_curve));
     add_jitter(points.jitter, s, key, scene.options.seed, i);
   }
   for (const ScattererSheet& sheet : scene.sheets) {

@@ -286,7 +286,7 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
     EXPECT_EQ(points.law, expected[g].law) << g;
     EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(expected[g].points), g == 1 ? 30.0 : 0.0) << g;
     EXPECT_EQ(points.jitter.position_key.size(), expected[g].deviations) << g;
-    EXPECT_EQ(points.curve.size(), expected[g].curves) << g;
+    EXPECT_EQ(points.curve_cell.size(), expected[g].curves) << g;
     EXPECT_EQ(points.normal_x.size(), points.law == PointArrays::Law::isotropic ? 0 : points.size()) << g;
     count += points.size();
   }
