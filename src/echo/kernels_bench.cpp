@@ -6,11 +6,13 @@
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
 
 #include "base/constants.hpp"
+#include "base/random.hpp"
 #include "echo/direct_kernel.hpp"
 #include "echo/sight.hpp"
 #include "echo/spectral_kernel.hpp"
@@ -286,49 +288,120 @@ void gather(benchmark::State& state) {
 BENCHMARK_TEMPLATE(gather, float);
 BENCHMARK_TEMPLATE(gather, double);
 
-PointArrays random_points(std::size_t count, bool cosine) {
+using Law = PointArrays::Law;
+using Offsets = AntennaSight::Offsets;
+
+Interpolator curve_of(Interpolation method) {
+  SampledFunction function{method, {}};
+  for (int i = 0; i <= 36; ++i) function.knots.push_back({5.0 * i, -0.2 * i - (i % 4 == 3 ? 6.0 : 0.0)});
+  return Interpolator(function);
+}
+
+CurveTables tables_of(Interpolation method) {
+  const Interpolator curve = curve_of(method);
+  return tabulate(std::array{&curve}, 0.2e-6);
+}
+
+PointArrays random_points(std::size_t count, Law law) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-500.0, 500.0);
   PointArrays points;
+  points.law = law;
   for (std::size_t i = 0; i < count; ++i) {
     points.x_m.push_back(place(random));
     points.y_m.push_back(place(random));
     points.z_m.push_back(0.1 * place(random));
     points.root_rcs_m.push_back(1.0);
-    if (!cosine) continue;
+    if (law == Law::isotropic) continue;
     points.normal_x.push_back(0.0);
     points.normal_y.push_back(-0.6);
     points.normal_z.push_back(0.8);
+    if (law == Law::curve) points.curve_cell.push_back(0.0);
   }
   return points;
 }
 
-void sight(benchmark::State& state, bool cosine, bool beam) {
-  const PointArrays points = random_points(20000, cosine);
+PointArrays random_points_with_jitter(std::size_t count, Law law) {
+  PointArrays points = random_points(count, law);
+  PointJitter& jitter = points.jitter;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (auto* column : {&jitter.x_stddev_m, &jitter.y_stddev_m, &jitter.z_stddev_m, &jitter.rcs_stddev_m2})
+      column->push_back(0.1);
+    jitter.position_key.push_back(RandomStream(1, RandomKind::target_position, i).key());
+    jitter.rcs_m2.push_back(1.0);
+    jitter.rcs_key.push_back(RandomStream(1, RandomKind::target_rcs, i).key());
+    if (law == Law::isotropic) continue;
+    jitter.azimuth_rad.push_back(3.0);
+    jitter.elevation_rad.push_back(0.6);
+    jitter.azimuth_stddev_rad.push_back(0.1);
+    jitter.elevation_stddev_rad.push_back(0.1);
+    jitter.pointing_key.push_back(RandomStream(1, RandomKind::target_pointing, i).key());
+  }
+  return points;
+}
+
+AntennaSight sinx_antenna(Offsets offsets = Offsets::antenna_frame) {
+  AntennaSight antenna;
+  antenna.offsets = offsets;
+  antenna.roots = offsets == Offsets::world_angles;
+  antenna.cut.fill(2.5);
+  return antenna;
+}
+
+AntennaSight user_antenna(Interpolation method, Offsets offsets = Offsets::antenna_frame) {
+  AntennaSight antenna;
+  antenna.offsets = offsets;
+  antenna.curves = tables_of(method);
+  antenna.curve_cell.fill(0.0);
+  return antenna;
+}
+
+void sight(benchmark::State& state, const PointArrays& points, const AntennaSight& antenna,
+           Interpolation reflectivity) {
   SightFrame frame;
   frame.origin_m = {100.0, 3000.0, -1000.0};
   frame.velocity_mps = {-100.0, 0.0, 0.0};
   frame.light_speed_mps = exact_light_speed_mps;
   frame.amplitude_scale = 1e-3;
-  SinxBeam sinx;
-  for (double& cut : sinx.cut) cut = 2.5;
+  frame.axis_azimuth_rad = 0.03;
+  frame.axis_elevation_rad = -0.3;
+  const CurveTables curves = tables_of(reflectivity);
   EchoBatch echoes;
-  append_echoes(points, 0, points.size(), frame, beam ? &sinx : nullptr, echoes);
+  for (std::size_t i = 0; i < points.size(); ++i) echoes.add(0.0, -1.0, 0.0);
+  if (!write_echoes(points, frame, antenna, curves, echoes, 0)) return state.SkipWithError("an echo is impossible");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double distance = norm(frame.origin_m + Vec3{points.x_m[i], points.y_m[i], points.z_m[i]});
     const double delay = 2.0 * distance / (exact_light_speed_mps - echoes.speed_mps[i]);
-    if (!(std::abs(echoes.delay_s[i] - delay) < 1e-12 * delay)) return state.SkipWithError("a delay is wrong");
+    const double bound = points.jitter.position_key.empty() ? 1e-12 : 1e-3;
+    if (!(std::abs(echoes.delay_s[i] - delay) < bound * delay)) return state.SkipWithError("a delay is wrong");
   }
   for ([[maybe_unused]] auto _ : state) {
-    echoes.clear();
-    append_echoes(points, 0, points.size(), frame, beam ? &sinx : nullptr, echoes);
-    benchmark::DoNotOptimize(echoes.delay_s.data());
+    benchmark::DoNotOptimize(write_echoes(points, frame, antenna, curves, echoes, 0));
+    benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
-BENCHMARK_CAPTURE(sight, isotropic, false, false);
-BENCHMARK_CAPTURE(sight, cosine_law, true, false);
-BENCHMARK_CAPTURE(sight, sinx_beam, false, true);
+constexpr std::size_t many = 20000;
+BENCHMARK_CAPTURE(sight, isotropic, random_points(many, Law::isotropic), AntennaSight{}, {});
+BENCHMARK_CAPTURE(sight, cosine_law, random_points(many, Law::cosine), AntennaSight{}, {});
+BENCHMARK_CAPTURE(sight, sinx_beam, random_points(many, Law::isotropic), sinx_antenna(), {});
+BENCHMARK_CAPTURE(sight, classic_sinx_beam, random_points(many, Law::isotropic), sinx_antenna(Offsets::world_angles),
+                  {});
+BENCHMARK_CAPTURE(sight, user_antenna_linear, random_points(many, Law::isotropic), user_antenna(Interpolation::linear),
+                  {});
+BENCHMARK_CAPTURE(sight, user_antenna_cubic, random_points(many, Law::isotropic), user_antenna(Interpolation::cubic),
+                  {});
+BENCHMARK_CAPTURE(sight, user_antenna_low_pass, random_points(many, Law::isotropic),
+                  user_antenna(Interpolation::low_pass), {});
+BENCHMARK_CAPTURE(sight, classic_user_antenna_linear, random_points(many, Law::isotropic),
+                  user_antenna(Interpolation::linear, Offsets::world_angles), {});
+BENCHMARK_CAPTURE(sight, user_reflectivity_linear, random_points(many, Law::curve), AntennaSight{},
+                  Interpolation::linear);
+BENCHMARK_CAPTURE(sight, user_reflectivity_low_pass, random_points(many, Law::curve), AntennaSight{},
+                  Interpolation::low_pass);
+BENCHMARK_CAPTURE(sight, deviations_of_position_and_rcs, random_points_with_jitter(many, Law::isotropic),
+                  AntennaSight{}, {});
+BENCHMARK_CAPTURE(sight, deviations_of_everything, random_points_with_jitter(many, Law::cosine), AntennaSight{}, {});
 
 }  // namespace
 }  // namespace sarsim
