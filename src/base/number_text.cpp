@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,9 +59,42 @@ std::int64_t magnitude(std::string_view mantissa) {
   return places > 0 ? places : places + 1;
 }
 
+// A literal of few digits without an exponent, which is nearly every one: its digits as a whole number and the power of
+// ten are exact doubles, so that their product or quotient is rounded only once.
+std::optional<double> parse_short(std::string_view text, int exponent_shift) {
+  static constexpr std::array<double, 23> exact_powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
+  constexpr std::size_t longest = 20;
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.size() > longest) return std::nullopt;
+  std::uint64_t digits = 0;
+  std::size_t point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_digit(text[i]))
+      digits = 10 * digits + static_cast<std::uint64_t>(text[i] - '0');
+    else if (text[i] == '.' && point == text.size())
+      point = i;
+    else
+      return std::nullopt;
+  }
+  const bool whole = point == text.size();
+  const std::size_t count = text.size() - (whole ? 0 : 1);
+  if (count == 0 || count > 18 || digits > largest_exact) return std::nullopt;
+  const int exponent = exponent_shift - static_cast<int>(whole ? 0 : text.size() - point - 1);
+  if (std::abs(exponent) >= static_cast<int>(exact_powers.size())) return std::nullopt;
+  const auto number = static_cast<double>(digits);
+  const double power = exact_powers[static_cast<std::size_t>(std::abs(exponent))];
+  const double value = exponent < 0 ? number / power : number * power;
+  return negative ? -value : value;
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text, int exponent_shift) {
+  if (const std::optional<double> value = parse_short(text, exponent_shift)) return value;
   const auto literal = split_literal(text);
   if (!literal) return std::nullopt;
   const std::int64_t exponent = literal->exponent + exponent_shift;

@@ -97,11 +97,11 @@ class Runner {
   }
 
   [[nodiscard]] Plan planned(std::size_t simulation) const {
-    return make_plan(input_.scene, simulation, resolved_, arguments_.engine.value_or(Engine::automatic));
+    return make_plan(input_.scene, simulation, input_.resolved, arguments_.engine.value_or(Engine::automatic));
   }
 
   void prepare() {
-    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes);
+    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes, {threads_, streams_.stop});
     expect_sound();
     const OutputNames names =
         output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
@@ -113,7 +113,7 @@ class Runner {
     expect_usable(input_, arguments_.strict);
     if (!arguments_.discard) expect_free_outputs();
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
-    resolved_ = std::make_shared<const ResolvedScene>(resolve(input_.scene));
+    resolve_once(input_, {threads_, streams_.stop});
     announce();
   }
 
@@ -197,7 +197,7 @@ class Runner {
     const std::size_t radar = find_radar(input_.scene, table.radar);
     if (radar == not_found) return 0.0;
     const PulseRange pulses =
-        resolve_radar(input_.scene, *resolved_, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
+        resolve_radar(input_.scene, *input_.resolved, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
     return 10.0 * static_cast<double>(pulses.count());
   }
 
@@ -324,7 +324,6 @@ class Runner {
   unsigned threads_ = 1;
   SceneInput input_;
   std::vector<ProductJob> jobs_;
-  std::shared_ptr<const ResolvedScene> resolved_;
   JsonWriter products_ = begun_json(arguments_.scene);
 };
 
