@@ -237,7 +237,7 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
     plan.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
-  fast_echoes(*plan.points, *plan.scene, plan.radar, geometry_, echoes_);
+  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
   spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
 }
 
