@@ -95,7 +95,8 @@ TEST(ShapeTable, OfAnOverwideBandHasMoreParts) {
 }
 
 TEST(ShapeTable, KnowsALongFlatTop) {
-  const ShapeTable table(ramped(3000.5, 100.3, 200.0), test_grid(60), true);
+  const EchoPulse pulse = ramped(3000.5, 100.3, 200.0);
+  const ShapeTable table(pulse, test_grid(60), true);
   const ShapeTable::Constant& flat = table.constant();
   EXPECT_NEAR(flat.gain, 1.0, 1e-13);
   EXPECT_EQ(flat.end - flat.begin, 2800u - 101u);
