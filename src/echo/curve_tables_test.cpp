@@ -161,10 +161,13 @@ TEST(CurveTables, MeetSteepStepsAndCrowdsOfKnots) {
   std::vector<Knot> crowd{{0.0, 0.0}};
   for (int i = 0; i < 100; ++i) crowd.push_back({60.0 + 1e-4 * i, i % 2 == 0 ? -1.0 : -2.0});
   crowd.push_back({180.0, -300.0});
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic})
+  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic}) {
     expect_tabulated({through(method, {{0.0, 0.0}, {10.0, 0.0}, {10.001, -300.0}, {180.0, -300.0}}),
                       through(method, crowd), through(method, {{0.0, 0.0}, {90.0, -1e9}})},
                      1e-12, 1e6);
+    // Across the border of two cells: no cell has more than one of the knots.
+    expect_tabulated({through(method, {{0.0, 0.0}, {44.9995, 0.0}, {45.0005, -300.0}, {180.0, -300.0}})}, 1e-12, 1e6);
+  }
 }
 
 TEST(CurveTables, TakeAnglesThatRoundingPutsOutsideTheirRange) {

@@ -33,6 +33,14 @@ struct ShapeTable::Fits {
   std::vector<std::size_t> degree;
 };
 
+bool ShapeTable::is_worth_making(const EchoPulse& pulse, const SampleGrid& grid, bool single_precision) {
+  // Judged by what most pulses take: six or ten terms in four parts of a cell.
+  const bool two_values = pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user;
+  const double values = (two_values ? 2.0 : 1.0) * (pulse.band_limited ? 4.0 : 1.0) * (single_precision ? 6.0 : 10.0);
+  return values * (single_precision ? 4.0 : 8.0) * (pulse.last_s() - pulse.first_s()) / grid.interval_s <=
+         largest_bytes;
+}
+
 ShapeTable::ShapeTable(const EchoPulse& pulse, const SampleGrid& grid, bool single_precision)
     : pulse_(&pulse),
       grid_(grid),
@@ -40,9 +48,7 @@ ShapeTable::ShapeTable(const EchoPulse& pulse, const SampleGrid& grid, bool sing
       complex_(pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user),
       origin_s_(pulse.band_limited ? pulse.band_limited->first_s() : 0.0),
       last_((pulse.last_s() - pulse.first_s()) / grid.interval_s) {
-  // Judged by what most pulses take: six or ten terms in four parts of a cell.
-  const double values = (complex_ ? 2.0 : 1.0) * (pulse.band_limited ? 4.0 : 1.0) * (single_precision ? 6.0 : 10.0);
-  if (values * (single_precision ? 4.0 : 8.0) * last_ > largest_bytes) return;
+  if (!is_worth_making(pulse, grid, single_precision)) return;
   const auto needed = static_cast<std::size_t>(std::ceil(last_)) + 2 + front;
   cells_ = (needed + cells_per_block - 1) / cells_per_block * cells_per_block;
   if (pulse.band_limited)

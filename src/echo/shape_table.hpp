@@ -40,7 +40,9 @@ class ShapeTable {
   /// pulse.
   ShapeTable(const EchoPulse& pulse, const SampleGrid& grid, bool single_precision);
 
-  /// False where a table would take more than 32 MB: it is empty then.
+  /// Whether a table takes at most 32 MB; otherwise none is made.
+  [[nodiscard]] static bool is_worth_making(const EchoPulse& pulse, const SampleGrid& grid, bool single_precision);
+  /// False where none was made: the table is empty then.
   [[nodiscard]] bool is_usable() const { return cells_ > 0; }
   [[nodiscard]] bool is_complex() const { return complex_; }
   [[nodiscard]] bool is_single_precision() const { return single_precision_; }

@@ -44,20 +44,20 @@ HWY_INLINE Triple outer(const Triple& a, const Triple& b) {
 HWY_INLINE Vector degrees(Tag d, Vector radians) { return hn::Mul(radians, hn::Set(d, 57.295779513082320877)); }
 
 // Points [first, first + count) of the columns, one to a lane; lanes that are left over repeat the last one.
-template <bool whole>
+template <bool Whole>
 struct Points {
   std::size_t first, count;
 
   template <class D>
   HWY_INLINE hn::Vec<D> of(D d, const std::vector<hn::TFromD<D>>& column) const {
-    if constexpr (whole) return hn::LoadU(d, column.data() + first);
+    if constexpr (Whole) return hn::LoadU(d, column.data() + first);
     HWY_ALIGN hn::TFromD<D> buffer[hn::MaxLanes(d)];
     for (std::size_t l = 0; l < hn::Lanes(d); ++l) buffer[l] = column[first + (l < count ? l : count - 1)];
     return hn::Load(d, buffer);
   }
 
   HWY_INLINE void put(Tag d, Vector values, double* HWY_RESTRICT to) const {
-    if constexpr (whole) return hn::StoreU(values, d, to);
+    if constexpr (Whole) return hn::StoreU(values, d, to);
     HWY_ALIGN double buffer[hn::MaxLanes(d)];
     hn::Store(values, d, buffer);
     for (std::size_t l = 0; l < count; ++l) to[l] = buffer[l];
@@ -184,8 +184,8 @@ HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Triple& look, Vector 
   if (user) decibels = hn::Add(decibels, user_gain_db(d, antenna, frame, v, level));
 }
 
-template <bool whole>
-HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<whole>& at, std::int64_t pulse,
+template <bool Whole>
+HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse,
                                  Triple point) {
   const hn::RebindToUnsigned<Tag> du;
   const PointJitter& jitter = points.jitter;
@@ -203,8 +203,8 @@ HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<
   return point;
 }
 
-template <bool whole>
-HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<whole>& at, std::int64_t pulse) {
+template <bool Whole>
+HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
   const PointJitter& jitter = points.jitter;
   if (jitter.rcs_m2.empty()) return at.of(d, points.root_rcs_m);
   const hn::RebindToUnsigned<Tag> du;
@@ -215,8 +215,8 @@ HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<whole>
   return hn::Sqrt(hn::Max(rcs, hn::Zero(d)));
 }
 
-template <bool whole>
-HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<whole>& at, std::int64_t pulse) {
+template <bool Whole>
+HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
   const PointJitter& jitter = points.jitter;
   if (jitter.azimuth_rad.empty())
     return {at.of(d, points.normal_x), at.of(d, points.normal_y), at.of(d, points.normal_z)};
@@ -234,8 +234,8 @@ HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<whole>&
 }
 
 // What the reflectivity makes of an amplitude, and the decibels that are still to be applied.
-template <bool whole>
-HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<whole>& at, const Triple& look, Vector distance,
+template <bool Whole>
+HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, const Triple& look, Vector distance,
                         Vector& amplitude, Vector& decibels) {
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
@@ -252,8 +252,8 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<whole>& at, 
 }
 
 // The echoes of one vector of points; a mask of those that are certain to be possible.
-template <bool whole>
-HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<whole>& at, double* HWY_RESTRICT delay,
+template <bool Whole>
+HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, double* HWY_RESTRICT delay,
                           double* HWY_RESTRICT amplitude, double* HWY_RESTRICT speed) {
   const Tag d;
   const PointArrays& points = scenery.points;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "echo/shape_table.hpp"
 #include "echo/spectral_kernel.hpp"
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/simd_level.hpp"
@@ -22,8 +23,11 @@ constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::aut
 // Nanoseconds on one core of 2024 with AVX-512; only their ratios matter.
 constexpr double direct_echo_ns = 40.0;
 constexpr double direct_sample_ns = 0.13;
-constexpr double shaped_sample_ns = 0.3;  // with an envelope or user-defined
-constexpr double band_limited_sample_ns = 0.7;
+constexpr double envelope_sample_ns = 0.22;
+constexpr double user_sample_ns = 0.25;
+constexpr double band_limited_sample_ns = 0.62;
+constexpr double knot_ns = 5.0;       // of a curve, which ends a run of samples
+constexpr double untabled_ns = 20.0;  // pulses too long for a table take the reference
 constexpr double spread_ns = 5.0;
 constexpr double doppler_term_ns = 3.5;  // spreading again and the weight of the term
 constexpr double edge_sample_ns = 0.22;
@@ -59,12 +63,13 @@ double scatterer_count(const ResolvedScene& scene) {
   return count;
 }
 
-// Each knot of a curve ends a run of samples: 1.3 ns where a pulse has 200 of them.
-double direct_ns_per_sample(const EchoPulse& pulse) {
+double direct_ns_per_sample(const EchoPulse& pulse, const SampleGrid& grid, double samples, double tolerance) {
+  const bool user = pulse.pulse.kind == Pulse::Kind::user;
+  if (!pulse.band_limited && !user && pulse.pulse.envelope == Pulse::Envelope::rectangular) return direct_sample_ns;
+  if (!ShapeTable::is_worth_making(pulse, grid, tolerance >= 1e-6)) return untabled_ns;
   if (pulse.band_limited) return band_limited_sample_ns;
-  const bool shaped = pulse.pulse.kind == Pulse::Kind::user || pulse.pulse.envelope != Pulse::Envelope::rectangular;
-  if (!shaped) return direct_sample_ns;
-  return shaped_sample_ns + 0.005 * static_cast<double>(pulse.pulse.breaks_s().size());
+  const double knots = std::min(static_cast<double>(pulse.pulse.breaks_s().size()), samples);
+  return (user ? user_sample_ns : envelope_sample_ns) + knot_ns * knots / std::max(samples, 1.0);
 }
 
 }  // namespace
@@ -86,7 +91,7 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   const double echoes = scatterer_count(scene);
   const double samples =
       std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count));
-  const double direct_ns = echoes * (direct_echo_ns + samples * direct_ns_per_sample(pulse));
+  const double direct_ns = echoes * (direct_echo_ns + samples * direct_ns_per_sample(pulse, grid, samples, tolerance));
   // Few echoes of short pulses: not worth asking what the transform would cost.
   if (direct_ns < 20e3)
     return {Engine::direct, fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", echoes, samples)};

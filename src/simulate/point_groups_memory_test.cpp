@@ -9,6 +9,8 @@
 #include "simulate/point_groups.hpp"
 #include "simulate/simulate_test_scene.hpp"
 
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): nothing else is left to an operator new
+
 namespace {
 
 std::atomic<std::size_t> allocations = 0;
@@ -27,6 +29,8 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+// NOLINTEND(cppcoreguidelines-no-malloc)
 
 namespace sarsim {
 namespace {
