@@ -283,6 +283,12 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, doubl
   return hn::And(hn::And(slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
 }
 
+// The last few points; a function of its own, or the compiler takes its time over the two copies of the geometry.
+HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, double* delay, double* amplitude,
+                          double* speed) {
+  return echoes_at(scenery, at, delay, amplitude, speed);
+}
+
 bool write_on_target(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
                      const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
   const Tag d;
@@ -296,8 +302,7 @@ bool write_on_target(const PointArrays& points, const SightFrame& frame, const A
   for (; i + lanes <= points.size(); i += lanes)
     possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, delay + i, amplitude + i, speed + i));
   if (i < points.size())
-    possible =
-        hn::And(possible, echoes_at(scenery, Points<false>{i, points.size() - i}, delay + i, amplitude + i, speed + i));
+    possible = hn::And(possible, rest_at(scenery, {i, points.size() - i}, delay + i, amplitude + i, speed + i));
   return hn::AllTrue(d, possible);
 }
 

@@ -52,7 +52,7 @@ HWY_INLINE void four_of(D d, const double* base, VI index, V (&out)[4]) {
 /// @param first_cell  number of each lane's table times `cells`
 /// @param degrees     brought into 0 to 180
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V curve_value(D d, const CurveTables& tables, V first_cell, V degrees) {
+HWY_NOINLINE V curve_value(D d, const CurveTables& tables, V first_cell, V degrees) {
   const hn::RebindToSigned<D> di;
   const hn::Rebind<std::int32_t, D> short_int;
   const auto cells = static_cast<double>(tables.cells);

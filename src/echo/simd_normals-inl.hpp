@@ -68,7 +68,7 @@ HWY_INLINE hn::Vec<D> unit_interval(D d, VU high, VU low) {
 /// `RandomStream::normals(major, minor)` of the streams with these keys: the same bits, and so the same variates to
 /// 2e-14, the rounding of logarithm, cosine and sine.
 template <class D, class VU, class V = hn::Vec<D>>
-HWY_INLINE void normal_pair(D d, VU keys, std::int64_t major, std::int64_t minor, V& first, V& second) {
+HWY_NOINLINE void normal_pair(D d, VU keys, std::int64_t major, std::int64_t minor, V& first, V& second) {
   const hn::RebindToUnsigned<D> du;
   const auto a = static_cast<std::uint64_t>(major);
   const auto b = static_cast<std::uint64_t>(minor);
