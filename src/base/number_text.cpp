@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -124,34 +125,53 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 std::string format_number(double value, int exponent_shift) {
-  if (value == 0.0) return "0";
-  std::array<char, 40> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
-  std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-  std::string sign;
-  if (text.front() == '-') sign = "-", text.remove_prefix(1);
-  const std::size_t mark = text.find('e');
-  std::string digits;
-  for (const char c : text.substr(0, mark))
-    if (c != '.') digits += c;
-  std::string_view exponent_text = text.substr(mark + 1);
-  if (exponent_text.front() == '+') exponent_text.remove_prefix(1);
-  int exponent = 0;
-  std::from_chars(exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
-  exponent += exponent_shift;
+  std::string text;
+  append_number(text, value, exponent_shift);
+  return text;
+}
 
+void append_number(std::string& text, double value, int exponent_shift) {
+  if (value == 0.0) {
+    text += '0';
+    return;
+  }
+  // Of the form "-d.ddde+xx".
+  std::array<char, 40> buffer{};
+  char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  char* first = buffer.data();
+  if (*first == '-') text += *first++;
+  char* const mark = std::find(first, end, 'e');
+  int exponent = 0;
+  std::from_chars(mark + (mark[1] == '+' ? 2 : 1), end, exponent);
+  exponent += exponent_shift;
+  // The digits alone: the first one takes the place of the point.
+  if (first[1] == '.') {
+    first[1] = first[0];
+    ++first;
+  }
+  const std::string_view digits(first, static_cast<std::size_t>(mark - first));
   const int count = static_cast<int>(digits.size());
   if (exponent >= 0 && exponent < 15) {
-    if (count <= exponent + 1) return sign + digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0');
-    return sign + digits.substr(0, static_cast<std::size_t>(exponent) + 1) + "." +
-           digits.substr(static_cast<std::size_t>(exponent) + 1);
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
+    text += digits.substr(0, whole);
+    if (count <= exponent + 1) {
+      text.append(whole - digits.size(), '0');
+    } else {
+      text += '.';
+      text += digits.substr(whole);
+    }
+  } else if (exponent < 0 && exponent >= -5) {
+    text += "0.";
+    text.append(static_cast<std::size_t>(-exponent - 1), '0');
+    text += digits;
+  } else {
+    text += digits[0];
+    if (count > 1) {
+      text += '.';
+      text += digits.substr(1);
+    }
+    fmt::format_to(std::back_inserter(text), "E{:+03d}", exponent);
   }
-  if (exponent < 0 && exponent >= -5)
-    return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  std::string mantissa = digits.substr(0, 1);
-  if (count > 1) mantissa += "." + digits.substr(1);
-  return fmt::format("{}{}E{:+03d}", sign, mantissa, exponent);
 }
 
 std::string with_prefix(double value, std::string_view unit, int digits) {
