@@ -86,8 +86,7 @@ std::vector<double> sorted_breaks(std::vector<double> breaks) {
   breaks.push_back(0.0);
   breaks.push_back(last_deg);
   std::ranges::sort(breaks);
-  const auto rest = std::ranges::unique(breaks);
-  breaks.erase(rest.begin(), rest.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
 

@@ -43,6 +43,7 @@ Interpolator through(Interpolation method, std::vector<Knot> knots, LowPassRule 
 
 CurveTables tables_of(const std::vector<Interpolator>& curves, double tolerance_db) {
   std::vector<const Interpolator*> pointers;
+  pointers.reserve(curves.size());
   for (const Interpolator& curve : curves) pointers.push_back(&curve);
   return tabulate(pointers, tolerance_db);
 }
@@ -125,6 +126,7 @@ TEST(CurveTables, OfLowPassCurvesKeepTheToleranceThatIsAskedFor) {
 // The bare sinc drops a term and takes another halfway between grid points: a jump, which no polynomial may smear.
 TEST(CurveTables, JumpWhereAClassicLowPassCurveDoes) {
   std::vector<Knot> knots;
+  knots.reserve(30);
   for (int i = 0; i < 30; ++i) knots.push_back({0.7 * i, -30.0 - i % 7});
   const Interpolator curve = through(Interpolation::low_pass, knots, LowPassRule::origin);
   const CurveTables tables = tables_of({curve}, 1e-8);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/random.hpp"
 #include "simulate/impossible_echo.hpp"
@@ -23,7 +24,8 @@ struct GroupKey {
   bool rcs = false;
   bool pointing = false;
 
-  friend auto operator<=>(const GroupKey&, const GroupKey&) = default;
+  [[nodiscard]] auto fields() const { return std::tie(platform, law, level, height, rcs, pointing); }
+  friend bool operator<(const GroupKey& a, const GroupKey& b) { return a.fields() < b.fields(); }
 };
 
 PointArrays::Law law_of(ReflectivityLaw law) {
