@@ -7,15 +7,19 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_pulses = 64;        // decisions: "at most 64 pulses x all targets, labelled as an estimate"
-constexpr std::size_t most_views = 1'000'000;  // targets times pulses: a look takes well below a second
-constexpr double closest_m = 1e-9;             // a target nearer than this stands on the radar
+constexpr std::size_t most_pulses = 64;      // decisions: "at most 64 pulses x all targets, labelled as an estimate"
+constexpr std::size_t most_views = 400'000;  // targets times pulses: a look takes some hundredths of a second
+constexpr double closest_m = 1e-9;           // a target nearer than this stands on the radar
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Targets that one thread looks at together, and pulses of which all poses are kept at once. They decide the order in
 // which amplitudes are summed.
-constexpr std::size_t range_targets = 8192;
-constexpr std::size_t batch_pulses = 8;
+constexpr std::size_t range_targets = 2048;
+constexpr std::size_t most_poses = 100'000;
+
+std::size_t batch_pulses(std::size_t platforms) {
+  return std::clamp<std::size_t>(most_poses / std::max<std::size_t>(platforms, 1), 1, most_pulses);
+}
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
 std::vector<std::int64_t> sampled_pulses(const PulseRange& range, std::size_t targets) {
@@ -86,10 +90,10 @@ class Look {
     const std::vector<std::int64_t> pulses = sampled_pulses(plan_.pulses, survey_.targets.size());
     survey_.pulses_sampled = pulses.size();
     survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan_.pulses.count();
-    std::vector<PulseGeometry> geometries(std::min(pulses.size(), batch_pulses),
-                                          PulseGeometry(*plan_.scene, plan_.radar));
-    for (std::size_t first = 0; first < pulses.size(); first += batch_pulses) {
-      const std::size_t count = std::min(batch_pulses, pulses.size() - first);
+    const std::size_t batch = std::min(pulses.size(), batch_pulses(plan_.scene->platforms.size()));
+    std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
+    for (std::size_t first = 0; first < pulses.size(); first += batch) {
+      const std::size_t count = std::min(batch, pulses.size() - first);
       parallel_ranges(count, 1, control_,
                       [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
       look_at_pulses(std::span(geometries).first(count));
@@ -128,13 +132,26 @@ class Look {
     double sum_v = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       const ScattererView view = geometry.view(i, pointing);
-      const SampleSpan touched = touched_samples(plan_.pulse, plan_.raw_grid, view.delay_s);
-      const bool in_window = touched.begin < touched.end;
+      const bool in_window = touches_window(view.delay_s);
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
       take_in(survey_.targets[i], view, 0.5 * light_mps_ * view.delay_s,
               -2.0 * view.speed_mps * geometry.carrier_hz() / light_mps_, in_window);
     }
     return sum_v;
+  }
+
+  // Well inside and well outside the window need no counting of samples.
+  [[nodiscard]] bool touches_window(double delay_s) const {
+    const SampleGrid& grid = plan_.raw_grid;
+    const double margin_s = 2.0 * grid.interval_s;
+    const double begin_s = delay_s + plan_.pulse.first_s();
+    const double end_s = delay_s + plan_.pulse.last_s();
+    const double window_end_s = grid.time_s(grid.count);
+    if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
+    if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
+      return true;
+    const SampleSpan touched = touched_samples(plan_.pulse, grid, delay_s);
+    return touched.begin < touched.end;
   }
 
   void add_up() {
