@@ -162,9 +162,10 @@ TEST(PiecewiseReading, IsTheSameForTheSeedsOfTheFuzzer) {
 }
 
 TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
-  const char* const folder = std::getenv("SARSIM_REFERENCE");
-  if (folder == nullptr || !fs::is_directory(folder))
-    GTEST_SKIP() << "SARSIM_REFERENCE does not name a folder of scripts";
+  const char* const named = std::getenv("SARSIM_REFERENCE");
+  const fs::path folder = named != nullptr ? fs::path(named) : here() / "../../../shared/reference";
+  if (!fs::is_directory(folder))
+    GTEST_SKIP() << "no reference scripts at " << folder << "; SARSIM_REFERENCE may name their folder";
   const std::vector<std::string> texts = scripts_in(folder);
   ASSERT_GE(texts.size(), 20U);
   std::string all;
