@@ -54,6 +54,10 @@ class Pointing {
   /// Rows are the antenna's axes x, y (boresight), z in the world; PointingRule::boresight only.
   [[nodiscard]] const Mat3& antenna_from_world() const { return antenna_from_world_; }
 
+  /// Angles of the axis in the world, not wrapped; PointingRule::added_angles only.
+  [[nodiscard]] double axis_azimuth_rad() const { return azimuth_rad_; }
+  [[nodiscard]] double axis_elevation_rad() const { return elevation_rad_; }
+
   /// Unit vector along the axis.
   [[nodiscard]] Vec3 axis_world() const;
 

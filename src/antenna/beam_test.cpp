@@ -76,6 +76,8 @@ TEST(Pointing, RulesAgreeForALevelPlatformThatYaws) {
 TEST(Pointing, AddedAnglesTakeYawAndPitchAndIgnoreRoll) {
   const Pointing p = pointing(fixed(0.1, 0.2), PointingRule::added_angles, {}, {9.0, 0.03, 0.04});
   EXPECT_LT(norm(p.axis_world() - direction(0.14, 0.23)), bound);
+  EXPECT_NEAR(p.axis_azimuth_rad(), 0.14, bound);
+  EXPECT_NEAR(p.axis_elevation_rad(), 0.23, bound);
   const BeamOffset offset = p.offset(direction(0.5, 0.1));
   EXPECT_NEAR(std::abs(offset.azimuth_rad), 0.36, bound);
   EXPECT_NEAR(std::abs(offset.elevation_rad), 0.13, bound);

@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -58,9 +60,42 @@ std::int64_t magnitude(std::string_view mantissa) {
   return places > 0 ? places : places + 1;
 }
 
+// A literal of few digits without an exponent, which is nearly every one: its digits as a whole number and the power of
+// ten are exact doubles, so that their product or quotient is rounded only once.
+std::optional<double> parse_short(std::string_view text, int exponent_shift) {
+  static constexpr std::array<double, 23> exact_powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
+  constexpr std::size_t longest = 20;
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.size() > longest) return std::nullopt;
+  std::uint64_t digits = 0;
+  std::size_t point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_digit(text[i]))
+      digits = 10 * digits + static_cast<std::uint64_t>(text[i] - '0');
+    else if (text[i] == '.' && point == text.size())
+      point = i;
+    else
+      return std::nullopt;
+  }
+  const bool whole = point == text.size();
+  const std::size_t count = text.size() - (whole ? 0 : 1);
+  if (count == 0 || count > 18 || digits > largest_exact) return std::nullopt;
+  const int exponent = exponent_shift - static_cast<int>(whole ? 0 : text.size() - point - 1);
+  if (std::abs(exponent) >= static_cast<int>(exact_powers.size())) return std::nullopt;
+  const auto number = static_cast<double>(digits);
+  const double power = exact_powers[static_cast<std::size_t>(std::abs(exponent))];
+  const double value = exponent < 0 ? number / power : number * power;
+  return negative ? -value : value;
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text, int exponent_shift) {
+  if (const std::optional<double> value = parse_short(text, exponent_shift)) return value;
   const auto literal = split_literal(text);
   if (!literal) return std::nullopt;
   const std::int64_t exponent = literal->exponent + exponent_shift;
@@ -90,34 +125,53 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 std::string format_number(double value, int exponent_shift) {
-  if (value == 0.0) return "0";
-  std::array<char, 40> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
-  std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-  std::string sign;
-  if (text.front() == '-') sign = "-", text.remove_prefix(1);
-  const std::size_t mark = text.find('e');
-  std::string digits;
-  for (const char c : text.substr(0, mark))
-    if (c != '.') digits += c;
-  std::string_view exponent_text = text.substr(mark + 1);
-  if (exponent_text.front() == '+') exponent_text.remove_prefix(1);
-  int exponent = 0;
-  std::from_chars(exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
-  exponent += exponent_shift;
+  std::string text;
+  append_number(text, value, exponent_shift);
+  return text;
+}
 
+void append_number(std::string& text, double value, int exponent_shift) {
+  if (value == 0.0) {
+    text += '0';
+    return;
+  }
+  // Of the form "-d.ddde+xx".
+  std::array<char, 40> buffer{};
+  char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  char* first = buffer.data();
+  if (*first == '-') text += *first++;
+  char* const mark = std::find(first, end, 'e');
+  int exponent = 0;
+  std::from_chars(mark + (mark[1] == '+' ? 2 : 1), end, exponent);
+  exponent += exponent_shift;
+  // The digits alone: the first one takes the place of the point.
+  if (first[1] == '.') {
+    first[1] = first[0];
+    ++first;
+  }
+  const std::string_view digits(first, static_cast<std::size_t>(mark - first));
   const int count = static_cast<int>(digits.size());
   if (exponent >= 0 && exponent < 15) {
-    if (count <= exponent + 1) return sign + digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0');
-    return sign + digits.substr(0, static_cast<std::size_t>(exponent) + 1) + "." +
-           digits.substr(static_cast<std::size_t>(exponent) + 1);
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
+    text += digits.substr(0, whole);
+    if (count <= exponent + 1) {
+      text.append(whole - digits.size(), '0');
+    } else {
+      text += '.';
+      text += digits.substr(whole);
+    }
+  } else if (exponent < 0 && exponent >= -5) {
+    text += "0.";
+    text.append(static_cast<std::size_t>(-exponent - 1), '0');
+    text += digits;
+  } else {
+    text += digits[0];
+    if (count > 1) {
+      text += '.';
+      text += digits.substr(1);
+    }
+    fmt::format_to(std::back_inserter(text), "E{:+03d}", exponent);
   }
-  if (exponent < 0 && exponent >= -5)
-    return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  std::string mantissa = digits.substr(0, 1);
-  if (count > 1) mantissa += "." + digits.substr(1);
-  return fmt::format("{}{}E{:+03d}", sign, mantissa, exponent);
 }
 
 std::string with_prefix(double value, std::string_view unit, int digits) {

@@ -22,6 +22,9 @@ namespace sarsim {
 /// "800". `value` must be finite. Negative zero is written "0".
 [[nodiscard]] std::string format_number(double value, int exponent_shift = 0);
 
+/// Adds that text to another one.
+void append_number(std::string& text, double value, int exponent_shift = 0);
+
 /// `value` with an SI prefix and `digits` significant digits for people to read: 5.3e9, "Hz" gives "5.3 GHz".
 [[nodiscard]] std::string with_prefix(double value, std::string_view unit, int digits = 6);
 

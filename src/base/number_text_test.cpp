@@ -44,6 +44,25 @@ TEST(ParseNumber, ShiftsTheExponentInsteadOfMultiplying) {
   EXPECT_GT(differ, 100) << "or multiplying would have done";
 }
 
+// An exponent that changes nothing leads around the short way for few digits.
+TEST(ParseNumber, GivesTheSameForShortLiteralsByEitherWay) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 200'000; ++i) {
+    std::string text = random() % 2 == 0 ? "-" : "";
+    const std::size_t digits = 1 + random() % 20;
+    const std::size_t point = random() % 25;
+    for (std::size_t k = 0; k < digits; ++k) {
+      if (k == point) text += '.';
+      text += static_cast<char>('0' + random() % 10);
+    }
+    const int shift = static_cast<int>(random() % 61) - 30;
+    const auto value = parse_number(text, shift);
+    ASSERT_TRUE(value) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(*value), std::bit_cast<std::uint64_t>(*parse_number(text + "e0", shift)))
+        << text << " shifted by " << shift;
+  }
+}
+
 TEST(ParseNumber, RefusesWhatIsNoWholeNumberText) {
   for (const char* text :
        {"",   " ",   "12abc", "nan", "NaN", "inf", "-infinity", ".",   "+",     "-",     "+.", "0x10",

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <numeric>
@@ -157,6 +158,74 @@ TEST(OrderedParallel, EndsWhenAskedToWhileItWaitsForASlowResult) {
                    },
                    [](std::size_t, int&&) { FAIL(); }, &stop),
                Interrupted);
+}
+
+TEST(ParallelRanges, CoverEverythingOnceInTheSameRangesForAnyNumberOfThreads) {
+  for (const unsigned threads : {0u, 1u, 2u, 3u, 16u})
+    for (const std::size_t count : {0u, 1u, 9u, 10u, 11u, 1000u}) {
+      std::vector<std::atomic<int>> visits(count);
+      std::atomic<std::size_t> ranges{0};
+      parallel_ranges(count, 10, {threads}, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin % 10, 0u);
+        EXPECT_EQ(end, std::min(begin + 10, count));
+        for (std::size_t i = begin; i < end; ++i) ++visits[i];
+        ++ranges;
+      });
+      EXPECT_EQ(ranges.load(), (count + 9) / 10);
+      EXPECT_TRUE(std::ranges::all_of(visits, [](const auto& v) { return v.load() == 1; }));
+    }
+}
+
+TEST(ParallelRanges, TakeUpAllThreads) {
+  // Each of three ranges waits for the others: fewer threads would never end.
+  std::atomic<int> present{0};
+  parallel_ranges(3, 1, {3}, [&](std::size_t, std::size_t) {
+    ++present;
+    while (present.load() < 3) std::this_thread::yield();
+  });
+  EXPECT_EQ(present.load(), 3);
+}
+
+TEST(ParallelRanges, ThrowWhatTheLowestOfTheirFailuresThrows) {
+  for (const unsigned threads : {1u, 2u, 8u}) {
+    std::atomic<std::size_t> begun{0};
+    std::string message;
+    try {
+      parallel_ranges(100'000, 1, {threads}, [&](std::size_t begin, std::size_t) {
+        ++begun;
+        if (begin == 20) std::this_thread::sleep_for(milliseconds(20));  // later than the next ones
+        if (begin >= 20) throw std::runtime_error(std::to_string(begin));
+      });
+    } catch (const std::runtime_error& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message, "20");
+    EXPECT_LE(begun.load(), 21u + threads);
+  }
+}
+
+TEST(ParallelRanges, EndWhenAskedTo) {
+  for (const unsigned threads : {1u, 2u}) {
+    StopFlag stop;
+    std::atomic<std::size_t> begun{0};
+    EXPECT_THROW(parallel_ranges(100'000, 1, {threads, &stop},
+                                 [&](std::size_t, std::size_t) {
+                                   if (++begun == 5) stop.request();
+                                 }),
+                 Interrupted);
+    EXPECT_LE(begun.load(), 5u + threads);
+  }
+}
+
+TEST(ReserveTouched, KeepsWhatAListHolds) {
+  for (const unsigned threads : {1u, 2u}) {
+    std::vector<std::string> list{"a", std::string(100, 'b')};
+    reserve_touched(list, 200'000, {threads});
+    EXPECT_GE(list.capacity(), 200'000u);
+    EXPECT_EQ(list, (std::vector<std::string>{"a", std::string(100, 'b')}));
+    reserve_touched(list, 1, {threads});
+    EXPECT_EQ(list.size(), 2u);
+  }
 }
 
 TEST(ThreadCount, IsTheWantedOneOrAtLeastOne) {

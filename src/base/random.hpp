@@ -33,6 +33,11 @@ class RandomStream {
   /// Box-Muller on two 64-bit uniform numbers; never infinite (the largest magnitude is 9.4).
   [[nodiscard]] std::array<double, 2> normals(std::int64_t major, std::int64_t minor) const;
 
+  /// Philox's key, low word first. What `normals` makes of it, for kernels that draw many streams at once: the counter
+  /// words are minor low, minor high, major low, major high; output words 0 and 1, the high and the low one, give the
+  /// uniform number (n + 1/2)/2^53, n their upper 53 bits, of the radius, and words 2 and 3 that of the angle in turns.
+  [[nodiscard]] std::uint64_t key() const { return std::uint64_t{key_high_} << 32 | key_low_; }
+
  private:
   std::uint32_t key_low_;
   std::uint32_t key_high_;

@@ -35,8 +35,8 @@ std::string counted(std::size_t count, const char* thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-Problems problems_of(const std::string& path, const SceneOverrides& overrides) {
-  SceneInput input = read_scene(path, overrides, Scrutiny::echoes);
+Problems problems_of(const std::string& path, const SceneOverrides& overrides, const StopFlag* stop) {
+  SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {thread_count(0), stop});
   Problems names = output_names(input.scene, {}).problems;
   locate(names, input.places);
   std::ranges::move(names, std::back_inserter(input.problems));
@@ -64,7 +64,7 @@ ExitStatus check_scenes(const CheckArguments& arguments, Streams& streams) {
   json.begin_object().member("sarsim", program_version).key("scripts").begin_array();
   ExitStatus status = exit_done;
   for (const std::string& path : arguments.scenes) {
-    const Problems problems = problems_of(path, arguments.overrides);
+    const Problems problems = problems_of(path, arguments.overrides, streams.stop);
     if (has_errors(problems) || (arguments.strict && count_of(problems, Severity::warning) > 0))
       status = exit_bad_input;
     if (arguments.json) {

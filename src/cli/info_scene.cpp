@@ -220,14 +220,15 @@ class SceneInfo {
 }  // namespace
 
 ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& streams) {
-  const SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes);
+  const WorkControl control{thread_count(0), streams.stop};
+  SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
   expect_usable(input);
   print_problems(streams, input.problems);
-  const auto resolved = std::make_shared<const ResolvedScene>(resolve(input.scene));
+  resolve_once(input, control);
   SceneInfo info(arguments, input.scene);
   info.add_objects();
-  info.add_radars(*resolved);
-  info.add_simulations(resolved);
+  info.add_radars(*input.resolved);
+  info.add_simulations(input.resolved);
   write_out(streams, arguments.json ? info.json() : info.text());
   return exit_done;
 }

@@ -2,8 +2,10 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,12 +98,17 @@ class Runner {
     throw BadInput("--simd: this processor has no '" + arguments_.simd + "'", "choose among " + levels);
   }
 
-  [[nodiscard]] Plan planned(std::size_t simulation) const {
-    return make_plan(input_.scene, simulation, resolved_, arguments_.engine.value_or(Engine::automatic));
+  [[nodiscard]] Plan planned(std::size_t simulation) {
+    if (kept_plan_ && kept_plan_->first == simulation) {
+      Plan plan = std::move(kept_plan_->second);
+      kept_plan_.reset();
+      return plan;
+    }
+    return make_plan(input_.scene, simulation, input_.resolved, arguments_.engine.value_or(Engine::automatic));
   }
 
   void prepare() {
-    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes);
+    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes, {threads_, streams_.stop});
     expect_sound();
     const OutputNames names =
         output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
@@ -113,7 +120,7 @@ class Runner {
     expect_usable(input_, arguments_.strict);
     if (!arguments_.discard) expect_free_outputs();
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
-    resolved_ = std::make_shared<const ResolvedScene>(resolve(input_.scene));
+    resolve_once(input_, {threads_, streams_.stop});
     announce();
   }
 
@@ -175,21 +182,26 @@ class Runner {
         bytes_wanted += smallest_table_bytes(input_.scene.geometries[job.index]);
         continue;
       }
-      const Plan plan = planned(job.index);
+      Plan plan = planned(job.index);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
       // The size of text is an estimate from above.
       bytes_wanted += plan.simulation.format == FileFormat::binary || plan.simulation.format == FileFormat::npy ||
                               plan.simulation.format == FileFormat::hdf5
                           ? bytes
                           : 0.4 * bytes;
-      if (arguments_.quiet) continue;
-      const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation);
-      const double seconds = estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
-      streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
-                                  plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
-                                  bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
+      if (!arguments_.quiet) announce(job, plan, bytes);
+      // The first recording comes first; the plans of all of them could be too much to keep.
+      if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
     }
     if (!arguments_.discard) expect_room(bytes_wanted);
+  }
+
+  void announce(const ProductJob& job, const Plan& plan, double bytes) const {
+    const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation);
+    const double seconds = estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
+    streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
+                                plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
+                                bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
   }
 
   // No line of a table is shorter than its pulse number and its end.
@@ -197,7 +209,7 @@ class Runner {
     const std::size_t radar = find_radar(input_.scene, table.radar);
     if (radar == not_found) return 0.0;
     const PulseRange pulses =
-        resolve_radar(input_.scene, *resolved_, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
+        resolve_radar(input_.scene, *input_.resolved, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
     return 10.0 * static_cast<double>(pulses.count());
   }
 
@@ -249,7 +261,8 @@ class Runner {
     const double begin_s = now_s();
     const Plan plan = planned(job.index);
     const bool with_script = plan.simulation.format == FileFormat::hdf5;
-    const Product product = product_of(plan, with_script ? write_script(input_.scene) : std::string());
+    const WorkControl work{threads_, streams_.stop};
+    const Product product = product_of(plan, with_script ? write_script(input_.scene, work) : std::string());
     const std::unique_ptr<Sink> sink = sink_of(job, product, plan.simulation);
     RecordingReport report;
     report.simulation = plan.simulation;
@@ -324,7 +337,7 @@ class Runner {
   unsigned threads_ = 1;
   SceneInput input_;
   std::vector<ProductJob> jobs_;
-  std::shared_ptr<const ResolvedScene> resolved_;
+  std::optional<std::pair<std::size_t, Plan>> kept_plan_;  // of a simulation; made to be announced, run afterwards
   JsonWriter products_ = begun_json(arguments_.scene);
 };
 

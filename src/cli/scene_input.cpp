@@ -79,21 +79,29 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
   add_integer(app, "--seed", overrides.seed, 0, std::numeric_limits<std::int64_t>::max(), "of the random numbers");
 }
 
-SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny) {
-  ScriptReading reading = read_script_file(path);
+SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+                      const WorkControl& control) {
+  ScriptReading reading = read_script_file(path, {control});
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
   if (scrutiny != Scrutiny::reading) {
-    Problems found = without_objects_of(check(input.scene), reading.problems, input.scene);
+    Problems found = without_objects_of(check(input.scene, control), reading.problems, input.scene);
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
-  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems)) append(reading.problems, survey(input.scene));
+  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems) && !input.scene.simulations.empty()) {
+    resolve_once(input, control);
+    append(reading.problems, survey(input.scene, input.resolved, control));
+  }
   locate(reading.problems, input.places);
   input.problems = ranked(std::move(reading.problems));
   return input;
+}
+
+void resolve_once(SceneInput& input, const WorkControl& control) {
+  if (!input.resolved) input.resolved = std::make_shared<const ResolvedScene>(resolve(input.scene, control));
 }
 
 void expect_usable(const SceneInput& input, bool strict) {

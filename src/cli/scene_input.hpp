@@ -1,14 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "base/parallel.hpp"
 #include "base/problem.hpp"
 #include "cli/context.hpp"
 #include "scene/scene.hpp"
 #include "script/field_places.hpp"
+#include "simulate/resolved.hpp"
 
 namespace sarsim::cli {
 
@@ -28,7 +31,8 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
 struct SceneInput {
   Scene scene;
   FieldPlaces places;
-  Problems problems;  ///< Of reader, check and survey, ranked and with their places.
+  Problems problems;                              ///< Of reader, check and survey, ranked and with their places.
+  std::shared_ptr<const ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
 };
 
 /// How much of a scene is looked at.
@@ -39,7 +43,11 @@ enum class Scrutiny {
 };
 
 /// Reads and checks a script. Where the text holds errors, objects that have one are not checked further.
-[[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny);
+[[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+                                    const WorkControl& control = {});
+
+/// Makes `input.resolved` of a sound scene where it is still empty.
+void resolve_once(SceneInput& input, const WorkControl& control);
 
 /// Throws BadInput with all problems where one of them is an error; where `strict`, also where one is a warning.
 void expect_usable(const SceneInput& input, bool strict = false);

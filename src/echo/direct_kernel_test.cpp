@@ -80,21 +80,6 @@ TEST(DirectKernel, DecidesSamplesOnBordersOfChipsAndOnEdgesLikeTheReference) {
       }
 }
 
-TEST(DirectKernel, AddsShapedPulsesLikeTheReference) {
-  EchoPulse user = test_pulse(Pulse::Kind::user, 90.0);
-  user.pulse.in_phase = Interpolator({Interpolation::linear, {{0.0, 0.3}, {0.4, 1.0}, {1.0, -0.5}}});
-  user.pulse.quadrature = Interpolator({Interpolation::cubic, {{0.0, 1.0}, {0.5, -1.0}, {1.0, 0.0}}});
-  EchoPulse ramps = test_pulse(Pulse::Kind::chirp, 90.0, 0.7);
-  ramps.pulse.envelope = Pulse::Envelope::linear;
-  ramps.pulse.rise_s = ramps.pulse.fall_s = 20.0 * test_interval_s;
-  for (const EchoPulse& pulse : {user, ramps, band_limited_test_pulse(50.0, 0.8)}) {
-    const SampleGrid grid = test_grid(300);
-    const EchoBatch echoes = random_echoes(20, grid, 100.0, 300.0);
-    DirectKernel kernel(pulse, grid, 1e-9);
-    EXPECT_EQ(row_of(kernel, grid, carrier_hz, echoes), reference_row(pulse, grid, carrier_hz, echoes));
-  }
-}
-
 // Phases against the centre of a row of a million samples would be 1e8 cycles.
 TEST(DirectKernel, KeepsItsAccuracyInRowsOfAMillionSamples) {
   const SampleGrid grid = test_grid(1'000'000);

@@ -257,6 +257,26 @@ TEST(SpectralKernel, FiltersWhatItAddsDirectly) {
   expect_filtered(mono, grid, moving_echoes(grid, 0.0, 12.0 * cycle_mps(120.0)), every(1, 181), replica(mono, 120));
 }
 
+TEST(SpectralKernel, FiltersTheSameBytesWhateverItDidBefore) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse mono = test_pulse(Pulse::Kind::mono, 120.0);
+  const ComplexRow taps = replica(mono, 120);
+  const std::vector<std::size_t> index = every(1, 181);
+  const EchoBatch slow = random_echoes(20, grid, 120.0, 10.0);
+  const EchoBatch direct = moving_echoes(grid, 0.0, 12.0 * cycle_mps(120.0));
+  const auto filtered_by = [&](SpectralKernel& kernel, const EchoBatch& echoes) {
+    ComplexRow out(index.size());
+    kernel.add_filtered(out, carrier_hz, echoes);
+    return out;
+  };
+  SpectralKernel fresh(mono, grid, 1e-6, {taps, index}), used(mono, grid, 1e-6, {taps, index});
+  const ComplexRow of_direct = filtered_by(fresh, direct);
+  const ComplexRow of_slow = filtered_by(fresh, slow);
+  EXPECT_EQ(filtered_by(used, slow), of_slow);
+  EXPECT_EQ(filtered_by(used, direct), of_direct);
+  EXPECT_EQ(filtered_by(used, slow), of_slow);
+}
+
 TEST(SpectralKernel, FiltersNothingWhereNoEchoTouchesTheRow) {
   const SampleGrid grid = test_grid(100);
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 80.0, 0.8);

@@ -15,7 +15,7 @@ struct Tone {
   double centre = 0.0;  ///< Best a sample near the tone: alpha + beta m + gamma m^2 is rounded to a double.
   double alpha = 0.0;   ///< Turns.
   double beta = 0.0;    ///< Turns per sample.
-  double gamma = 0.0;   ///< Turns per sample squared; |gamma| (end - begin) below 1e-4, a Doppler of 2v/c = 2e-4.
+  double gamma = 0.0;   ///< Turns per sample squared; small: above 1e-4/(end - begin), a Doppler of 2v/c = 2e-4, slow.
   double amplitude = 0.0;
 };
 
@@ -28,7 +28,12 @@ struct SplitRow {
 
 /// Room that `add_tones` works in; one per thread.
 struct ToneScratch {
-  std::vector<float> re_single;  // sums of a few dozen tones
+  /// Makes room for rows of `samples` numbers, padding included, and changes nothing that is in use.
+  void make_room(std::size_t samples, bool single_precision);
+
+  static constexpr std::size_t group = 64;  ///< Tones that are summed in single precision.
+
+  std::vector<float> re_single;  // sums of a group of tones; 0 between calls
   std::vector<float> im_single;
   std::vector<float> turn_re;  // phasor of each vector of samples
   std::vector<float> turn_im;

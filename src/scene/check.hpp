@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel.hpp"
 #include "base/problem.hpp"
 #include "scene/scene.hpp"
 
@@ -8,6 +9,7 @@ namespace sarsim {
 /// Everything about the values of a scene that stops it from being simulated (errors) or that a radar engineer would
 /// ask about (warnings, ranked by consequence). Needs no geometry of echoes; `survey` (simulate/survey.hpp) adds what
 /// does. Every problem names its subject; `place` is left empty. A sound scene gives no problem at all.
-[[nodiscard]] Problems check(const Scene& scene);
+/// The outcome is the same for any number of threads. A requested stop throws Interrupted.
+[[nodiscard]] Problems check(const Scene& scene, const WorkControl& control = {});
 
 }  // namespace sarsim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -192,6 +193,8 @@ bool Findings::between(std::string_view field, std::string_view what, double val
                 .hint = {}});
   return false;
 }
+
+void Findings::append(Findings&& later) { std::ranges::move(later.entries_, std::back_inserter(entries_)); }
 
 Problems Findings::take() && {
   // A warning about an object with an error may only follow from the error.

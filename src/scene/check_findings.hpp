@@ -50,6 +50,9 @@ class Findings {
   bool between(std::string_view field, std::string_view what, double value, double low, double high,
                std::string_view unit);
 
+  /// Adds what was found elsewhere, behind everything here.
+  void append(Findings&& later);
+
   /// Errors in the order reported, warnings by consequence, notes. Of an object with an error only the errors.
   [[nodiscard]] Problems take() &&;
 

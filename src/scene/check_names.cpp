@@ -54,39 +54,51 @@ std::string NameTable::candidates(std::string_view name) const {
 }
 
 NameCheck::NameCheck(std::string_view kind, std::vector<std::string_view> names)
-    : kind_(kind), table_(std::move(names)) {}
+    : kind_(kind), table_(std::make_shared<const NameTable>(std::move(names))) {}
+
+void NameCheck::append(const NameCheck& later) {
+  if (earth_uses_ == 0) first_earth_ = later.first_earth_;
+  earth_uses_ += later.earth_uses_;
+}
+
+NameTable::Result NameCheck::find(std::string_view name) {
+  if (last_ && last_name_ == name) return *last_;
+  last_name_ = name;
+  auto known = known_.find(last_name_);
+  if (known == known_.end()) known = known_.emplace(last_name_, table_->find(name)).first;
+  last_ = known->second;
+  return *last_;
+}
 
 void NameCheck::check_definitions(Findings& findings) const {
-  for (std::size_t i = 0; i < table_.names().size(); ++i) {
-    if (!table_.names()[i].empty()) continue;
+  for (std::size_t i = 0; i < table_->names().size(); ++i) {
+    if (!table_->names()[i].empty()) continue;
     findings.about(kind_, i);
     findings.error("name", {.message = fmt::format("the {} has no name", kind_),
                             .found = {},
                             .expected = "a name",
                             .hint = "Other objects refer to it by its name."});
   }
-  for (const auto& [index, first] : table_.duplicates()) {
-    if (table_.names()[index].empty()) continue;
+  for (const auto& [index, first] : table_->duplicates()) {
+    if (table_->names()[index].empty()) continue;
     findings.about(kind_, index);
     findings.warning(Consequence::other_object, "name",
                      {.message = fmt::format("another {0} has the same name; the name means the first {0}", kind_),
-                      .found = std::string(table_.names()[index]),
+                      .found = std::string(table_->names()[index]),
                       .expected = "a name of its own",
                       .hint = {}});
   }
 }
 
 std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::string_view name) {
-  auto known = known_.find(std::string(name));
-  if (known == known_.end()) known = known_.emplace(std::string(name), table_.find(name)).first;
-  const NameTable::Result result = known->second;
+  const NameTable::Result result = find(name);
   if (result.match == NameTable::Match::exact) return result.index;
   if (result.match == NameTable::Match::prefix) {
     findings.warning(
         Consequence::other_object, field,
         {.message = fmt::format("no {} has exactly this name; the only one that begins alike is used", kind_),
          .found = std::string(name),
-         .expected = std::string(table_.names()[result.index]),
+         .expected = std::string(table_->names()[result.index]),
          .hint = "Write the whole name."});
     return result.index;
   }
@@ -97,7 +109,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   if (result.match == NameTable::Match::ambiguous) {
     findings.error(field, {.message = fmt::format("several {}s begin like this name", kind_),
                            .found = std::string(name),
-                           .expected = fmt::format("one of {}", table_.candidates(name)),
+                           .expected = fmt::format("one of {}", table_->candidates(name)),
                            .hint = "Write the whole name."});
     return not_found;
   }
@@ -106,13 +118,13 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
 }
 
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
-  std::vector<std::string_view> candidates = table_.names();
+  std::vector<std::string_view> candidates = table_->names();
   if (kind_ == "platform") candidates.emplace_back("Earth");
   const std::string_view nearest = nearest_word(name, candidates);
   std::string hint;
   if (!nearest.empty())
     hint = fmt::format("Did you mean {}?", nearest);
-  else if (table_.names().empty())
+  else if (table_->names().empty())
     hint = fmt::format("The scene defines no {}.", kind_);
   findings.error(field, {.message = fmt::format("no {} has this name", kind_),
                          .found = std::string(name),

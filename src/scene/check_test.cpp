@@ -242,6 +242,52 @@ TEST(Check, HoldsTheToleranceInItsRange) {
   }
 }
 
+TEST(Check, FindsTheSameOnAnyNumberOfThreads) {
+  Scene scene = sound_scene();
+  scene.platforms[0].name = "Ground";
+  scene.platforms.push_back(scene.platforms[0]);
+  scene.platforms.back().name = "Plane 1";
+  scene.platforms.push_back(scene.platforms[0]);
+  scene.platforms.back().name = "Plane 2";
+  const std::string names[] = {"Ground", "Earth", "Plane", "Plane 1", "Grou", "nobody"};
+  scene.targets.assign(60'000, Target{});
+  for (std::size_t i = 0; i < scene.targets.size(); ++i) {
+    scene.targets[i].platform = names[i < 20'000 ? 0 : i % 6];
+    if (i % 1000 == 7) scene.targets[i].rcs_stddev_m2 = -1.0;
+    if (i % 1000 == 8) scene.targets[i].rcs_m2 = -1.0;
+  }
+  const auto printed = [&](unsigned threads) {
+    std::string text;
+    for (const Problem& p : check(scene, {threads}))
+      text += to_string(p) + " " + p.subject.kind + std::to_string(p.subject.index) + p.subject.field + "\n";
+    return text;
+  };
+  const std::string one = printed(1);
+  EXPECT_NE(one.find("platform Earth is not defined"), std::string::npos);
+  for (const unsigned threads : {2U, 3U, 8U}) EXPECT_TRUE(printed(threads) == one) << threads;
+}
+
+TEST(Check, CountsTheUsesOfAnUndefinedEarthAndNamesTheFirst) {
+  Scene scene = sound_scene();
+  scene.platforms[0].name = "Ground";
+  for (Radar& radar : scene.radars) radar.platform = "Ground";
+  for (Surface& surface : scene.surfaces) surface.platform = "Ground";
+  scene.targets.assign(60'000, Target{});
+  for (std::size_t i = 0; i < 30'001; ++i) scene.targets[i].platform = "Ground";
+  for (const unsigned threads : {1U, 2U}) {
+    const Problems problems = check(scene, {threads});
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].subject, (Subject{"target", 30'001, "platform"}));
+    EXPECT_EQ(problems[0].count, 29'999U);
+  }
+}
+
+TEST(Check, EndsWhenAskedTo) {
+  StopFlag stop;
+  stop.request();
+  EXPECT_THROW(static_cast<void>(check(sound_scene(), {2, &stop})), Interrupted);
+}
+
 TEST(Check, OfAMillionTargetsOnOnePlatformNeedsNoMillionLookUps) {
   Scene scene = sound_scene();
   for (int i = 0; i < 300; ++i) {

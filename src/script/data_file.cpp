@@ -126,9 +126,9 @@ std::string axes_text(const FunctionBlock& block, std::size_t part) {
 }
 
 void append_point(std::string& text, const FunctionBlock& block, const Knot& point) {
-  text += format_number(point.x);
+  append_number(text, point.x);
   text += ", ";
-  text += format_number(point.y, -block.y_shift);
+  append_number(text, point.y, -block.y_shift);
 }
 
 }  // namespace script

@@ -43,4 +43,29 @@ TEST(FieldPlaces, ForgetColumnsBeyondAMillionButNotTheLine) {
   EXPECT_EQ(places.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 0}));
 }
 
+TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
+  FieldPlaces whole;
+  FieldPlaces first;
+  FieldPlaces later;
+  const auto add = [&](FieldPlaces& part, std::size_t before, const std::string& kind, std::size_t index,
+                       const std::string& field, const Place& place) {
+    part.add({kind, index, field}, place);
+    whole.add({kind, before + index, field}, place);
+  };
+  add(first, 0, "target", 0, "", {"a.scr", 1, 1});
+  add(first, 0, "target", 0, "rcs_m2", {"a.scr", 1, 9});
+  add(first, 0, "radar", 0, "prf_hz", {"a.scr", 2, 1});
+  add(later, 1, "radar", 0, "prf_hz", {"a.scr", 3, 1});
+  add(later, 1, "radar", 1, "power_w", {"b.scr", 4, 5'000'000});
+  add(later, 1, "target", 0, "rcs_m2", {"a.scr", 5, 1});
+  first.append(
+      later, [](std::string_view) { return 1U; }, 0.5);
+  EXPECT_EQ(first.find({"target", 1, "rcs_m2"}), (Place{"a.scr", 5, 1}));
+  EXPECT_EQ(first.find({"radar", 2, "power_w"}), (Place{"b.scr", 4, 0}));
+  EXPECT_EQ(first.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 9}));
+  EXPECT_EQ(first, whole);
+  first.add({"target", 2, "rcs_m2"}, {"a.scr", 6, 1});
+  EXPECT_FALSE(first == whole);
+}
+
 }  // namespace sarsim

@@ -32,10 +32,9 @@ constexpr std::array<char, 3> axis_letters{'x', 'y', 'z'};
 }  // namespace
 
 FieldReader::FieldReader(Reading& reading, const Token& command, std::string_view kind, std::size_t index)
-    : reading_(reading),
-      reporter_(reading.log, reading.file, Subject{std::string(kind), index, ""}),
-      command_(command),
-      last_(command) {}
+    : reading_(reading), reporter_(reading.log, reading.file, {kind, index}), command_(command), last_(command) {
+  reading_.places.begin_object(kind, index, reading_.file);
+}
 
 Token FieldReader::take(const Field& field) {
   last_ = reading_.tokens.take();
@@ -46,8 +45,7 @@ Token FieldReader::take(const Field& field) {
 void FieldReader::note_object() { note_place(Field{}, command_); }
 
 void FieldReader::note_place(const Field& field, const Token& token) {
-  const Subject& object = reporter_.object();
-  reading_.places.add(object.kind, object.index, field.member, reading_.file, token.line, token.column);
+  reading_.places.add_field(field.member, token.line, token.column);
 }
 
 bool FieldReader::value_follows(const Field& field, std::string_view kind) {
@@ -98,6 +96,15 @@ void FieldReader::text(const Field& field, std::string& text) {
                     {fmt::format("{} is empty", field.words), "", "a name with at least one character"});
 }
 
+bool FieldReader::plain_number_in(const Field& field, double& value) {
+  if (!more()) return false;
+  const auto plain = plain_number(peek(), field.shift);
+  if (!plain || !field.range.holds(*plain)) return false;
+  value = *plain;
+  last_ = reading_.tokens.take();
+  return true;
+}
+
 void FieldReader::number_in(const Field& field, double& value) {
   double read = 0.0;
   if (number_follows(field, "a number") && read_number(take(field), field, reporter_, read)) value = read;
@@ -105,6 +112,7 @@ void FieldReader::number_in(const Field& field, double& value) {
 
 void FieldReader::number(const Field& field, double& value) {
   if (more()) note_place(field, peek());
+  if (!skipping() && plain_number_in(field, value)) return;
   number_in(field, value);
 }
 
@@ -149,13 +157,8 @@ void FieldReader::vector(const Field& field, Vec3& value) {
   std::array<double*, 3> parts{&value.x, &value.y, &value.z};
   for (std::size_t i = 0; i < 3; ++i) {
     if (skipping()) return;
-    // The plain case first: the words of a coordinate are only put together where something is to be said.
-    const auto plain = more() ? plain_number(peek(), field.shift) : std::nullopt;
-    if (plain && field.range.holds(*plain)) {
-      *parts[i] = *plain;
-      last_ = reading_.tokens.take();
-      continue;
-    }
+    // The words of a coordinate are only put together where something is to be said.
+    if (plain_number_in(field, *parts[i])) continue;
     const std::string words = fmt::format("{} {}", field.words, axis_letters[i]);
     Field part = field;
     part.words = words;

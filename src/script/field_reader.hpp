@@ -20,7 +20,7 @@ struct Reading {
   Tokens tokens;
   ProblemLog log;
   FieldPlaces places;
-  std::string file;
+  std::string_view file;
   const DataFileLoader& loader;
 };
 
@@ -86,6 +86,8 @@ class FieldReader {
   [[nodiscard]] bool skipping() const { return failed_ || numbers_missing_; }
   bool value_follows(const Field& field, std::string_view kind);
   bool number_follows(const Field& field, std::string_view kind);
+  // The common case: a number about which nothing is to be said; false, and nothing is done, for all others.
+  bool plain_number_in(const Field& field, double& value);
   void number_in(const Field& field, double& value);
   Token take(const Field& field);
   void note_place(const Field& field, const Token& token);

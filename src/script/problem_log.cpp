@@ -123,9 +123,8 @@ void Reporter::add(Severity severity, const Token& token, std::string_view membe
   problem.found = std::move(complaint.found);
   problem.expected = std::move(complaint.expected);
   problem.hint = std::move(complaint.hint);
-  problem.place = {file_, token.line, token.column};
-  problem.subject = object_;
-  problem.subject.field = std::string(member);
+  problem.place = {std::string(file_), token.line, token.column};
+  problem.subject = {std::string(object_.kind), object_.index, std::string(member)};
   log_.add(std::move(problem));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,21 @@ class ProblemLog {
 
   /// Whether as many errors as anyone will read have been found; reading should end.
   [[nodiscard]] bool full() const { return errors_ >= limit_; }
+  /// Whether it would be full with the problems of another log added.
+  [[nodiscard]] bool full_with(const ProblemLog& later) const { return errors_ + later.errors_ >= limit_; }
+
+  /// Adds what was found behind everything here by a log of the same limit. Not where that would make this one full:
+  /// then reading should have ended somewhere within.
+  /// @param objects_before  (kind) -> number of objects of that kind that come before the first of `later`
+  template <class ObjectsBefore>
+  void append(ProblemLog&& later, const ObjectsBefore& objects_before) {
+    const std::size_t unsaid = later.warnings_ - std::min(later.warnings_, limit_);
+    for (Problem& problem : later.problems_) {
+      problem.subject.index += objects_before(problem.subject.kind);
+      add(std::move(problem));
+    }
+    warnings_ += unsaid;
+  }
 
   /// The problems, closed by a note of what was left out.
   [[nodiscard]] Problems take();
@@ -41,11 +57,17 @@ struct Complaint {
   std::string hint = {};
 };
 
+/// `Subject` without its field, for readers, which make one for each of millions of objects.
+struct ObjectId {
+  std::string_view kind;
+  std::size_t index = 0;
+};
+
 /// Reports what is wrong with the tokens of one object of a file.
 class Reporter {
  public:
-  Reporter(ProblemLog& log, std::string file, Subject object)
-      : log_(log), file_(std::move(file)), object_(std::move(object)) {}
+  /// Keeps references to log and file name; both must outlive it.
+  Reporter(ProblemLog& log, std::string_view file, ObjectId object) : log_(log), file_(file), object_(object) {}
 
   void error(const Token& token, std::string_view member, Complaint complaint) {
     add(Severity::error, token, member, std::move(complaint));
@@ -57,16 +79,14 @@ class Reporter {
   /// Warns of a comment that touches the token and reports a quote that is not closed.
   void check_spelling(const Token& token, std::string_view member);
 
-  [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] const Subject& object() const { return object_; }
   [[nodiscard]] bool full() const { return log_.full(); }
 
  private:
   void add(Severity severity, const Token& token, std::string_view member, Complaint complaint);
 
   ProblemLog& log_;
-  std::string file_;
-  Subject object_;
+  std::string_view file_;
+  ObjectId object_;
 };
 
 /// The number of a token about which nothing at all is to be said; fast, for the many that are so.

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/parallel.hpp"
 #include "base/problem.hpp"
 #include "scene/scene.hpp"
 #include "script/data_file.hpp"
@@ -19,19 +20,25 @@ struct ScriptReading {
   FieldPlaces places;
 };
 
+/// How a script is read; nothing here can change what is found.
+struct ReadControl {
+  WorkControl work;
+  std::size_t piece_bytes = std::size_t{1} << 18;  ///< Scripts longer than this are read in pieces, by all threads.
+};
+
 /// Reads a script in any dialect of the language (docs/formats/script.md).
 ///
 /// All mistakes of the text are reported, each once with its line and column. Names are kept as typed and resolved by
 /// nobody here; what can only be judged from the whole scene is left to `check`. Takes time linear in the text.
 ///
 /// @param file_name  for the places of problems
-/// @param loader     finds data files; where empty, FILE is an error
+/// @param loader     finds data files, called on any of the threads; where empty, FILE is an error
 [[nodiscard]] ScriptReading read_script(std::string_view text, const std::string& file_name,
-                                        const DataFileLoader& loader);
+                                        const DataFileLoader& loader, const ReadControl& control = {});
 
 /// Reads a script from disk, with its data files. Whatever stands in the way (no such file, a folder, no text, too
-/// large) is a problem of the result; throws only where memory ends.
-[[nodiscard]] ScriptReading read_script_file(const std::filesystem::path& path);
+/// large) is a problem of the result; throws only where memory ends, and Interrupted.
+[[nodiscard]] ScriptReading read_script_file(const std::filesystem::path& path, const ReadControl& control = {});
 
 /// Finds data files on disk: in the script's folder first, then in the current one.
 [[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);

@@ -1,6 +1,13 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <memory>
+#include <optional>
+#include <span>
 #include <system_error>
 #include <vector>
 
@@ -57,6 +64,55 @@ FileBytes read_bytes(const fs::path& path) {
   return bytes;
 }
 
+// A file that all threads read at once, each at its own place, also where it is replaced meanwhile.
+class SharedFile {
+ public:
+  explicit SharedFile(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  SharedFile(const SharedFile&) = delete;
+  SharedFile& operator=(const SharedFile&) = delete;
+  ~SharedFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+
+  // Whether all bytes that were asked for could be had.
+  [[nodiscard]] bool read(std::size_t offset, std::span<char> bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return false;
+      offset += static_cast<std::size_t>(count);
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+
+ private:
+  int descriptor_;
+};
+
+struct LargeText {
+  std::unique_ptr<char[]> bytes;  // NOLINT: not a vector, which would write to all of it first
+  std::size_t size = 0;
+};
+
+// The bytes of a large ordinary file, read by all threads; nothing for other files and for any that cannot be read so.
+std::optional<LargeText> read_large(const fs::path& path, const WorkControl& control) {
+  constexpr std::uintmax_t large = std::uintmax_t{4} << 20;
+  constexpr std::size_t range_bytes = std::size_t{2} << 20;
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(path, failure);
+  if (failure || size < large || size > largest_script_bytes) return std::nullopt;
+  LargeText text{std::make_unique_for_overwrite<char[]>(size), static_cast<std::size_t>(size)};  // NOLINT
+  const SharedFile file(path);
+  std::atomic<bool> complete{true};
+  parallel_ranges(text.size, range_bytes, control, [&](std::size_t begin, std::size_t end) {
+    if (!file.read(begin, {text.bytes.get() + begin, end - begin})) complete = false;
+  });
+  if (!complete) return std::nullopt;
+  return text;
+}
+
 // The name as typed and, for scripts from systems that part folders with a backslash, with slashes.
 std::vector<std::string> spellings(const std::string& name) {
   std::vector<std::string> names{name};
@@ -105,9 +161,11 @@ DataFileLoader disk_loader(const fs::path& script_folder) {
   return [script_folder](const std::string& name) { return load(script_folder, name); };
 }
 
-ScriptReading read_script_file(const fs::path& path) {
+ScriptReading read_script_file(const fs::path& path, const ReadControl& control) {
+  if (const std::optional<LargeText> text = read_large(path, control.work))
+    return read_script({text->bytes.get(), text->size}, path.string(), disk_loader(path.parent_path()), control);
   const FileBytes bytes = read_bytes(path);
-  if (bytes.failure.empty()) return read_script(bytes.text, path.string(), disk_loader(path.parent_path()));
+  if (bytes.failure.empty()) return read_script(bytes.text, path.string(), disk_loader(path.parent_path()), control);
   ScriptReading result;
   Problem problem;
   problem.message = fmt::format("cannot read the script: {}", bytes.failure);

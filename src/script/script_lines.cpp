@@ -1,5 +1,7 @@
 #include "script/script_lines.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
@@ -30,6 +32,12 @@ std::string comment_of(const Field& field, std::string_view more) {
 void ScriptLines::plain(std::string_view text) {
   text_ += text;
   text_ += '\n';
+}
+
+void ScriptLines::append(std::string_view lines, std::size_t expected_bytes) {
+  if (text_.capacity() - text_.size() < lines.size())
+    text_.reserve(text_.size() + std::max(lines.size(), expected_bytes));
+  text_ += lines;
 }
 
 void ScriptLines::blank(int count) { text_.append(static_cast<std::size_t>(count), '\n'); }
@@ -65,12 +73,15 @@ void ScriptLines::angles(const Field& field, const std::array<Angle, 3>& angles)
 }
 
 void ScriptLines::row(std::initializer_list<double> values, std::string_view comment) {
-  std::string text;
+  bool first = true;
   for (const double number : values) {
-    if (!text.empty()) text += ", ";
-    text += format_number(number);
+    if (!first) text_ += ", ";
+    first = false;
+    append_number(text_, number);
   }
-  text_ += fmt::format("{}  ! {}\n", text, comment);
+  text_ += "  ! ";
+  text_ += comment;
+  text_ += '\n';
 }
 
 void ScriptLines::write_block(const FunctionBlock& block, std::span<const SampledFunction> parts,

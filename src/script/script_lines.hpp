@@ -18,6 +18,9 @@ class ScriptLines {
   /// A line that is only text.
   void plain(std::string_view text);
   void blank(int count = 1);
+  /// Whole lines, made elsewhere.
+  /// @param expected_bytes  of these and all that follow them: what room is made for, where any has to be made
+  void append(std::string_view lines, std::size_t expected_bytes);
   /// A value and its comment; without the comment's mark where it is empty.
   void value(std::string_view text, std::string_view comment);
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace sarsim::script {
 
 namespace {
-
-bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n'; }
 
 // Bytes that end a word, as a table: this is the innermost loop of reading.
 constexpr std::array<bool, 256> make_word_ends() {
@@ -17,6 +16,7 @@ constexpr std::array<bool, 256> make_word_ends() {
 }
 constexpr std::array<bool, 256> word_ends = make_word_ends();
 
+constexpr std::size_t control_block = 256;
 constexpr char end_of_file_mark = 0x1A;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -25,9 +25,27 @@ std::string_view without_end_marks(std::string_view text) {
   return text;
 }
 
-bool is_control(char c) {
+constexpr bool is_control(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < 0x20 && c != '\t' && c != '\n' && c != '\r';
+}
+
+// Of whole blocks, without branches, so that it is done on many bytes at once.
+bool holds_control(const char* block) {
+  unsigned char any = 0;
+  for (std::size_t i = 0; i < control_block; ++i) {
+    const auto byte = static_cast<unsigned char>(block[i]);
+    const bool allowed = (byte >= 0x20) | (byte == '\t') | (byte == '\n') | (byte == '\r');
+    any = static_cast<unsigned char>(any | static_cast<unsigned char>(!allowed));
+  }
+  return any != 0;
+}
+
+std::size_t find_control_within(std::string_view text, std::size_t begin, std::size_t end) {
+  while (end - begin >= control_block && !holds_control(text.data() + begin)) begin += control_block;
+  for (; begin < end; ++begin)
+    if (is_control(text[begin])) return begin;
+  return std::string_view::npos;
 }
 
 }  // namespace
@@ -54,10 +72,17 @@ std::string quoted_where_needed(std::string_view name) {
   return quoted + '"';
 }
 
-std::size_t find_control_byte(std::string_view text) {
+std::size_t find_control_byte(std::string_view text, const WorkControl& control) {
+  constexpr std::size_t range_bytes = std::size_t{1} << 20;
   text = without_end_marks(text);
-  const auto found = std::ranges::find_if(text, is_control);
-  return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
+  std::atomic<std::size_t> first{std::string_view::npos};
+  parallel_ranges(text.size(), range_bytes, control, [&](std::size_t begin, std::size_t end) {
+    const std::size_t found = find_control_within(text, begin, end);
+    std::size_t known = first.load();
+    while (found < known && !first.compare_exchange_weak(known, found)) {
+    }
+  });
+  return first.load();
 }
 
 Token token_at(std::string_view text, std::size_t offset) {
@@ -74,6 +99,14 @@ Tokens::Tokens(std::string_view text) : text_(without_end_marks(text)) {
   line_start_ = position_;
   if (text_.find('\n') == std::string_view::npos) line_end_ = '\r';
   ahead_ = scan();
+}
+
+Tokens Tokens::from_line(std::size_t offset, std::size_t line) const {
+  Tokens tokens = *this;
+  tokens.position_ = tokens.line_start_ = offset;
+  tokens.line_ = line;
+  tokens.ahead_ = tokens.scan();
+  return tokens;
 }
 
 Token Tokens::take() {

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/parallel.hpp"
+
 namespace sarsim::script {
 
 /// What a piece of script text is: a value, a value in quotes, `$` with its word, or the end of the text.
@@ -26,12 +28,17 @@ struct Token {
 /// The text of a name as it is stored: the token's text with doubled quotes made single.
 [[nodiscard]] std::string name_text(const Token& token);
 
+/// Whether a character parts values: blank, tab, comma, carriage return, line feed.
+[[nodiscard]] constexpr bool is_separator(char c) {
+  return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\n';
+}
+
 /// The name as a script must show it: as it is, or in quotes where blanks, commas, `!` and the like demand it.
 [[nodiscard]] std::string quoted_where_needed(std::string_view name);
 
 /// Position of the first byte that no text file has (controls other than tab and line ends); npos for none. One or more
 /// end-of-file marks (0x1A) at the very end are tolerated.
-[[nodiscard]] std::size_t find_control_byte(std::string_view text);
+[[nodiscard]] std::size_t find_control_byte(std::string_view text, const WorkControl& control = {});
 
 /// Line and column, from 1, of a byte of the text.
 [[nodiscard]] Token token_at(std::string_view text, std::size_t offset);
@@ -44,6 +51,16 @@ struct Token {
 class Tokens {
  public:
   explicit Tokens(std::string_view text);
+
+  /// The tokens of the same text from the beginning of one of its lines on.
+  /// @param offset  of the first byte of the line
+  /// @param line    its number, from 1
+  [[nodiscard]] Tokens from_line(std::size_t offset, std::size_t line) const;
+
+  /// The text without marks at its end; what offsets count in.
+  [[nodiscard]] std::string_view text() const { return text_; }
+  /// What ends a line of this text.
+  [[nodiscard]] char line_end() const { return line_end_; }
 
   /// The token that `take` would return.
   [[nodiscard]] const Token& peek() const { return ahead_; }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/parallel.hpp"
 #include "scene/scene.hpp"
 
 namespace sarsim {
@@ -12,7 +13,8 @@ namespace sarsim {
 /// Reading it gives an equal scene, bit for bit, as long as the scene says nothing that a script cannot: numbers are
 /// finite and within the limits of the language, names are not empty and hold no line ends or other control
 /// characters, and members that the chosen alternatives make meaningless have their initial values. A function with a
-/// `file` is written as that name; its data are `write_data_file`'s.
-[[nodiscard]] std::string write_script(const Scene& scene);
+/// `file` is written as that name; its data are `write_data_file`'s. The text is the same for any number of threads; a
+/// requested stop throws Interrupted.
+[[nodiscard]] std::string write_script(const Scene& scene, const WorkControl& control = {});
 
 }  // namespace sarsim

@@ -108,4 +108,26 @@ TEST(WriteScript, QuotesNamesOnlyWhereNeeded) {
   EXPECT_TRUE(holds(write_script(scene), "\n\"my radar\"           ! Name of the radar\n"));
 }
 
+TEST(WriteScript, WritesTheSameOnAnyNumberOfThreads) {
+  Scene scene;
+  scene.targets.resize(20'000);
+  for (std::size_t i = 0; i < scene.targets.size(); ++i) {
+    scene.targets[i].position_m = {0.1 * static_cast<double>(i), -1e-7 * static_cast<double>(i), 1e20};
+    if (i % 3 == 0) scene.targets[i].reflectivity = Target::Reflectivity::directional;
+  }
+  scene.radars.resize(1);
+  const std::string one = write_script(scene);
+  for (const unsigned threads : {2U, 3U, 8U}) EXPECT_TRUE(write_script(scene, {threads}) == one) << threads;
+  scene.targets.resize(4096);
+  EXPECT_TRUE(write_script(scene, {2}) == write_script(scene));
+}
+
+TEST(WriteScript, EndsWhenAskedTo) {
+  Scene scene;
+  scene.targets.resize(20'000);
+  StopFlag stop;
+  stop.request();
+  EXPECT_THROW(static_cast<void>(write_script(scene, {2, &stop})), Interrupted);
+}
+
 }  // namespace sarsim

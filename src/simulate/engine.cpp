@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "echo/shape_table.hpp"
 #include "echo/spectral_kernel.hpp"
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/simd_level.hpp"
@@ -22,7 +23,11 @@ constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::aut
 // Nanoseconds on one core of 2024 with AVX-512; only their ratios matter.
 constexpr double direct_echo_ns = 40.0;
 constexpr double direct_sample_ns = 0.13;
-constexpr double shaped_sample_ns = 30.0;  // pulses that the direct kernel leaves to the reference
+constexpr double envelope_sample_ns = 0.22;
+constexpr double user_sample_ns = 0.25;
+constexpr double band_limited_sample_ns = 0.62;
+constexpr double knot_ns = 5.0;       // of a curve, which ends a run of samples
+constexpr double untabled_ns = 20.0;  // pulses too long for a table take the reference
 constexpr double spread_ns = 5.0;
 constexpr double doppler_term_ns = 3.5;  // spreading again and the weight of the term
 constexpr double edge_sample_ns = 0.22;
@@ -58,6 +63,15 @@ double scatterer_count(const ResolvedScene& scene) {
   return count;
 }
 
+double direct_ns_per_sample(const EchoPulse& pulse, const SampleGrid& grid, double samples, double tolerance) {
+  const bool user = pulse.pulse.kind == Pulse::Kind::user;
+  if (!pulse.band_limited && !user && pulse.pulse.envelope == Pulse::Envelope::rectangular) return direct_sample_ns;
+  if (!ShapeTable::is_worth_making(pulse, grid, tolerance >= 1e-6)) return untabled_ns;
+  if (pulse.band_limited) return band_limited_sample_ns;
+  const double knots = std::min(static_cast<double>(pulse.pulse.breaks_s().size()), samples);
+  return (user ? user_sample_ns : envelope_sample_ns) + knot_ns * knots / std::max(samples, 1.0);
+}
+
 }  // namespace
 
 std::string_view name_of(Engine engine) {
@@ -77,9 +91,7 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   const double echoes = scatterer_count(scene);
   const double samples =
       std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count));
-  const bool tonal = !pulse.band_limited && pulse.pulse.kind != Pulse::Kind::user &&
-                     pulse.pulse.envelope == Pulse::Envelope::rectangular;
-  const double direct_ns = echoes * (direct_echo_ns + samples * (tonal ? direct_sample_ns : shaped_sample_ns));
+  const double direct_ns = echoes * (direct_echo_ns + samples * direct_ns_per_sample(pulse, grid, samples, tolerance));
   // Few echoes of short pulses: not worth asking what the transform would cost.
   if (direct_ns < 20e3)
     return {Engine::direct, fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", echoes, samples)};

@@ -171,7 +171,7 @@ Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const Reso
   plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
                               plan.scene->options.tolerance);
   if (plan.engine.engine != Engine::reference)
-    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene));
+    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene, plan.radar));
   return plan;
 }
 
@@ -237,7 +237,7 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
     plan.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
-  fast_echoes(*plan.points, *plan.scene, plan.radar, geometry_, echoes_);
+  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
   spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
 }
 
@@ -264,7 +264,7 @@ void RowMaker::add_row(std::span<std::complex<double>> raw) {
     add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
     return;
   }
-  fast_echoes(*plan.points, *plan.scene, plan.radar, geometry_, echoes_);
+  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
   if (spectral_)
     spectral_->add(raw, geometry_.carrier_hz(), echoes_);
   else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "echo/sight.hpp"
@@ -9,26 +10,32 @@
 
 namespace sarsim {
 
-/// The scatterers of a scene as flat arrays, in runs that share a platform and a law; what SIMD geometry works on.
+/// The scatterers of a scene as flat arrays that share a platform, a law and the kinds of random deviations, and the
+/// antennas of a radar; what SIMD geometry works on.
 struct PointGroups {
-  struct Run {
+  struct Group {
     std::uint32_t platform = 0;
-    std::size_t first_target = 0;  ///< Of targets; a sheet's number for sheets.
-    std::size_t count = 0;
-    bool plain = true;  ///< In `points`; otherwise each target is looked at by itself.
-    bool sheet = false;
     PointArrays points;
   };
-  std::vector<Run> runs;
+  std::vector<Group> groups;
+  CurveTables reflectivity;
+  AntennaSight antenna;
+  std::size_t count = 0;  ///< Points of all groups.
+
+  /// Whether all user-defined curves are finite; otherwise `fast_echoes` looks at every target by itself.
+  [[nodiscard]] bool sound() const { return reflectivity.sound && antenna.curves.sound; }
 };
 
-/// Groups the targets, in order, then the surfaces. Targets with random deviations or a user-defined curve are not
-/// plain.
-[[nodiscard]] PointGroups group_points(const ResolvedScene& scene);
+/// Groups the targets and the points of the surfaces: groups in the order of their first points, the points of a group
+/// in the order of the scene, targets before surfaces. User-defined curves are tabulated so that all of them together
+/// put an error of less than an eighth of the scene's tolerance on any amplitude, relative to that amplitude.
+[[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar);
 
-/// All echoes of the current pulse of `geometry`, as `PulseGeometry::echoes` gives them, to rounding, but in SIMD where
-/// the antenna allows it (isotropic, or sin(x)/x measured in the antenna's frame). Replaces `echoes`.
-void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const ResolvedRadar& radar,
-                 const PulseGeometry& geometry, EchoBatch& echoes);
+/// All echoes of the current pulse of `geometry` in SIMD, as `PulseGeometry::echoes` gives them, but group by group,
+/// and with amplitude 0 where that leaves out the back of a surface. Delays and speeds agree to rounding, amplitudes to
+/// rounding and the tolerance of the curves. Replaces `echoes`; allocates nothing once these have had their size.
+/// Throws the ImpossibleEcho that `PulseGeometry::echoes` throws.
+void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
+                 EchoBatch& echoes);
 
 }  // namespace sarsim

@@ -1,10 +1,14 @@
 #include "simulate/resolved.hpp"
 
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/number_text.hpp"
 #include "math/window.hpp"
+#include "scene/check_names.hpp"
 #include "target/surface.hpp"
 
 namespace sarsim {
@@ -171,16 +175,41 @@ WindowFunction window_of(const Radar& radar, LowPassRule rule) {
   return [](double) { return 1.0; };
 }
 
-std::uint32_t platform_index(const Scene& scene, const ResolvedScene& resolved, const std::string& name) {
-  const std::size_t found = find_platform(scene, name);
-  if (found != not_found) return static_cast<std::uint32_t>(found);
-  if (equal_ignoring_case(name, "Earth")) return static_cast<std::uint32_t>(resolved.platforms.size() - 1);
-  throw std::invalid_argument("platform '" + name + "' is not defined");
-}
+// What names of platforms stand for: positions in ResolvedScene::platforms, of which the last is the world itself.
+class PlatformNames {
+ public:
+  explicit PlatformNames(const Scene& scene) : table_(names_of(scene)) {}
+
+  std::uint32_t find(std::string_view name) {
+    // Targets that follow each other nearly always share a platform.
+    if (last_ && name == last_->first) return last_->second;
+    return last_.emplace(name, look_up(name)).second;
+  }
+
+ private:
+  static std::vector<std::string_view> names_of(const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const Platform& platform : scene.platforms) names.emplace_back(platform.name);
+    return names;
+  }
+
+  // As `find_platform` does, which takes too long for many platforms.
+  [[nodiscard]] std::uint32_t look_up(std::string_view name) const {
+    const NameTable::Result found = table_.find(name);
+    const bool world = equal_ignoring_case(name, "Earth");
+    if (found.match == NameTable::Match::exact || (found.match == NameTable::Match::prefix && !world))
+      return static_cast<std::uint32_t>(found.index);
+    if (world) return static_cast<std::uint32_t>(table_.names().size());
+    throw std::invalid_argument("platform '" + std::string(name) + "' is not defined");
+  }
+
+  NameTable table_;
+  std::optional<std::pair<std::string_view, std::uint32_t>> last_;
+};
 
 }  // namespace
 
-ResolvedScene resolve(const Scene& scene) {
+ResolvedScene resolve(const Scene& scene, const WorkControl& control) {
   ResolvedScene resolved;
   resolved.conventions = conventions_of(scene.options.profile);
   resolved.options = scene.options;
@@ -190,14 +219,20 @@ ResolvedScene resolve(const Scene& scene) {
   // The world itself, last, for scripts that use "Earth" without defining it.
   resolved.platforms.push_back({"Earth", Track(motion_of(Platform{}, rule), scene.options.seed, "Earth")});
 
-  resolved.scatterers.reserve(scene.targets.size());
+  PlatformNames platforms(scene);
+  reserve_touched(resolved.scatterers, scene.targets.size(), control);
   for (const Target& target : scene.targets)
-    resolved.scatterers.push_back(scatterer_of(target, platform_index(scene, resolved, target.platform), resolved));
-  for (const Surface& surface : scene.surfaces) {
-    SurfaceLattice lattice = fill_triangle(surface.corner_m, surface_points_per_m2);
-    resolved.sheets.push_back({platform_index(scene, resolved, surface.platform), lattice.normal, lattice.point_rcs_m2,
-                               std::move(lattice.points_m)});
-  }
+    resolved.scatterers.push_back(scatterer_of(target, platforms.find(target.platform), resolved));
+  resolved.sheets.resize(scene.surfaces.size());
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    resolved.sheets[i].platform = platforms.find(scene.surfaces[i].platform);
+  parallel_ranges(scene.surfaces.size(), 1, control, [&](std::size_t i, std::size_t) {
+    SurfaceLattice lattice = fill_triangle(scene.surfaces[i].corner_m, surface_points_per_m2);
+    ScattererSheet& sheet = resolved.sheets[i];
+    sheet.normal_platform = lattice.normal;
+    sheet.point_rcs_m2 = lattice.point_rcs_m2;
+    sheet.points_m = std::move(lattice.points_m);
+  });
   return resolved;
 }
 
@@ -206,7 +241,7 @@ ResolvedRadar resolve_radar(const Scene& scene, const ResolvedScene& resolved, s
   const LowPassRule rule = resolved.conventions.low_pass;
   ResolvedRadar r;
   r.name = radar.name;
-  r.platform = platform_index(scene, resolved, radar.platform);
+  r.platform = PlatformNames(scene).find(radar.platform);
   r.pulse = pulse_of(radar, rule);
   r.repetition = radar.repetition == Radar::Repetition::constant ? Repetition::constant(radar.prf_hz)
                                                                  : Repetition::intervals(ordinates(radar.pri_s));

@@ -6,6 +6,7 @@
 
 #include "antenna/beam.hpp"
 #include "antenna/pattern.hpp"
+#include "base/parallel.hpp"
 #include "motion/track.hpp"
 #include "process/range_compression.hpp"
 #include "scene/scene.hpp"
@@ -76,7 +77,7 @@ inline constexpr double surface_points_per_m2 = 1.0;
 
 /// Resolves everything but the radars. The scene must have passed `check`; a name that is not found is
 /// std::invalid_argument, except the platform "Earth", which is the world itself.
-[[nodiscard]] ResolvedScene resolve(const Scene& scene);
+[[nodiscard]] ResolvedScene resolve(const Scene& scene, const WorkControl& control = {});
 
 /// Resolves one radar of a scene.
 [[nodiscard]] ResolvedRadar resolve_radar(const Scene& scene, const ResolvedScene& resolved, std::size_t radar);

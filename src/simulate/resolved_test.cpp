@@ -58,6 +58,25 @@ TEST(Resolve, FindsPlatformsByNameAndTheWorldWithoutADefinition) {
   EXPECT_THROW((void)resolve(scene), std::invalid_argument);
 }
 
+TEST(Resolve, FindsPlatformsAsFindPlatformDoes) {
+  Scene scene;
+  for (const char* name : {"Plane 1", "Plane 2", "PLANE 1", "Earthling", "Sub"})
+    scene.platforms.push_back(resting(name, {}));
+  for (const char* name : {"plane 1", "Plane 2", "Earthling", "Submarine", "S", "Plane", "nobody"}) {
+    scene.targets = {target_on(name, {})};
+    const std::size_t expected = find_platform(scene, name);
+    if (expected == not_found)
+      EXPECT_THROW(static_cast<void>(resolve(scene)), std::invalid_argument) << name;
+    else
+      EXPECT_EQ(resolve(scene).scatterers[0].platform, expected) << name;
+  }
+  // The world, which no platform "Earthling" stands for.
+  scene.targets = {target_on("EARTH", {}), target_on("Sub", {}), target_on("Earth", {})};
+  EXPECT_EQ(resolve(scene).scatterers[0].platform, scene.platforms.size());
+  EXPECT_EQ(resolve(scene).scatterers[1].platform, 4u);
+  EXPECT_EQ(resolve(scene).scatterers[2].platform, scene.platforms.size());
+}
+
 TEST(Resolve, TurnsDegreesIntoRadiansEverywhere) {
   Scene scene = one_target_scene();
   Platform& p = scene.platforms[0];

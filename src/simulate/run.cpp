@@ -15,10 +15,13 @@ namespace sarsim {
 
 namespace {
 
-// Rows that are computed and written together: enough work to hide the hand-over, little enough to keep memory small.
+// Rows that are computed and written together: enough work to hide the hand-over, little enough to keep memory small
+// and to leave no thread without work for long while others finish their last block.
 std::size_t rows_per_block(const Plan& plan) {
-  constexpr std::size_t samples = 1U << 16U;
-  return std::clamp<std::size_t>(samples / std::max<std::size_t>(plan.columns, 1), 1, 1024);
+  constexpr std::size_t samples = 1U << 15U;
+  constexpr std::size_t fair_blocks = 128;
+  const std::size_t most = std::clamp<std::size_t>(plan.rows / fair_blocks, 1, 1024);
+  return std::clamp<std::size_t>(samples / std::max<std::size_t>(plan.columns, 1), 1, most);
 }
 
 struct Encoded {

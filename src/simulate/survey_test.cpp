@@ -217,6 +217,61 @@ TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
   EXPECT_EQ(survey.largest_sum_v, away.largest_amplitude_v);
 }
 
+// 30 000 targets are several ranges; on two platforms, some of them jittered, some, if wanted, on the radar.
+Scene wide_scene(bool with_impossible_targets) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(moving("Away", {1000, 0, 0}, {100, 3, 0}));
+  scene.radars[0].noise_temperature_k = 100.0;
+  scene.surfaces.resize(3);
+  scene.targets.clear();
+  for (int i = 0; i < 30'000; ++i) {
+    scene.targets.push_back(target_on(i % 3 == 0 ? "Away" : "Earth", {900.0 + 0.05 * i, 0.1 * i, 0.0}, 0.1 + i % 7));
+    if (with_impossible_targets && i % 1000 == 5) scene.targets.back() = target_on("Earth", {});
+    if (i % 11 == 0) scene.targets.back().rcs_stddev_m2 = 0.5;
+  }
+  return scene;
+}
+
+TEST(SurveyEchoes, AddUpToTheTotalsOfTheirTargets) {
+  EXPECT_EQ(survey_echoes(make_plan(wide_scene(true), 0)).totals.impossible.size(), 30u);
+  const EchoSurvey survey = survey_echoes(make_plan(wide_scene(false), 0));
+  EXPECT_THAT(survey.totals.impossible, IsEmpty());
+  EXPECT_TRUE(survey.totals.any_in_window);
+  EXPECT_GT(survey.highest_doppler_hz, survey.lowest_doppler_hz + 100.0);
+  double nearest = survey.targets[0].nearest_m;
+  double strongest = 0.0;
+  for (const TargetSurvey& t : survey.targets) {
+    nearest = std::min(nearest, t.nearest_m);
+    if (t.in_window) strongest = std::max(strongest, t.largest_amplitude_v);
+  }
+  EXPECT_EQ(survey.totals.nearest_m, nearest);
+  EXPECT_EQ(survey.totals.strongest_v, strongest);
+}
+
+TEST(SurveyEchoes, AreTheSameForAnyNumberOfThreads) {
+  for (const bool with_impossible_targets : {false, true}) {
+    const Plan plan = make_plan(wide_scene(with_impossible_targets), 0);
+    const EchoSurvey one = survey_echoes(plan);
+    for (const unsigned threads : {2u, 3u, 8u}) {
+      const EchoSurvey more = survey_echoes(plan, {threads});
+      EXPECT_EQ(more.targets, one.targets);
+      EXPECT_EQ(more.totals, one.totals);
+      EXPECT_EQ(more.largest_sum_v, one.largest_sum_v);
+      EXPECT_EQ(more.lowest_doppler_hz, one.lowest_doppler_hz);
+      EXPECT_EQ(more.highest_doppler_hz, one.highest_doppler_hz);
+      EXPECT_EQ(more.surface_faces_radar, one.surface_faces_radar);
+    }
+  }
+}
+
+TEST(SurveyEchoes, EndWhenAskedTo) {
+  StopFlag stop;
+  stop.request();
+  const Plan plan = make_plan(sound_scene(), 0);
+  EXPECT_THROW(static_cast<void>(survey_echoes(plan, {2, &stop})), Interrupted);
+  EXPECT_THROW(static_cast<void>(survey(sound_scene(), nullptr, {1, &stop})), Interrupted);
+}
+
 TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
   Scene scene = sound_scene();
   scene.simulations[0].time_end_s = 0.063;

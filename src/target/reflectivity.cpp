@@ -8,9 +8,9 @@
 namespace sarsim {
 
 double incidence_rad(const Vec3& normal_world, const Vec3& look_world) {
-  const double distance = norm(look_world);
-  if (distance == 0.0) return 0.0;
-  return std::acos(std::clamp(-dot(normal_world, look_world) / distance, -1.0, 1.0));
+  if (look_world == Vec3{}) return 0.0;
+  // Not the arc cosine, which turns a rounding into 1e-8 rad where a scatterer faces the radar.
+  return std::atan2(norm(cross(normal_world, look_world)), -dot(normal_world, look_world));
 }
 
 double reflectivity(ReflectivityLaw law, const Interpolator& gain_db, double incidence_rad) {

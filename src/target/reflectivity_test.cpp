@@ -26,6 +26,13 @@ TEST(Incidence, IsSafeForTheNullVectorAndForRoundedUnitVectors) {
   EXPECT_EQ(incidence_rad({0, 1.0 + 1e-15, 0}, {0, 7, 0}), pi);
 }
 
+TEST(Incidence, IsPreciseWhereTheScattererFacesTheRadar) {
+  for (const double angle : {1e-3, 1e-6, 1e-9}) {
+    EXPECT_NEAR(incidence_rad({std::sin(angle), -std::cos(angle), 0}, {0, 7, 0}), angle, 4.0 * epsilon * angle);
+    EXPECT_NEAR(incidence_rad({std::sin(angle), std::cos(angle), 0}, {0, 7, 0}), pi - angle, 4.0 * epsilon);
+  }
+}
+
 TEST(Reflectivity, FollowsTheCosineInFrontAndIsNothingBehind) {
   EXPECT_EQ(reflectivity(ReflectivityLaw::cosine, none, 0.0), 1.0);
   EXPECT_NEAR(reflectivity(ReflectivityLaw::cosine, none, pi / 3.0), 0.5, 2.0 * epsilon);

@@ -72,7 +72,9 @@ TEST(Engines, AgreeOnScenesWithEverything) {
   constexpr double bound = 5e-6;
   for (const char* antenna : {"ISOTROPIC SAME FIXED -9 0 RECT", "SINX 30 12 SIN 20 9 FIXED -9 3 HAMMING",
                               "SINX 30 12 ISOTROPIC SPOT 5 3000 0 RECT",
-                              "OTHER LINEAR LINEAR INLINE 3 0 0 20 -6 180 -40 2 0 0 180 -20 SAME ROTATING -9 20 RECT"})
+                              "OTHER LINEAR LINEAR INLINE 3 0 0 20 -6 180 -40 2 0 0 180 -20 SAME ROTATING -9 20 RECT",
+                              "OTHER CUBIC MFILTER INLINE 4 0 0 10 -3 40 -20 180 -30 3 0 0 20 -4 40 -9 "
+                              "OTHER MFILTER CUBIC INLINE 4 0 0 30 -9 60 -3 90 -9 2 0 0 90 -20 SPOT 5 3000 0 RECT"})
     for (const char* stc : {"NO_STC", "APPLY_STC 1OVERR4"})
       for (const char* processing : {"RAW", "MATCHED_FILTER"})
         for (const char* options : {"", "$OPTIONS PROFILE CLASSIC", "$OPTIONS PULSE BAND_LIMITED"}) {
@@ -97,16 +99,38 @@ TEST(Engines, AgreeOnCompressedEchoesInNoise) {
   }
 }
 
-TEST(Engines, SameBytesForAnyNumberOfThreads) {
+TEST(Engines, MakeARowWhateverStoodInItsPlace) {
   for (const char* processing : {"RAW", "MATCHED_FILTER"})
     for (const Engine engine : {Engine::direct, Engine::spectral}) {
-      Scene scene = scene_of(busy_scene("SINX 30 12 SAME FIXED -9 0 RECT", "NO_STC", processing, ""));
-      scene.simulations[0].time_end_s = 1.5;
-      scene.radars[0].noise_temperature_k = 300.0;
+      const Plan plan = make_plan(scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", processing, "")), 0,
+                                  nullptr, engine);
+      RowMaker maker(plan);
+      std::vector<std::complex<double>> clean(plan.columns), used(plan.columns, {7.0, -3.0});
+      maker.make_row(1, clean);
+      maker.make_row(1, used);
+      EXPECT_EQ(clean, used) << name_of(engine) << processing;
+    }
+}
+
+TEST(Engines, SameBytesForAnyNumberOfThreads) {
+  struct Case {
+    const char* antenna;
+    const char* processing;
+    const char* options;
+  };
+  const char* user = "OTHER CUBIC MFILTER INLINE 3 0 0 20 -6 180 -40 2 0 0 180 -20 SAME FIXED -9 0 RECT";
+  const char* sinx = "SINX 30 12 SAME FIXED -9 0 RECT";
+  for (const Case& c : {Case{sinx, "RAW", ""}, Case{sinx, "MATCHED_FILTER", "$OPTIONS PROFILE CLASSIC"},
+                        Case{user, "MATCHED_FILTER", ""}, Case{user, "RAW", "$OPTIONS PROFILE CLASSIC"}}) {
+    Scene scene = scene_of(busy_scene(c.antenna, "NO_STC", c.processing, c.options));
+    scene.simulations[0].time_end_s = 1.5;
+    scene.radars[0].noise_temperature_k = 300.0;
+    for (const Engine engine : {Engine::direct, Engine::spectral}) {
       const auto one = samples_with(scene, engine, 1);
       for (const unsigned threads : {2U, 3U, 8U})
-        EXPECT_EQ(samples_with(scene, engine, threads), one) << name_of(engine) << threads << processing;
+        EXPECT_EQ(samples_with(scene, engine, threads), one) << name_of(engine) << threads << c.antenna << c.processing;
     }
+  }
 }
 
 TEST(Engines, ReproduceTheDirectReferenceCases) {
