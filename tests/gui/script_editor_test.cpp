@@ -161,25 +161,26 @@ class ScriptEditorTest : public QObject {
   void problems_are_underlined_where_they_are_and_listed() {
     Bench bench;
     QVERIFY(!bench.problems->isVisible());
-    bench.replace("1000", "north");
+    bench.replace("1000", "upwards");
     bench.editor.commit();
     QVERIFY(bench.problems->isVisible());
     QVERIFY(bench.problems->count() >= 1);
     QVERIFY(bench.problems->item(0)->text().startsWith("Line 6: Error"));
-    QCOMPARE(bench.marked(0), QString("north"));
+    QCOMPARE(bench.marked(0), QString("upwards"));
     const int at = bench.text->underlined()[0].first;
-    QVERIFY(bench.text->problem_at(at + 2).contains("north"));
+    QVERIFY(bench.text->problem_at(at + 2).contains("upwards"));
     QVERIFY(bench.text->problem_at(0).isEmpty());
     // The scene waits; the underline moves with the text.
     QCOMPARE(bench.session.scene().targets[0].position_m.y, 1000.0);
     QTextCursor top(bench.text->document());
     bench.text->setTextCursor(top);
-    QTest::keyClicks(bench.text, "! one more\n");
-    QCOMPARE(bench.marked(0), QString("north"));
+    QTest::keyClicks(bench.text, "! one more");
+    QTest::keyClick(bench.text, Qt::Key_Return);
+    QCOMPARE(bench.marked(0), QString("upwards"));
     bench.editor.commit();
-    QCOMPARE(bench.marked(0), QString("north"));
+    QCOMPARE(bench.marked(0), QString("upwards"));
     QVERIFY(bench.problems->item(0)->text().startsWith("Line 7: Error"));
-    bench.replace("north", "1000");
+    bench.replace("upwards", "1000");
     bench.editor.commit();
     QVERIFY(bench.text->underlined().empty());
     QVERIFY(!bench.problems->isVisible());

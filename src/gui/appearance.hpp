@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QPalette>
+
+class QApplication;
+
+namespace sarsim {
+
+/// Light, dark, or as the desktop has it (Qt 6.4 tells no more than its palette).
+enum class Appearance { system, light, dark };
+
+/// The palette of the workbench's own light or dark colours: text on window and base at more than 7 : 1.
+[[nodiscard]] QPalette palette_of(bool dark);
+
+/// Gives the application the colours; `system` puts back those it started with.
+void set_appearance(QApplication& application, Appearance appearance);
+
+}  // namespace sarsim

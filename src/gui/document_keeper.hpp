@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+
+#include "gui/session.hpp"
+#include "view/recovery.hpp"
+
+class QWidget;
+
+namespace sarsim {
+
+/// Opens, saves and guards the session's document: questions before changes are lost, recent files, copies that survive
+/// a crash, files that changed on disk.
+class DocumentKeeper : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param window  parent of the questions
+  DocumentKeeper(Session& session, QWidget* window);
+  ~DocumentKeeper() override;
+
+  enum class Answer { save, discard, cancel };
+  /// Asked before unsaved changes are lost, and for file names (empty: cancelled). Dialogs unless replaced.
+  std::function<Answer()> ask_unsaved;
+  std::function<QString()> ask_open_name;
+  std::function<QString()> ask_save_name;
+
+  /// Each returns false where the user cancelled or it failed; failures are told to the user.
+  /// @{
+  bool make_new();
+  bool open();
+  bool open_file(const QString& path);
+  bool save();
+  bool save_as();
+  bool save_to(const QString& path);
+  /// Saves or discards what is unsaved, or asks; true where the document may go.
+  bool may_close();
+  /// @}
+
+  /// Paths, the newest first, at most ten that still exist.
+  [[nodiscard]] QStringList recent() const;
+  /// Where the examples are, or an empty path.
+  [[nodiscard]] static std::filesystem::path examples_folder();
+  /// Offers copies that a crash left behind; takes the first that the user wants.
+  void offer_recovery();
+  /// The document ends here: forgets the copy.
+  void close();
+
+ signals:
+  void recent_changed();
+
+ private:
+  void note_recent(const QString& path);
+  void keep_copy();
+  void look_at_disk();
+  void tell(const QString& what, const QString& why);
+
+  Session& session_;
+  QWidget* window_;
+  Recovery recovery_;
+  QTimer keep_soon_;
+  QTimer look_;
+  bool asking_ = false;
+};
+
+}  // namespace sarsim

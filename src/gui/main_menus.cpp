@@ -1,0 +1,372 @@
+// The menus, the tool bar and the small dialogs of the main window.
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QToolBar>
+
+#include "base/version.hpp"
+#include "gui/command_list.hpp"
+#include "gui/document_keeper.hpp"
+#include "gui/function_editor.hpp"
+#include "gui/geometry_window.hpp"
+#include "gui/help_window.hpp"
+#include "gui/import_dialog.hpp"
+#include "gui/main_window.hpp"
+#include "gui/object_tree.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "gui/script_editor.hpp"
+#include "gui/stored_simulations.hpp"
+#include "gui/target_table.hpp"
+#include "gui/time_bar.hpp"
+#include "view/fields.hpp"
+
+namespace sarsim {
+
+QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
+                                const std::function<void()>& work, const QString& tip) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  action->setProperty("menu", menu->title().remove('&'));
+  if (!tip.isEmpty()) action->setToolTip(tip), action->setStatusTip(tip);
+  connect(action, &QAction::triggered, this, work);
+  menu->addAction(action);
+  return action;
+}
+
+void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option) {
+  QAction* action = add_action(menu, text, name, {}, {[] {}});
+  action->setCheckable(true);
+  action->setChecked(scene_->scene().options().*option);
+  connect(action, &QAction::toggled, this, [this, option](bool on) {
+    DrawingOptions options = scene_->scene().options();
+    options.*option = on;
+    scene_->scene().set_options(options);
+  });
+}
+
+void MainWindow::make_menus() {
+  make_file_menu();
+  make_edit_menu();
+  make_geometry_menu();
+  make_simulation_menu();
+  make_view_menu();
+  make_help_menu();
+}
+
+void MainWindow::make_file_menu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] { documents_->make_new(); });
+  add_action(file, tr("&Open…"), "file_open", QKeySequence::Open, [this] {
+    script_->commit();
+    documents_->open();
+  });
+  recent_ = file->addMenu(tr("Open &Recent"));
+  QMenu* examples = file->addMenu(tr("&Examples"));
+  const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
+  for (const QString& name : folder.entryList({"*.scr"}, QDir::Files, QDir::Name))
+    connect(examples->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
+      if (documents_->may_close()) documents_->open_file(path);
+    });
+  examples->setEnabled(!examples->isEmpty());
+  file->addSeparator();
+  add_action(file, tr("&Save"), "file_save", QKeySequence::Save, [this] {
+    script_->commit();
+    documents_->save();
+  });
+  add_action(file, tr("Save &As…"), "file_save_as", QKeySequence::SaveAs, [this] {
+    script_->commit();
+    documents_->save_as();
+  });
+  file->addSeparator();
+  add_action(
+      file, tr("&Import Targets…"), "file_import", {}, [this] { ImportDialog(session_, this).exec(); },
+      tr("Read targets from a file of x, y, z and perhaps RCS"));
+  file->addSeparator();
+  add_action(file, tr("E&xit"), "file_exit", QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::make_edit_menu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = add_action(edit, tr("&Undo"), "edit_undo", QKeySequence::Undo, [this] {
+    script_->commit();
+    session_.undo();
+  });
+  QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
+  const auto show = [this, undo, redo] {
+    const History& history = session_.document().history();
+    undo->setEnabled(history.can_undo());
+    redo->setEnabled(history.can_redo());
+    undo->setText(tr("&Undo %1").arg(QString::fromStdString(history.undo_label())).trimmed());
+    redo->setText(tr("&Redo %1").arg(QString::fromStdString(history.redo_label())).trimmed());
+  };
+  connect(&session_, &Session::document_changed, this, show);
+  show();
+  edit->addSeparator();
+  add_action(edit, tr("&Modify"), "edit_modify", {}, [this] {
+    if (session_.current()) edit_object(*session_.current());
+  });
+  add_action(edit, tr("&Delete"), "edit_delete", {}, [this] { tree_->delete_selection(); });
+  add_action(edit, tr("Du&plicate"), "edit_duplicate", QKeySequence("Ctrl+D"),
+             [this] { tree_->duplicate_selection(); });
+  add_action(edit, tr("Re&name"), "edit_rename", {}, [this] { tree_->rename_current(); });
+  add_action(edit, tr("&Table of Targets"), "edit_targets", QKeySequence("Ctrl+T"), [this] { show_targets(); });
+  add_action(edit, tr("Options of the &Script"), "edit_options", {}, [this] {
+    session_.select({});
+    docks_["properties"]->show();
+    docks_["properties"]->raise();
+  });
+  edit->addSeparator();
+  add_action(
+      edit, tr("&Commands…"), "edit_commands", QKeySequence("Ctrl+Shift+P"), [this] { show_commands(); },
+      tr("Find a command by its name"));
+}
+
+void MainWindow::make_geometry_menu() {
+  QMenu* geometry = menuBar()->addMenu(tr("&Geometry"));
+  add_action(
+      geometry, tr("New &Target"), "new_target", QKeySequence("Ctrl+1"), [this] { add_new(Target()); },
+      tr("Add a point that reflects"));
+  add_action(
+      geometry, tr("New &Platform"), "new_platform", QKeySequence("Ctrl+2"),
+      [this] {
+        Platform platform;
+        platform.name = "Platform";
+        add_new(platform);
+      },
+      tr("Add a frame that moves and turns and carries targets and radars"));
+  add_action(
+      geometry, tr("New &Radar"), "new_radar", QKeySequence("Ctrl+3"), [this] { add_new(Radar()); },
+      tr("Add a transmitter and receiver at the origin of a platform"));
+  add_action(
+      geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"), [this] { add_new(Surface()); },
+      tr("Add a triangle filled with points that reflect"));
+}
+
+void MainWindow::make_simulation_menu() {
+  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
+  const auto add = [this](Processing processing) {
+    const Scene& scene = session_.scene();
+    if (scene.radars.empty()) {
+      QMessageBox::information(this, tr("Simulation"), tr("There is no radar. Create one first: Geometry, New Radar."));
+      return;
+    }
+    if (scene.targets.empty() && scene.surfaces.empty()) {
+      QMessageBox::information(this, tr("Simulation"),
+                               tr("Nothing reflects. Create a target first: Geometry, New Target."));
+      return;
+    }
+    const auto current = session_.current();
+    const std::size_t radar = current && current->kind == ObjectKind::radar ? current->index : 0;
+    Simulation wanted = suitable_simulation(scene, radar);
+    wanted.processing = processing;
+    add_new(wanted);
+    docks_["simulations"]->show();
+    docks_["simulations"]->raise();
+  };
+  add_action(
+      simulation, tr("&Raw Return"), "simulation_raw", {}, [add] { add(Processing::raw); },
+      tr("Store a simulation of what the A/D converter delivers"));
+  add_action(
+      simulation, tr("Range &Compressed"), "simulation_compressed", {}, [add] { add(Processing::matched_filter); },
+      tr("Store a simulation of what the matched filter makes of it"));
+  add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] {
+    docks_["simulations"]->show();
+    docks_["simulations"]->raise();
+  });
+  add_action(
+      simulation, tr("&Geometry"), "simulation_geometry", QKeySequence("Ctrl+G"), [this] { show_geometry(); },
+      tr("Table of ranges, delays, amplitudes and speeds for every pulse"));
+  simulation->addSeparator();
+  add_action(
+      simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
+      [this] {
+        docks_["simulations"]->show();
+        docks_["simulations"]->raise();
+        if (!simulations_->chosen() && !session_.scene().simulations.empty())
+          simulations_->choose({ObjectKind::simulation, 0});
+        simulations_->run_chosen();
+      },
+      tr("Run the chosen simulation into its file"));
+
+  QMenu* display = menuBar()->addMenu(tr("&Display"));
+  QAction* output = add_action(
+      display, tr("Simulation &Output"), "display_output", {}, [] {},
+      tr("The viewer of recordings is not there yet; sarsim info describes a file"));
+  output->setEnabled(false);
+  add_action(display, tr("&Script File"), "display_script", QKeySequence("Ctrl+E"), [this] {
+    docks_["script"]->show();
+    docks_["script"]->raise();
+    script_->setFocus();
+  });
+}
+
+void MainWindow::make_view_menu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  add_action(
+      view, tr("&Focus…"), "view_focus", {}, [this] { show_focus(); }, tr("Look at a point, or follow a platform"));
+  add_action(view, tr("Focus on Se&lection"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
+  add_action(view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); });
+  for (const auto& [text, name, preset] : {std::tuple{tr("From A&bove"), "view_top", ViewPreset::top},
+                                           std::tuple{tr("From the F&ront"), "view_front", ViewPreset::front},
+                                           std::tuple{tr("From the S&ide"), "view_side", ViewPreset::side},
+                                           std::tuple{tr("As at the B&eginning"), "view_start", ViewPreset::start}})
+    add_action(view, text, name, {}, [this, preset = preset] { scene_->scene().look(preset); });
+  QAction* perspective = add_action(view, tr("&Perspective"), "view_perspective", {}, {[] {}});
+  perspective->setCheckable(true);
+  connect(perspective, &QAction::toggled, this, [this](bool on) {
+    Camera camera = scene_->scene().camera();
+    camera.perspective = on;
+    scene_->scene().set_camera(camera);
+  });
+  view->addSeparator();
+  add_switch(view, tr("&Coordinate Systems"), "view_axes", &DrawingOptions::coordinate_systems);
+  add_switch(view, tr("Corner &Triad"), "view_triad", &DrawingOptions::corner_triad);
+  add_switch(view, tr("&Elevation Lines"), "view_lines", &DrawingOptions::elevation_lines);
+  add_switch(view, tr("Filled &Surfaces"), "view_filled", &DrawingOptions::filled_surfaces);
+  add_switch(view, tr("La&bels"), "view_labels", &DrawingOptions::labels);
+  add_switch(view, tr("T&rails"), "view_trails", &DrawingOptions::trails);
+  add_switch(view, tr("Pattern L&obes"), "view_lobes", &DrawingOptions::lobes);
+  view->addSeparator();
+  QMenu* looks = view->addMenu(tr("Colour&s"));
+  auto* group = new QActionGroup(this);
+  for (const auto& [text, name, appearance] : {std::tuple{tr("As the &Desktop"), "colours_system", Appearance::system},
+                                               std::tuple{tr("&Light"), "colours_light", Appearance::light},
+                                               std::tuple{tr("&Dark"), "colours_dark", Appearance::dark}}) {
+    QAction* action = add_action(looks, text, name, {}, [this, appearance = appearance] {
+      QSettings().setValue("appearance", static_cast<int>(appearance));
+      set_appearance(appearance);
+    });
+    action->setCheckable(true);
+    action->setChecked(QSettings().value("appearance").toInt() == static_cast<int>(appearance));
+    group->addAction(action);
+  }
+  QMenu* panels = view->addMenu(tr("&Windows"));
+  for (const char* name : {"objects", "properties", "script", "simulations", "log"})
+    panels->addAction(docks_[name]->toggleViewAction());
+  add_action(
+      view, tr("Reset &Layout"), "view_reset", {}, [this] { reset_layout(); },
+      tr("Put all windows back to their first places"));
+}
+
+void MainWindow::make_help_menu() {
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  add_action(help, tr("&Contents"), "help_contents", QKeySequence::HelpContents, [this] { show_help(); });
+  add_action(help, tr("&About"), "help_about", {}, [this] { show_about(); });
+}
+
+void MainWindow::make_tool_bar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tool_bar");
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  const auto put = [&](const char* name) { bar->addAction(findChild<QAction*>(name)); };
+  for (const char* name : {"file_open", "file_save"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"edit_undo", "edit_redo"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"new_target", "new_surface", "new_platform", "new_radar"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"view_focus", "view_fit", "simulation_run", "help_contents"}) put(name);
+}
+
+// Thesis 4.7: a platform that is followed, or a point.
+void MainWindow::show_focus() {
+  QDialog dialog(this);
+  dialog.setObjectName("focus_dialog");
+  dialog.setWindowTitle(tr("Select Focus"));
+  auto* form = new QFormLayout(&dialog);
+  auto* platform = new QComboBox;
+  platform->setObjectName("focus_platform");
+  platform->addItem(tr("A point"));
+  for (const Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
+  if (scene_->followed()) platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
+  form->addRow(tr("&Follow"), platform);
+  const Vec3 focus = scene_->scene().camera().focus_world_m;
+  std::array<QLineEdit*, 3> fields{};
+  const std::array<double, 3> values{focus.x, focus.y, focus.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    fields[i] = new QLineEdit(QString::fromStdString(quantity_text(values[i], Quantity::length, "m")));
+    form->addRow(QString("&%1").arg(QChar("XYZ"[i])), fields[i]);
+    fields[i]->setEnabled(platform->currentIndex() == 0);
+  }
+  connect(platform, &QComboBox::currentIndexChanged, &dialog, [&](int index) {
+    for (QLineEdit* field : fields) field->setEnabled(index == 0);
+  });
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (platform->currentIndex() > 0) {
+    scene_->follow(ObjectId{ObjectKind::platform, static_cast<std::size_t>(platform->currentIndex() - 1)});
+    return;
+  }
+  std::array<double, 3> wanted = values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const QuantityReading reading = read_quantity(fields[i]->text().toStdString(), Quantity::length);
+    if (reading.value)
+      wanted[i] = *reading.value;
+    else
+      session_.log(Severity::warning, QString::fromStdString(reading.failure));
+  }
+  scene_->follow(std::nullopt);
+  scene_->focus_on({wanted[0], wanted[1], wanted[2]});
+}
+
+void MainWindow::show_help(const QString& page) {
+  auto* help = findChild<HelpWindow*>("help_window");
+  if (help == nullptr) help = new HelpWindow(this);
+  help->show_page(page.isEmpty() ? QString("README.md") : page);
+  help->show();
+  help->raise();
+}
+
+void MainWindow::show_about() {
+  QMessageBox::about(this, tr("About Sarsim"),
+                     tr("<b>Sarsim %1</b><p>Radar echo simulator: from a scene to complex baseband samples.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later, without any "
+                        "warranty.</p>")
+                         .arg(program_version));
+}
+
+QStringList MainWindow::window_names() {
+  return {"main",     "objects", "properties", "script",   "simulations", "log",
+          "geometry", "targets", "function",   "commands", "help",        "import"};
+}
+
+QWidget* MainWindow::window_named(const QString& name) {
+  if (name == "main") return this;
+  if (docks_.contains(name)) {
+    docks_[name]->show();
+    docks_[name]->raise();
+    return docks_[name];
+  }
+  if (name == "geometry") return show_geometry(), geometry_;
+  if (name == "targets") return show_targets(), targets_;
+  if (name == "help") return show_help(), findChild<HelpWindow*>("help_window");
+  if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
+  if (name == "import") return new ImportDialog(session_, this);
+  if (name != "function") return nullptr;
+  // The first function that the scene has.
+  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::radar, ObjectKind::target})
+    for (std::size_t i = 0; i < count_of(session_.scene(), kind); ++i) {
+      const AnyObject object = object_of(session_.scene(), {kind, i});
+      for (const Field& field : fields_of(kind))
+        if (field.kind == FieldKind::function && field_applies(object, field.id))
+          return new FunctionEditor(session_, {kind, i}, field.id, this);
+    }
+  return nullptr;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,223 @@
+#include "gui/main_window.hpp"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+
+#include "gui/command_list.hpp"
+#include "gui/document_keeper.hpp"
+#include "gui/function_editor.hpp"
+#include "gui/geometry_window.hpp"
+#include "gui/log_panel.hpp"
+#include "gui/object_tree.hpp"
+#include "gui/property_panel.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "gui/script_editor.hpp"
+#include "gui/stored_simulations.hpp"
+#include "gui/target_table.hpp"
+#include "gui/time_bar.hpp"
+#include "view/edit.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int layout_version = 1;
+
+// The one script that a drop brings, or nothing.
+QString dropped_file(const QMimeData* data) {
+  if (!data->hasUrls() || data->urls().size() != 1 || !data->urls().first().isLocalFile()) return {};
+  return data->urls().first().toLocalFile();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new DocumentKeeper(session_, this)) {
+  setObjectName("main_window");
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  scene_ = new ScenePanel(session_);
+  setCentralWidget(scene_);
+  make_docks();
+  make_menus();
+  make_tool_bar();
+  connect(scene_, &ScenePanel::edit_requested, this, &MainWindow::edit_object);
+  connect(scene_, &ScenePanel::menu_requested, this, &MainWindow::show_object_menu);
+  connect(tree_, &ObjectTree::edit_requested, this, &MainWindow::edit_object);
+  connect(panel_, &PropertyPanel::function_requested, this, &MainWindow::edit_function);
+  connect(&session_, &Session::document_changed, this, &MainWindow::show_title);
+  connect(&session_, &Session::scene_changed, this, &MainWindow::show_state);
+  connect(&session_, &Session::selection_changed, this, &MainWindow::show_state);
+  connect(documents_, &DocumentKeeper::recent_changed, this, &MainWindow::fill_recent);
+  fill_recent();
+  show_title();
+  show_state();
+  resize(fontMetrics().averageCharWidth() * 190, fontMetrics().height() * 50);
+  first_layout_ = saveState(layout_version);
+  restore_layout();
+}
+
+MainWindow::~MainWindow() {
+  // The panels speak to the session, which is a member and goes first.
+  delete centralWidget();
+  for (const auto& [name, dock] : docks_) delete dock;
+}
+
+QDockWidget* MainWindow::add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QString("%1_dock").arg(name));
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  docks_[name] = dock;
+  return dock;
+}
+
+void MainWindow::make_docks() {
+  tree_ = new ObjectTree(session_);
+  panel_ = new PropertyPanel(session_);
+  script_ = new ScriptEditor(session_);
+  simulations_ = new StoredSimulations(session_);
+  add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
+  add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
+  QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
+  QDockWidget* simulations = add_dock(simulations_, tr("Previously Stored"), "simulations", Qt::BottomDockWidgetArea);
+  QDockWidget* log = add_dock(new LogPanel(session_), tr("Log"), "log", Qt::BottomDockWidgetArea);
+  tabifyDockWidget(simulations, script);
+  tabifyDockWidget(simulations, log);
+  simulations->raise();
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  const int letter = fontMetrics().averageCharWidth();
+  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 36, letter * 52}, Qt::Horizontal);
+  resizeDocks({simulations}, {fontMetrics().height() * 11}, Qt::Vertical);
+}
+
+void MainWindow::fill_recent() {
+  recent_->clear();
+  for (const QString& path : documents_->recent())
+    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] {
+      if (documents_->may_close()) documents_->open_file(path);
+    });
+  recent_->setEnabled(!recent_->isEmpty());
+}
+
+void MainWindow::show_title() {
+  const auto& path = session_.document().path();
+  setWindowTitle(QString("%1[*] - Sarsim").arg(path.empty() ? tr("New scene") : QString::fromStdString(path.string())));
+  setWindowModified(session_.document().changed());
+}
+
+void MainWindow::show_state() {
+  const Scene& scene = session_.scene();
+  QString text = tr("%n target(s)", nullptr, static_cast<int>(scene.targets.size())) + "   " +
+                 tr("%n radar(s)", nullptr, static_cast<int>(scene.radars.size()));
+  if (session_.current()) {
+    text += "   " + QString::fromStdString(label_of(scene, *session_.current()));
+    if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
+  }
+  statusBar()->showMessage(text);
+}
+
+void MainWindow::add_new(AnyObject object) {
+  const ObjectKind kind = kind_of(object);
+  // New things stand on the platform that is selected, or that carries what is.
+  if (const auto current = session_.current()) {
+    const std::string carrier = current->kind == ObjectKind::platform ? session_.scene().platforms[current->index].name
+                                                                      : carrier_of(session_.scene(), *current);
+    const bool carried = current->kind <= ObjectKind::radar && !carrier.empty();
+    if (auto* target = std::get_if<Target>(&object); target && carried) target->platform = carrier;
+    if (auto* surface = std::get_if<Surface>(&object); surface && carried) surface->platform = carrier;
+    if (auto* radar = std::get_if<Radar>(&object); radar && carried) radar->platform = carrier;
+  }
+  session_.perform(add_object(session_.scene(), std::move(object)));
+  edit_object({kind, count_of(session_.scene(), kind) - 1});
+}
+
+void MainWindow::edit_object(ObjectId id) {
+  session_.select_only(id);
+  docks_["properties"]->show();
+  docks_["properties"]->raise();
+  panel_->focus_first();
+}
+
+void MainWindow::edit_function(ObjectId id, const QString& field) {
+  auto* editor = new FunctionEditor(session_, id, field.toStdString(), this);
+  editor->setAttribute(Qt::WA_DeleteOnClose);
+  editor->open();
+}
+
+void MainWindow::show_object_menu(std::optional<ObjectId> id, QPoint global) {
+  if (!id) return;
+  if (!session_.selection().contains(*id)) session_.select_only(*id);
+  tree_->context_menu()->exec(global);
+}
+
+void MainWindow::show_geometry() {
+  if (geometry_ == nullptr) {
+    geometry_ = new GeometryWindow(session_, this);
+    geometry_->setWindowFlag(Qt::Window);
+  }
+  geometry_->show();
+  geometry_->raise();
+  geometry_->activateWindow();
+}
+
+void MainWindow::show_targets() {
+  if (targets_ == nullptr) targets_ = new TargetTableDialog(session_, this);
+  targets_->show();
+  targets_->raise();
+  targets_->activateWindow();
+}
+
+void MainWindow::show_commands() {
+  CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this).exec();
+}
+
+void MainWindow::set_appearance(Appearance appearance) {
+  sarsim::set_appearance(*qApp, appearance);
+  emit session_.selection_changed();
+}
+
+void MainWindow::restore_layout() {
+  QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray(), layout_version);
+}
+
+void MainWindow::reset_layout() {
+  restoreState(first_layout_, layout_version);
+  for (const auto& [name, dock] : docks_) dock->show();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  script_->commit();
+  if (!documents_->may_close()) {
+    event->ignore();
+    return;
+  }
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/state", saveState(layout_version));
+  documents_->close();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!dropped_file(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = dropped_file(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  if (documents_->may_close()) documents_->open_file(path);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include <functional>
+#include <map>
+
+#include "gui/appearance.hpp"
+#include "gui/session.hpp"
+#include "view/drawing.hpp"
+
+class QDockWidget;
+class QMenu;
+
+namespace sarsim {
+
+class DocumentKeeper;
+class GeometryWindow;
+class ObjectTree;
+class PropertyPanel;
+class ScenePanel;
+class ScriptEditor;
+class StoredSimulations;
+
+/// The workbench: the scene in the middle, objects, properties, script and stored simulations around it (thesis 4.1).
+/// Menus carry the words of the thesis.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] DocumentKeeper& documents() { return *documents_; }
+  [[nodiscard]] ScenePanel& scene() { return *scene_; }
+  /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
+  /// targets, function, commands, about, help. Null for another name; some need a scene that has what they show.
+  [[nodiscard]] QWidget* window_named(const QString& name);
+  [[nodiscard]] static QStringList window_names();
+  void set_appearance(Appearance appearance);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QDockWidget* add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area);
+  void make_docks();
+  void make_menus();
+  void make_file_menu();
+  void make_edit_menu();
+  void make_geometry_menu();
+  void make_simulation_menu();
+  void make_view_menu();
+  void make_help_menu();
+  void make_tool_bar();
+  QAction* add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
+                      const std::function<void()>& work, const QString& tip = QString());
+  void add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option);
+  void fill_recent();
+  void show_title();
+  void show_state();
+  void add_new(AnyObject object);
+  void edit_object(ObjectId id);
+  void edit_function(ObjectId id, const QString& field);
+  void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  void show_geometry();
+  void show_targets();
+  void show_focus();
+  void show_commands();
+  void show_help(const QString& page = QString());
+  void show_about();
+  void restore_layout();
+  void reset_layout();
+
+  Session session_;
+  DocumentKeeper* documents_ = nullptr;
+  ScenePanel* scene_ = nullptr;
+  ObjectTree* tree_ = nullptr;
+  PropertyPanel* panel_ = nullptr;
+  ScriptEditor* script_ = nullptr;
+  StoredSimulations* simulations_ = nullptr;
+  GeometryWindow* geometry_ = nullptr;
+  QWidget* targets_ = nullptr;
+  QMenu* recent_ = nullptr;
+  std::map<QString, QDockWidget*> docks_;
+  QByteArray first_layout_;
+};
+
+}  // namespace sarsim
