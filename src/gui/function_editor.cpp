@@ -88,12 +88,22 @@ FunctionEditor::FunctionEditor(Session& session, ObjectId object, const std::str
       object_(object_of(session.scene(), object)),
       info_(function_info(object_, field)),
       draft_(function_of(object_, field)) {
-  // The editor's rule: at least one sample. A function without any is 0, and so is this one.
-  for (SampledFunction& part : draft_.parts)
+  // The editor's rule: at least one sample, in order. A function without any is 0, and so is this one.
+  for (SampledFunction& part : draft_.parts) {
     if (part.knots.empty())
       part.knots.push_back({std::max(0.0, info_.x_limits[0]), std::clamp(0.0, info_.y_limits[0], info_.y_limits[1])});
+    if (!info_.per_pulse) std::ranges::stable_sort(part.knots, {}, &Knot::x);
+  }
   states_ = {draft_};
   own_file_ = draft_.file;
+  make_questions();
+  make_layout();
+  make_undo();
+  connect_points();
+  show_part(0);
+}
+
+void FunctionEditor::make_questions() {
   ask_unsaved = [this](const QString& file) {
     QMessageBox box(QMessageBox::Question, windowTitle(), tr("The samples are not in the file '%1'.").arg(file),
                     QMessageBox::Cancel, this);
@@ -106,10 +116,6 @@ FunctionEditor::FunctionEditor(Session& session, ObjectId object, const std::str
   ask_replace = [this](const QString& file) {
     return QMessageBox::question(this, windowTitle(), tr("'%1' exists. Replace it?").arg(file)) == QMessageBox::Yes;
   };
-  make_layout();
-  make_undo();
-  connect_points();
-  show_part(0);
 }
 
 void FunctionEditor::connect_points() {

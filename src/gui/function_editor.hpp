@@ -65,6 +65,7 @@ class FunctionEditor : public QDialog {
 
  private:
   void make_layout();
+  void make_questions();
   QWidget* make_source();
   QWidget* make_display();
   QWidget* make_interpolation();

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
@@ -83,7 +84,7 @@ void FunctionEditor::make_layout() {
   layout->addWidget(problems_);
   layout->addWidget(buttons);
   const int letter = fontMetrics().height();
-  resize(letter * 60, letter * 40);
+  resize(QSize(letter * 64, letter * 50).boundedTo(screen()->availableSize()));
 }
 
 QWidget* FunctionEditor::make_source() {
@@ -145,14 +146,15 @@ QWidget* FunctionEditor::make_display() {
 
 QWidget* FunctionEditor::make_interpolation() {
   auto* group = new QGroupBox(tr("Interpolation"), this);
-  auto* layout = new QVBoxLayout(group);
+  auto* layout = new QGridLayout(group);
   methods_ = new QButtonGroup(this);
   const auto add = [&](Interpolation method, const QString& text, const char* name, const QString& tip) {
+    const int place = layout->count();
     auto* radio = new QRadioButton(text, group);
     radio->setObjectName(name);
     radio->setToolTip(tip);
     methods_->addButton(radio, static_cast<int>(method));
-    layout->addWidget(radio);
+    layout->addWidget(radio, place / 2, place % 2);
   };
   add(Interpolation::cubic, tr("C&ubic splines"), "function_cubic", tr("A smooth curve through all samples"));
   add(Interpolation::low_pass, tr("Low-&pass filter"), "function_low_pass",
@@ -161,7 +163,7 @@ QWidget* FunctionEditor::make_interpolation() {
   compare_ = new QCheckBox(tr("Co&mpare"), group);
   compare_->setObjectName("function_compare");
   compare_->setToolTip(tr("Draws the two other interpolations faintly"));
-  layout->addWidget(compare_);
+  layout->addWidget(compare_, 1, 1);
   group->setVisible(!info_.per_pulse);
   connect(methods_, &QButtonGroup::idClicked, this, [this](int method) {
     FunctionDraft next = draft_;

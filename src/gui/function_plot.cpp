@@ -80,7 +80,11 @@ void FunctionPlot::make_items() {
   y_ticker_ = QSharedPointer<QCPAxisTickerText>::create();
   xAxis->setTicker(x_ticker_);
   yAxis->setTicker(y_ticker_);
-  axisRect()->setupFullAxesBox();
+  for (QCPAxis* axis : {xAxis2, yAxis2}) {
+    axis->setVisible(true);
+    axis->setTicks(false);
+    axis->setTickLabels(false);
+  }
   band_ = new QRubberBand(QRubberBand::Rectangle, this);
 }
 

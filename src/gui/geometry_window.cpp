@@ -85,6 +85,13 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(split, 1);
 
+  connect_all();
+  follow_scene();
+}
+
+GeometryWindow::~GeometryWindow() = default;
+
+void GeometryWindow::connect_all() {
   soon_.setSingleShot(true);
   soon_.setInterval(recompute_ms);
   connect(&soon_, &QTimer::timeout, this, &GeometryWindow::compute);
@@ -104,10 +111,7 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
     choice_.table = table_at_first(session_);
     targets_typed_ = false;
   });
-  follow_scene();
 }
-
-GeometryWindow::~GeometryWindow() = default;
 
 QWidget* GeometryWindow::make_controls() {
   auto* page = new QWidget(this);

@@ -57,6 +57,7 @@ class GeometryWindow : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void connect_all();
   QWidget* make_controls();
   QWidget* make_stored_row();
   QWidget* make_save_row();

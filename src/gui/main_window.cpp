@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "gui/command_list.hpp"
 #include "gui/document_keeper.hpp"
@@ -60,8 +61,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new Do
   show_title();
   show_state();
   resize(fontMetrics().averageCharWidth() * 190, fontMetrics().height() * 50);
-  first_layout_ = saveState(layout_version);
-  restore_layout();
 }
 
 MainWindow::~MainWindow() {
@@ -94,9 +93,24 @@ void MainWindow::make_docks() {
   simulations->raise();
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+// Docks take sizes only once the window has its own.
+void MainWindow::size_docks() {
   const int letter = fontMetrics().averageCharWidth();
-  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 36, letter * 52}, Qt::Horizontal);
-  resizeDocks({simulations}, {fontMetrics().height() * 11}, Qt::Vertical);
+  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 38, letter * 54}, Qt::Horizontal);
+  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 11}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (sized_) return;
+  sized_ = true;
+  QTimer::singleShot(0, this, [this] {
+    size_docks();
+    first_layout_ = saveState(layout_version);
+    restore_layout();
+  });
 }
 
 void MainWindow::fill_recent() {

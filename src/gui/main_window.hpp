@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
   void set_appearance(Appearance appearance);
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -72,6 +73,7 @@ class MainWindow : public QMainWindow {
   void show_commands();
   void show_help(const QString& page = QString());
   void show_about();
+  void size_docks();
   void restore_layout();
   void reset_layout();
 
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
   QByteArray first_layout_;
+  bool sized_ = false;
 };
 
 }  // namespace sarsim

@@ -69,8 +69,25 @@ ScriptEditor::ScriptEditor(Session& session, QWidget* parent)
   position_->setObjectName("script_position");
   state_->setObjectName("script_state");
   make_actions();
+  lay_out();
+  for (QTimer* timer : {&pause_, &run_end_, &problems_soon_}) timer->setSingleShot(true);
+  pause_.setInterval(pause_ms);
+  run_end_.setInterval(run_end_ms);
+  problems_soon_.setInterval(problems_ms);
+  connect_text();
+  connect(&session_, &Session::text_changed, this, &ScriptEditor::take_session_text);
+  connect(&session_, &Session::document_replaced, this, &ScriptEditor::take_document);
+  connect(&session_, &Session::document_changed, this,
+          [this] { copy_command_->setEnabled(!session_.document().path().empty()); });
+  take_document();
+}
 
+ScriptEditor::~ScriptEditor() { text_->disconnect(); }
+
+void ScriptEditor::lay_out() {
   auto* tools = new QHBoxLayout;
+  const int gap = fontMetrics().height() / 3;
+  tools->setContentsMargins(gap, gap, gap, 0);
   for (QAction* action : {find_, copy_command_}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
@@ -92,11 +109,9 @@ ScriptEditor::ScriptEditor(Session& session, QWidget* parent)
   layout->addLayout(tools);
   layout->addWidget(split, 1);
   layout->addWidget(find_bar_);
+}
 
-  for (QTimer* timer : {&pause_, &run_end_, &problems_soon_}) timer->setSingleShot(true);
-  pause_.setInterval(pause_ms);
-  run_end_.setInterval(run_end_ms);
-  problems_soon_.setInterval(problems_ms);
+void ScriptEditor::connect_text() {
   connect(&pause_, &QTimer::timeout, this, &ScriptEditor::commit);
   connect(&run_end_, &QTimer::timeout, &session_, &Session::end_run);
   connect(&problems_soon_, &QTimer::timeout, this, &ScriptEditor::refresh_problems);
@@ -120,14 +135,7 @@ ScriptEditor::ScriptEditor(Session& session, QWidget* parent)
           [this](QListWidgetItem* item) { jump_to(places_[static_cast<std::size_t>(problems_->row(item))]); });
   connect(problems_, &QListWidget::itemClicked, this,
           [this](QListWidgetItem* item) { jump_to(places_[static_cast<std::size_t>(problems_->row(item))]); });
-  connect(&session_, &Session::text_changed, this, &ScriptEditor::take_session_text);
-  connect(&session_, &Session::document_replaced, this, &ScriptEditor::take_document);
-  connect(&session_, &Session::document_changed, this,
-          [this] { copy_command_->setEnabled(!session_.document().path().empty()); });
-  take_document();
 }
-
-ScriptEditor::~ScriptEditor() { text_->disconnect(); }
 
 void ScriptEditor::make_actions() {
   find_ = new QAction(tr("&Find …"), this);

@@ -42,6 +42,8 @@ class ScriptEditor : public QWidget {
 
  private:
   void make_actions();
+  void lay_out();
+  void connect_text();
   void take_document();
   void take_session_text();
   void note_typing();

@@ -80,6 +80,24 @@ StoredSimulations::StoredSimulations(Session& session, QWidget* parent)
   empty_->setObjectName("stored_empty");
   empty_->setWordWrap(true);
 
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(empty_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(make_buttons());
+  layout->addWidget(run_panel_);
+
+  make_questions();
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &StoredSimulations::refresh_buttons);
+  connect(table_, &QTableWidget::cellDoubleClicked, this, &StoredSimulations::show_chosen);
+  connect(run_panel_, &RunPanel::ended, this, &StoredSimulations::refresh_buttons);
+  connect(run_panel_, &RunPanel::lsb_wanted, this, &StoredSimulations::take_lsb);
+  connect(&session_, &Session::scene_changed, this, &StoredSimulations::refresh);
+  connect(&session_, &Session::document_replaced, this, &StoredSimulations::refresh);
+  connect(&session_, &Session::selection_changed, this, &StoredSimulations::follow_selection);
+  refresh();
+}
+
+QHBoxLayout* StoredSimulations::make_buttons() {
   auto* buttons = new QHBoxLayout;
   const auto add = [&](const QString& label, const char* name, const QString& tip, void (StoredSimulations::*slot)()) {
     QPushButton* button = add_button(label, name, tip, slot);
@@ -95,13 +113,10 @@ StoredSimulations::StoredSimulations(Session& session, QWidget* parent)
           &StoredSimulations::delete_chosen)};
   new_ = add(tr("&New"), "stored_new", tr("Stores a new simulation of the current radar"), &StoredSimulations::add_new);
   buttons->addStretch(1);
+  return buttons;
+}
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(empty_);
-  layout->addWidget(table_, 1);
-  layout->addLayout(buttons);
-  layout->addWidget(run_panel_);
-
+void StoredSimulations::make_questions() {
   ask_folder = [this]() -> std::optional<fs::path> {
     const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder for the file of the simulation"));
     if (chosen.isEmpty()) return std::nullopt;
@@ -112,14 +127,6 @@ StoredSimulations::StoredSimulations(Session& session, QWidget* parent)
                                  tr("'%1' exists. Replace it?").arg(QString::fromStdString(existing.string()))) ==
            QMessageBox::Yes;
   };
-  connect(table_, &QTableWidget::itemSelectionChanged, this, &StoredSimulations::refresh_buttons);
-  connect(table_, &QTableWidget::cellDoubleClicked, this, &StoredSimulations::show_chosen);
-  connect(run_panel_, &RunPanel::ended, this, &StoredSimulations::refresh_buttons);
-  connect(run_panel_, &RunPanel::lsb_wanted, this, &StoredSimulations::take_lsb);
-  connect(&session_, &Session::scene_changed, this, &StoredSimulations::refresh);
-  connect(&session_, &Session::document_replaced, this, &StoredSimulations::refresh);
-  connect(&session_, &Session::selection_changed, this, &StoredSimulations::follow_selection);
-  refresh();
 }
 
 QPushButton* StoredSimulations::add_button(const QString& label, const char* name, const QString& tip,
@@ -229,6 +236,7 @@ void StoredSimulations::run_chosen() {
 }
 
 void StoredSimulations::run_into(ObjectId simulation, const fs::path& path, bool replace) {
+  if (run_panel_->running()) return;
   run_panel_->run({session_.scene(), simulation.index, path, replace});
   refresh_buttons();
 }

@@ -9,6 +9,7 @@
 
 #include "gui/session.hpp"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTableWidget;
@@ -28,7 +29,7 @@ class StoredSimulations : public QWidget {
   [[nodiscard]] std::optional<ObjectId> chosen() const;
   void choose(ObjectId simulation);
 
-  /// Runs a simulation into a file without asking anything.
+  /// Runs a simulation into a file without asking anything; not while another run is under way.
   void run_into(ObjectId simulation, const std::filesystem::path& file, bool replace);
   [[nodiscard]] RunPanel& run_panel() { return *run_panel_; }
 
@@ -48,6 +49,8 @@ class StoredSimulations : public QWidget {
   void show_requested(sarsim::ObjectId simulation);  ///< Open a simulation window with these settings.
 
  private:
+  [[nodiscard]] QHBoxLayout* make_buttons();
+  void make_questions();
   QPushButton* add_button(const QString& text, const char* name, const QString& tip, void (StoredSimulations::*slot)());
   void refresh();
   void refresh_buttons();
