@@ -83,6 +83,9 @@ void MainWindow::make_docks() {
   panel_ = new PropertyPanel(session_);
   script_ = new ScriptEditor(session_);
   simulations_ = new StoredSimulations(session_);
+  const int letter = fontMetrics().averageCharWidth();
+  tree_->setMinimumWidth(letter * 30);
+  panel_->setMinimumWidth(letter * 48);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
