@@ -85,7 +85,8 @@ FieldChange PanelSubject::change(const Scene& scene, const Field& field, const s
     return change;
   }
   if (has_name(*kind_) && field.id == "name") {
-    change.failure = single() ? name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
+    change.failure =
+        single() ? name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
     if (change.failure.empty()) change.edit = rename_object(scene, ids_.front(), text);
     return change;
   }
