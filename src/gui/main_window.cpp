@@ -84,7 +84,7 @@ void MainWindow::make_docks() {
   script_ = new ScriptEditor(session_);
   simulations_ = new StoredSimulations(session_);
   const int letter = fontMetrics().averageCharWidth();
-  tree_->setMinimumWidth(letter * 30);
+  tree_->setMinimumWidth(letter * 42);
   panel_->setMinimumWidth(letter * 48);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);

@@ -1,0 +1,130 @@
+#include <QAction>
+#include <QLineEdit>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "gui/document_keeper.hpp"
+#include "gui/main_window.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "script/reader.hpp"
+
+namespace sarsim {
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  static void trigger(MainWindow& window, const char* name) {
+    auto* action = window.findChild<QAction*>(name);
+    QVERIFY2(action != nullptr, name);
+    action->trigger();
+  }
+  static QString example() { return QStringLiteral(SARSIM_SOURCE_DIR "/examples/sar_r.scr"); }
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("main_window_test");
+  }
+
+  void menus_carry_the_words_of_the_thesis() {
+    MainWindow window;
+    for (const char* name : {"file_new",
+                             "file_open",
+                             "file_save",
+                             "file_save_as",
+                             "file_exit",
+                             "new_target",
+                             "new_platform",
+                             "new_radar",
+                             "new_surface",
+                             "simulation_raw",
+                             "simulation_compressed",
+                             "simulation_stored",
+                             "simulation_geometry",
+                             "display_script",
+                             "view_focus",
+                             "view_axes",
+                             "view_triad",
+                             "view_lines",
+                             "view_filled",
+                             "help_contents",
+                             "help_about"})
+      QVERIFY2(window.findChild<QAction*>(name) != nullptr, name);
+  }
+
+  void an_example_opens_and_a_new_target_is_one_step_of_undo() {
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    const std::size_t targets = window.session().scene().targets.size();
+    const std::string text = window.session().document().text();
+    QCOMPARE(targets, std::size_t{24});
+    trigger(window, "new_target");
+    QCOMPARE(window.session().scene().targets.size(), targets + 1);
+    QVERIFY(window.isWindowModified());
+    trigger(window, "edit_undo");
+    QCOMPARE(window.session().scene().targets.size(), targets);
+    QCOMPARE(window.session().document().text(), text);
+    QVERIFY(!window.isWindowModified());
+  }
+
+  void a_target_that_is_dragged_moves_in_the_script_as_one_step() {
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    SceneWidget& view = window.scene().scene();
+    const ObjectId id{ObjectKind::target, 0};
+    const Vec3 before = window.session().scene().targets[0].position_m;
+    emit view.drag_started(id);
+    for (int i = 1; i <= 5; ++i) emit view.dragged_to(id, {1.0 * i, 0.0, 2.0 * i});
+    emit view.drag_ended();
+    QCOMPARE(window.session().scene().targets[0].position_m.x, before.x + 5.0);
+    QCOMPARE(window.session().scene().targets[0].position_m.z, before.z + 10.0);
+    QVERIFY(read_script(window.session().document().text(), "x.scr", {}).scene == window.session().scene());
+    trigger(window, "edit_undo");
+    QVERIFY(window.session().scene().targets[0].position_m == before);
+  }
+
+  void closing_asks_before_changes_are_lost() {
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    trigger(window, "new_target");
+    int asked = 0;
+    auto answer = DocumentKeeper::Answer::cancel;
+    window.documents().ask_unsaved = [&] { return ++asked, answer; };
+    QVERIFY(!window.close());
+    QCOMPARE(asked, 1);
+    answer = DocumentKeeper::Answer::discard;
+    QVERIFY(window.close());
+    QCOMPARE(asked, 2);
+  }
+
+  void a_saved_scene_reads_back_equal() {
+    QTemporaryDir folder;
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    trigger(window, "new_target");
+    const QString path = folder.filePath("saved.scr");
+    QVERIFY(window.documents().save_to(path));
+    QVERIFY(!window.isWindowModified());
+    QVERIFY(read_script_file(path.toStdString()).scene == window.session().scene());
+  }
+
+  void every_window_can_be_made_into_a_picture() {
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    window.show();
+    for (const QString& name : MainWindow::window_names()) {
+      QWidget* shown = window.window_named(name);
+      QVERIFY2(shown != nullptr, qPrintable(name));
+      QVERIFY2(!shown->grab().isNull(), qPrintable(name));
+    }
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::MainWindowTest)
+#include "main_window_test.moc"
