@@ -29,6 +29,7 @@ constexpr qsizetype preview_characters = 20000;
 // The first lines, with their numbers as the list of bad lines gives them.
 QString first_lines(const QString& text) {
   QStringList lines = text.left(preview_characters).split('\n');
+  if (lines.back().isEmpty()) lines.removeLast();
   const bool more = lines.size() > preview_lines || text.size() > preview_characters;
   lines = lines.mid(0, preview_lines);
   for (qsizetype i = 0; i < lines.size(); ++i) {
@@ -52,6 +53,9 @@ ImportDialog::ImportDialog(Session& session, QWidget* parent) : QDialog(parent),
   make_widgets();
   interpret();
 }
+
+// A field that goes while it has the keyboard says once more that it is finished.
+ImportDialog::~ImportDialog() { file_->disconnect(this); }
 
 void ImportDialog::make_widgets() {
   file_ = new QLineEdit(this);
@@ -81,6 +85,7 @@ void ImportDialog::make_widgets() {
   bad_lines_ = new QListWidget(this);
   bad_lines_->setObjectName("import_bad_lines");
   bad_lines_->setAccessibleName(tr("Lines that cannot be read"));
+  bad_lines_->setWordWrap(true);
   buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
 
   auto* form = new QFormLayout;

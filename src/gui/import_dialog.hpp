@@ -23,6 +23,7 @@ class ImportDialog : public QDialog {
 
  public:
   explicit ImportDialog(Session& session, QWidget* parent = nullptr);
+  ~ImportDialog() override;
 
   void set_file(const QString& path);
   void set_platform(const std::string& platform);

@@ -74,7 +74,11 @@ ObjectTree::ObjectTree(Session& session, QWidget* parent)
   restore_view();
 }
 
-ObjectTree::~ObjectTree() = default;
+// Views tell of changes while they go.
+ObjectTree::~ObjectTree() {
+  view_->selectionModel()->disconnect(this);
+  model_->disconnect(this);
+}
 
 void ObjectTree::connect_all() {
   connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) { model_->set_filter(text); });

@@ -95,6 +95,11 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   refresh();
 }
 
+// A field that goes while it has the keyboard says once more that it is finished.
+PropertyPanel::~PropertyPanel() {
+  for (const auto& [id, editor] : editors_) editor->disconnect(this);
+}
+
 // Objects of the kind of the current one; without one, the options.
 PanelSubject PropertyPanel::wanted_subject() const {
   const auto current = session_.current();

@@ -29,6 +29,7 @@ class PropertyPanel : public QScrollArea {
 
  public:
   explicit PropertyPanel(Session& session, QWidget* parent = nullptr);
+  ~PropertyPanel() override;
 
   /// Puts the keyboard into a field, unfolding its group; false where the panel shows no such field.
   bool focus_field(const QString& id);
@@ -55,6 +56,7 @@ class PropertyPanel : public QScrollArea {
   void rebuild();
   void build_group(Group& group);
   Group& group_named(const QString& name);
+  void align_labels();
   void order_tabs();
   void add_row(Group& group, FieldEditor* editor);
   void connect_editor(FieldEditor* editor);

@@ -25,6 +25,8 @@ QString fold_key(const PanelSubject& subject, const QString& group) {
 
 void PropertyPanel::rebuild() {
   if (page_ != nullptr) {
+    // What is still typed there is not meant for what is shown next.
+    for (const auto& [id, editor] : editors_) editor->disconnect(this);
     // Out of the tree at once, so that nobody finds its fields; deleted later, because one of them may be sending.
     page_->hide();
     page_->setParent(nullptr);
@@ -43,6 +45,7 @@ void PropertyPanel::rebuild() {
     connect_editor(editor);
   }
   for (Group& group : groups_) build_group(group);
+  align_labels();
   order_tabs();
   layout_->insertWidget(layout_->indexOf(problems_) + 1, page_);
   page_->show();
@@ -68,8 +71,11 @@ void PropertyPanel::build_group(Group& group) {
   if (std::ranges::none_of(group.editors, [](const FieldEditor* editor) { return editor->field().rare; })) return;
   group.more = new QToolButton(group.box);
   group.more->setObjectName("more_" + group.name);
-  group.more->setText(tr("More"));
+  const bool whole = std::ranges::all_of(group.editors, [](const FieldEditor* editor) { return editor->field().rare; });
+  group.more->setText(whole ? group.box->title() : tr("More"));
   group.more->setAccessibleName(tr("More of %1").arg(group.name));
+  // A group that is rarely needed as a whole takes one line.
+  if (whole) group.box->setTitle(QString());
   group.more->setToolTip(tr("Fields that are rarely needed"));
   group.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   group.more->setAutoRaise(true);
@@ -83,6 +89,14 @@ void PropertyPanel::build_group(Group& group) {
   group.more->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
   connect(group.more, &QToolButton::toggled, this,
           [this, name = group.name](bool now_open) { fold(group_named(name), now_open); });
+}
+
+// Fields of all groups begin at the same place.
+void PropertyPanel::align_labels() {
+  int width = 0;
+  for (const auto& [id, editor] : editors_)
+    if (editor->label() != nullptr) width = std::max(width, editor->label()->sizeHint().width());
+  for (const Group& group : groups_) group.grid->setColumnMinimumWidth(0, width);
 }
 
 // Tab goes from row to row as the eye does, whatever order the widgets were made in.

@@ -51,6 +51,7 @@ QTableView* make_view(TargetTableModel* model, Session& session, QWidget* parent
   view->horizontalHeader()->setResizeContentsPrecision(0);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() * 3 / 2);
   view->resizeColumnsToContents();
   return view;
 }
@@ -67,7 +68,11 @@ TargetTable::TargetTable(Session& session, QWidget* parent)
   update_buttons();
 }
 
-TargetTable::~TargetTable() = default;
+// Views tell of changes while they go.
+TargetTable::~TargetTable() {
+  view_->selectionModel()->disconnect(this);
+  model_->disconnect(this);
+}
 
 void TargetTable::make_widgets() {
   platform_ = new QComboBox(this);

@@ -1,14 +1,12 @@
 #include "gui/target_table_model.hpp"
 
-#include <QGuiApplication>
-#include <QPalette>
+#include <QApplication>
+#include <QStyle>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 
-#include "gui/palette_colours.hpp"
 #include "gui/problem_line.hpp"
 #include "view/edit.hpp"
 
@@ -17,7 +15,9 @@ namespace sarsim {
 TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
   for (const Field& field : fields_of(ObjectKind::target))
     if (field.kind != FieldKind::function) columns_.push_back(field);
+  std::ranges::stable_partition(columns_, [](const Field& field) { return !field.rare; });
   rows_ = wanted_rows();
+  read_problems();
   connect(&session_, &Session::scene_changed, this, &TargetTableModel::refresh);
 }
 
@@ -46,6 +46,7 @@ std::vector<std::size_t> TargetTableModel::wanted_rows() const {
 }
 
 void TargetTableModel::refresh() {
+  read_problems();
   std::vector<std::size_t> rows = wanted_rows();
   if (rows == rows_) {
     if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -92,13 +93,14 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
   return {};
 }
 
-QString TargetTableModel::problem_at(const QModelIndex& index) const {
-  const std::size_t target = target_at(index.row()).index;
-  for (const Problem& problem : session_.document().problems())
-    if (problem.subject.kind == "target" && problem.subject.index == target &&
-        field_of_problem(ObjectKind::target, problem.subject.field) == field_at(index.column()).id)
-      return problem_text(problem);
-  return {};
+// The first problem of each cell.
+void TargetTableModel::read_problems() {
+  problems_.clear();
+  for (const Problem& problem : session_.document().problems()) {
+    if (problem.subject.kind != "target") continue;
+    const int column = column_of(std::string(field_of_problem(ObjectKind::target, problem.subject.field)));
+    if (column >= 0) problems_.try_emplace({problem.subject.index, column}, problem);
+  }
 }
 
 QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
@@ -117,10 +119,11 @@ QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
     if (!field_applies(target, field.id)) return role == Qt::DisplayRole ? QStringLiteral("-") : QString();
     return QString::fromStdString(field_text(target, field.id));
   }
-  if (session_.document().problems().empty()) return {};
-  const QString problem = problem_at(index);
-  if (problem.isEmpty()) return {};
-  return role == Qt::ToolTipRole ? QVariant(problem) : QVariant(colour_of(Role::error, QGuiApplication::palette()));
+  const auto problem = problems_.find({target_at(index.row()).index, index.column()});
+  if (problem == problems_.end()) return {};
+  if (role == Qt::ToolTipRole) return problem_text(problem->second);
+  const bool error = problem->second.severity == Severity::error;
+  return QApplication::style()->standardIcon(error ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning);
 }
 
 Qt::ItemFlags TargetTableModel::flags(const QModelIndex& index) const {

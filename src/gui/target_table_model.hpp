@@ -2,8 +2,10 @@
 
 #include <QAbstractTableModel>
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gui/session.hpp"
@@ -12,7 +14,7 @@
 namespace sarsim {
 
 /// All targets of a scene, or those of one platform, one row each; a column for each of their fields that is text, a
-/// number or a choice. Cells take what the property panel takes: "3 km", "10 dBsm".
+/// number or a choice, those that are rarely needed last. Cells take what the property panel takes: "3 km", "10 dBsm".
 class TargetTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -49,12 +51,13 @@ class TargetTableModel : public QAbstractTableModel {
  private:
   void refresh();
   [[nodiscard]] std::vector<std::size_t> wanted_rows() const;
-  [[nodiscard]] QString problem_at(const QModelIndex& index) const;
+  void read_problems();
 
   Session& session_;
   std::optional<std::string> platform_;
   std::vector<Field> columns_;
-  std::vector<std::size_t> rows_;  // positions in the scene's list of targets, ascending
+  std::vector<std::size_t> rows_;                            // positions in the scene's list of targets, ascending
+  std::map<std::pair<std::size_t, int>, Problem> problems_;  // by target and column
 };
 
 }  // namespace sarsim

@@ -293,6 +293,7 @@ class PanelTest : public QObject {
 
   void an_object_that_goes_while_its_field_is_typed_in_changes_nothing_else() {
     Bench bench;
+    QVERIFY(QTest::qWaitForWindowActive(&bench.panel));
     bench.session.select_only(test::target(0));
     bench.type("rcs_m2", "7 m2", false);
     bench.session.perform(remove_objects(bench.session.scene(), {test::target(0)}));
@@ -476,6 +477,20 @@ class PanelTest : public QObject {
     QTRY_VERIFY(text_of("Wavelength") != before);
     bench.session.select({});
     QTRY_VERIFY(!table->isVisible());
+  }
+
+  void a_panel_may_go_while_something_is_typed() {
+    Session session;
+    test::open(session, test::small_scene());
+    {
+      PropertyPanel panel(session);
+      panel.show();
+      QVERIFY(QTest::qWaitForWindowActive(&panel));
+      auto* edit = panel.findChild<QLineEdit*>("field_seed");
+      edit->setFocus();
+      QTest::keyClicks(edit, "7");
+    }
+    QCOMPARE(session.scene().options.seed, std::uint64_t{1});
   }
 
   void the_field_in_hand_survives_changes_of_the_scene() {
