@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "base/version.hpp"
 #include "gui/document_keeper.hpp"
+#include "gui/draw_figure.hpp"
 #include "gui/main_window.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
@@ -65,6 +67,7 @@ int take_screenshot(sarsim::MainWindow& main, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::draw_figure(argc, argv);
   Options options;
   CLI::App command;
   read_options(command, options);
