@@ -114,9 +114,10 @@ EchoColours colours_for(const EchoMatrix& matrix, const EchoWindow& how) {
   std::vector<std::size_t> ready;
   for (std::size_t r = 0; r < matrix.rows(); ++r)
     if (matrix.ready(r)) ready.push_back(r);
-  colours.statistics = statistics_of(
-      ready.size(), [&](std::size_t i) { return matrix.row(ready[i]); },
-      how.limits.kind == LimitRule::Kind::automatic ? how.limits.percentile : 100.0);
+  for (const std::size_t r : ready) colours.statistics = together(colours.statistics, matrix.row_statistics(r));
+  if (how.limits.kind == LimitRule::Kind::automatic && how.limits.percentile < 100.0)
+    colours.statistics.percentile_v = magnitude_percentile(
+        ready.size(), [&](std::size_t i) { return matrix.row(ready[i]); }, how.limits.percentile);
   colours.reference_v = reference_v(how.decibels, colours.statistics);
   colours.limits = colour_limits(how.quantity, how.limits, how.decibels, colours.statistics);
   for (const Rgb c : colour_table(how.map, how.sliders, how.inverted)) colours.level.push_back(pixel_of(c));
