@@ -36,31 +36,50 @@ double quick_phase_deg(std::complex<double> v) {
 // Finds levels of samples; for decibels by comparing powers, so that no logarithm is taken for each.
 class Leveller {
  public:
-  explicit Leveller(const EchoColours& colours) : colours_(colours) {
+  explicit Leveller(const EchoColours& colours)
+      : colours_(colours),
+        levels_(static_cast<double>(colours.level.size())),
+        low_(colours.limits.low),
+        per_unit_(levels_ / (colours.limits.high - colours.limits.low)) {
     if (colours.quantity != DisplayQuantity::decibels) return;
-    const std::size_t levels = colours.level.size();
-    const double step_db = (colours.limits.high - colours.limits.low) / static_cast<double>(levels);
     const double reference = colours.reference_v * colours.reference_v;
-    from_power_.resize(levels);
-    for (std::size_t i = 0; i < levels; ++i)
-      from_power_[i] = reference * std::pow(10.0, 0.1 * (colours.limits.low + static_cast<double>(i) * step_db));
-    per_octave_ = 10.0 * std::log10(2.0) / step_db;
+    from_power_.resize(colours.level.size());
+    for (std::size_t i = 0; i < from_power_.size(); ++i)
+      from_power_[i] = reference * std::pow(10.0, 0.1 * (low_ + static_cast<double>(i) / per_unit_));
+    per_octave_ = 10.0 * std::log10(2.0) * per_unit_;
     first_octave_ = std::log2(from_power_[0]);
   }
 
-  [[nodiscard]] std::size_t operator()(std::complex<double> sample) const {
-    const EchoColours& c = colours_;
-    switch (c.quantity) {
-      case DisplayQuantity::decibels: return level_of_power(std::norm(sample));
-      case DisplayQuantity::phase: return colour_index(quick_phase_deg(sample), c.limits, c.level.size(), true);
-      case DisplayQuantity::magnitude: return colour_index(std::sqrt(std::norm(sample)), c.limits, c.level.size());
+  // Calls `take` with the level of each sample in turn; the quantity is decided once.
+  template <class Take>
+  void for_each(std::span<const std::complex<double>> samples, const Take& take) const {
+    switch (colours_.quantity) {
       case DisplayQuantity::real:
-      case DisplayQuantity::imaginary: break;
+        for (const std::complex<double>& v : samples) take(level_of_value(v.real()));
+        return;
+      case DisplayQuantity::imaginary:
+        for (const std::complex<double>& v : samples) take(level_of_value(v.imag()));
+        return;
+      case DisplayQuantity::magnitude:
+        for (const std::complex<double>& v : samples) take(level_of_value(std::sqrt(std::norm(v))));
+        return;
+      case DisplayQuantity::phase:
+        for (const std::complex<double>& v : samples)
+          take(colour_index(quick_phase_deg(v), colours_.limits, colours_.level.size(), true));
+        return;
+      case DisplayQuantity::decibels:
+        for (const std::complex<double>& v : samples) take(level_of_power(std::norm(v)));
+        return;
     }
-    return colour_index(value_of(c.quantity, sample), c.limits, c.level.size());
   }
 
  private:
+  [[nodiscard]] std::size_t level_of_value(double value) const {
+    const double level = (value - low_) * per_unit_;
+    if (!(level > 0.0)) return 0;
+    return static_cast<std::size_t>(std::min(level, levels_ - 1.0));
+  }
+
   [[nodiscard]] std::size_t level_of_power(double power) const {
     if (!(power >= from_power_[0])) return 0;
     const std::size_t last = from_power_.size() - 1;
@@ -76,6 +95,9 @@ class Leveller {
   }
 
   const EchoColours& colours_;
+  double levels_;
+  double low_;
+  double per_unit_;                 // levels
   std::vector<double> from_power_;  // lowest power of each level
   double per_octave_ = 0.0;         // levels
   double first_octave_ = 0.0;
@@ -124,7 +146,11 @@ EchoColours colours_for(const EchoMatrix& matrix, const EchoWindow& how) {
   return colours;
 }
 
-std::size_t level_of(const EchoColours& colours, std::complex<double> sample) { return Leveller(colours)(sample); }
+std::size_t level_of(const EchoColours& colours, std::complex<double> sample) {
+  std::size_t found = 0;
+  Leveller(colours).for_each({&sample, 1}, [&](std::size_t level) { found = level; });
+  return found;
+}
 
 void paint(const EchoMatrix& matrix, const EchoColours& colours, RowPlacing placing, unsigned threads,
            EchoImage& image) {
@@ -147,8 +173,8 @@ void paint(const EchoMatrix& matrix, const EchoColours& colours, RowPlacing plac
       }
       if (rows[y] != painted_row) {
         painted_row = rows[y];
-        std::ranges::transform(matrix.row(painted_row), painted.begin(),
-                               [&](std::complex<double> v) { return colours.level[leveller(v)]; });
+        auto next = painted.begin();
+        leveller.for_each(matrix.row(painted_row), [&](std::size_t level) { *next++ = colours.level[level]; });
       }
       for (std::size_t x = 0; x < width; ++x) out[x] = painted[columns[x]];
     }
