@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -49,43 +50,60 @@ double value_of(DisplayQuantity quantity, std::complex<double> sample, double re
   return std::max(lowest_db, 20.0 * std::log10(magnitude / reference_v));
 }
 
-SampleStatistics statistics_of(std::size_t rows,
-                               const std::function<std::span<const std::complex<double>>(std::size_t)>& row,
-                               double percentile) {
-  constexpr std::size_t most = 65536;
+SampleStatistics statistics_of(std::span<const std::complex<double>> samples) {
   SampleStatistics s;
-  double least_power = 0.0;
+  double least_power = std::numeric_limits<double>::infinity();
   double most_power = 0.0;
-  std::vector<double> powers;
-  const std::size_t total = rows == 0 ? 0 : rows * row(0).size();
-  const std::size_t stride = total / most + 1;
-  std::size_t until_next = 0;
-  for (std::size_t r = 0; r < rows; ++r)
-    for (const std::complex<double>& v : row(r)) {
-      const double power = std::norm(v);
-      if (!std::isfinite(power)) continue;
-      const bool first = s.count++ == 0;
-      most_power = std::max(most_power, power);
-      least_power = first ? power : std::min(least_power, power);
-      s.lowest_real_v = first ? v.real() : std::min(s.lowest_real_v, v.real());
-      s.highest_real_v = first ? v.real() : std::max(s.highest_real_v, v.real());
-      s.lowest_imaginary_v = first ? v.imag() : std::min(s.lowest_imaginary_v, v.imag());
-      s.highest_imaginary_v = first ? v.imag() : std::max(s.highest_imaginary_v, v.imag());
-      if (percentile >= 100.0 || until_next-- > 0) continue;
-      powers.push_back(power);
-      until_next = stride - 1;
+  for (const std::complex<double>& v : samples) {
+    const double power = std::norm(v);
+    if (!std::isfinite(power)) continue;
+    if (s.count++ == 0) {
+      s.lowest_real_v = s.highest_real_v = v.real();
+      s.lowest_imaginary_v = s.highest_imaginary_v = v.imag();
     }
-  s.largest_v = std::sqrt(most_power);
-  s.smallest_v = std::sqrt(least_power);
-  s.percentile_v = s.largest_v;
-  if (!powers.empty()) {
-    const double share = std::clamp(percentile / 100.0, 0.0, 1.0);
-    const auto place =
-        powers.begin() + static_cast<std::ptrdiff_t>(std::llround(share * static_cast<double>(powers.size() - 1)));
-    std::ranges::nth_element(powers, place);
-    s.percentile_v = std::sqrt(*place);
+    least_power = std::min(least_power, power);
+    most_power = std::max(most_power, power);
+    s.lowest_real_v = std::min(s.lowest_real_v, v.real());
+    s.highest_real_v = std::max(s.highest_real_v, v.real());
+    s.lowest_imaginary_v = std::min(s.lowest_imaginary_v, v.imag());
+    s.highest_imaginary_v = std::max(s.highest_imaginary_v, v.imag());
   }
+  s.largest_v = s.percentile_v = std::sqrt(most_power);
+  s.smallest_v = s.count > 0 ? std::sqrt(least_power) : 0.0;
   return s;
+}
+
+SampleStatistics together(const SampleStatistics& a, const SampleStatistics& b) {
+  if (a.count == 0) return b;
+  if (b.count == 0) return a;
+  SampleStatistics s;
+  s.count = a.count + b.count;
+  s.largest_v = s.percentile_v = std::max(a.largest_v, b.largest_v);
+  s.smallest_v = std::min(a.smallest_v, b.smallest_v);
+  s.lowest_real_v = std::min(a.lowest_real_v, b.lowest_real_v);
+  s.highest_real_v = std::max(a.highest_real_v, b.highest_real_v);
+  s.lowest_imaginary_v = std::min(a.lowest_imaginary_v, b.lowest_imaginary_v);
+  s.highest_imaginary_v = std::max(a.highest_imaginary_v, b.highest_imaginary_v);
+  return s;
+}
+
+double magnitude_percentile(std::size_t rows,
+                            const std::function<std::span<const std::complex<double>>(std::size_t)>& row,
+                            double percentile) {
+  constexpr std::size_t most = 65536;
+  const std::size_t columns = rows == 0 ? 0 : row(0).size();
+  const std::size_t stride = rows * columns / most + 1;
+  std::vector<double> powers;
+  for (std::size_t i = 0; i < rows * columns; i += stride) {
+    const double power = std::norm(row(i / columns)[i % columns]);
+    if (std::isfinite(power)) powers.push_back(power);
+  }
+  if (powers.empty()) return 0.0;
+  const double share = std::clamp(percentile / 100.0, 0.0, 1.0);
+  const auto place =
+      powers.begin() + static_cast<std::ptrdiff_t>(std::llround(share * static_cast<double>(powers.size() - 1)));
+  std::ranges::nth_element(powers, place);
+  return std::sqrt(*place);
 }
 
 double reference_v(const Decibels& decibels, const SampleStatistics& statistics) {

@@ -74,11 +74,18 @@ struct SampleStatistics {
   double percentile_v = 0.0;  ///< Of the magnitude, of the share asked for.
 };
 
-/// Looks at samples row by row.
-/// @param rows        how many; `row(i)` gives them
-/// @param percentile  0 to 100; below 100 it is taken from at most 65 536 of the samples, evenly spread
-[[nodiscard]] SampleStatistics statistics_of(
-    std::size_t rows, const std::function<std::span<const std::complex<double>>(std::size_t)>& row, double percentile);
+/// Statistics of one row, percentile_v being the largest magnitude.
+[[nodiscard]] SampleStatistics statistics_of(std::span<const std::complex<double>> samples);
+/// Statistics of two sets of samples together; percentile_v becomes the largest magnitude.
+[[nodiscard]] SampleStatistics together(const SampleStatistics& a, const SampleStatistics& b);
+
+/// Magnitude that a share of the samples does not exceed, looking at at most 65 536 of them, evenly spread; 0 where
+/// there are none.
+/// @param rows        how many, of the same length; `row(i)` gives them
+/// @param percentile  0 to 100
+[[nodiscard]] double magnitude_percentile(std::size_t rows,
+                                          const std::function<std::span<const std::complex<double>>(std::size_t)>& row,
+                                          double percentile);
 
 /// Reference of decibels for samples with these statistics; 1 V where they are all 0.
 [[nodiscard]] double reference_v(const Decibels& decibels, const SampleStatistics& statistics);

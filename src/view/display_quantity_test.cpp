@@ -12,8 +12,11 @@ namespace {
 using Samples = std::vector<std::complex<double>>;
 
 SampleStatistics statistics(const Samples& samples, double percentile = 100.0) {
-  return statistics_of(
-      1, [&](std::size_t) { return std::span(samples); }, percentile);
+  SampleStatistics s = statistics_of(samples);
+  if (percentile < 100.0)
+    s.percentile_v = magnitude_percentile(
+        1, [&](std::size_t) { return std::span(samples); }, percentile);
+  return s;
 }
 
 TEST(DisplayQuantity, ValuesAreThoseOfTheSample) {
@@ -50,6 +53,25 @@ TEST(SampleStatistics, LookAtFiniteSamplesOnly) {
   EXPECT_EQ(s.highest_imaginary_v, 4.0);
   EXPECT_EQ(s.percentile_v, 5.0);
   EXPECT_EQ(statistics({}).count, 0U);
+}
+
+TEST(SampleStatistics, OfTwoSetsAreThoseOfAllTheirSamples) {
+  const Samples a{{1.0, -2.0}, {-3.0, 4.0}};
+  const Samples b{{7.0, 0.5}, {0.1, 0.2}};
+  Samples all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  const SampleStatistics s = together(statistics(a), statistics(b));
+  const SampleStatistics expected = statistics(all);
+  EXPECT_EQ(s.count, 4U);
+  EXPECT_EQ(s.largest_v, expected.largest_v);
+  EXPECT_EQ(s.smallest_v, expected.smallest_v);
+  EXPECT_EQ(s.lowest_real_v, expected.lowest_real_v);
+  EXPECT_EQ(s.highest_real_v, expected.highest_real_v);
+  EXPECT_EQ(s.lowest_imaginary_v, expected.lowest_imaginary_v);
+  EXPECT_EQ(s.highest_imaginary_v, expected.highest_imaginary_v);
+  EXPECT_EQ(together({}, statistics(a)).smallest_v, statistics(a).smallest_v);
+  EXPECT_EQ(together(statistics(a), {}).lowest_real_v, -3.0);
+  EXPECT_EQ(magnitude_percentile(0, {}, 50.0), 0.0);
 }
 
 TEST(SampleStatistics, PercentileLeavesTheStrongestOut) {

@@ -100,15 +100,40 @@ SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rul
   return places;
 }
 
-EchoMatrix::EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size)
+std::vector<std::complex<double>> SampleRoom::take(std::size_t count) {
+  std::vector<std::complex<double>> samples;
+  {
+    const std::scoped_lock hold(lock_);
+    if (!kept_.empty()) {
+      samples = std::move(kept_.back());
+      kept_.pop_back();
+    }
+  }
+  samples.resize(count);
+  return samples;
+}
+
+void SampleRoom::give_back(std::vector<std::complex<double>> samples) {
+  constexpr std::size_t most = 2;
+  const std::scoped_lock hold(lock_);
+  if (kept_.size() < most) kept_.push_back(std::move(samples));
+}
+
+EchoMatrix::EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size,
+                       std::shared_ptr<SampleRoom> room)
     : plan_(std::move(plan)),
       window_(std::move(window)),
       size_(size),
       places_(place_samples(*plan_, size_, window_.pixel_rule)),
-      samples_(places_.row.size() * places_.column.size()),
+      room_(room ? std::move(room) : std::make_shared<SampleRoom>()),
+      samples_(room_->take(places_.row.size() * places_.column.size())),
+      statistics_(places_.row.size()),
       ready_(places_.row.size()) {}
 
+EchoMatrix::~EchoMatrix() { room_->give_back(std::move(samples_)); }
+
 void EchoMatrix::set_ready(std::size_t row) {
+  statistics_[row] = statistics_of(this->row(row));
   if (!ready_[row].exchange(true, std::memory_order_release)) ready_rows_.fetch_add(1, std::memory_order_release);
 }
 

@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,12 +29,31 @@ struct SamplePlaces {
 /// nearest pixel. Columns of a synthetic range profile, whose ranges overlap, are spread evenly.
 [[nodiscard]] SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rule);
 
+/// Room for samples that is used again: a new matrix at every step of a drag would otherwise spend longer on fresh
+/// memory than on its echoes. Safe to use from several threads.
+class SampleRoom {
+ public:
+  /// Any `count` values.
+  [[nodiscard]] std::vector<std::complex<double>> take(std::size_t count);
+  /// Keeps the room of at most two matrices.
+  void give_back(std::vector<std::complex<double>> samples);
+
+ private:
+  std::mutex lock_;
+  std::vector<std::vector<std::complex<double>>> kept_;
+};
+
 /// The echo matrix of a window while it is computed: written row by row by worker threads, read by anybody. A row may
 /// be read as soon as it is ready and does not change any more.
 class EchoMatrix {
  public:
   /// @param window  as asked for; its sampling may differ from the plan's
-  EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size);
+  /// @param room    where the samples come from and go to; may be null
+  EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size,
+             std::shared_ptr<SampleRoom> room = nullptr);
+  ~EchoMatrix();
+  EchoMatrix(const EchoMatrix&) = delete;
+  EchoMatrix& operator=(const EchoMatrix&) = delete;
 
   [[nodiscard]] const Plan& plan() const { return *plan_; }
   [[nodiscard]] const EchoWindow& window() const { return window_; }
@@ -49,6 +69,8 @@ class EchoMatrix {
   [[nodiscard]] std::span<const std::complex<double>> row(std::size_t row) const {
     return std::span(samples_).subspan(row * columns(), columns());
   }
+  /// Of a row that is ready.
+  [[nodiscard]] const SampleStatistics& row_statistics(std::size_t row) const { return statistics_[row]; }
   /// For each row the nearest one that is ready by now, itself where it is; empty where none is.
   [[nodiscard]] std::vector<std::size_t> nearest_ready() const;
 
@@ -57,7 +79,7 @@ class EchoMatrix {
   [[nodiscard]] double carrier_hz(std::size_t row) const { return plan_->radar.carrier.carrier_hz(pulse(row)); }
   [[nodiscard]] double range_m(std::size_t column) const { return plan_->column_range_m[places_.column[column]]; }
 
-  /// For those who compute: all samples, and word that a row is complete.
+  /// For those who compute: all samples, and word, once for each row, that it is complete.
   [[nodiscard]] std::span<std::complex<double>> samples() { return samples_; }
   void set_ready(std::size_t row);
 
@@ -66,7 +88,9 @@ class EchoMatrix {
   EchoWindow window_;
   PlotSize size_;
   SamplePlaces places_;
+  std::shared_ptr<SampleRoom> room_;
   std::vector<std::complex<double>> samples_;
+  std::vector<SampleStatistics> statistics_;  // of each row
   std::vector<std::atomic<bool>> ready_;
   std::atomic<std::size_t> ready_rows_{0};
 };

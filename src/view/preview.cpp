@@ -206,7 +206,7 @@ void Preview::compute(const PreviewRequest& request, std::uint64_t number, const
     tell({PreviewEvent::Kind::failed, number, nullptr, std::move(errors)}, stop);
     return;
   }
-  const auto matrix = std::make_shared<EchoMatrix>(shown.plan, window, request.size);
+  const auto matrix = std::make_shared<EchoMatrix>(shown.plan, window, request.size, room_);
   tell({PreviewEvent::Kind::started, number, matrix, {}}, stop);
   compute_rows(*matrix, matrix, number, stop);
   tell({PreviewEvent::Kind::finished, number, matrix, {}}, stop);

@@ -83,6 +83,7 @@ class Preview {
   bool busy_ = false;
   bool ending_ = false;
   std::shared_ptr<const Prepared> prepared_;  // used by the worker alone
+  std::shared_ptr<SampleRoom> room_ = std::make_shared<SampleRoom>();
   std::thread worker_;
 };
 
