@@ -26,6 +26,8 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_window.hpp"
+#include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
 #include "gui/time_bar.hpp"
@@ -156,31 +158,16 @@ void MainWindow::make_geometry_menu() {
 
 void MainWindow::make_simulation_menu() {
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  const auto add = [this](Processing processing) {
-    const Scene& scene = session_.scene();
-    if (scene.radars.empty()) {
+  const auto open = [this](Processing processing) {
+    if (simulation_windows_->open_new(processing) == nullptr)
       QMessageBox::information(this, tr("Simulation"), tr("There is no radar. Create one first: Geometry, New Radar."));
-      return;
-    }
-    if (scene.targets.empty() && scene.surfaces.empty()) {
-      QMessageBox::information(this, tr("Simulation"),
-                               tr("Nothing reflects. Create a target first: Geometry, New Target."));
-      return;
-    }
-    const auto current = session_.current();
-    const std::size_t radar = current && current->kind == ObjectKind::radar ? current->index : 0;
-    Simulation wanted = suitable_simulation(scene, radar);
-    wanted.processing = processing;
-    add_new(wanted);
-    docks_["simulations"]->show();
-    docks_["simulations"]->raise();
   };
   add_action(
-      simulation, tr("&Raw Return"), "simulation_raw", {}, [add] { add(Processing::raw); },
-      tr("Store a simulation of what the A/D converter delivers"));
+      simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(Processing::raw); },
+      tr("See what the A/D converter delivers, as the scene changes"));
   add_action(
-      simulation, tr("Range &Compressed"), "simulation_compressed", {}, [add] { add(Processing::matched_filter); },
-      tr("Store a simulation of what the matched filter makes of it"));
+      simulation, tr("Range &Compressed"), "simulation_compressed", QKeySequence("Ctrl+Shift+R"),
+      [open] { open(Processing::matched_filter); }, tr("See what the matched filter makes of it"));
   add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] {
     docks_["simulations"]->show();
     docks_["simulations"]->raise();
@@ -341,8 +328,8 @@ void MainWindow::show_about() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",     "objects", "properties", "script",   "simulations", "log",
-          "geometry", "targets", "function",   "commands", "help",        "import"};
+  return {"main",       "objects",    "properties", "script",   "simulations", "log",  "geometry",
+          "simulation", "compressed", "targets",    "function", "commands",    "help", "import"};
 }
 
 QWidget* MainWindow::window_named(const QString& name) {
@@ -353,6 +340,8 @@ QWidget* MainWindow::window_named(const QString& name) {
     return docks_[name];
   }
   if (name == "geometry") return show_geometry(), geometry_;
+  if (name == "simulation") return simulation_windows_->open_new(Processing::raw);
+  if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help(), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);

@@ -21,6 +21,7 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
 #include "gui/time_bar.hpp"
@@ -83,6 +84,8 @@ void MainWindow::make_docks() {
   panel_ = new PropertyPanel(session_);
   script_ = new ScriptEditor(session_);
   simulations_ = new StoredSimulations(session_);
+  simulation_windows_ = new SimulationWindows(session_, this);
+  connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 42);
   panel_->setMinimumWidth(letter * 48);
