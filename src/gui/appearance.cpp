@@ -35,9 +35,11 @@ class WorkbenchStyle : public QProxyStyle {
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (!is_dark(option->palette) || option->state.testFlag(State_HasFocus)) return;
+    if (!is_dark(option->palette)) return;
     const QRectF rect = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
-    if (element == PE_FrameLineEdit) draw_rim(*painter, option, [&] { painter->drawRoundedRect(rect, 2, 2); });
+    const bool focus = option->state.testFlag(State_HasFocus);  // Fusion has a rim of its own for it.
+    if (element == PE_FrameLineEdit && !focus)
+      draw_rim(*painter, option, [&] { painter->drawRoundedRect(rect, 2, 2); });
     if (element == PE_IndicatorCheckBox) draw_rim(*painter, option, [&] { painter->drawRect(rect); });
     if (element == PE_IndicatorRadioButton) draw_rim(*painter, option, [&] { painter->drawEllipse(rect); });
   }

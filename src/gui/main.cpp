@@ -49,7 +49,7 @@ void read_options(CLI::App& app, Options& options) {
     return app.add_option(flag, value, help)->needs(picture)->group("Pictures");
   };
   add("--window", options.window, "which window is shown:" + names);
-  add("--scale", options.scale, "device pixels per pixel, 1 or 2 for instance")->check(CLI::Range(0.5, 8.0));
+  add("--scale", options.scale, "device pixels per pixel, 1 or 2 for instance")->check(CLI::Range(1.0, 8.0));
   add("--size", options.size, "width and height of the window, pixels")->expected(2)->check(CLI::Range(100, 10000));
   add("--select", options.selected, "select an object: kind and number, such as radar:1")->allow_extra_args(false);
   add("--do", options.commands, "trigger a command first, such as view_filled")->allow_extra_args(false);

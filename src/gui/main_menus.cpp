@@ -258,6 +258,7 @@ void MainWindow::make_view_menu() {
   QMenu* panels = view->addMenu(tr("&Windows"));
   for (const char* name : {"objects", "properties", "script", "simulations", "log"})
     panels->addAction(docks_[name]->toggleViewAction());
+  for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
       view, tr("Reset La&yout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));

@@ -176,6 +176,7 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
     if (!trigger(main, command)) return false;
   for (const QString& text : wish.typed)
     if (!type_into(main, text)) return false;
+  if (!wish.size.isEmpty()) main.resize(wish.size);  // Where a command has closed a panel it may be smaller now.
   QWidget* window = shown_window(main, wish.window);
   if (window == nullptr) return complain(QStringLiteral("no window '%1' for this script").arg(wish.window));
   if (!wish.size.isEmpty() && window->isWindow()) window->resize(wish.size);
