@@ -102,7 +102,7 @@ void MainWindow::make_docks() {
 void MainWindow::size_docks() {
   const int letter = fontMetrics().averageCharWidth();
   resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 52, letter * 62}, Qt::Horizontal);
-  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 11}, Qt::Vertical);
+  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 13}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -135,6 +135,7 @@ QImage with_few_colours(const QImage& picture) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
   std::vector<std::pair<int, QRgb>> frequent;
+  frequent.reserve(counts.size());
   for (const auto& [colour, count] : counts) frequent.emplace_back(count, colour);
   std::ranges::sort(frequent, std::ranges::greater{});
   const auto corner_of = [](QRgb colour) { return colour & 0xe0e0e0U; };
@@ -148,8 +149,8 @@ QImage with_few_colours(const QImage& picture) {
   return picture.convertToFormat(QImage::Format_Indexed8, table, Qt::ThresholdDither | Qt::AvoidDither);
 }
 
-bool write_picture(const QWidget& window, const PictureWish& wish) {
-  QImage picture = const_cast<QWidget&>(window).grab().toImage();
+bool write_picture(QWidget& window, const PictureWish& wish) {
+  QImage picture = window.grab().toImage();
   if (wish.few_colours) picture = with_few_colours(picture.convertToFormat(QImage::Format_RGB32));
   constexpr int smallest_file = 0;  // quality of PNG: how hard it is packed
   if (picture.save(wish.file, "PNG", smallest_file)) return true;
@@ -176,6 +177,7 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
     if (!trigger(main, command)) return false;
   for (const QString& text : wish.typed)
     if (!type_into(main, text)) return false;
+  QApplication::processEvents();
   if (!wish.size.isEmpty()) main.resize(wish.size);  // Where a command has closed a panel it may be smaller now.
   QWidget* window = shown_window(main, wish.window);
   if (window == nullptr) return complain(QStringLiteral("no window '%1' for this script").arg(wish.window));
@@ -183,7 +185,7 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
   bool good = false;
   QTimer::singleShot(settling_ms / 2, &main, [&main] { main.scene().scene().fit(); });
   QTimer::singleShot(settling_ms, &main, [&] {
-    const QWidget* modal = QApplication::activeModalWidget();
+    QWidget* modal = QApplication::activeModalWidget();
     good = write_picture(modal != nullptr ? *modal : *window, wish);
     QCoreApplication::exit();  // Not quit: that would close windows, which ask.
   });

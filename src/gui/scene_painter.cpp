@@ -67,16 +67,21 @@ void paint_texts(QPainter& painter, const std::vector<Drawing::Text>& texts, con
   bold.setBold(true);
   const QFontMetricsF plain_metrics(plain);
   const QFontMetricsF bold_metrics(bold);
-  const bool halo = texts.size() <= most_halos;
+  const auto start_of = [&](const Drawing::Text& text, const QString& words) {
+    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
+    return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
+  };
+  // All rims first: none covers another word.
+  if (texts.size() <= most_halos)
+    for (const Drawing::Text& text : texts) {
+      const QString words = QString::fromStdString(text.text);
+      paint_halo(painter, start_of(text, words), text.bold ? bold : plain, words, look);
+    }
   for (const Drawing::Text& text : texts) {
     const QString words = QString::fromStdString(text.text);
-    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
-    const QFont& font = text.bold ? bold : plain;
-    const QPointF start(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
-    if (halo) paint_halo(painter, start, font, words, look);
-    painter.setFont(font);
+    painter.setFont(text.bold ? bold : plain);
     painter.setPen(colour_of(text.role, look.dark));
-    painter.drawText(start, words);
+    painter.drawText(start_of(text, words), words);
   }
 }
 
