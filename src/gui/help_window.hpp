@@ -19,6 +19,8 @@ class HelpWindow : public QDialog {
   [[nodiscard]] static QString folder();
 
  private:
+  void lay_out_tables();
+
   QTextBrowser* browser_;
 };
 
