@@ -86,6 +86,8 @@ SimulationWindow::SimulationWindow(Session& session, EchoWindow window, bool sho
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setObjectName("echo_controls_area");
   area->setWidget(controls_);
   area->setMinimumWidth(controls_->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
   auto* const right = new QWidget(this);
@@ -145,6 +147,11 @@ QWidget* SimulationWindow::make_tool_row() {
   progress_->setAccessibleName(tr("Share of the picture that is computed"));
   progress_->setRange(0, progress_steps);
   progress_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
+  // Its coming and going must not change the size of the plot, which would be computed anew.
+  QSizePolicy kept = progress_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(kept);
+  progress_->hide();
   layout->addWidget(progress_);
   return row;
 }
