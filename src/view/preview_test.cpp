@@ -178,7 +178,8 @@ TEST(Preview, CoversTheWindowWithACoarsePictureFirst) {
   EXPECT_EQ(kinds.front(), Kind::started);
   EXPECT_EQ(kinds.back(), Kind::finished);
   ASSERT_FALSE(ready.empty());
-  EXPECT_EQ(ready.front(), 16U);
+  EXPECT_GE(ready.front(), 4U);
+  EXPECT_LE(ready.front(), 16U);
   EXPECT_TRUE(rows_known);
 }
 
