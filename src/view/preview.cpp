@@ -15,7 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// A coarse picture is shown with so many rows, or after a while with the fewest that give an idea.
 constexpr std::size_t coarse_rows = 16;
+constexpr std::size_t coarsest_rows = 4;
+constexpr auto coarse_wait = std::chrono::milliseconds(20);
 constexpr auto between_events = std::chrono::milliseconds(30);
 // Longer rows of raw data take the screen's sampling: one of them would hold up a cancel.
 constexpr double longest_row = 0x1p20;
@@ -216,6 +219,7 @@ void Preview::compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoM
                            const StopFlag& stop) {
   std::mutex pace;
   bool coarse_shown = false;
+  const Clock::time_point begin = Clock::now();
   Clock::time_point last;
   const std::vector<std::size_t> order = refinement_order(matrix.rows());
   compute_sampled_rows(matrix.plan(), matrix.places().selection, order, {threads_, &stop}, matrix.samples(),
@@ -224,8 +228,8 @@ void Preview::compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoM
                          {
                            const std::scoped_lock hold(pace);
                            const Clock::time_point now = Clock::now();
-                           if (matrix.ready_rows() < coarse_rows || (coarse_shown && now - last < between_events))
-                             return;
+                           const std::size_t enough = now - begin < coarse_wait ? coarse_rows : coarsest_rows;
+                           if (matrix.ready_rows() < enough || (coarse_shown && now - last < between_events)) return;
                            coarse_shown = true;
                            last = now;
                          }
