@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -185,6 +187,8 @@ void ImageSource::read_colours(const ImageWindow&, std::span<Rgb>, const WorkCon
 ImageWindow ImageSource::read_draft(const ImageWindow& window, double seconds, std::span<std::complex<float>> out,
                                     const WorkControl& control) const {
   check_window(*this, window, out.size());
+  if (out.empty()) return window;
+  seconds /= slowness_.load(std::memory_order_relaxed);
   std::size_t row_factor = 1;
   std::size_t col_factor = 1;
   while (read_cost_s(coarser(window, row_factor, col_factor)) > seconds) {
@@ -198,12 +202,15 @@ ImageWindow ImageSource::read_draft(const ImageWindow& window, double seconds, s
     (rows_left && (by_rows || !cols_left) ? row_factor : col_factor) *= 2;
   }
   const ImageWindow coarse = coarser(window, row_factor, col_factor);
-  if (row_factor == 1 && col_factor == 1) {
-    read_window(window, out, control);
-    return window;
-  }
-  std::vector<std::complex<float>> samples(coarse.samples());
-  read_window(coarse, samples, control);
+  const bool exact = coarse == window;
+  std::vector<std::complex<float>> samples(exact ? 0 : coarse.samples());
+  const auto begin = std::chrono::steady_clock::now();
+  read_window(coarse, exact ? out : std::span(samples), control);
+  const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  // One slow call is no rule, and times far below a millisecond are none either.
+  const double old = slowness_.load(std::memory_order_relaxed);
+  if (taken > 1e-3) slowness_.store(std::clamp(std::sqrt(old * taken / read_cost_s(coarse)), 0.25, 1000.0));
+  if (exact) return window;
   for (std::size_t i = 0; i < window.rows; ++i)
     for (std::size_t k = 0; k < window.cols; ++k)
       out[i * window.cols + k] = samples[i / row_factor * coarse.cols + k / col_factor];

@@ -94,7 +94,8 @@ class ImageSource {
   /// Estimated seconds to read a window from memory that the system holds; a disk takes longer.
   [[nodiscard]] virtual double read_cost_s(const ImageWindow& window) const = 0;
   /// A window read in about `seconds`: at the wanted spacing where `read_cost_s` allows it, otherwise at 2, 4, 8 ...
-  /// times it in either direction, each sample standing for its neighbours. Returns the window that was really read.
+  /// times it in either direction, each sample standing for its neighbours. Learns from each call how much longer than
+  /// estimated this file takes here. Returns the window that was really read.
   ImageWindow read_draft(const ImageWindow& window, double seconds, std::span<std::complex<float>> out,
                          const WorkControl& control = {}) const;
 
@@ -106,6 +107,7 @@ class ImageSource {
 
  private:
   ImageInfo info_;
+  mutable std::atomic<double> slowness_{1.0};  // Seconds that drafts took for each that was estimated.
 };
 
 /// A source, or at least one error.

@@ -15,7 +15,7 @@ constexpr std::size_t samples_at_once = std::size_t{1} << 16;
 
 // Measured on a file in the system's memory; docs/formats/images.md.
 constexpr double request_s = 0.6e-6;
-constexpr double byte_s = 0.15e-9;
+constexpr double byte_s = 0.4e-9;
 constexpr double sample_s = 2e-9;
 
 bool far_apart(const StoredGrid& grid, const ImageWindow& window) {
