@@ -383,6 +383,31 @@ TEST(ImageSource, EndsAtOnceWhileATextIsStillLookedThrough) {
   EXPECT_THROW(opened.source->wait_until_indexed(&stop), Interrupted);
 }
 
+TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
+  const TestFolder folder;
+  constexpr std::size_t columns = 700'001;
+  std::string bytes(3 * columns, '\0');
+  std::mt19937 random(2);
+  for (char& byte : bytes) byte = static_cast<char>(random());
+  RawLayout layout;
+  layout.width = columns;
+  layout.value = ImageValue::real;
+  layout.number = RawNumber::int8;
+  ImageHints hints;
+  hints.raw = layout;
+  const auto source = open_whole(put(folder / "a.raw", bytes), hints);
+  ASSERT_TRUE(source);
+  for (const ImageWindow& window : {ImageWindow{1, 2, 1, columns - 1}, ImageWindow{0, 2, 2, columns / 3, 2, 3},
+                                    ImageWindow{0, 3, 7, 140, 1, 4999}, ImageWindow{2, 1, 0, 2, 1, columns - 1}}) {
+    const auto samples = read(*source, window, 2);
+    for (std::size_t i = 0; i < window.rows; ++i)
+      for (std::size_t k = 0; k < window.cols; ++k)
+        ASSERT_EQ(samples[i * window.cols + k].real(),
+                  static_cast<float>(static_cast<signed char>(bytes[window.row(i) * columns + window.column(k)])))
+            << i << ", " << k << ", " << window.col_step;
+  }
+}
+
 // --- Drafts and stopping ----------------------------------------------------------------------------------------
 
 TEST(ImageSource, DraftIsCoarserWhereTheTimeIsShortAndStandsForItsNeighbours) {
