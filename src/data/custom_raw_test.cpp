@@ -109,6 +109,9 @@ TEST(CustomRaw, HeightLimitsTheRowsAndWhatIsMissingOrLeftOverIsSaid) {
   layout.height = 0;
   EXPECT_TRUE(check_raw_layout(layout, "f", 12).empty());
   EXPECT_EQ(raw_rows(layout, 12), 3U);
+  layout.header_bytes = 5;
+  EXPECT_EQ(raw_rows(layout, 12), 1U);
+  EXPECT_EQ(raw_rows(layout, 3), 0U);
 }
 
 TEST(CustomRaw, LayoutsThatCannotBeAreRefusedAllAtOnce) {

@@ -274,7 +274,7 @@ OverviewLevel Overview::level(unsigned row_log2, unsigned col_log2) const {
 
 std::size_t Overview::shown_row(std::size_t cell_row) const {
   std::size_t row = cell_row;
-  while (row > 0 && known_[row] == 0 && cell_row - row < first_stride) --row;
+  while (row > 0 && known_[row] == 0 && cell_row - row + 1 < first_stride) --row;
   return row;
 }
 

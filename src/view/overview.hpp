@@ -78,7 +78,7 @@ class Overview {
   [[nodiscard]] const OverviewLevel& base() const { return base_; }
   /// Cells of steps 2^row_log2 and 2^col_log2, none finer than the base, from cell row row0 and cell column col0 on:
   /// peaks (means) over cells of the base. Before it is complete, cell rows that have not been looked at are those of
-  /// the nearest one before them that has; 0 where there is none. std::out_of_range for cells that are not there,
+  /// the nearest one that has among the 63 before them, otherwise 0. std::out_of_range for cells that are not there,
   /// std::invalid_argument where `out` has not rows * cols places.
   void read(unsigned row_log2, unsigned col_log2, std::size_t row0, std::size_t rows, std::size_t col0,
             std::size_t cols, std::span<float> out) const;

@@ -148,6 +148,43 @@ TEST(Overview, OfAHugePlaneShowsSomethingOfAllOfItBeforeItIsExact) {
   EXPECT_EQ(overview.failure(), "");
 }
 
+TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
+  // Reading waits at the third row that is looked at.
+  std::atomic<int> reads{0};
+  std::atomic<bool> go_on{false};
+  ImagePlane plane =
+      plane_of(1 << 18, 1 << 13, [](std::size_t row, std::size_t) { return 1.0F + static_cast<float>(row); });
+  plane.read = [&, read = plane.read](const PlaneWindow& window, std::span<std::complex<float>> out) {
+    if (++reads > 2) {
+      while (!go_on) usleep(100);
+      throw std::runtime_error("enough");
+    }
+    read(window, out);
+  };
+  OverviewOptions options;
+  options.most_cells = 1 << 16;
+  const Overview overview(plane, options);
+  while (reads < 3) usleep(100);
+  const OverviewLevel base = overview.base();
+  const auto cells = read(overview, base.row_log2, base.col_log2);
+  go_on = true;
+  EXPECT_EQ(cells[0], 1.0F);
+  EXPECT_EQ(cells[63 * base.columns], 1.0F);
+  EXPECT_EQ(cells[64 * base.columns], 1.0F + static_cast<float>(std::size_t{64} << base.row_log2));
+  EXPECT_EQ(cells[100 * base.columns], cells[64 * base.columns]);
+  EXPECT_EQ(cells[128 * base.columns], 0.0F);
+}
+
+TEST(Overview, OfLongRowsKeepsTheirColumnsApart) {
+  constexpr std::size_t columns = 600'000;
+  const ImagePlane plane = plane_of(
+      3, columns, [](std::size_t row, std::size_t column) { return static_cast<float>(row * columns + column); });
+  std::vector<float> cells(600);
+  reduce_plane(plane, OverviewKind::peak, 0, 1, 3, 0, 600, 1000, cells);
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    ASSERT_NEAR(cells[k], static_cast<float>(2 * columns + 1000 * k + 999), 0.5F) << k;
+}
+
 TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
   ImagePlane plane = plane_of(100, 100, scrambled);
   plane.read = [read = plane.read](const PlaneWindow& window, std::span<std::complex<float>> out) {

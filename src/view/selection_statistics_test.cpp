@@ -115,6 +115,25 @@ TEST(SelectionStatistics, HistogramGrowsWithTheValuesAndLosesNone) {
   EXPECT_EQ(found[SampleQuantity::decibels].count, samples.size() - (1U << 18U));
 }
 
+TEST(SelectionStatistics, ValuesStayInTheirBinsWhenTheHistogramGrows) {
+  auto samples = noise(2 << 18, 0.0F, 0.3F);
+  samples.back() = {100.0F, -900.0F};
+  const SelectionStatistics found = measure(samples, 1 << 10);
+  for (const SampleQuantity quantity : {SampleQuantity::real, SampleQuantity::imaginary, SampleQuantity::magnitude}) {
+    const Histogram& histogram = found[quantity].histogram;
+    std::vector<std::uint64_t> expected(histogram.bins.size());
+    for (const auto& sample : samples) {
+      const std::complex<double> z(sample);
+      const double value = quantity == SampleQuantity::real ? z.real()
+                           : quantity == SampleQuantity::imaginary
+                               ? z.imag()
+                               : std::sqrt(z.real() * z.real() + z.imag() * z.imag());
+      ++expected[static_cast<std::size_t>(std::floor((value - histogram.low) / histogram.bin_width()))];
+    }
+    EXPECT_EQ(histogram.bins, expected) << name_of(quantity);
+  }
+}
+
 TEST(SelectionStatistics, LeaveOutWhatIsNotFinite) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
