@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/constants.hpp"
+#include "math/fft.hpp"
 #include "process/back_projection.hpp"
 #include "process/sar_echoes.hpp"
 
