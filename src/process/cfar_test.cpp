@@ -123,6 +123,23 @@ TEST(DetectCfar, TellsWhatItComparedWithGuardsLeftOut) {
   EXPECT_TRUE(seen);
 }
 
+TEST(DetectCfar, ComparesWithTheCellOfTheRankAskedFor) {
+  const std::vector<float> map{3.0F, 8.0F, 1.0F, 6.0F, 900.0F, 5.0F, 2.0F, 7.0F, 4.0F};
+  CfarOptions options;
+  options.kind = Kind::ordered_statistic;
+  options.false_alarm = 0.01;
+  options.reference_columns = 4;
+  options.guard_columns = 0;
+  for (const auto& [share, rank] :
+       {std::pair{0.75, 6.0}, std::pair{0.7, 6.0}, std::pair{0.01, 1.0}, std::pair{1.0, 8.0}}) {
+    options.rank_share = share;
+    double noise = 0.0;
+    for (const CfarDetection& d : detect_cfar(map, 9, options, one))
+      if (d.column == 4) noise = d.noise;
+    EXPECT_EQ(noise, rank);
+  }
+}
+
 TEST(DetectCfar, IsTheSameForAnyNumberOfThreads) {
   const std::vector<float> map = noise_map(90 * 100, 13);
   CfarOptions options;
