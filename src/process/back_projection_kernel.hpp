@@ -66,7 +66,7 @@ enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 =
 ///
 /// s the pulse's echo between records and w its weight. Distances, delays and the reference of every phase are in
 /// double precision at the middle of each stretch; from there a polynomial in float leads on, with whole turns per
-/// point taken out of its linear term: within 3e-6 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
+/// point taken out of its linear term: within 1.3e-5 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
 /// choice of the instruction set.
 void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
              const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile);
