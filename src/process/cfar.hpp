@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/parallel.hpp"
+
+namespace sarsim {
+
+/// Detection with a constant rate of false alarms: a cell is reported where its power exceeds a factor times what the
+/// cells around it say about the noise. Factors are exact for independent cells of exponentially distributed power: a
+/// square-law detector in complex normal noise (Finn and Johnson, RCA Review 29, 1968; Rohling, IEEE Trans. AES 19,
+/// 1983).
+struct CfarOptions {
+  enum class Kind {
+    cell_averaging,     ///< Noise: the mean of the reference cells.
+    ordered_statistic,  ///< Noise: the `rank`-th smallest of them, the first being 1; other targets among them do not
+                        ///< matter.
+  };
+  Kind kind = Kind::cell_averaging;
+  double false_alarm = 1e-6;  ///< Probability for a cell, between 0 and 1.
+  /// Reference cells: within so many rows and columns of the cell, but not within the guard.
+  std::size_t reference_rows = 0;
+  std::size_t reference_columns = 16;
+  std::size_t guard_rows = 0;
+  std::size_t guard_columns = 2;
+  double rank_share = 0.75;  ///< Kind::ordered_statistic: the rank over the number of reference cells, rounded up.
+};
+
+/// A cell that stands out.
+struct CfarDetection {
+  std::size_t row = 0;
+  std::size_t column = 0;
+  double power = 0.0;
+  double noise = 0.0;      ///< Mean, or statistic, of the reference cells.
+  double threshold = 0.0;  ///< Factor times `noise`.
+};
+
+/// Looks at every cell of a map; at its edges the cells that there are count, with the factor for their number. Cells
+/// without reference cells are passed over.
+/// @param power  rows of `columns` values, in units that do not matter
+/// @return       in the order of the cells, the same for any number of threads
+/// @throw        std::invalid_argument where sizes or options make no sense; Interrupted
+[[nodiscard]] std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t columns,
+                                                     const CfarOptions& options, const WorkControl& control);
+
+/// Factor on the mean of `cells` cells: N (P^(-1/N) - 1).
+[[nodiscard]] double cell_averaging_factor(std::size_t cells, double false_alarm);
+/// Probability of a target of exponentially distributed power (Swerling 1; noise alone where the ratio is 0), one
+/// pulse, to exceed the mean's multiple: (1 + factor/(N (1 + snr)))^(-N).
+[[nodiscard]] double cell_averaging_probability(std::size_t cells, double factor, double snr);
+
+/// Factor on the `rank`-th smallest of `cells` cells, from the probability below.
+[[nodiscard]] double ordered_statistic_factor(std::size_t cells, std::size_t rank, double false_alarm);
+/// The same for the statistic: product over i = 0 ... rank - 1 of (N - i)/(N - i + factor/(1 + snr)).
+[[nodiscard]] double ordered_statistic_probability(std::size_t cells, std::size_t rank, double factor, double snr);
+
+}  // namespace sarsim
