@@ -6,66 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "process/sar_track.hpp"
+#include "simulate/sar_looks.hpp"
 
 namespace sarsim {
 
 namespace {
-
-// One pulse's sight of one target, as an image processor would take it.
-struct Look {
-  double time_s = 0.0;  // from the track's middle
-  double distance_m = 0.0;
-  double doppler_hz = 0.0;
-  double delay_s = 0.0;
-  double amplitude = 0.0;
-};
-
-// The pulses of a plan as looks at any of its targets. Of a long recording, some evenly spaced ones.
-class Looks {
- public:
-  Looks(const Plan& plan, const EchoRows& echoes)
-      : plan_(plan), geometry_(*plan.scene, plan.radar), track_(fit_straight(echoes.track)) {
-    constexpr std::size_t most = 2048;
-    const std::size_t step = (echoes.track.size() + most - 1) / most;
-    for (std::size_t p = 0; p < echoes.track.size(); p += step) pulses_.push_back(p);
-    looks_.resize(plan.scene->scatterers.size());
-    for (auto& looks : looks_) looks.reserve(pulses_.size());
-    for (const std::size_t p : pulses_) take(p);
-  }
-
-  [[nodiscard]] const std::vector<Look>& of(std::size_t target) const { return looks_[target]; }
-  [[nodiscard]] const StraightTrack& track() const { return track_; }
-
-  /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
-  [[nodiscard]] ImagePlace place(const Look& look, double doppler_hz) const {
-    const double light_speed = plan_.scene->conventions.light_speed_mps;
-    const double per_hz = light_speed / plan_.radar.carrier.carrier_hz(plan_.pulses.first) / (2.0 * track_.speed_mps);
-    const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
-    return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
-  }
-
- private:
-  void take(std::size_t p) {
-    geometry_.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(p));
-    const Pointing pointing = geometry_.pointing();
-    const double per_speed = 2.0 * geometry_.carrier_hz() / plan_.scene->conventions.light_speed_mps;
-    for (std::size_t t = 0; t < looks_.size(); ++t) {
-      const ScattererView view = geometry_.view(t, pointing);
-      looks_[t].push_back({.time_s = track_.time_s(static_cast<double>(p)),
-                           .distance_m = view.distance_m,
-                           .doppler_hz = -per_speed * view.speed_mps,
-                           .delay_s = view.delay_s,
-                           .amplitude = std::abs(view.amplitude_sqrt_w)});
-    }
-  }
-
-  const Plan& plan_;
-  PulseGeometry geometry_;
-  StraightTrack track_;
-  std::vector<std::size_t> pulses_;
-  std::vector<std::vector<Look>> looks_;
-};
 
 // The middle of some looks by their amplitudes.
 struct Middle {
@@ -79,10 +24,10 @@ struct Middle {
   [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(std::llround(moment / amplitude)); }
 };
 
-SarTarget target_of(const Looks& looks, const EchoRows& echoes, std::size_t number) {
+SarTarget target_of(const SarLooks& looks, const EchoRows& echoes, std::size_t number) {
   SarTarget target;
   target.target = number;
-  const std::vector<Look>& seen = looks.of(number);
+  const std::vector<SarLook>& seen = looks.of(number);
   Middle middle;
   double strongest = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -95,7 +40,7 @@ SarTarget target_of(const Looks& looks, const EchoRows& echoes, std::size_t numb
   target.lowest_doppler_hz = INFINITY;
   target.highest_doppler_hz = -INFINITY;
   const double last_s = echoes.first_delay_s + static_cast<double>(echoes.samples - 1) / echoes.waveform.sample_rate_hz;
-  for (const Look& look : seen) {
+  for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
     target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, look.doppler_hz);
     target.highest_doppler_hz = std::max(target.highest_doppler_hz, look.doppler_hz);
@@ -111,10 +56,10 @@ struct Fold {
   ImagePlace most{-INFINITY, -INFINITY};
 };
 
-void add_ghosts(const Looks& looks, std::size_t target, double centroid_hz, std::vector<SarGhost>& ghosts) {
+void add_ghosts(const SarLooks& looks, std::size_t target, double centroid_hz, std::vector<SarGhost>& ghosts) {
   constexpr double smallest_share = 0.01;
   const double prf_hz = 1.0 / looks.track().interval_s;
-  const std::vector<Look>& seen = looks.of(target);
+  const std::vector<SarLook>& seen = looks.of(target);
   std::map<int, Fold> fold_of;
   double all = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -129,7 +74,7 @@ void add_ghosts(const Looks& looks, std::size_t target, double centroid_hz, std:
   }
   for (const auto& [folds, fold] : fold_of) {
     if (!(fold.middle.amplitude > smallest_share * all)) continue;
-    const Look& look = seen[fold.middle.index()];
+    const SarLook& look = seen[fold.middle.index()];
     ghosts.push_back({.target = target,
                       .folds = folds,
                       .place = looks.place(look, look.doppler_hz - folds * prf_hz),
@@ -157,7 +102,7 @@ Problem remark(Severity severity, std::string message, std::string hint) {
   return problem;
 }
 
-void remark_on_wrapping(const Looks& looks, std::size_t targets, double centroid_hz, Problems& problems) {
+void remark_on_wrapping(const SarLooks& looks, std::size_t targets, double centroid_hz, Problems& problems) {
   std::vector<SarGhost> ghosts;
   for (std::size_t t = 0; t < targets; ++t) add_ghosts(looks, t, centroid_hz, ghosts);
   if (ghosts.empty()) return;
@@ -195,7 +140,7 @@ void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) 
 }
 
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
-void remark_on_beam(const Plan& plan, const Looks& looks, Problems& problems) {
+void remark_on_beam(const Plan& plan, const SarLooks& looks, Problems& problems) {
   if (plan.radar.transmit.kind != AntennaPattern::Kind::sinx) return;
   const double wavelength_m =
       plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(plan.pulses.first);
@@ -223,14 +168,14 @@ void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
 }  // namespace
 
 std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes) {
-  const Looks looks(plan, echoes);
+  const SarLooks looks(plan, echoes);
   std::vector<SarTarget> targets;
   for (std::size_t t = 0; t < plan.scene->scatterers.size(); ++t) targets.push_back(target_of(looks, echoes, t));
   return targets;
 }
 
 std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, double centroid_hz) {
-  const Looks looks(plan, echoes);
+  const SarLooks looks(plan, echoes);
   std::vector<SarGhost> ghosts;
   for (std::size_t t = 0; t < plan.scene->scatterers.size(); ++t) add_ghosts(looks, t, centroid_hz, ghosts);
   return ghosts;
@@ -241,7 +186,7 @@ Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, double centroi
   Problems problems;
   remark_on_sampling(echoes.waveform, problems);
   if (plan.scene->scatterers.size() > most_targets) return problems;
-  const Looks looks(plan, echoes);
+  const SarLooks looks(plan, echoes);
   remark_on_wrapping(looks, plan.scene->scatterers.size(), centroid_hz, problems);
   remark_on_swath(sar_targets(plan, echoes), problems);
   remark_on_beam(plan, looks, problems);
