@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "process/sinc_table.hpp"
 
@@ -87,9 +86,6 @@ double FocusFrame::range_hz(std::size_t bin) const {
 }
 
 FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
-  const Problems problems = problems_of_focusing(echoes, options);
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error) throw std::invalid_argument(to_string(problem));
   FocusFrame frame;
   frame.waveform = echoes.waveform;
   frame.track = fit_straight(echoes.track);

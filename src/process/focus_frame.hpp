@@ -40,7 +40,7 @@ struct FocusFrame {
   [[nodiscard]] double range_hz(std::size_t bin) const;
 };
 
-/// @throws std::invalid_argument  as focus_rows
+/// @param echoes  at least two pulses of an antenna that moves; std::invalid_argument for fewer
 [[nodiscard]] FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options);
 
 /// What differs between the methods: how a row of the two-dimensional spectrum becomes one of ranges against Doppler

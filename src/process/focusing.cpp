@@ -86,6 +86,19 @@ double amplitude_scale(const FocusFrame& frame, const std::vector<float>& pulses
   return 1.0 / (sum * frame.prf_hz() * unit_chirp(frame));
 }
 
+FocusedImage empty_image(const FocusFrame& frame) {
+  FocusedImage image;
+  image.frame = {.plane = ImagePlane::slant_range,
+                 .origin_m = frame.track.origin_m,
+                 .along = frame.track.along,
+                 .speed_mps = frame.track.speed_mps};
+  image.azimuth = frame.azimuth;
+  image.range = frame.range;
+  image.carrier_hz = frame.waveform.carrier_hz;
+  image.light_speed_mps = frame.waveform.light_speed_mps;
+  return image;
+}
+
 class Focuser {
  public:
   Focuser(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control, ProgressReport progress)
@@ -93,8 +106,8 @@ class Focuser {
         frame_(focus_frame(echoes, options)),
         control_(control),
         matrix_(frame_.azimuth_size, frame_.range_size, options.memory_bytes, options.scratch_folder),
-        counter_(std::move(progress),
-                 (frame_.pulses + frame_.azimuth_size) * frame_.range_size + passes_over_columns()),
+        counter_(std::move(progress), (frame_.pulses + frame_.azimuth_size) * frame_.range_size + passes_over_columns(),
+                 frame_.range_size),
         azimuth_fft_(frame_.azimuth_size) {}
 
   FocusedRows carry_out() {
@@ -159,14 +172,7 @@ class Focuser {
 
   FocusedRows result() {
     FocusedRows focused;
-    focused.image.frame = {.plane = ImagePlane::slant_range,
-                           .origin_m = frame_.track.origin_m,
-                           .along = frame_.track.along,
-                           .speed_mps = frame_.track.speed_mps};
-    focused.image.azimuth = frame_.azimuth;
-    focused.image.range = frame_.range;
-    focused.image.carrier_hz = frame_.waveform.carrier_hz;
-    focused.image.light_speed_mps = frame_.waveform.light_speed_mps;
+    focused.image = empty_image(frame_);
     focused.on_disk = matrix_.on_disk();
     const auto size = static_cast<std::ptrdiff_t>(frame_.azimuth_size);
     const std::ptrdiff_t first = (frame_.first_pulse % size + size) % size;
@@ -219,10 +225,12 @@ void check_waveform(const SarWaveform& waveform, Problems& problems) {
 }
 
 void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& problems) {
-  if (track.worst_interval_s > 0.01 * track.interval_s)
+  if (track.worst_interval_s > 0.01 * track.interval_s) {
     problems.push_back(error("the pulses are not evenly spaced, as methods in the frequency domain need them",
                              track.worst_interval_s, fmt::format("within {:.3g} s", 0.01 * track.interval_s),
                              "use back projection"));
+    problems.back().subject.field = track_field;
+  }
   const double limit_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz / 16.0;
   if (track.worst_position_m <= limit_m) return;
   Problem problem =
@@ -230,6 +238,7 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& p
             fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m),
             "compensate its motion, or use back projection");
   problem.severity = Severity::warning;
+  problem.subject.field = track_field;
   problems.push_back(problem);
 }
 
@@ -261,8 +270,14 @@ Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& option
   return problems;
 }
 
+FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
+  return empty_image(focus_frame(echoes, options));
+}
+
 FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control,
                        const ProgressReport& progress) {
+  for (const Problem& problem : problems_of_focusing(echoes, options))
+    if (problem.severity == Severity::error) throw std::invalid_argument(to_string(problem));
   return Focuser(echoes, options, control, progress).carry_out();
 }
 

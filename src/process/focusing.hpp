@@ -54,10 +54,17 @@ struct FocusedRows {
   std::function<void(std::size_t row, std::span<std::complex<float>> out)> read;
 };
 
+inline constexpr const char* track_field = "track";
+
 /// What stands against focusing these echoes in the frequency domain, all at once: no speed, pulses that are not evenly
 /// spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a track
-/// that leaves the straight line by more than a sixteenth of the wavelength (a warning).
+/// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape,
+/// which other methods may not mind, have the field `track_field`.
 [[nodiscard]] Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
+
+/// The axes and the frame of the image that `focus_rows` makes, without values; also of tracks that it refuses, if only
+/// they have two pulses and a speed.
+[[nodiscard]] FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options);
 
 /// Focuses. Rows of the image are pulse positions, columns slant ranges of closest approach; phase and amplitude as
 /// FocusedImage says. The same bytes for any number of threads and any limit of memory.

@@ -9,12 +9,13 @@
 
 namespace sarsim {
 
-WorkCounter::WorkCounter(ProgressReport report, std::size_t total)
-    : report_(std::move(report)), total_(total), owner_(std::this_thread::get_id()) {}
+WorkCounter::WorkCounter(ProgressReport report, std::size_t total, std::size_t columns)
+    : report_(std::move(report)), total_(total), columns_(columns), owner_(std::this_thread::get_id()) {}
 
 void WorkCounter::add(std::size_t done) {
   const std::size_t sum = done_.fetch_add(done) + done;
-  if (report_ && std::this_thread::get_id() == owner_) report_({std::min(sum, total_), total_, 0});
+  if (report_ && std::this_thread::get_id() == owner_)
+    report_({std::min(sum, total_) / columns_, total_ / columns_, columns_});
 }
 
 // A file that vanishes with the process.

@@ -17,13 +17,15 @@ namespace sarsim {
 /// Counts units of work that several threads do and tells about them on the thread that made the counter.
 class WorkCounter {
  public:
-  WorkCounter(ProgressReport report, std::size_t total);
+  /// @param total  in samples; told as rows of `columns` of them
+  WorkCounter(ProgressReport report, std::size_t total, std::size_t columns);
   /// From any thread.
   void add(std::size_t done);
 
  private:
   ProgressReport report_;
   std::size_t total_;
+  std::size_t columns_;
   std::atomic<std::size_t> done_{0};
   std::thread::id owner_;
 };
