@@ -1,5 +1,6 @@
 #include "cli/focus_back_projection.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "base/number_text.hpp"
 #include "process/back_projection.hpp"
 #include "process/sar_track.hpp"
+#include "simulate/sar_ghosts.hpp"
 #include "simulate/sar_rows.hpp"
 
 namespace sarsim::cli {
@@ -39,6 +41,23 @@ void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
   }
 }
 
+// Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
+// them nevertheless, and its image is to hold them.
+void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps) {
+  double band_hz = 0.0;
+  for (const SarTarget& target : sar_targets(*input.plan, input.echoes)) {
+    if (!(target.amplitude > 0.0)) continue;
+    const double above_hz = target.highest_doppler_hz - options.doppler_centroid_hz;
+    const double below_hz = options.doppler_centroid_hz - target.lowest_doppler_hz;
+    band_hz = std::max({band_hz, 2.0 * above_hz, 2.0 * below_hz});
+  }
+  if (options.doppler_bandwidth_hz > 0.0) band_hz = std::min(band_hz, options.doppler_bandwidth_hz);
+  constexpr double most = 16.0;
+  const auto factor = static_cast<std::size_t>(std::clamp(std::ceil(band_hz * axis.step_m / speed_mps), 1.0, most));
+  axis.step_m /= static_cast<double>(factor);
+  axis.count *= factor;
+}
+
 BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage& image) {
   const double per_hz = 0.5 * image.light_speed_mps / (image.carrier_hz * image.frame.speed_mps);
   const auto angle = [&](double hz) { return std::asin(std::clamp(per_hz * hz, -1.0, 1.0)); };
@@ -63,6 +82,7 @@ FocusedRows back_projected(const FocusInput& input, const FocusOptions& options,
   FocusOptions plain = options;
   plain.method = FocusMethod::range_doppler;
   FocusedImage axes = image_of(input.echoes, plain);
+  refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps);
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.samples) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));

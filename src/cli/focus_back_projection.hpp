@@ -8,9 +8,9 @@
 namespace sarsim::cli {
 
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
-/// phases and amplitudes. A Doppler bandwidth keeps the pulses that see a point at such frequencies; the azimuth window
-/// is over them, or, where all are kept, over the record. Throws BadInput where the echoes need more memory than
-/// allowed.
+/// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
+/// bandwidth keeps the pulses that see a point at such frequencies; the azimuth window is over them, or, where all are
+/// kept, over the record. Throws BadInput where the echoes need more memory than allowed.
 [[nodiscard]] FocusedRows back_projected(const FocusInput& input, const FocusOptions& options,
                                          const WorkControl& control, const ProgressReport& progress);
 

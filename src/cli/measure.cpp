@@ -146,7 +146,8 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
 
 std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
-  const std::vector<TargetTheory> theories = theory_of_targets(*input.plan, input.echoes, opened.origin.options);
+  const std::vector<TargetTheory> theories =
+      theory_of_targets(*input.plan, input.echoes, opened.origin.options, opened.origin.algorithm == "back-projection");
   const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };

@@ -245,8 +245,8 @@ Directions directions_of(const FocusedImage& image) {
   const double azimuth = image.azimuth.spectrum_centre_per_m;
   const double range = image.range.spectrum_centre_per_m + 2.0 * image.carrier_hz / image.light_speed_mps;
   const double size = std::hypot(azimuth, range);
-  // A beam as good as across track has cuts along the axes.
-  if (!(std::abs(azimuth) > 1e-3 * size)) return {};
+  // Below half a degree cuts along the axes differ by less than a tenth of a cell where the last sidelobes are counted.
+  if (!(std::abs(azimuth) > 0.01 * size)) return {};
   return {azimuth / size, range / size};
 }
 

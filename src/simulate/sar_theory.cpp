@@ -13,11 +13,12 @@ namespace {
 // The part that each look has in the image of its target.
 class LookWeights {
  public:
-  LookWeights(const SarLooks& looks, const FocusOptions& options, std::size_t pulses)
+  LookWeights(const SarLooks& looks, const FocusOptions& options, std::size_t pulses, bool time_domain)
       : looks_(looks),
         options_(options),
         pulses_(static_cast<double>(pulses)),
-        weight_(weight_of(options.azimuth_window)) {}
+        weight_(weight_of(options.azimuth_window)),
+        time_domain_(time_domain) {}
 
   [[nodiscard]] double of(std::size_t i, const SarLook& look) const {
     const double from_centroid_hz = look.doppler_hz - options_.doppler_centroid_hz;
@@ -26,7 +27,7 @@ class LookWeights {
   }
   /// Whether its Doppler frequency is taken for what it is.
   [[nodiscard]] bool sampled(const SarLook& look) const {
-    return std::abs(look.doppler_hz - options_.doppler_centroid_hz) <= 0.5 / looks_.track().interval_s;
+    return time_domain_ || std::abs(look.doppler_hz - options_.doppler_centroid_hz) <= 0.5 / looks_.track().interval_s;
   }
 
  private:
@@ -34,6 +35,7 @@ class LookWeights {
   const FocusOptions& options_;
   double pulses_;
   std::function<double(double)> weight_;
+  bool time_domain_;
 };
 
 struct Tone {
@@ -119,9 +121,10 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
 
 }  // namespace
 
-std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes, const FocusOptions& options) {
+std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes, const FocusOptions& options,
+                                            bool time_domain) {
   const SarLooks looks(plan, echoes);
-  const LookWeights weights(looks, options, echoes.track.size());
+  const LookWeights weights(looks, options, echoes.track.size(), time_domain);
   const std::optional<ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
   std::vector<TargetTheory> theories;
   for (std::size_t t = 0; t < looks.targets(); ++t) {

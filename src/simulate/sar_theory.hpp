@@ -22,8 +22,9 @@ struct TargetTheory {
 };
 
 /// Theory of every target for these options of focusing.
-/// @param echoes  their waveform and track; no rows are read
+/// @param echoes       their waveform and track; no rows are read
+/// @param time_domain  back projection, which knows each pulse's true Doppler frequency: no echoes are lost to ghosts
 [[nodiscard]] std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes,
-                                                          const FocusOptions& options);
+                                                          const FocusOptions& options, bool time_domain = false);
 
 }  // namespace sarsim
