@@ -44,7 +44,7 @@ std::vector<float> range_weights(const FocusFrame& frame) {
   const auto weight = weight_of(frame.options.range_window);
   const double scale = 1.0 / mean_weight(frame.options.range_window);
   for (std::size_t k = 0; k < weights.size(); ++k)
-    weights[k] *= static_cast<float>(scale * weight(frame.range_hz(k) / frame.waveform.bandwidth_hz));
+    weights[k] *= static_cast<float>(scale * weight(frame.range_hz(k) / std::abs(frame.waveform.bandwidth_hz)));
   return weights;
 }
 
@@ -143,12 +143,22 @@ class Focuser {
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
     const auto focus_row = [&](std::size_t k, std::span<std::complex<float>> row) {
       if (rows[k].weight != 0.0F) {
+        undo_doppler_in_pulse(frame_.doppler_hz(k), row);
         focuser->focus(frame_.doppler_hz(k), row);
       } else {
         std::ranges::fill(row, std::complex<float>());
       }
     };
     matrix_.each_row(0, frame_.azimuth_size, control_, counter_, focus_row);
+  }
+
+  // A chirp of the rate K that is shifted in frequency has its peak fd/K earlier, turned by -pi fd^2/K.
+  void undo_doppler_in_pulse(double doppler_hz, std::span<std::complex<float>> row) const {
+    constexpr double least_turns = 5e-4;  // over the band
+    const double delay_s = doppler_hz * frame_.waveform.pulse_width_s / frame_.waveform.bandwidth_hz;
+    if (std::abs(delay_s * frame_.waveform.bandwidth_hz) < least_turns) return;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = product(row[k], turned((0.5 * doppler_hz - frame_.range_hz(k)) * delay_s));
   }
 
   void focus_all_columns() {
@@ -218,8 +228,8 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
 void check_waveform(const SarWaveform& waveform, Problems& problems) {
   if (!(waveform.carrier_hz > 0.0 && waveform.light_speed_mps > 0.0 && waveform.sample_rate_hz > 0.0))
     problems.push_back(error("carrier, sampling rate and speed of light must be above 0", waveform.carrier_hz, {}));
-  if (!(waveform.bandwidth_hz > 0.0 && waveform.bandwidth_hz <= waveform.sample_rate_hz))
-    problems.push_back(error("the pulse's bandwidth does not fit the sampling rate", waveform.bandwidth_hz,
+  if (const double band_hz = std::abs(waveform.bandwidth_hz); !(band_hz > 0.0 && band_hz <= waveform.sample_rate_hz))
+    problems.push_back(error("the pulse's bandwidth does not fit the sampling rate", band_hz,
                              fmt::format("above 0 and at most {:.6g} Hz", waveform.sample_rate_hz),
                              "sample faster, or use a pulse of a smaller bandwidth"));
 }

@@ -98,6 +98,46 @@ TEST_P(EveryMethod, KeepsPointsAtTheEdgesOfTheRecordInPlace) {
   }
 }
 
+TEST_P(EveryMethod, AllowsForTheAntennasMotionBetweenSendingAndReceiving) {
+  // It moves V R/c = 6.8 mm meanwhile.
+  const Setting setting;
+  const Vec3 point = point_at(setting, 7.1, setting.closest_m());
+  const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam()});
+  EXPECT_NEAR(measured(image, point).place.azimuth_m, 7.1, 0.002);
+}
+
+TEST_P(EveryMethod, FocusesAtASquintOfEightDegrees) {
+  Setting setting;
+  setting.squint_rad = 8.0 * pi / 180.0;
+  setting.waveform.sample_rate_hz = 300e6;
+  const double centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
+  for (const double offset : {0.0, 30.3}) {
+    const Vec3 point = point_at(setting, 3.0, setting.closest_m() + offset);
+    const FocusedImage image =
+        focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam(), .doppler_centroid_hz = centroid_hz});
+    expect_as_theory(measured(image, point), point, image, setting, 1.0);
+  }
+}
+
+TEST_P(EveryMethod, AllowsForDopplerInsideALongPulseOfEitherSweep) {
+  // 40 us at 10 degrees of squint: 1227 Hz move the peak by 0.49 ns, or 7.4 cm.
+  for (const double sweep : {1.0, -1.0}) {
+    Setting setting;
+    setting.squint_rad = 10.0 * pi / 180.0;
+    setting.waveform.sample_rate_hz = 200e6;
+    setting.waveform.pulse_width_s = 40e-6;
+    setting.waveform.bandwidth_hz *= sweep;
+    const double centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
+    const Vec3 point = point_at(setting, 3.0, setting.closest_m());
+    const FocusedImage image =
+        focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam(), .doppler_centroid_hz = centroid_hz});
+    const PointResponse response = measured(image, point);
+    EXPECT_NEAR(response.place.azimuth_m, place_of(image.frame, point).azimuth_m, 0.01);
+    EXPECT_NEAR(response.place.range_m, setting.closest_m(), 0.01);
+    EXPECT_NEAR(phase_difference(response.phase_rad, expected_phase(setting, setting.closest_m())), 0.0, 0.02);
+  }
+}
+
 TEST_P(EveryMethod, LowersSidelobesByItsWindows) {
   const Setting setting;
   const SarWindow taylor{.kind = SarWindow::Kind::taylor};

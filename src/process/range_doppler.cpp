@@ -14,7 +14,9 @@ namespace {
 class RangeDoppler : public RowFocuser {
  public:
   explicit RangeDoppler(const FocusFrame& frame)
-      : frame_(frame), fft_(frame.range_size), table_(frame.waveform.bandwidth_hz / frame.waveform.sample_rate_hz) {}
+      : frame_(frame),
+        fft_(frame.range_size),
+        table_(std::abs(frame.waveform.bandwidth_hz) / frame.waveform.sample_rate_hz) {}
 
   void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
     const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));

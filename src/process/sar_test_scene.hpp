@@ -39,7 +39,7 @@ struct Setting {
 inline double compressed_chirp(double delay_s, const SarWaveform& waveform) {
   const double fraction = std::abs(delay_s) / waveform.pulse_width_s;
   if (fraction >= 1.0) return 0.0;
-  const double x = pi * waveform.bandwidth_hz * delay_s * (1.0 - fraction);
+  const double x = pi * std::abs(waveform.bandwidth_hz) * delay_s * (1.0 - fraction);
   return (1.0 - fraction) * (std::abs(x) < 1e-9 ? 1.0 : std::sin(x) / x);
 }
 
@@ -50,10 +50,14 @@ inline void add_echo(std::complex<float>* row, const SarEchoes& echoes, const Tr
   const double distance = norm(sight);
   const double recession = dot(sight, target.velocity_mps - antenna.velocity_mps) / distance;
   const double delay_s = 2.0 * distance / (waveform.light_speed_mps - recession);
-  const std::complex<double> turn = std::polar(target.amplitude, -2.0 * pi * waveform.carrier_hz * delay_s);
+  // Doppler inside the pulse moves a compressed chirp.
+  const double doppler_hz = -2.0 * recession * waveform.carrier_hz / waveform.light_speed_mps;
+  const double early_s = doppler_hz * waveform.pulse_width_s / waveform.bandwidth_hz;
+  const double turns = -waveform.carrier_hz * delay_s - 0.5 * doppler_hz * early_s;
+  const std::complex<double> turn = std::polar(target.amplitude, 2.0 * pi * turns);
   for (std::size_t n = 0; n < echoes.samples; ++n) {
     const double time_s = echoes.first_delay_s + static_cast<double>(n) / waveform.sample_rate_hz;
-    row[n] += std::complex<float>(turn * compressed_chirp(time_s - delay_s, waveform));
+    row[n] += std::complex<float>(turn * compressed_chirp(time_s - delay_s + early_s, waveform));
   }
 }
 

@@ -156,7 +156,7 @@ void remark_on_beam(const Plan& plan, const SarLooks& looks, Problems& problems)
 }
 
 void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
-  const double ratio = waveform.sample_rate_hz / waveform.bandwidth_hz;
+  const double ratio = waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
   if (ratio < 1.0 || ratio >= 1.1) return;
   problems.push_back(remark(Severity::warning,
                             fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "

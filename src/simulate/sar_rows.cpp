@@ -83,9 +83,10 @@ void compress(const RangeCompressor& compressor, RowSpace& space, std::span<std:
 // All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
 EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
   EchoRows rows;
+  const bool chirp = plan.radar.pulse.kind == Pulse::Kind::chirp;
   rows.waveform = {.carrier_hz = plan.radar.carrier.carrier_hz(plan.pulses.first),
-                   .bandwidth_hz = bandwidth_hz(plan.radar.pulse),
-                   .pulse_width_s = plan.radar.pulse.width_s,
+                   .bandwidth_hz = chirp ? plan.radar.pulse.sweep_hz : bandwidth_hz(plan.radar.pulse),
+                   .pulse_width_s = chirp ? plan.radar.pulse.width_s : 0.0,
                    .sample_rate_hz = 1.0 / plan.raw_grid.interval_s,
                    .light_speed_mps = plan.scene->conventions.light_speed_mps};
   rows.track = track_of(plan);

@@ -86,9 +86,10 @@ double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const F
 std::optional<ResponseFigures> range_theory(const Plan& plan, const SarWaveform& waveform, const SarWindow& window) {
   const Pulse& pulse = plan.radar.pulse;
   if (pulse.kind != Pulse::Kind::chirp || pulse.envelope != Pulse::Envelope::rectangular) return std::nullopt;
-  ResponseFigures figures = theoretical_figures(window, waveform.bandwidth_hz * waveform.pulse_width_s,
-                                                waveform.sample_rate_hz / waveform.bandwidth_hz);
-  const double cell_m = 0.5 * waveform.light_speed_mps / waveform.bandwidth_hz;
+  const double band_hz = std::abs(waveform.bandwidth_hz);
+  ResponseFigures figures =
+      theoretical_figures(window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz);
+  const double cell_m = 0.5 * waveform.light_speed_mps / band_hz;
   figures.width *= cell_m;
   figures.null *= cell_m;
   return figures;
