@@ -42,6 +42,8 @@ struct Program {
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
     add("convert", "convert files of samples between formats", add_convert);
+    add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
+    add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
     add("completion", "print a completion script for a shell",
         [this](CLI::App& command) { return add_completion(command, app); });

@@ -18,16 +18,17 @@ struct TrackPoint {
 /// The waveform and the receiver, as far as focusing needs to know them.
 struct SarWaveform {
   double carrier_hz = 0.0;
-  double bandwidth_hz = 0.0;   ///< Of the pulse.
-  double pulse_width_s = 0.0;  ///< Chirp rate: bandwidth_hz/pulse_width_s.
+  double bandwidth_hz = 0.0;   ///< Of the pulse; negative for a chirp that sweeps down.
+  double pulse_width_s = 0.0;  ///< Chirp rate: bandwidth_hz/pulse_width_s. 0: the pulse is no chirp.
   double sample_rate_hz = 0.0;
   double light_speed_mps = 0.0;
 };
 
 /// Range-compressed echoes of a train of pulses and the path the antenna took: what every focusing algorithm begins
 /// with. Sample (p, n) is the compressed baseband echo of pulse p at the delay first_delay_s + n/sample_rate_hz; a
-/// target at distance d that recedes with v has its peak at 2 d/(c - v) with the phase -2 pi carrier_hz times that
-/// delay (docs/theory/echo-model.md).
+/// target at distance d that recedes with v has its peak at tau = 2 d/(c - v) with the phase -2 pi carrier_hz tau
+/// (docs/theory/echo-model.md); that of a chirp of the rate K, whose Doppler frequency is fd, fd/K earlier, and turned
+/// by -pi fd^2/K more.
 struct SarEchoes {
   SarWaveform waveform;
   std::vector<TrackPoint> track;  ///< One for each pulse.

@@ -26,11 +26,13 @@ struct ImageFrame {
   double speed_mps = 0.0;  ///< Of the reference track.
 };
 
-/// Evenly spaced coordinates first, first + step ... of rows or columns.
+/// Evenly spaced coordinates first, first + step ... of rows or columns. What lies between samples follows from the
+/// band-limited function whose spectrum is the one period about `spectrum_centre_per_m`.
 struct ImageAxis {
   double first_m = 0.0;
   double step_m = 1.0;
   std::size_t count = 0;
+  double spectrum_centre_per_m = 0.0;  ///< Cycles per metre; not 0 where the beam squints.
 
   [[nodiscard]] double at(double index) const { return first_m + index * step_m; }
   [[nodiscard]] double index_of(double coordinate_m) const { return (coordinate_m - first_m) / step_m; }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "data/envi.hpp"
+#include "process/focusing.hpp"
+#include "process/sar_image.hpp"
+
+namespace sarsim::cli {
+
+/// How an image came to be, as its header tells it.
+struct ImageOrigin {
+  std::string source;  ///< What was focused: a path.
+  std::string script;  ///< What --script said.
+  std::size_t simulation = 0;
+  std::string algorithm;
+  FocusOptions options;
+};
+
+/// The header of a focused image (docs/formats/focused-images.md).
+[[nodiscard]] EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin);
+
+/// Reads a header back; throws BadInput where it is not that of a focused image.
+void read_header(const EnviHeader& header, const std::string& file, FocusedImage& image, ImageOrigin& origin);
+
+}  // namespace sarsim::cli

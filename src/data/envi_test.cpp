@@ -1,0 +1,131 @@
+#include "data/envi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace sarsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Envi : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
+
+  fs::path folder_;
+};
+
+EnviHeader small_header() {
+  EnviHeader header;
+  header.samples = 3;
+  header.lines = 2;
+  header.description = "two lines";
+  header.fields = {{"azimuth first m", "-200.5"}, {"scene", "a, b"}};
+  return header;
+}
+
+const std::vector<std::complex<float>> first_row{{1.0F, 2.0F}, {3.0F, -4.0F}, {0.0F, 0.5F}};
+const std::vector<std::complex<float>> second_row{{-1.0F, 0.0F}, {6.0F, 8.0F}, {0.25F, 0.0F}};
+
+TEST_F(Envi, ReadsWhatItWrote) {
+  EnviWriter writer(file("image.img"), small_header(), false);
+  writer.append(first_row);
+  writer.append(second_row);
+  EXPECT_FALSE(fs::exists(file("image.img")));
+  writer.finish();
+  const auto [image, problems] = EnviImage::open(file("image.img"));
+  ASSERT_TRUE(image);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(image->header().samples, 3U);
+  EXPECT_EQ(image->header().lines, 2U);
+  EXPECT_EQ(image->header().description, "two lines");
+  EXPECT_EQ(image->header().field("azimuth first m"), "-200.5");
+  EXPECT_EQ(image->header().field("scene"), "a, b");
+  EXPECT_EQ(image->header().field("missing"), std::nullopt);
+  std::vector<std::complex<float>> read(2);
+  image->read(1, 1, read);
+  EXPECT_EQ(read[0], second_row[1]);
+  EXPECT_EQ(read[1], second_row[2]);
+}
+
+TEST_F(Envi, WritesMagnitudesOfARealImage) {
+  EnviHeader header = small_header();
+  header.pixel = EnviHeader::Pixel::real_float;
+  EnviWriter writer(file("image.img"), header, false);
+  writer.append(first_row);
+  writer.append(second_row);
+  writer.finish();
+  EXPECT_EQ(fs::file_size(file("image.img")), 24U);
+  const auto image = EnviImage::open(file("image.img")).first;
+  ASSERT_TRUE(image);
+  std::vector<std::complex<float>> read(3);
+  image->read(1, 0, read);
+  EXPECT_EQ(read[1], std::complex<float>(10.0F, 0.0F));
+}
+
+TEST_F(Envi, LeavesNothingWithoutFinish) {
+  { EnviWriter writer(file("image.img"), small_header(), false); }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Envi, RefusesRowsThatDoNotBelong) {
+  EnviWriter writer(file("image.img"), small_header(), false);
+  EXPECT_THROW(writer.append(std::span(first_row).first(2)), std::logic_error);
+  EXPECT_THROW(writer.finish(), std::logic_error);
+}
+
+TEST_F(Envi, KeepsExistingFilesUnlessToldToReplaceThem) {
+  write("image.hdr", "old");
+  EXPECT_THROW(EnviWriter(file("image.img"), small_header(), false), std::system_error);
+  EXPECT_NO_THROW(EnviWriter(file("image.img"), small_header(), true));
+}
+
+TEST_F(Envi, ReadsHeadersOfOtherPrograms) {
+  const auto reading = read_envi_header(
+      "ENVI \r\ndescription = {\n  of several\n  lines}\nSamples = 10\nlines   = 20\nbands = 1\ndata type = 4\n"
+      "band names = {\n a,\n b}\n; a remark\n",
+      "x.hdr");
+  ASSERT_TRUE(reading.header);
+  EXPECT_EQ(reading.header->samples, 10U);
+  EXPECT_EQ(reading.header->lines, 20U);
+  EXPECT_EQ(reading.header->pixel, EnviHeader::Pixel::real_float);
+  EXPECT_EQ(reading.header->field("band names"), "a,\n b");
+}
+
+TEST_F(Envi, NamesEverythingThatIsWrongWithAHeader) {
+  const auto reading = read_envi_header("ENVI\nsamples = x\nbands = 3\ndata type = 12\nbyte order = 1\n", "x.hdr");
+  EXPECT_FALSE(reading.header);
+  EXPECT_EQ(reading.problems.size(), 5U);
+  EXPECT_FALSE(read_envi_header("", "x.hdr").header);
+  EXPECT_FALSE(read_envi_header("samples = 3", "x.hdr").header);
+}
+
+TEST_F(Envi, RefusesImagesThatAreTooShortOrHaveNoHeader) {
+  write("image.img", "12345678");
+  EXPECT_NE(EnviImage::open(file("image.img")).second.at(0).message.find("no header"), std::string::npos);
+  write("image.img.hdr", to_text(small_header()));
+  EXPECT_NE(EnviImage::open(file("image.img")).second.at(0).message.find("shorter"), std::string::npos);
+  write("image.img.hdr", "ENVI\nsamples = 4294967296\nlines = 4294967296\ndata type = 6\n");
+  EXPECT_FALSE(EnviImage::open(file("image.img")).first);
+}
+
+TEST_F(Envi, KeepsItsHeadersReadableWhateverTheirValuesHold) {
+  EnviHeader header = small_header();
+  header.description = "with {braces}\nand lines";
+  const auto reading = read_envi_header(to_text(header), "x.hdr");
+  ASSERT_TRUE(reading.header);
+  EXPECT_EQ(reading.header->description, "with (braces) and lines");
+  EXPECT_EQ(reading.header->field("scene"), "a, b");
+}
+
+}  // namespace
+}  // namespace sarsim

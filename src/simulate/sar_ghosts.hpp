@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "process/focusing.hpp"
+#include "simulate/plan.hpp"
+
+namespace sarsim {
+
+/// A false image of a target: what of its echoes has Doppler frequencies beyond half the pulse repetition frequency
+/// from the centroid is taken for another frequency, and focused elsewhere.
+struct SarGhost {
+  std::size_t target = 0;  ///< Position in the scene's list, from 0.
+  int folds = 0;           ///< Whole pulse repetition frequencies that its Doppler frequencies lie too high.
+  ImagePlace place{};      ///< Its middle.
+  double azimuth_m =
+      0.0;  ///< Over which it is smeared, since neither its curve nor its Doppler rate is the one assumed.
+  double range_m = 0.0;
+  double share = 0.0;  ///< Of the target's echoes that it is made of: of the image's energy at the target.
+};
+
+/// Where a target's image is to be found and what it looks like.
+struct SarTarget {
+  std::size_t target = 0;
+  ImagePlace place;                ///< From distance and Doppler: a moving target R u/v beside where it is.
+  double amplitude = 0.0;          ///< Mean of its echoes over all pulses, volts.
+  double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
+  double highest_doppler_hz = 0.0;
+  bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
+};
+
+/// All targets, as the geometry has them.
+/// @param echoes  their waveform, track and window; no rows are read
+[[nodiscard]] std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes);
+
+/// Ghosts of all targets at a Doppler centroid, by target and fold; those below a hundredth of their target left out.
+[[nodiscard]] std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, double centroid_hz);
+
+/// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
+/// appear, targets outside the swath, a beam that holds more Doppler frequencies than the pulses sample, ranges sampled
+/// more coarsely than the band allows.
+[[nodiscard]] Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, double centroid_hz);
+
+}  // namespace sarsim

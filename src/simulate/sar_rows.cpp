@@ -1,0 +1,216 @@
+#include "simulate/sar_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace sarsim {
+
+namespace {
+
+Problem sar_problem(std::string message, std::string found, std::string expected, std::string hint) {
+  Problem problem;
+  problem.message = std::move(message);
+  problem.found = std::move(found);
+  problem.expected = std::move(expected);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+// Things that threads borrow, one each, and give back.
+template <class T>
+class Pool {
+ public:
+  explicit Pool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
+  template <class Use>
+  void lend(const Use& use) {
+    std::unique_ptr<T> item = take();
+    use(*item);
+    const std::scoped_lock hold(lock_);
+    idle_.push_back(std::move(item));
+  }
+
+ private:
+  std::unique_ptr<T> take() {
+    const std::scoped_lock hold(lock_);
+    if (idle_.empty()) return make_();
+    std::unique_ptr<T> item = std::move(idle_.back());
+    idle_.pop_back();
+    return item;
+  }
+
+  std::function<std::unique_ptr<T>()> make_;
+  std::mutex lock_;
+  std::vector<std::unique_ptr<T>> idle_;
+};
+
+struct RowSpace {
+  std::vector<std::complex<double>> raw;
+  std::vector<std::complex<double>> compressed;
+  std::vector<std::complex<double>> scratch;
+};
+
+// What makes the rows of a scene; one for each thread.
+struct SceneWorker {
+  explicit SceneWorker(const Plan& plan) : maker(plan) {}
+  RowMaker maker;
+  RowSpace space;
+};
+
+std::shared_ptr<const RangeCompressor> compressor_of(const Plan& plan, std::size_t raw_samples, std::size_t samples) {
+  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  const WindowFunction even = [](double) { return 1.0; };
+  std::vector<std::size_t> index(samples);
+  for (std::size_t i = 0; i < samples; ++i) index[i] = i;
+  CompressionFilter filter = matched_filter(plan.radar.pulse, band_limited, even, 1.0 / plan.raw_grid.interval_s);
+  return std::make_shared<const RangeCompressor>(std::move(filter), raw_samples, std::move(index));
+}
+
+void to_float(std::span<const std::complex<double>> from, std::span<std::complex<float>> to) {
+  for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(from[n]);
+}
+
+void compress(const RangeCompressor& compressor, RowSpace& space, std::span<std::complex<float>> out) {
+  space.compressed.resize(compressor.output_count());
+  space.scratch.resize(compressor.scratch_size());
+  compressor.compress(space.raw, space.compressed, space.scratch);
+  to_float(space.compressed, out);
+}
+
+// All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
+EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
+  EchoRows rows;
+  const bool chirp = plan.radar.pulse.kind == Pulse::Kind::chirp;
+  rows.waveform = {.carrier_hz = plan.radar.carrier.carrier_hz(plan.pulses.first),
+                   .bandwidth_hz = chirp ? plan.radar.pulse.sweep_hz : bandwidth_hz(plan.radar.pulse),
+                   .pulse_width_s = chirp ? plan.radar.pulse.width_s : 0.0,
+                   .sample_rate_hz = 1.0 / plan.raw_grid.interval_s,
+                   .light_speed_mps = plan.scene->conventions.light_speed_mps};
+  rows.track = track_of(plan);
+  rows.samples = samples;
+  rows.first_delay_s = plan.raw_grid.first_s + plan.pulse.lead_s;
+  return rows;
+}
+
+}  // namespace
+
+Problems problems_of_sar(const Plan& plan) {
+  Problems problems;
+  if (plan.simulation.processing == Processing::srp)
+    problems.push_back(sar_problem("synthetic range profiles cannot be focused", "SRP", "RAW or MF processing",
+                                   "focus a recording of chirps"));
+  if (plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
+    problems.push_back(
+        sar_problem("the carrier changes from pulse to pulse",
+                    fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
+                    "one carrier", "use CARRIER SINGLE"));
+  if (plan.pulses.count() < 2)
+    problems.push_back(sar_problem("too few pulses to focus", fmt::format("{}", plan.pulses.count()), "at least 2",
+                                   "record for longer"));
+  const bool compressed = plan.simulation.processing == Processing::matched_filter;
+  const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
+  if (!even)
+    problems.push_back(sar_problem("the classic profile repeats or leaves out samples of this compressed recording", "",
+                                   "", "focus raw data, or use the physical profile"));
+  if (plan.scene->platforms[plan.radar.platform].track.fixed())
+    problems.push_back(sar_problem("the antenna does not move", plan.scene->platforms[plan.radar.platform].name,
+                                   "a platform that follows a trajectory", "put the radar on one"));
+  return problems;
+}
+
+std::vector<TrackPoint> track_of(const Plan& plan) {
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  std::vector<TrackPoint> track;
+  track.reserve(static_cast<std::size_t>(plan.pulses.count()));
+  for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse) {
+    geometry.set_pulse(pulse);
+    const Pose& pose = geometry.radar_pose();
+    track.push_back({geometry.send_time_s(), pose.position_world_m, pose.velocity_world_mps});
+  }
+  return track;
+}
+
+Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
+  Simulation recorded = simulation;
+  recorded.processing = Processing::raw;
+  const double interval_s = 1.0 / simulation.sample_rate_hz;
+  const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
+  const double more = std::ceil(last_s / interval_s) + 1.0;
+  recorded.range_end_m += 0.5 * plan.scene->conventions.light_speed_mps * more * interval_s;
+  return recorded;
+}
+
+EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples) {
+  EchoRows rows = rows_without_reader(*plan, samples);
+  const auto compressor = compressor_of(*plan, plan->columns, samples);
+  const auto pool = std::make_shared<Pool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
+  rows.read = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
+    pool->lend([&](SceneWorker& worker) {
+      worker.space.raw.resize(plan->columns);
+      worker.maker.make_row(pulse, worker.space.raw);
+      compress(*compressor, worker.space, out);
+    });
+  };
+  return rows;
+}
+
+EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
+  EchoRows rows = rows_without_reader(*plan, plan->columns);
+  const bool raw = plan->simulation.processing == Processing::raw;
+  const auto compressor = raw ? compressor_of(*plan, plan->columns, plan->columns) : nullptr;
+  const auto pool = std::make_shared<Pool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
+  rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
+    pool->lend([&](RowSpace& space) {
+      space.raw.resize(plan->columns);
+      read(pulse, space.raw);
+      compressor ? compress(*compressor, space, out) : to_float(space.raw, out);
+    });
+  };
+  return rows;
+}
+
+SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control, const ProgressReport& progress) {
+  constexpr std::size_t grain = 8;
+  SarEchoes echoes{rows.waveform, rows.track, rows.samples, rows.first_delay_s, {}};
+  echoes.volts.resize(rows.track.size() * rows.samples);
+  const std::thread::id owner = std::this_thread::get_id();
+  std::atomic<std::size_t> done{0};
+  parallel_ranges(rows.track.size(), grain, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      rows.read(p, std::span(echoes.volts).subspan(p * rows.samples, rows.samples));
+    const std::size_t sum = done.fetch_add(end - begin) + end - begin;
+    if (progress && std::this_thread::get_id() == owner) progress({sum, rows.track.size(), rows.samples});
+  });
+  return echoes;
+}
+
+double geometric_doppler_centroid_hz(const Plan& plan) {
+  constexpr std::int64_t looks = 65;
+  constexpr std::size_t most_targets = 4096;
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  const std::int64_t pulses = plan.pulses.count();
+  const std::size_t step = plan.scene->scatterers.size() / most_targets + 1;
+  double power = 0.0;
+  double sum = 0.0;
+  for (std::int64_t look = 0; look < std::min(looks, pulses); ++look) {
+    geometry.set_pulse(plan.pulses.first +
+                       look * (pulses - 1) / std::max<std::int64_t>(std::min(looks, pulses) - 1, 1));
+    const Pointing pointing = geometry.pointing();
+    for (std::size_t t = 0; t < plan.scene->scatterers.size(); t += step) {
+      const ScattererView view = geometry.view(t, pointing);
+      const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
+      power += weight;
+      sum -= weight * view.speed_mps;
+    }
+  }
+  const double per_speed =
+      2.0 * plan.radar.carrier.carrier_hz(plan.pulses.first) / plan.scene->conventions.light_speed_mps;
+  if (power > 0.0) return per_speed * sum / power;
+  geometry.set_pulse(plan.pulses.first + pulses / 2);
+  return per_speed * dot(geometry.radar_pose().velocity_world_mps, geometry.pointing().axis_world());
+}
+
+}  // namespace sarsim

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "process/focusing.hpp"
+#include "scene/scene.hpp"
+#include "simulate/plan.hpp"
+
+/// From simulations and their recordings to what focusing begins with.
+namespace sarsim {
+
+/// Copies a row of a recording, in volts or in counts; called from many threads at once.
+using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<double>> out)>;
+
+/// What keeps a simulation from being focused whatever the method, all at once: synthetic range profiles, a carrier
+/// that changes from pulse to pulse, fewer than two pulses, samples that the classic profile places unevenly, a radar
+/// that rests.
+[[nodiscard]] Problems problems_of_sar(const Plan& plan);
+
+/// Where the radar's antenna was when each pulse of a plan left it.
+[[nodiscard]] std::vector<TrackPoint> track_of(const Plan& plan);
+
+/// The simulation as focusing wants it recorded: raw, and longer by a pulse, so that echoes at the window's end can be
+/// compressed too. Its windows and its output format do not matter any more.
+[[nodiscard]] Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan);
+
+/// Compressed echoes of a scene, computed when they are asked for. `plan` is of a simulation made by
+/// `recorded_for_sar`; its echoes are compressed by the matched filter of the physical profile, without a window
+/// (docs/theory/compression.md).
+/// @param samples  of a compressed row: those of the window before it was made longer
+[[nodiscard]] EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples);
+
+/// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
+/// they are. Rows must be like those that the plan makes.
+[[nodiscard]] EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read);
+
+/// All rows in memory.
+[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control = {},
+                                   const ProgressReport& progress = {});
+
+/// Doppler centroid as geometry has it: that of the echoes' power, over the targets and some pulses of the recording;
+/// that of the beam's axis at its middle where there are no targets.
+[[nodiscard]] double geometric_doppler_centroid_hz(const Plan& plan);
+
+}  // namespace sarsim
