@@ -1,10 +1,15 @@
 # One folder of src/ is one library target; its tests stand beside its code.
 #
-#   sarsim_folder(NAME USES lower folders... LIBS outside libraries...)
+#   sarsim_folder(NAME USES lower folders... LIBS outside libraries...
+#                 MODULE name MODULE_LIBS outside libraries... MODULE_SHARES sources...)
 #
 # x.cpp goes into the library, x_test.cpp into the test program NAME_test, x_bench.cpp into the benchmark
 # NAME_bench. The names after USES are the folder's allowed includes; tools/check-layers holds the same rule
 # against the sources.
+#
+# With MODULE, the sources name_*.cpp become the loadable module sarsim_name.so instead, which is built with the library
+# and which a program opens when it first needs what MODULE_LIBS offer. MODULE_SHARES are sources of other libraries
+# that the module has its own copy of.
 
 find_package(Threads REQUIRED)
 if(SARSIM_TESTS)
@@ -38,8 +43,27 @@ if(SARSIM_COVERAGE)
   target_link_options(sarsim_flags INTERFACE --coverage)
 endif()
 
+# The run paths lead to the module, in the build tree and where it is installed. As the older kind of run path, because
+# the sanitizers put their own dlopen in front of the system's, and the newer kind is not looked at for that.
+set(SARSIM_MODULE_FOLDER lib/sarsim)
+set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/src)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${SARSIM_MODULE_FOLDER}")
+target_link_options(sarsim_flags INTERFACE LINKER:--disable-new-dtags)
+
+function(sarsim_module name sources libraries)
+  add_library(sarsim_${name} MODULE ${sources})
+  target_link_libraries(sarsim_${name} PRIVATE sarsim_flags ${libraries})
+  set_target_properties(sarsim_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/src BUILD_RPATH "" INSTALL_RPATH ""
+                        INSTALL_RPATH_USE_LINK_PATH ON)
+  if(NOT SARSIM_SANITIZE)
+    target_link_options(sarsim_${name} PRIVATE LINKER:-z,defs)
+  endif()
+  install(TARGETS sarsim_${name} LIBRARY DESTINATION ${SARSIM_MODULE_FOLDER} COMPONENT program)
+endfunction()
+
 function(sarsim_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODULE" "USES;LIBS;MODULE_LIBS;MODULE_SHARES")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
@@ -47,16 +71,25 @@ function(sarsim_folder name)
   list(FILTER benches INCLUDE REGEX "_bench\\.cpp$")
   list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$|/main\\.cpp$")
   list(TRANSFORM arg_USES PREPEND sarsim_)
+  if(arg_MODULE)
+    set(module_sources ${sources})
+    list(FILTER module_sources INCLUDE REGEX "/${arg_MODULE}_[^/]*$")
+    list(REMOVE_ITEM sources ${module_sources})
+    sarsim_module(${arg_MODULE} "${module_sources};${arg_MODULE_SHARES}" "${arg_MODULE_LIBS}")
+  endif()
   if(sources)
     add_library(sarsim_${name} STATIC ${sources})
     target_link_libraries(sarsim_${name} PUBLIC sarsim_flags ${arg_USES} ${arg_LIBS})
+    if(arg_MODULE)
+      add_dependencies(sarsim_${name} sarsim_${arg_MODULE})
+    endif()
   else()
     add_library(sarsim_${name} INTERFACE)
     target_link_libraries(sarsim_${name} INTERFACE sarsim_flags ${arg_USES} ${arg_LIBS})
   endif()
   if(SARSIM_TESTS AND tests)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE sarsim_${name} GTest::gmock GTest::gtest_main)
+    target_link_libraries(${name}_test PRIVATE sarsim_${name} ${arg_MODULE_LIBS} GTest::gmock GTest::gtest_main)
     gtest_discover_tests(${name}_test PROPERTIES LABELS ${name} DISCOVERY_TIMEOUT 60)
   endif()
   if(SARSIM_BENCH AND benches)

@@ -8,6 +8,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -16,7 +17,88 @@
 
 namespace sarsim {
 
-/// Computes results 0 ... count - 1 on several threads and hands them over in that order on the calling thread.
+/// What the threads of ordered_parallel share. They take numbers in order, and no number that is further than `ahead`
+/// from what has been consumed.
+template <class Result>
+class OrderedQueue {
+ public:
+  OrderedQueue(std::size_t count, std::size_t ahead) : count_(count), ahead_(ahead) {}
+
+  /// The next number to work on; waits until there is room for its result. Nothing where the work is over.
+  [[nodiscard]] std::optional<std::size_t> take() {
+    std::unique_lock hold(lock_);
+    room_.wait(hold, [this] { return ended_ || next_ >= count_ || next_ < consumed_ + ahead_; });
+    if (ended_ || next_ >= count_) return std::nullopt;
+    return next_++;
+  }
+
+  /// The same without waiting: nothing, too, where there is no room now.
+  [[nodiscard]] std::optional<std::size_t> try_take() {
+    const std::scoped_lock hold(lock_);
+    if (ended_ || next_ >= count_ || next_ >= consumed_ + ahead_) return std::nullopt;
+    return next_++;
+  }
+
+  void put(std::size_t index, Result&& result) {
+    bool wanted = false;
+    {
+      const std::scoped_lock hold(lock_);
+      ready_.emplace(index, std::move(result));
+      wanted = index == consumed_;
+    }
+    if (wanted) news_.notify_one();
+  }
+
+  /// The result that is to be consumed next, if it is there. Throws what a thread failed with.
+  [[nodiscard]] std::optional<Result> in_order() {
+    const std::scoped_lock hold(lock_);
+    if (failure_) std::rethrow_exception(failure_);
+    auto node = ready_.extract(consumed_);
+    if (node.empty()) return std::nullopt;
+    return std::move(node.mapped());
+  }
+
+  /// Waits a short while for it, or for a failure.
+  void wait_for_news(std::chrono::milliseconds most) {
+    std::unique_lock hold(lock_);
+    news_.wait_for(hold, most, [this] { return failure_ || ready_.contains(consumed_); });
+  }
+
+  void count_consumed() {
+    {
+      const std::scoped_lock hold(lock_);
+      ++consumed_;
+    }
+    room_.notify_all();
+  }
+
+  /// Nothing is taken any more.
+  void end(std::exception_ptr failure = nullptr) {
+    {
+      const std::scoped_lock hold(lock_);
+      if (!failure_) failure_ = std::move(failure);
+      ended_ = true;
+    }
+    room_.notify_all();
+    news_.notify_one();
+  }
+
+ private:
+  const std::size_t count_;
+  const std::size_t ahead_;
+  std::mutex lock_;
+  std::condition_variable room_;  // For those who wait to take.
+  std::condition_variable news_;  // For the one who consumes.
+  std::map<std::size_t, Result> ready_;
+  std::exception_ptr failure_;
+  std::size_t next_ = 0;
+  std::size_t consumed_ = 0;
+  bool ended_ = false;
+};
+
+/// Computes results 0 ... count - 1 on several threads, of which the calling one is one, and hands them over in that
+/// order on the calling thread, which comes first for it: a thread of its own would wake for each result and take turns
+/// with the others on their cores.
 ///
 /// Each thread makes one worker of its own with `make_worker()` and calls it with an index to get a result; at most two
 /// results per thread wait to be consumed, so that memory does not grow with `count`. An exception from a worker or
@@ -28,72 +110,38 @@ namespace sarsim {
 template <class Result, class MakeWorker, class Consume>
 void ordered_parallel(std::size_t count, unsigned threads, const MakeWorker& make_worker, const Consume& consume,
                       const StopFlag* stop) {
-  const auto stop_wanted = [&] { return stop != nullptr && stop->requested(); };
-  std::mutex lock;
-  std::condition_variable changed;
-  std::map<std::size_t, Result> ready;
-  std::exception_ptr failure;
-  std::size_t next = 0;
-  std::size_t consumed = 0;
-  bool ended = false;
-  threads = std::max(threads, 1U);
-  const std::size_t ahead = 2 * static_cast<std::size_t>(threads) + 1;
-
-  const auto work = [&] {
+  // The stop flag may be set by a signal handler, which wakes nobody: it is looked at now and then.
+  constexpr std::chrono::milliseconds longest_wait(50);
+  if (count == 0) return;
+  OrderedQueue<Result> queue(count, 2 * static_cast<std::size_t>(std::max(threads, 1U)) + 1);
+  const auto help = [&] {
     try {
       auto worker = make_worker();
-      for (;;) {
-        std::size_t index = 0;
-        {
-          std::unique_lock hold(lock);
-          changed.wait(hold, [&] { return ended || next >= count || next < consumed + ahead; });
-          if (ended || next >= count) return;
-          index = next++;
-        }
-        Result result = worker(index);
-        const std::scoped_lock hold(lock);
-        ready.emplace(index, std::move(result));
-        changed.notify_all();
-      }
+      while (const auto index = queue.take()) queue.put(*index, worker(*index));
     } catch (...) {
-      const std::scoped_lock hold(lock);
-      if (!failure) failure = std::current_exception();
-      ended = true;
-      changed.notify_all();
+      queue.end(std::current_exception());
     }
   };
-
-  std::vector<std::jthread> pool;
-  const auto end_all = [&] {
-    const std::scoped_lock hold(lock);
-    ended = true;
-    changed.notify_all();
-  };
+  std::vector<std::jthread> helpers;
   try {
-    for (unsigned i = 0; i < threads && i < count; ++i) pool.emplace_back(work);
-    while (consumed < count) {
-      Result result = [&] {
-        std::unique_lock hold(lock);
-        while (!failure && !ready.contains(consumed)) {
-          // Woken now and then to look at the stop flag, which a signal handler may have set without waking anyone.
-          changed.wait_for(hold, std::chrono::milliseconds(50));
-          if (stop_wanted()) throw Interrupted();
-        }
-        if (failure) std::rethrow_exception(failure);
-        auto node = ready.extract(consumed);
-        return std::move(node.mapped());
-      }();
-      if (stop_wanted()) throw Interrupted();
-      consume(consumed, std::move(result));
-      const std::scoped_lock hold(lock);
-      ++consumed;
-      changed.notify_all();
+    for (unsigned i = 1; i < threads && i < count; ++i) helpers.emplace_back(help);
+    auto worker = make_worker();
+    for (std::size_t consumed = 0; consumed < count;) {
+      if (stop != nullptr && stop->requested()) throw Interrupted();
+      if (auto result = queue.in_order()) {
+        consume(consumed++, std::move(*result));
+        queue.count_consumed();
+      } else if (const auto index = queue.try_take()) {
+        queue.put(*index, worker(*index));
+      } else {
+        queue.wait_for_news(longest_wait);
+      }
     }
   } catch (...) {
-    end_all();
+    queue.end();
     throw;
   }
-  end_all();
+  queue.end();
 }
 
 /// How work is carried out; nothing here can change its result.

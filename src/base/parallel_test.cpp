@@ -146,18 +146,37 @@ TEST(OrderedParallel, EndsWhenAskedTo) {
 
 // The flag may be set by a signal handler, which wakes nobody: the waiting thread looks at it now and then.
 TEST(OrderedParallel, EndsWhenAskedToWhileItWaitsForASlowResult) {
-  StopFlag stop;
-  EXPECT_THROW(ordered_parallel<int>(
-                   2, 1,
-                   [&] {
-                     return [&](std::size_t) {
-                       stop.request();
-                       std::this_thread::sleep_for(milliseconds(200));
-                       return 0;
-                     };
-                   },
-                   [](std::size_t, int&&) { FAIL(); }, &stop),
-               Interrupted);
+  for (const unsigned threads : {1u, 2u}) {
+    StopFlag stop;
+    EXPECT_THROW(ordered_parallel<int>(
+                     2, threads,
+                     [&] {
+                       return [&](std::size_t) {
+                         stop.request();
+                         std::this_thread::sleep_for(milliseconds(200));
+                         return 0;
+                       };
+                     },
+                     [](std::size_t, int&&) { FAIL(); }, &stop),
+                 Interrupted);
+  }
+}
+
+// The calling thread works too, but where a result can be handed over, that comes first.
+TEST(OrderedParallel, WorksOnTheCallingThreadAloneWhereOneIsWanted) {
+  const auto caller = std::this_thread::get_id();
+  std::size_t begun = 0;
+  ordered_parallel<int>(
+      20, 1,
+      [&] {
+        return [&](std::size_t) {
+          ++begun;
+          EXPECT_EQ(std::this_thread::get_id(), caller);
+          return 0;
+        };
+      },
+      [&](std::size_t index, int&&) { EXPECT_EQ(begun, index + 1); }, nullptr);
+  EXPECT_EQ(begun, 20u);
 }
 
 TEST(ParallelRanges, CoverEverythingOnceInTheSameRangesForAnyNumberOfThreads) {

@@ -198,10 +198,4 @@ void Hdf5Sink::finish(const RunReport& report) {
   file_.commit();
 }
 
-double hdf5_overhead_bytes(const Product& product) {
-  constexpr double structure = 8150.0;  // Superblock, object headers, the heap that holds the texts.
-  return structure + static_cast<double>(product.script.size()) + 16.0 * static_cast<double>(product.rows) +
-         8.0 * static_cast<double>(product.columns);
-}
-
 }  // namespace sarsim

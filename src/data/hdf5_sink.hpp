@@ -12,9 +12,8 @@
 namespace sarsim {
 
 /// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`
-/// and
-/// `/slant_range_m`. Contiguous datasets of known size; rows and their axes are written as they come. No time stamps,
-/// and a fixed version of the format: the same input gives the same bytes.
+/// and `/slant_range_m`. Contiguous datasets of known size; rows and their axes are written as they come. No time
+/// stamps, and a fixed version of the format: the same input gives the same bytes.
 class Hdf5Sink final : public Sink {
  public:
   Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace);
@@ -47,8 +46,5 @@ class Hdf5Sink final : public Sink {
   Hdf5Handle carrier_;
   Hdf5Handle slant_range_;
 };
-
-/// About how many bytes an HDF5 file needs beside the samples.
-[[nodiscard]] double hdf5_overhead_bytes(const Product& product);
 
 }  // namespace sarsim

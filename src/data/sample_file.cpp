@@ -9,8 +9,8 @@
 
 #include "data/array_reader.hpp"
 #include "data/formats.hpp"
-#include "data/hdf5_reader.hpp"
 #include "data/input_file.hpp"
+#include "data/load_hdf5.hpp"
 #include "data/text_reader.hpp"
 
 namespace sarsim {
@@ -41,7 +41,7 @@ OpenedReader open_as(FileFormat format, InputFile file, const SampleFileHints& h
     case FileFormat::hdf5: {
       const std::filesystem::path path = file.path();
       const std::uint64_t size = file.size();
-      return open_hdf5(path, size, hints);
+      return hdf5_module(path).open(path, size, hints);
     }
     case FileFormat::ascii:
     case FileFormat::bracket:

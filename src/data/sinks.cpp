@@ -13,7 +13,7 @@
 #include "data/count_range.hpp"
 #include "data/encoder.hpp"
 #include "data/formats.hpp"
-#include "data/hdf5_sink.hpp"
+#include "data/load_hdf5.hpp"
 #include "data/npy_header.hpp"
 #include "data/output_file.hpp"
 #include "data/row_order.hpp"
@@ -110,11 +110,18 @@ double expected_text_bytes(const Product& product, const Encoding& encoding) {
   }
 }
 
+// About how many bytes an HDF5 file needs beside the samples.
+double hdf5_overhead_bytes(const Product& product) {
+  constexpr double structure = 8150.0;  // Superblock, object headers, the heap that holds the texts.
+  return structure + static_cast<double>(product.script.size()) + 16.0 * static_cast<double>(product.rows) +
+         8.0 * static_cast<double>(product.columns);
+}
+
 }  // namespace
 
 std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product, const SinkOptions& options) {
   if (options.format == FileFormat::hdf5)
-    return std::make_unique<Hdf5Sink>(path, product, encoding_of(product, options), options.replace);
+    return hdf5_module(path).make_sink(path, product, encoding_of(product, options), options.replace);
   return std::make_unique<StreamSink>(path, product, options);
 }
 

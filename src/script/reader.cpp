@@ -122,8 +122,6 @@ class PiecewiseReader {
   ScriptReading read() {
     if (pieces_.size() == 1)
       join_in_place(pieces_.front());
-    else if (control_.work.threads <= 1)
-      read_on_this_thread();
     else
       ordered_parallel<PieceReading>(
           pieces_.size(), control_.work.threads, [this] { return [this](std::size_t i) { return read_alone(i); }; },
@@ -132,13 +130,6 @@ class PiecewiseReader {
   }
 
  private:
-  void read_on_this_thread() {
-    for (std::size_t i = 0; i < pieces_.size() && !joined_.log.full(); ++i) {
-      if (control_.work.stop != nullptr && control_.work.stop->requested()) throw Interrupted();
-      join(i, read_alone(i));
-    }
-  }
-
   [[nodiscard]] Tokens tokens_of(const Piece& piece) const {
     return piece.begin == 0 ? whole_ : whole_.from_line(piece.begin, piece.first_line);
   }

@@ -23,7 +23,7 @@ struct ScriptReading {
 /// How a script is read; nothing here can change what is found.
 struct ReadControl {
   WorkControl work;
-  std::size_t piece_bytes = std::size_t{1} << 18;  ///< Scripts longer than this are read in pieces, by all threads.
+  std::size_t piece_bytes = std::size_t{1} << 16;  ///< Scripts longer than this are read in pieces, by all threads.
 };
 
 /// Reads a script in any dialect of the language (docs/formats/script.md).

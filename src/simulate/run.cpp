@@ -15,20 +15,46 @@ namespace sarsim {
 
 namespace {
 
+struct Rows {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
 // Rows that are computed and written together: enough work to hide the hand-over, little enough to keep memory small
-// and to leave no thread without work for long while others finish their last block.
-std::size_t rows_per_block(const Plan& plan) {
-  constexpr std::size_t samples = 1U << 15U;
-  constexpr std::size_t fair_blocks = 128;
-  const std::size_t most = std::clamp<std::size_t>(plan.rows / fair_blocks, 1, 1024);
-  return std::clamp<std::size_t>(samples / std::max<std::size_t>(plan.columns, 1), 1, most);
-}
+// whatever the recording's length. The last of them come in smaller blocks, so that no thread is without work for long
+// while others finish.
+class Blocks {
+ public:
+  explicit Blocks(const Plan& plan) : rows_(plan.rows) {
+    constexpr std::size_t samples = 1U << 14U;
+    constexpr std::size_t fair_blocks = 128;
+    constexpr std::size_t cut_blocks = 8;
+    const std::size_t most = std::clamp<std::size_t>(plan.rows / fair_blocks, 1, 1024);
+    large_ = std::clamp<std::size_t>(samples / std::max<std::size_t>(plan.columns, 1), 1, most);
+    small_ = std::max<std::size_t>(large_ / 8, 1);
+    large_count_ = rows_ / large_ - std::min(rows_ / large_, cut_blocks);
+    count_ = large_count_ + (rows_ - large_count_ * large_ + small_ - 1) / small_;
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Rows operator[](std::size_t block) const {
+    if (block < large_count_) return {block * large_, large_};
+    const std::size_t first = large_count_ * large_ + (block - large_count_) * small_;
+    return {first, std::min(small_, rows_ - first)};
+  }
+
+ private:
+  std::size_t rows_;
+  std::size_t large_ = 1;
+  std::size_t small_ = 1;
+  std::size_t large_count_ = 0;
+  std::size_t count_ = 0;
+};
 
 struct Encoded {
   std::vector<std::byte> bytes;
   ConversionTally tally;
-  std::size_t first_row = 0;
-  std::size_t rows = 0;
+  Rows rows;
 };
 
 // No file may hold samples that are no numbers, whatever sum of extremes led to them.
@@ -40,45 +66,52 @@ void expect_finite(std::span<const std::complex<double>> row, std::size_t number
     throw std::overflow_error(fmt::format("row {} of the recording holds samples that are too large", number + 1));
 }
 
-// Each thread's own workshop: from a block number to the bytes of the block.
+// Each thread's own workshop: from some rows to their bytes, one after the other, so that all that happens to a row
+// happens in a near cache.
 class BlockMaker {
  public:
-  BlockMaker(const Plan& plan, const Sink* sink, double lsb_v, const StopFlag* stop)
-      : plan_(plan), sink_(sink), lsb_v_(lsb_v), stop_(stop), rows_(plan) {}
+  BlockMaker(const Plan& plan, const Blocks& blocks, const Sink* sink, double lsb_v, const StopFlag* stop)
+      : plan_(plan), blocks_(blocks), sink_(sink), lsb_v_(lsb_v), stop_(stop), rows_(plan), volts_(plan.columns) {
+    if (sink_ != nullptr && sink_->wants_counts()) counts_.resize(2 * plan.columns);
+  }
 
   Encoded operator()(std::size_t block) {
     Encoded result;
-    result.first_row = block * rows_per_block(plan_);
-    result.rows = std::min(rows_per_block(plan_), plan_.rows - result.first_row);
-    volts_.resize(result.rows * plan_.columns);
-    for (std::size_t r = 0; r < result.rows; ++r) {
+    const Rows rows = result.rows = blocks_[block];
+    for (std::size_t row = rows.first; row < rows.first + rows.count; ++row) {
       if (stop_ != nullptr && stop_->requested()) throw Interrupted();
-      const auto row = std::span(volts_).subspan(r * plan_.columns, plan_.columns);
-      rows_.make_row(result.first_row + r, row);
-      expect_finite(row, result.first_row + r);
+      rows_.make_row(row, volts_);
+      expect_finite(volts_, row);
+      convert(result.tally);
+      if (sink_ != nullptr) encode(row, result);
     }
-    if (sink_ == nullptr) {
-      result.tally.maximum_v = largest_magnitude(volts_);
-      return result;
-    }
-    convert(result);
-    const Block ready{result.first_row, result.rows, plan_.columns, volts_, counts_};
-    result.bytes = sink_->encode(ready);
     return result;
   }
 
  private:
-  void convert(Encoded& result) {
-    if (sink_->wants_counts()) counts_.resize(2 * volts_.size());
-    if (lsb_v_ > 0.0) {
-      Converter{plan_.simulation.bits, lsb_v_}.convert(volts_, counts_, result.tally);
+  void convert(ConversionTally& tally) {
+    if (sink_ != nullptr && lsb_v_ > 0.0) {
+      Converter{plan_.simulation.bits, lsb_v_}.convert(volts_, counts_, tally);
       return;
     }
-    result.tally.maximum_v = largest_magnitude(volts_);
-    result.tally.zero = static_cast<std::uint64_t>(std::ranges::count(volts_, std::complex<double>()));
+    ConversionTally row;
+    row.maximum_v = largest_magnitude(volts_);
+    if (sink_ != nullptr) row.zero = static_cast<std::uint64_t>(std::ranges::count(volts_, std::complex<double>()));
+    tally.add(row);
+  }
+
+  void encode(std::size_t row, Encoded& result) const {
+    std::vector<std::byte> bytes = sink_->encode({row, 1, plan_.columns, volts_, counts_});
+    if (result.rows.count == 1) {
+      result.bytes = std::move(bytes);
+      return;
+    }
+    if (row == result.rows.first) result.bytes.reserve(result.rows.count * (bytes.size() + bytes.size() / 16));
+    result.bytes.insert(result.bytes.end(), bytes.begin(), bytes.end());
   }
 
   const Plan& plan_;
+  const Blocks& blocks_;
   const Sink* sink_;
   double lsb_v_;
   const StopFlag* stop_;
@@ -89,12 +122,13 @@ class BlockMaker {
 
 template <class Consume>
 void run_blocks(const Plan& plan, const Sink* sink, double lsb_v, const RunControl& control, const Consume& consume) {
-  const std::size_t blocks = (plan.rows + rows_per_block(plan) - 1) / rows_per_block(plan);
+  const Blocks blocks(plan);
   ordered_parallel<Encoded>(
-      blocks, thread_count(control.threads), [&] { return BlockMaker(plan, sink, lsb_v, control.stop); },
+      blocks.count(), thread_count(control.threads),
+      [&] { return BlockMaker(plan, blocks, sink, lsb_v, control.stop); },
       [&](std::size_t, Encoded&& block) {
         consume(block);
-        if (control.progress) control.progress({block.first_row + block.rows, plan.rows, plan.columns});
+        if (control.progress) control.progress({block.rows.first + block.rows.count, plan.rows, plan.columns});
       },
       control.stop);
 }
@@ -113,7 +147,7 @@ RunReport run(const Plan& plan, double lsb_v, Sink& sink, const RunControl& cont
   const auto begin = std::chrono::steady_clock::now();
   ConversionTally tally;
   run_blocks(plan, &sink, lsb_v, control, [&](const Encoded& block) {
-    sink.append(block.bytes, block.first_row, block.rows);
+    sink.append(block.bytes, block.rows.first, block.rows.count);
     tally.add(block.tally);
   });
   const double full_scale = full_scale_count(plan.simulation.bits);
