@@ -52,6 +52,10 @@ class PlatformFinder {
 ObjectTreeModel::ObjectTreeModel(Session& session, QObject* parent) : QAbstractItemModel(parent), session_(session) {
   connect(&session_, &Session::scene_changed, this, &ObjectTreeModel::refresh);
   connect(&session_, &Session::hidden_changed, this, &ObjectTreeModel::announce_all);
+  connect(&session_, &Session::problems_changed, this, [this] {
+    read_problems();
+    announce_all();
+  });
   refresh();
 }
 
@@ -140,7 +144,7 @@ void ObjectTreeModel::index_rows() {
 
 void ObjectTreeModel::read_problems() {
   troubles_.clear();
-  for (const Problem& problem : session_.document().problems()) {
+  for (const Problem& problem : session_.problems()) {
     const auto kind = kind_named(problem.subject.kind);
     if (!kind || problem.severity == Severity::note) continue;
     const auto [entry, is_new] = troubles_.try_emplace({*kind, problem.subject.index});

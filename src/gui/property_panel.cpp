@@ -86,6 +86,11 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   connect(&derived_timer_, &QTimer::timeout, this, &PropertyPanel::fill_derived);
   connect(&session_, &Session::scene_changed, this, &PropertyPanel::refresh);
   connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh);
+  connect(&session_, &Session::problems_changed, this, [this] {
+    if (committing_) return;
+    fill_problems();
+    arrange();
+  });
   connect(&session_, &Session::time_changed, this, [this] {
     if (subject_.single() && !derived_timer_.isActive()) derived_timer_.start();
   });
@@ -204,7 +209,7 @@ void PropertyPanel::fill_problems() {
   std::map<QString, std::vector<Problem>> at_field;
   Severity worst = Severity::note;
   QStringList elsewhere;
-  for (const Problem& problem : session_.document().problems()) {
+  for (const Problem& problem : session_.problems()) {
     if (!subject_.concerns(problem.subject)) continue;
     const QString id = QString::fromStdString(subject_.field_of(problem.subject.field));
     if (editors_.contains(id) && subject_.applies(id.toStdString())) {

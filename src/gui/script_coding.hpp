@@ -2,8 +2,12 @@
 
 #include <QString>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "view/text_change.hpp"
 
 namespace sarsim {
 
@@ -25,6 +29,24 @@ struct ScriptCoding {
 [[nodiscard]] QString decoded(std::string_view text, const ScriptCoding& coding);
 /// Back to bytes. Characters that Latin-1 has not turn the whole text into UTF-8.
 [[nodiscard]] std::string encoded(const QString& text, const ScriptCoding& coding);
+
+/// A stretch of a decoded text put in place of another.
+struct DecodedChange {
+  int at = 0;
+  int removed = 0;
+  QString put_in;
+};
+
+/// What changes of the bytes are to the decoded text, to be made in turn. Takes a fraction of the time of decoding;
+/// where only decoding all of the text would tell, because of characters of several bytes or line ends cut through,
+/// nothing.
+///
+/// @param forwards  the changes were applied, rather than reverted
+/// @param text      after that
+/// @param coding    of the text before
+[[nodiscard]] std::optional<std::vector<DecodedChange>> decoded_changes(const TextChanges& changes, bool forwards,
+                                                                        std::string_view text,
+                                                                        const ScriptCoding& coding);
 
 /// Position in a decoded line (from 0) of a column in bytes (from 1); the line's length for a column beyond its end.
 [[nodiscard]] int position_of_column(const QString& line, std::size_t column, const ScriptCoding& coding);

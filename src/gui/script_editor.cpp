@@ -26,6 +26,7 @@ constexpr int pause_ms = 300;
 constexpr int run_end_ms = 2000;
 constexpr int problems_ms = 100;
 constexpr std::size_t most_listed = 500;
+constexpr std::size_t most_splices = 30;  // beyond, one that spans them all is quicker
 
 // What stands between the common beginning and the common end of two texts.
 struct Difference {
@@ -167,6 +168,8 @@ void ScriptEditor::take_document() {
   coding_ = coding_of(session_.document().text());
   shared_ = decoded(session_.document().text(), coding_);
   stale_ = false;
+  agreed_ = true;
+  revision_ = session_.document().revision();
   splicing_ = true;
   text_->set_script(shared_);
   splicing_ = false;
@@ -180,20 +183,42 @@ void ScriptEditor::showEvent(QShowEvent* event) {
   if (stale_) take_session_text();
 }
 
-// Puts in what the session changed since the two last agreed. What was typed meanwhile elsewhere in the text stays, and
-// is given to the session in its turn; where both changed the same place the session's text counts.
+// Puts in what the session changed since the two last agreed.
 void ScriptEditor::take_session_text() {
   if (!isVisible() && !pause_.isActive()) {
     stale_ = true;
     return;
   }
-  stale_ = false;
+  if (std::exchange(stale_, false) || !take_last_changes()) take_whole_text();
+  revision_ = session_.document().revision();
+  problems_soon_.start();
+}
+
+// The usual case, a drag for instance: one step more than is shown, and nothing typed. Costs little in a long script.
+bool ScriptEditor::take_last_changes() {
+  const Document& document = session_.document();
+  if (!agreed_) return false;
+  if (document.revision() == revision_) return true;
+  if (document.revision() != revision_ + 1 || !document.last_edit()) return false;
+  const auto& [edit, forwards] = *document.last_edit();
+  if (edit.script.changes.size() > most_splices) return false;
+  const auto changes = decoded_changes(edit.script.changes, forwards, document.text(), coding_);
+  if (!changes) return false;
+  splicing_ = true;
+  for (const DecodedChange& change : *changes) {
+    shared_.replace(change.at, change.removed, change.put_in);
+    text_->splice(change.at, change.removed, change.put_in);
+  }
+  splicing_ = false;
+  return true;
+}
+
+// What was typed meanwhile elsewhere in the text stays, and is given to the session in its turn; where both changed the
+// same place the session's text counts.
+void ScriptEditor::take_whole_text() {
   coding_ = coding_of(session_.document().text());
   QString now = decoded(session_.document().text(), coding_);
-  if (now == shared_) {
-    problems_soon_.start();
-    return;
-  }
+  if (now == shared_) return;
   const QString typed = text_->script();
   Difference change = difference_of(shared_, now);
   bool still_typing = false;
@@ -210,21 +235,25 @@ void ScriptEditor::take_session_text() {
   splicing_ = true;
   text_->splice(change.at, change.removed, change.put_in);
   splicing_ = false;
+  agreed_ = !still_typing;
   if (!still_typing) pause_.stop();
-  problems_soon_.start();
 }
 
 void ScriptEditor::note_typing() {
   if (splicing_) return;
+  agreed_ = false;
   pause_.start();
 }
 
 void ScriptEditor::commit() {
   pause_.stop();
+  if (agreed_ || stale_) return;
   QString typed = text_->script();
-  if (stale_ || typed == shared_) return;
+  agreed_ = typed == shared_;
+  if (agreed_) return;
   shared_ = typed;
-  session_.type_text(encoded(typed, coding_));
+  session_.type_text(encoded(typed, coding_));  // Not to be taken back as a change made elsewhere: still not agreed.
+  agreed_ = true;
   run_end_.start();
   refresh_problems();
 }
@@ -235,7 +264,7 @@ bool ScriptEditor::in_script(const Place& place) const {
 
 void ScriptEditor::refresh_problems() {
   problems_soon_.stop();
-  const Problems& found = session_.document().problems();
+  const Problems& found = session_.problems();
   places_.clear();
   problems_->clear();
   std::vector<Problem> here;

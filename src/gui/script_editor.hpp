@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <cstdint>
 #include <vector>
 
 #include "gui/script_coding.hpp"
@@ -46,6 +47,8 @@ class ScriptEditor : public QWidget {
   void connect_text();
   void take_document();
   void take_session_text();
+  [[nodiscard]] bool take_last_changes();
+  void take_whole_text();
   void note_typing();
   void refresh_problems();
   void show_position();
@@ -64,10 +67,12 @@ class ScriptEditor : public QWidget {
   QTimer run_end_;  // after which typing is another step of undo
   QTimer problems_soon_;
   ScriptCoding coding_;
-  QString shared_;             // the text that editor and session had in common last
-  bool stale_ = false;         // the session's text changed while nobody looked
-  bool splicing_ = false;      // the session's text is being put in
-  std::vector<Place> places_;  // of the lines of the list
+  QString shared_;              // the text that editor and session had in common last
+  bool stale_ = false;          // the session's text changed while nobody looked
+  bool agreed_ = true;          // nothing was typed since
+  std::uint64_t revision_ = 0;  // of the document then
+  bool splicing_ = false;       // the session's text is being put in
+  std::vector<Place> places_;   // of the lines of the list
 };
 
 /// A file name as one word for a shell.

@@ -1,11 +1,24 @@
 #include "gui/session.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace sarsim {
 
-Session::Session(QObject* parent) : QObject(parent) {}
+namespace {
+
+// A hand that rests as long has paused.
+constexpr int pause_ms = 150;
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+  problems_soon_.setSingleShot(true);
+  problems_soon_.setInterval(pause_ms);
+  connect(&problems_soon_, &QTimer::timeout, this, &Session::find_put_off_problems);
+  look_for_problems();
+}
 
 void Session::take(Document document) {
   document_ = std::move(document);
@@ -13,6 +26,7 @@ void Session::take(Document document) {
   current_.reset();
   hidden_.clear();
   time_s_ = 0.0;
+  look_for_problems();
   emit document_replaced();
   emit time_changed(time_s_);
   emit hidden_changed();
@@ -22,15 +36,29 @@ void Session::take(Document document) {
 
 void Session::perform(Edit edit) {
   if (edit.changes.empty() && !edit.options_after) return;
+  const bool in_run = !edit.merge_key.empty();
+  const std::uint64_t revision = document_.revision();
   document_.perform(std::move(edit));
-  follow_last_edit();
+  if (in_run)
+    problems_soon_.stop();
+  else
+    look_for_problems();
+  // Also where nothing came of it: a window shows what was asked for and has to go back.
+  if (document_.revision() != revision) follow_last_edit();
   announce();
+  if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
 }
 
-void Session::end_run() { document_.end_run(); }
+void Session::end_run() {
+  document_.end_run();
+  if (problems_soon_.isActive()) find_put_off_problems();
+}
 
 void Session::type_text(const std::string& text) {
+  const std::uint64_t revision = document_.revision();
   document_.type_text(text);
+  if (document_.revision() == revision) return;
+  look_for_problems();
   follow_last_edit();
   announce();
 }
@@ -38,6 +66,7 @@ void Session::type_text(const std::string& text) {
 void Session::undo() {
   if (!document_.history().can_undo()) return;
   document_.undo();
+  look_for_problems();
   follow_last_edit();
   announce();
 }
@@ -45,6 +74,7 @@ void Session::undo() {
 void Session::redo() {
   if (!document_.history().can_redo()) return;
   document_.redo();
+  look_for_problems();
   follow_last_edit();
   announce();
 }
@@ -52,6 +82,7 @@ void Session::redo() {
 void Session::save(const std::filesystem::path& path) {
   document_.save(path);
   emit document_changed();
+  find_put_off_problems();  // They name the file, and data files are looked for beside it.
 }
 
 void Session::select(std::set<ObjectId> objects) {
@@ -115,6 +146,16 @@ void Session::follow_last_edit() {
   const bool same = selected == selection_;
   selection_ = selected;
   if (!same) emit selection_changed();
+}
+
+void Session::look_for_problems() {
+  problems_soon_.stop();
+  problems_ = document_.problems();
+}
+
+void Session::find_put_off_problems() {
+  look_for_problems();
+  emit problems_changed();
 }
 
 void Session::announce() {

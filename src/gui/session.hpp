@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include <optional>
 #include <set>
@@ -34,6 +35,11 @@ class Session : public QObject {
   /// Throws what Document::save throws.
   void save(const std::filesystem::path& path);
 
+  /// Problems of the document as far as they are known, for windows that show them. Looked for at once after a single
+  /// edit; during a run of merged edits (a drag, a spin box) only when it pauses, because that reads the whole script.
+  /// Until then they are those of before the run, about the same objects.
+  [[nodiscard]] const Problems& problems() const { return problems_; }
+
   [[nodiscard]] const std::set<ObjectId>& selection() const { return selection_; }
   /// The object that panels show: the one selected last, if any.
   [[nodiscard]] std::optional<ObjectId> current() const { return current_; }
@@ -53,6 +59,7 @@ class Session : public QObject {
  signals:
   void scene_changed();      ///< The scene is another one: any object may have changed.
   void text_changed();       ///< The script text is another one.
+  void problems_changed();   ///< Problems were looked for while the scene stayed as it was: a run paused.
   void document_changed();   ///< Path or unsaved mark changed, or another document was taken.
   void document_replaced();  ///< Another document was taken.
   void selection_changed();
@@ -63,12 +70,16 @@ class Session : public QObject {
  private:
   void follow_last_edit();
   void announce();
+  void look_for_problems();
+  void find_put_off_problems();
 
   Document document_;
   std::set<ObjectId> selection_;
   std::optional<ObjectId> current_;
   std::set<ObjectId> hidden_;
   double time_s_ = 0.0;
+  Problems problems_;
+  QTimer problems_soon_;
 };
 
 }  // namespace sarsim

@@ -19,6 +19,7 @@ TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstrac
   rows_ = wanted_rows();
   read_problems();
   connect(&session_, &Session::scene_changed, this, &TargetTableModel::refresh);
+  connect(&session_, &Session::problems_changed, this, &TargetTableModel::refresh);
 }
 
 void TargetTableModel::set_platform(const std::optional<std::string>& platform) {
@@ -96,7 +97,7 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
 // The first problem of each cell.
 void TargetTableModel::read_problems() {
   problems_.clear();
-  for (const Problem& problem : session_.document().problems()) {
+  for (const Problem& problem : session_.problems()) {
     if (problem.subject.kind != "target") continue;
     const int column = column_of(std::string(field_of_problem(ObjectKind::target, problem.subject.field)));
     if (column >= 0) problems_.try_emplace({problem.subject.index, column}, problem);

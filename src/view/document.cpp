@@ -117,7 +117,7 @@ void Document::perform(Edit edit) {
   NewText next = text_after(edit, loader);
   edit.script = {std::move(next.changes), text_broken_, false};
   history_.perform(edit, scene_);
-  last_edit_ = LastEdit{std::move(edit), true};
+  note_edit(std::move(edit), true);
   text_ = std::move(next.text);
   commands_ = std::move(next.commands);
   text_broken_ = false;
@@ -135,7 +135,7 @@ void Document::type_text(std::string text) {
   edit.merge_key = "script";
   edit.script = {text_difference(text_, text), text_broken_, broken};
   history_.perform(edit, scene_);
-  last_edit_ = LastEdit{std::move(edit), true};
+  note_edit(std::move(edit), true);
   if (!broken) {
     sound_text_.reset();
     commands_ = find_commands(text);
@@ -151,6 +151,11 @@ void Document::undo() { follow_history(history_.undo(scene_), false); }
 
 void Document::redo() { follow_history(history_.redo(scene_), true); }
 
+void Document::note_edit(Edit edit, bool forwards) {
+  last_edit_ = LastEdit{std::move(edit), forwards};
+  ++revision_;
+}
+
 // Does to the text what a step of the history has done to the scene.
 void Document::follow_history(const Edit& edit, bool forwards) {
   text_ = forwards ? apply_changes(text_, edit.script.changes) : revert_changes(text_, edit.script.changes);
@@ -158,7 +163,7 @@ void Document::follow_history(const Edit& edit, bool forwards) {
   sound_text_.reset();
   commands_ = text_broken_ ? CommandPlaces{} : find_commands(text_);
   data_.follow(edit, forwards, disk());
-  last_edit_ = LastEdit{edit, forwards};
+  note_edit(edit, forwards);
   findings_.reset();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -67,6 +68,9 @@ class Document {
     bool forwards = true;
   };
   [[nodiscard]] const std::optional<LastEdit>& last_edit() const { return last_edit_; }
+  /// How many edits were applied, in either direction. One that changed nothing is none, and `last_edit` is still the
+  /// one before.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   /// Writes the text to a file, completely or not at all, and makes it this document's. Throws std::runtime_error that
   /// names the file and the cause.
@@ -90,6 +94,7 @@ class Document {
 
   void load(std::string text);
   void follow_history(const Edit& edit, bool forwards);
+  void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
   [[nodiscard]] ScriptReading read(const std::string& text) const;
   [[nodiscard]] DataFileLoader disk() const;
@@ -107,6 +112,7 @@ class Document {
   mutable std::optional<Findings> findings_;
   History history_;
   std::optional<LastEdit> last_edit_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace sarsim
