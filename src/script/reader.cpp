@@ -107,6 +107,13 @@ void append(std::vector<Object>& list, std::vector<Object>&& more, double share)
   std::ranges::move(more, std::back_inserter(list));
 }
 
+// Pieces enough that threads end at about the same time, none of them so short that joining it would cost more.
+std::size_t fair_piece_bytes(std::size_t script_bytes, std::size_t most) {
+  constexpr std::size_t fair_pieces = 16;
+  constexpr std::size_t shortest = std::size_t{1} << 16;
+  return std::min(most, std::max(script_bytes / fair_pieces, shortest));
+}
+
 // Reads a script in pieces: on several threads each by itself, then joined in their order. The outcome is that of
 // reading them one after the other, into one scene.
 class PiecewiseReader {
@@ -116,7 +123,7 @@ class PiecewiseReader {
         loader_(loader),
         whole_(whole),
         control_(control),
-        pieces_(cut(whole, control.piece_bytes, control.work)),
+        pieces_(cut(whole, fair_piece_bytes(whole.text().size(), control.piece_bytes), control.work)),
         joined_{whole, ProblemLog(problem_limit), {}, file, loader} {}
 
   ScriptReading read() {

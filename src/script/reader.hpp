@@ -23,7 +23,8 @@ struct ScriptReading {
 /// How a script is read; nothing here can change what is found.
 struct ReadControl {
   WorkControl work;
-  std::size_t piece_bytes = std::size_t{1} << 16;  ///< Scripts longer than this are read in pieces, by all threads.
+  /// Scripts are read by all threads in pieces of about so many bytes; shorter ones of scripts that have few of them.
+  std::size_t piece_bytes = std::size_t{1} << 18;
 };
 
 /// Reads a script in any dialect of the language (docs/formats/script.md).
