@@ -89,7 +89,10 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
   follow_scene();
 }
 
-GeometryWindow::~GeometryWindow() = default;
+// A field that goes while it has the keyboard says once more that it is finished.
+GeometryWindow::~GeometryWindow() {
+  for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
 
 void GeometryWindow::connect_all() {
   soon_.setSingleShot(true);

@@ -19,6 +19,7 @@
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
+#include "gui/help_key.hpp"
 #include "gui/help_window.hpp"
 #include "gui/import_dialog.hpp"
 #include "gui/main_window.hpp"
@@ -67,9 +68,12 @@ void MainWindow::make_menus() {
 
 void MainWindow::make_file_menu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] { documents_->make_new(); });
+  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] {
+    commit_typed();
+    documents_->make_new();
+  });
   add_action(file, tr("&Open…"), "file_open", QKeySequence::Open, [this] {
-    script_->commit();
+    commit_typed();
     documents_->open();
   });
   recent_ = file->addMenu(tr("Open &Recent"));
@@ -77,16 +81,16 @@ void MainWindow::make_file_menu() {
   const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
   for (const QString& name : folder.entryList({"*.scr"}, QDir::Files, QDir::Name))
     connect(examples->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
-      if (documents_->may_close()) documents_->open_file(path);
+      if (may_go()) documents_->open_example(path);
     });
   examples->setEnabled(!examples->isEmpty());
   file->addSeparator();
   add_action(file, tr("&Save"), "file_save", QKeySequence::Save, [this] {
-    script_->commit();
+    commit_typed();
     documents_->save();
   });
   add_action(file, tr("Save &As…"), "file_save_as", QKeySequence::SaveAs, [this] {
-    script_->commit();
+    commit_typed();
     documents_->save_as();
   });
   file->addSeparator();
@@ -192,6 +196,7 @@ void MainWindow::make_simulation_menu() {
   add_action(
       simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
       [this] {
+        commit_typed();
         docks_["simulations"]->show();
         docks_["simulations"]->raise();
         if (!simulations_->chosen() && !session_.scene().simulations.empty())
@@ -262,7 +267,13 @@ void MainWindow::make_view_menu() {
 
 void MainWindow::make_help_menu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add_action(help, tr("&Contents"), "help_contents", QKeySequence::HelpContents, [this] { show_help(); });
+  add_action(help, tr("&Contents"), "help_contents", {}, [this] { show_help({"README.md", {}}); });
+  add_action(
+      help, tr("Help on This &Window"), "help_window_page", QKeySequence::HelpContents,
+      [this] { show_help(help_place_of(focusWidget())); },
+      tr("The page of the guide for the panel that has the keyboard"));
+  connect(new HelpKey(this), &HelpKey::pressed, this,
+          [this](const QWidget* where) { show_help(help_place_of(where)); });
   add_action(help, tr("&About"), "help_about", {}, [this] { show_about(); });
 }
 
@@ -324,12 +335,16 @@ void MainWindow::show_focus() {
   scene_->focus_on({wanted[0], wanted[1], wanted[2]});
 }
 
-void MainWindow::show_help(const QString& page) {
-  auto* help = findChild<HelpWindow*>("help_window");
-  if (help == nullptr) help = new HelpWindow(this);
-  help->show_page(page.isEmpty() ? QString("README.md") : page);
-  help->show();
+// A dialog that holds up the rest of the program must not hold up its own help.
+void MainWindow::show_help(const HelpPlace& place) {
+  QWidget* parent = QApplication::activeModalWidget();
+  if (parent == nullptr || qobject_cast<HelpWindow*>(parent) != nullptr) parent = this;
+  auto* help = parent->findChild<HelpWindow*>("help_window", Qt::FindDirectChildrenOnly);
+  if (help == nullptr) help = new HelpWindow(parent);
+  help->show();  // before the page, which is scrolled in a window that has its size
+  help->show_page(place.page, place.heading);
   help->raise();
+  help->activateWindow();
 }
 
 void MainWindow::show_about() {
@@ -354,7 +369,7 @@ QWidget* MainWindow::window_named(const QString& name) {
   }
   if (name == "geometry") return show_geometry(), geometry_;
   if (name == "targets") return show_targets(), targets_;
-  if (name == "help") return show_help(), findChild<HelpWindow*>("help_window");
+  if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
   if (name == "import") return new ImportDialog(session_, this);
   if (name != "function") return nullptr;

@@ -16,6 +16,7 @@ namespace sarsim {
 
 class DocumentKeeper;
 class GeometryWindow;
+struct HelpPlace;
 class ObjectTree;
 class PropertyPanel;
 class ScenePanel;
@@ -63,6 +64,8 @@ class MainWindow : public QMainWindow {
   void fill_recent();
   void show_title();
   void show_state();
+  void commit_typed();
+  bool may_go();
   void add_new(AnyObject object);
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);
@@ -71,7 +74,7 @@ class MainWindow : public QMainWindow {
   void show_targets();
   void show_focus();
   void show_commands();
-  void show_help(const QString& page = QString());
+  void show_help(const HelpPlace& place);
   void show_about();
   void size_docks();
   void restore_layout();

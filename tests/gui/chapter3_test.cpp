@@ -77,9 +77,11 @@ class Hands {
     QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (dialog == nullptr || !dialog->isVisible()) return;
-      answer.stop();
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
       if (name == nullptr) qFatal("the dialog has no field for the name");
+      name->setFocus();
+      if (!name->hasFocus()) return;  // the dialog is still being brought up
+      answer.stop();
       QTest::keyClick(name, Qt::Key_A, Qt::ControlModifier);
       QTest::keyClicks(name, path);
       typed = true;
