@@ -108,6 +108,7 @@ void MainWindow::make_edit_menu() {
     session_.undo();
   });
   QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   const auto show = [this, undo, redo] {
     const History& history = session_.document().history();
     undo->setEnabled(history.can_undo());
@@ -121,6 +122,15 @@ void MainWindow::make_edit_menu() {
   add_action(edit, tr("&Modify"), "edit_modify", {}, [this] {
     if (session_.current()) edit_object(*session_.current());
   });
+  QMenu* functions = edit->addMenu(tr("&Functions"));
+  functions->setObjectName("edit_functions");
+  const auto offer = [this, functions] {
+    fill_functions(functions);
+    functions->setEnabled(!functions->isEmpty());
+  };
+  connect(&session_, &Session::selection_changed, this, offer);
+  connect(&session_, &Session::scene_changed, this, offer);
+  offer();
   add_action(edit, tr("&Delete"), "edit_delete", {}, [this] { tree_->delete_selection(); });
   add_action(edit, tr("Du&plicate"), "edit_duplicate", QKeySequence("Ctrl+D"),
              [this] { tree_->duplicate_selection(); });
@@ -260,6 +270,12 @@ void MainWindow::make_view_menu() {
   QMenu* panels = view->addMenu(tr("&Windows"));
   for (const char* name : {"objects", "properties", "script", "simulations", "log"})
     panels->addAction(docks_[name]->toggleViewAction());
+  add_action(
+      view, tr("&Next Panel"), "view_next_panel", QKeySequence("F6"), [this] { go_to_panel(1); },
+      tr("Take the keyboard to the next panel"));
+  add_action(
+      view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
+      tr("Take the keyboard to the panel before"));
   add_action(
       view, tr("Reset &Layout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <vector>
 
 #include "gui/appearance.hpp"
 #include "gui/session.hpp"
@@ -69,6 +70,9 @@ class MainWindow : public QMainWindow {
   void add_new(AnyObject object);
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);
+  [[nodiscard]] std::vector<QWidget*> panels_in_view() const;
+  void go_to_panel(int step);
+  void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
   void show_geometry();
   void show_targets();
