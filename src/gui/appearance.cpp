@@ -1,7 +1,12 @@
 #include "gui/appearance.hpp"
 
 #include <QApplication>
+#include <QPainter>
+#include <QProxyStyle>
 #include <QStyle>
+#include <QStyleOption>
+
+#include "gui/palette_colours.hpp"
 
 namespace sarsim {
 
@@ -23,7 +28,45 @@ Tones tones_of(bool dark) {
           QColor(rgb(0x2f65a5)), QColor(rgb(0xffffff)), QColor(rgb(0x0b57b5))};
 }
 
+class WorkbenchStyle : public QProxyStyle {
+ public:
+  WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (!is_dark(option->palette)) return;
+    const QRectF rect = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    const bool focus = option->state.testFlag(State_HasFocus);  // Fusion has a rim of its own for it.
+    if (element == PE_FrameLineEdit && !focus)
+      draw_rim(*painter, option, [&] { painter->drawRoundedRect(rect, 2, 2); });
+    if (element == PE_IndicatorCheckBox) draw_rim(*painter, option, [&] { painter->drawRect(rect); });
+    if (element == PE_IndicatorRadioButton) draw_rim(*painter, option, [&] { painter->drawEllipse(rect); });
+  }
+
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget) const override {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (control != CC_SpinBox || !is_dark(option->palette) || option->state.testFlag(State_HasFocus)) return;
+    const QRectF rect = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    draw_rim(*painter, option, [&] { painter->drawRoundedRect(rect, 2, 2); });
+  }
+
+ private:
+  template <class Draw>
+  static void draw_rim(QPainter& painter, const QStyleOption* option, const Draw& draw) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(option->state.testFlag(State_Enabled) ? QColor(rgb(0x7d8288)) : QColor(rgb(0x55595e)));
+    draw();
+    painter.restore();
+  }
+};
+
 }  // namespace
+
+QStyle* make_style() { return new WorkbenchStyle; }
 
 QPalette palette_of(bool dark) {
   const Tones t = tones_of(dark);

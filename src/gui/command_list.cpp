@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <string>
@@ -22,6 +24,32 @@ QString words_of(const QAction& action) {
   return group.isEmpty() ? text : group + ": " + text;
 }
 
+constexpr int keys_role = Qt::UserRole + 1;
+
+// A command at the left, its keys at the right.
+class CommandDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    const bool chosen = option.state.testFlag(QStyle::State_Selected);
+    painter->setPen(option.palette.color(chosen ? QPalette::HighlightedText : QPalette::PlaceholderText));
+    painter->setFont(option.font);
+    painter->drawText(option.rect.adjusted(0, 0, -gap(option), 0), Qt::AlignRight | Qt::AlignVCenter,
+                      index.data(keys_role).toString());
+  }
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const QSize words = QStyledItemDelegate::sizeHint(option, index);
+    const int keys = option.fontMetrics.horizontalAdvance(index.data(keys_role).toString());
+    return {words.width() + keys + 3 * gap(option), option.fontMetrics.height() * 3 / 2};
+  }
+
+ private:
+  static int gap(const QStyleOptionViewItem& option) { return option.fontMetrics.height() / 2; }
+};
+
 }  // namespace
 
 CommandList::CommandList(const QList<QAction*>& actions, QWidget* parent)
@@ -35,6 +63,7 @@ CommandList::CommandList(const QList<QAction*>& actions, QWidget* parent)
   field_->setAccessibleName(tr("Search of commands"));
   field_->installEventFilter(this);
   list_->setObjectName("command_matches");
+  list_->setItemDelegate(new CommandDelegate(list_));
   list_->setAccessibleName(tr("Commands that match"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(field_);
@@ -52,8 +81,10 @@ void CommandList::search() {
   for (const std::size_t i : ranked_matches(field_->text().toStdString(), texts)) {
     const QAction* action = actions_[static_cast<qsizetype>(i)];
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(words_of(*action) + (keys.isEmpty() ? QString() : "\t" + keys), list_);
+    auto* item = new QListWidgetItem(words_of(*action), list_);
     item->setData(Qt::UserRole, static_cast<int>(i));
+    item->setData(keys_role, keys);
+    item->setData(Qt::AccessibleTextRole, keys.isEmpty() ? item->text() : item->text() + ", " + keys);
     item->setToolTip(action->toolTip());
   }
   list_->setCurrentRow(0);

@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QStyleOptionButton>
+#include <QStylePainter>
 #include <QWheelEvent>
 
 #include <utility>
@@ -245,12 +247,28 @@ class CheckField : public FieldEditor {
   bool showing_ = false;
 };
 
+// A button whose text gives way at its end where there is too little room.
+class ElidingButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    const int room = style()->subElementRect(QStyle::SE_PushButtonContents, &option, this).width();
+    option.text = fontMetrics().elidedText(option.text, Qt::ElideRight, room);
+    QStylePainter(this).drawControl(QStyle::CE_PushButton, option);
+  }
+};
+
 // A summary that opens the function editor.
 class FunctionField : public FieldEditor {
  public:
-  FunctionField(const Field& field, QWidget* parent) : FieldEditor(field, parent), button_(new QPushButton(parent)) {
+  FunctionField(const Field& field, QWidget* parent) : FieldEditor(field, parent), button_(new ElidingButton(parent)) {
     describe(button_, true);
     button_->setAutoDefault(false);
+    button_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // A long summary widens no panel.
     connect(button_, &QPushButton::clicked, this, [this] { emit opened(); });
   }
 

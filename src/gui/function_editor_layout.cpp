@@ -64,6 +64,7 @@ void FunctionEditor::make_layout() {
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);  // What is in it takes the keys.
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidget(controls);
   area->setMinimumWidth(controls->sizeHint().width() + fontMetrics().height() * 2);
@@ -205,6 +206,8 @@ QWidget* FunctionEditor::make_graph() {
     *action = new QAction(this);
     auto* button = new QToolButton(page);
     button->setDefaultAction(*action);
+    button->setObjectName(action == &undo_ ? "function_undo_button" : "function_redo_button");
+    button->setAccessibleName(action == &undo_ ? tr("Undo") : tr("Redo"));
     row->addWidget(button);
   }
   auto* layout = new QVBoxLayout(page);

@@ -65,6 +65,7 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
 
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
+  area->setFocusPolicy(Qt::NoFocus);  // What is in it takes the keys.
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setWidget(make_controls());
   area->setMinimumWidth(area->widget()->sizeHint().width() + fontMetrics().height() * 2);
@@ -87,6 +88,7 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
 
   connect_all();
   follow_scene();
+  resize(fontMetrics().averageCharWidth() * 180, fontMetrics().height() * 46);
 }
 
 // A field that goes while it has the keyboard says once more that it is finished.

@@ -22,6 +22,7 @@ constexpr NamedPlace places[] = {
     {"object_tree_panel", workbench, "Objects"},
     {"property_panel", workbench, "Values"},
     {"function_editor", workbench, "Functions"},
+    {"simulation_window", workbench, "Simulation windows"},
     {"stored_simulations", workbench, "Stored simulations"},
     {"target_table_dialog", workbench, "Many targets"},
     {"import_dialog", workbench, "Many targets"},

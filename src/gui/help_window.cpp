@@ -9,6 +9,9 @@
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 namespace sarsim {
@@ -36,6 +39,8 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new QTextBro
   browser_->setObjectName("help_page");
   browser_->setAccessibleName(tr("Page of the guide"));
   browser_->setOpenLinks(false);
+  browser_->document()->setDocumentMargin(12);
+  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpWindow::lay_out_tables);
   if (!folder().isEmpty()) browser_->setSearchPaths({folder()});
   auto* buttons = new QDialogButtonBox;
   auto* back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
@@ -58,6 +63,25 @@ QString HelpWindow::folder() {
   for (const char* place : {"../share/doc/sarsim", "../../../docs", "../../docs", "../../../../docs"})
     if (program.exists(QString(place) + "/README.md")) return QDir::cleanPath(program.absoluteFilePath(place));
   return {};
+}
+
+// Rows of a table are told apart by one fine line, words by some room.
+void HelpWindow::lay_out_tables() {
+  const QColor line = palette().color(QPalette::PlaceholderText);
+  for (QTextFrame* frame : browser_->document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1);
+    format.setBorderBrush(line);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setCellPadding(5);
+    format.setCellSpacing(0);
+    format.setTopMargin(6);
+    format.setBottomMargin(6);
+    table->setFormat(format);
+  }
 }
 
 void HelpWindow::show_page(const QString& page, const QString& heading) {

@@ -25,6 +25,7 @@ class HelpWindow : public QDialog {
  private:
   bool scroll_to(const QString& anchor);
   void follow(const QUrl& link);
+  void lay_out_tables();
 
   QTextBrowser* browser_;
 };

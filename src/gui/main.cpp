@@ -1,21 +1,21 @@
 // sarsim-gui: the workbench.
 
 #include <QApplication>
-#include <QPixmap>
 #include <QSettings>
-#include <QTimer>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/version.hpp"
 #include "gui/document_keeper.hpp"
+#include "gui/draw_figure.hpp"
 #include "gui/main_window.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
+#include "gui/pictures.hpp"
 
 namespace {
 
@@ -23,6 +23,11 @@ struct Options {
   std::string script;
   std::string screenshot;
   std::string window = "main";
+  std::vector<std::string> selected;
+  std::vector<std::string> commands;
+  std::vector<std::string> typed;
+  std::vector<int> size;
+  bool few_colours = false;
   bool dark = false;
   bool light = false;
   double scale = 1.0;
@@ -34,37 +39,50 @@ void read_options(CLI::App& app, Options& options) {
   app.description("Workbench of sarsim: builds a scene on screen. The same scripts as the command sarsim.");
   app.set_version_flag("--version", std::string("sarsim-gui ") + sarsim::program_version);
   app.add_option("script,--script", options.script, "script to open");
-  app.add_option("--screenshot", options.screenshot, "write a picture of a window to this PNG file and end");
-  std::string names;
-  for (const QString& name : sarsim::MainWindow::window_names()) names += " " + name.toStdString();
-  app.add_option("--window", options.window, "which window --screenshot shows:" + names);
   app.add_flag("--dark", options.dark, "dark colours");
   app.add_flag("--light", options.light, "light colours");
-  app.add_option("--scale", options.scale, "device pixels per pixel, 1 or 2 for instance")->check(CLI::Range(0.5, 8.0));
   app.add_option("--time", options.time_s, "time of the scene, s");
+  CLI::Option* picture =
+      app.add_option("--screenshot", options.screenshot, "write a picture of a window to this PNG file and end")
+          ->group("Pictures");
+  std::string names;
+  for (const QString& name : sarsim::picture_names()) names += " " + name.toStdString();
+  const auto add = [&](const char* flag, auto& value, const std::string& help) {
+    return app.add_option(flag, value, help)->needs(picture)->group("Pictures");
+  };
+  add("--window", options.window, "which window is shown:" + names);
+  add("--scale", options.scale, "device pixels per pixel, 1 or 2 for instance")->check(CLI::Range(1.0, 8.0));
+  add("--size", options.size, "width and height of the window, pixels")->expected(2)->check(CLI::Range(100, 10000));
+  add("--select", options.selected, "select an object: kind and number, such as radar:1")->allow_extra_args(false);
+  add("--do", options.commands, "trigger a command first, such as view_filled")->allow_extra_args(false);
+  add("--type", options.typed, "type into a field of the properties, such as width=3us")->allow_extra_args(false);
+  app.add_flag("--few-colours", options.few_colours, "at most 256 colours, for a small file")
+      ->needs(picture)
+      ->group("Pictures");
+}
+
+QStringList strings(const std::vector<std::string>& texts) {
+  QStringList list;
+  for (const std::string& text : texts) list += QString::fromStdString(text);
+  return list;
 }
 
 int take_screenshot(sarsim::MainWindow& main, const Options& options) {
-  main.show();
-  QWidget* window = main.window_named(QString::fromStdString(options.window));
-  if (window == nullptr) {
-    std::fprintf(stderr, "sarsim-gui: no window '%s' for this script\n", options.window.c_str());
-    return EXIT_FAILURE;
-  }
-  window->show();
-  main.scene().scene().fit();
-  // Work in the background, and layouts, have a moment to end.
-  QTimer::singleShot(700, &main, [&] {
-    const bool good = window->grab().save(QString::fromStdString(options.screenshot));
-    if (!good) std::fprintf(stderr, "sarsim-gui: '%s' could not be written\n", options.screenshot.c_str());
-    QCoreApplication::exit(good ? EXIT_SUCCESS : EXIT_FAILURE);
-  });
-  return QCoreApplication::exec();
+  sarsim::PictureWish wish;
+  wish.window = QString::fromStdString(options.window);
+  wish.file = QString::fromStdString(options.screenshot);
+  wish.selected = strings(options.selected);
+  wish.commands = strings(options.commands);
+  wish.typed = strings(options.typed);
+  if (options.size.size() == 2) wish.size = QSize(options.size[0], options.size[1]);
+  wish.few_colours = options.few_colours;
+  return sarsim::make_picture(main, wish) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::draw_figure(argc, argv);
   Options options;
   CLI::App command;
   read_options(command, options);
@@ -74,7 +92,7 @@ int main(int argc, char** argv) {
       qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(sarsim::make_style());
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");
   using sarsim::Appearance;

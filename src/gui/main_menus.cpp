@@ -14,6 +14,8 @@
 #include <QSettings>
 #include <QToolBar>
 
+#include <cmath>
+
 #include "base/version.hpp"
 #include "gui/command_list.hpp"
 #include "gui/document_keeper.hpp"
@@ -27,10 +29,13 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_window.hpp"
+#include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
 #include "gui/time_bar.hpp"
 #include "view/fields.hpp"
+#include "view/ticks.hpp"
 
 namespace sarsim {
 
@@ -89,7 +94,7 @@ void MainWindow::make_file_menu() {
     commit_typed();
     documents_->save();
   });
-  add_action(file, tr("Save &As…"), "file_save_as", QKeySequence::SaveAs, [this] {
+  add_action(file, tr("Save &As…"), "file_save_as", QKeySequence("Ctrl+Shift+S"), [this] {
     commit_typed();
     documents_->save_as();
   });
@@ -98,7 +103,7 @@ void MainWindow::make_file_menu() {
       file, tr("&Import Targets…"), "file_import", {}, [this] { ImportDialog(session_, this).exec(); },
       tr("Read targets from a file of x, y, z and perhaps RCS"));
   file->addSeparator();
-  add_action(file, tr("E&xit"), "file_exit", QKeySequence::Quit, [this] { close(); });
+  add_action(file, tr("E&xit"), "file_exit", QKeySequence("Ctrl+Q"), [this] { close(); });
 }
 
 void MainWindow::make_edit_menu() {
@@ -170,31 +175,16 @@ void MainWindow::make_geometry_menu() {
 
 void MainWindow::make_simulation_menu() {
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  const auto add = [this](Processing processing) {
-    const Scene& scene = session_.scene();
-    if (scene.radars.empty()) {
+  const auto open = [this](Processing processing) {
+    if (simulation_windows_->open_new(processing) == nullptr)
       QMessageBox::information(this, tr("Simulation"), tr("There is no radar. Create one first: Geometry, New Radar."));
-      return;
-    }
-    if (scene.targets.empty() && scene.surfaces.empty()) {
-      QMessageBox::information(this, tr("Simulation"),
-                               tr("Nothing reflects. Create a target first: Geometry, New Target."));
-      return;
-    }
-    const auto current = session_.current();
-    const std::size_t radar = current && current->kind == ObjectKind::radar ? current->index : 0;
-    Simulation wanted = suitable_simulation(scene, radar);
-    wanted.processing = processing;
-    add_new(wanted);
-    docks_["simulations"]->show();
-    docks_["simulations"]->raise();
   };
   add_action(
-      simulation, tr("&Raw Return"), "simulation_raw", {}, [add] { add(Processing::raw); },
-      tr("Store a simulation of what the A/D converter delivers"));
+      simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(Processing::raw); },
+      tr("See what the A/D converter delivers, as the scene changes"));
   add_action(
-      simulation, tr("Range &Compressed"), "simulation_compressed", {}, [add] { add(Processing::matched_filter); },
-      tr("Store a simulation of what the matched filter makes of it"));
+      simulation, tr("Range &Compressed"), "simulation_compressed", QKeySequence("Ctrl+Shift+R"),
+      [open] { open(Processing::matched_filter); }, tr("See what the matched filter makes of it"));
   add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] {
     docks_["simulations"]->show();
     docks_["simulations"]->raise();
@@ -231,12 +221,12 @@ void MainWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add_action(
       view, tr("&Focus…"), "view_focus", {}, [this] { show_focus(); }, tr("Look at a point, or follow a platform"));
-  add_action(view, tr("Focus on Se&lection"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
+  add_action(view, tr("Focus on Selectio&n"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
   add_action(view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); });
   for (const auto& [text, name, preset] : {std::tuple{tr("From A&bove"), "view_top", ViewPreset::top},
                                            std::tuple{tr("From the F&ront"), "view_front", ViewPreset::front},
                                            std::tuple{tr("From the S&ide"), "view_side", ViewPreset::side},
-                                           std::tuple{tr("As at the B&eginning"), "view_start", ViewPreset::start}})
+                                           std::tuple{tr("As at the Be&ginning"), "view_start", ViewPreset::start}})
     add_action(view, text, name, {}, [this, preset = preset] { scene_->scene().look(preset); });
   QAction* perspective = add_action(view, tr("&Perspective"), "view_perspective", {}, {[] {}});
   perspective->setCheckable(true);
@@ -247,16 +237,16 @@ void MainWindow::make_view_menu() {
   });
   view->addSeparator();
   add_switch(view, tr("&Coordinate Systems"), "view_axes", &DrawingOptions::coordinate_systems);
-  add_switch(view, tr("Corner &Triad"), "view_triad", &DrawingOptions::corner_triad);
+  add_switch(view, tr("Corner Tria&d"), "view_triad", &DrawingOptions::corner_triad);
   add_switch(view, tr("&Elevation Lines"), "view_lines", &DrawingOptions::elevation_lines);
   add_switch(view, tr("Filled &Surfaces"), "view_filled", &DrawingOptions::filled_surfaces);
-  add_switch(view, tr("La&bels"), "view_labels", &DrawingOptions::labels);
-  add_switch(view, tr("T&rails"), "view_trails", &DrawingOptions::trails);
+  add_switch(view, tr("&Labels"), "view_labels", &DrawingOptions::labels);
+  add_switch(view, tr("&Trails"), "view_trails", &DrawingOptions::trails);
   add_switch(view, tr("Pattern L&obes"), "view_lobes", &DrawingOptions::lobes);
   view->addSeparator();
-  QMenu* looks = view->addMenu(tr("Colour&s"));
+  QMenu* looks = view->addMenu(tr("Colo&urs"));
   auto* group = new QActionGroup(this);
-  for (const auto& [text, name, appearance] : {std::tuple{tr("As the &Desktop"), "colours_system", Appearance::system},
+  for (const auto& [text, name, appearance] : {std::tuple{tr("As the Deskto&p"), "colours_system", Appearance::system},
                                                std::tuple{tr("&Light"), "colours_light", Appearance::light},
                                                std::tuple{tr("&Dark"), "colours_dark", Appearance::dark}}) {
     QAction* action = add_action(looks, text, name, {}, [this, appearance = appearance] {
@@ -270,14 +260,15 @@ void MainWindow::make_view_menu() {
   QMenu* panels = view->addMenu(tr("&Windows"));
   for (const char* name : {"objects", "properties", "script", "simulations", "log"})
     panels->addAction(docks_[name]->toggleViewAction());
+  for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
-      view, tr("&Next Panel"), "view_next_panel", QKeySequence("F6"), [this] { go_to_panel(1); },
+      view, tr("Ne&xt Panel"), "view_next_panel", QKeySequence("F6"), [this] { go_to_panel(1); },
       tr("Take the keyboard to the next panel"));
   add_action(
       view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
       tr("Take the keyboard to the panel before"));
   add_action(
-      view, tr("Reset &Layout"), "view_reset", {}, [this] { reset_layout(); },
+      view, tr("Reset La&yout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));
 }
 
@@ -304,7 +295,12 @@ void MainWindow::make_tool_bar() {
   bar->addSeparator();
   for (const char* name : {"new_target", "new_surface", "new_platform", "new_radar"}) put(name);
   bar->addSeparator();
-  for (const char* name : {"view_focus", "view_fit", "simulation_run", "help_contents"}) put(name);
+  for (const char* name : {"view_focus", "view_fit", "simulation_run"}) put(name);
+  auto* gap = new QWidget(bar);
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(gap);
+  put("help_contents");
+  findChild<QAction*>("help_contents")->setIconText(tr("Help"));
 }
 
 // Thesis 4.7: a platform that is followed, or a point.
@@ -315,15 +311,24 @@ void MainWindow::show_focus() {
   auto* form = new QFormLayout(&dialog);
   auto* platform = new QComboBox;
   platform->setObjectName("focus_platform");
+  platform->setAccessibleName(tr("Follow"));
+  platform->setToolTip(tr("A platform stays in the middle while the time runs"));
   platform->addItem(tr("A point"));
   for (const Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
   if (scene_->followed()) platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
   form->addRow(tr("&Follow"), platform);
   const Vec3 focus = scene_->scene().camera().focus_world_m;
   std::array<QLineEdit*, 3> fields{};
-  const std::array<double, 3> values{focus.x, focus.y, focus.z};
+  // Finer than a tenth of a pixel nobody sees.
+  const double fine_m = round_below(0.1 / scene_->scene().camera().pixels_per_m);
+  const auto tidy = [fine_m](double m) { return fine_m > 0.0 ? std::round(m / fine_m) * fine_m + 0.0 : m; };
+  const std::array<double, 3> values{tidy(focus.x), tidy(focus.y), tidy(focus.z)};
   for (std::size_t i = 0; i < 3; ++i) {
     fields[i] = new QLineEdit(QString::fromStdString(quantity_text(values[i], Quantity::length, "m")));
+    fields[i]->setObjectName(QString("focus_%1").arg(QChar("xyz"[i])));
+    fields[i]->setAccessibleName(tr("%1 of the focus").arg(QChar("XYZ"[i])));
+    fields[i]->setToolTip(tr("In the world; any unit: 100 m, 2.5 km"));
+    fields[i]->setMinimumWidth(fields[i]->fontMetrics().horizontalAdvance("-000.000000 km  "));
     form->addRow(QString("&%1").arg(QChar("XYZ"[i])), fields[i]);
     fields[i]->setEnabled(platform->currentIndex() == 0);
   }
@@ -372,8 +377,8 @@ void MainWindow::show_about() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",     "objects", "properties", "script",   "simulations", "log",
-          "geometry", "targets", "function",   "commands", "help",        "import"};
+  return {"main",       "objects",    "properties", "script",   "simulations", "log",  "geometry",
+          "simulation", "compressed", "targets",    "function", "commands",    "help", "import"};
 }
 
 QWidget* MainWindow::window_named(const QString& name) {
@@ -384,6 +389,8 @@ QWidget* MainWindow::window_named(const QString& name) {
     return docks_[name];
   }
   if (name == "geometry") return show_geometry(), geometry_;
+  if (name == "simulation") return simulation_windows_->open_new(Processing::raw);
+  if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);

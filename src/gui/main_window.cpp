@@ -21,6 +21,7 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
 #include "gui/time_bar.hpp"
@@ -60,7 +61,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new Do
   fill_recent();
   show_title();
   show_state();
-  resize(fontMetrics().averageCharWidth() * 190, fontMetrics().height() * 50);
+  resize(fontMetrics().averageCharWidth() * 214, fontMetrics().height() * 50);
 }
 
 MainWindow::~MainWindow() {
@@ -87,9 +88,11 @@ void MainWindow::make_docks() {
   panel_ = new PropertyPanel(session_);
   script_ = new ScriptEditor(session_);
   simulations_ = new StoredSimulations(session_);
+  simulation_windows_ = new SimulationWindows(session_, this);
+  connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
   const int letter = fontMetrics().averageCharWidth();
-  tree_->setMinimumWidth(letter * 42);
-  panel_->setMinimumWidth(letter * 48);
+  tree_->setMinimumWidth(letter * 36);
+  panel_->setMinimumWidth(letter * 54);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
@@ -105,8 +108,8 @@ void MainWindow::make_docks() {
 // Docks take sizes only once the window has its own.
 void MainWindow::size_docks() {
   const int letter = fontMetrics().averageCharWidth();
-  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 38, letter * 54}, Qt::Horizontal);
-  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 11}, Qt::Vertical);
+  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 52, letter * 62}, Qt::Horizontal);
+  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 13}, Qt::Vertical);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -137,8 +140,10 @@ void MainWindow::show_title() {
 
 void MainWindow::show_state() {
   const Scene& scene = session_.scene();
-  QString text = tr("%n target(s)", nullptr, static_cast<int>(scene.targets.size())) + "   " +
-                 tr("%n radar(s)", nullptr, static_cast<int>(scene.radars.size()));
+  const std::size_t targets = scene.targets.size();
+  const std::size_t radars = scene.radars.size();
+  QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + "   " +
+                 (radars == 1 ? tr("1 radar") : tr("%1 radars").arg(radars));
   if (session_.current()) {
     text += "   " + QString::fromStdString(label_of(scene, *session_.current()));
     if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);

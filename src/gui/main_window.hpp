@@ -22,6 +22,7 @@ class ObjectTree;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
+class SimulationWindows;
 class StoredSimulations;
 
 /// The workbench: the scene in the middle, objects, properties, script and stored simulations around it (thesis 4.1).
@@ -36,8 +37,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Session& session() { return session_; }
   [[nodiscard]] DocumentKeeper& documents() { return *documents_; }
   [[nodiscard]] ScenePanel& scene() { return *scene_; }
+  [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
-  /// targets, function, commands, about, help. Null for another name; some need a scene that has what they show.
+  /// simulation, compressed, targets, function, commands, about, help. Null for another name; some need a scene that
+  /// has what they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
@@ -91,6 +94,7 @@ class MainWindow : public QMainWindow {
   PropertyPanel* panel_ = nullptr;
   ScriptEditor* script_ = nullptr;
   StoredSimulations* simulations_ = nullptr;
+  SimulationWindows* simulation_windows_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   QMenu* recent_ = nullptr;

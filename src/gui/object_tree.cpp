@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "gui/object_names.hpp"
+#include "gui/object_tree_eye.hpp"
 #include "gui/object_tree_model.hpp"
 #include "gui/problem_line.hpp"
 #include "view/edit.hpp"
@@ -44,7 +45,12 @@ QTreeView* make_view(ObjectTreeModel* model, QWidget* parent) {
   view->header()->setStretchLastSection(false);
   view->header()->setResizeContentsPrecision(0);
   view->header()->setSectionResizeMode(ObjectTreeModel::name_column, QHeaderView::Stretch);
-  view->header()->setSectionResizeMode(ObjectTreeModel::shown_column, QHeaderView::ResizeToContents);
+  view->header()->setSectionResizeMode(ObjectTreeModel::shown_column, QHeaderView::Fixed);
+  view->header()->setMinimumSectionSize(0);
+  view->header()->resizeSection(ObjectTreeModel::shown_column, 2 * view->fontMetrics().height());
+  view->setHeaderHidden(true);  // Names and eyes need no headings, and coordinates need the room.
+  view->setItemDelegateForColumn(ObjectTreeModel::shown_column, new EyeDelegate(view));
+  view->setIndentation(view->fontMetrics().height());
   return view;
 }
 

@@ -24,8 +24,12 @@ class ObjectIconEngine : public QIconEngine {
     painter->translate(rect.topLeft());
     painter->scale(rect.width() / 16.0, rect.height() / 16.0);
     if (mode == QIcon::Disabled) painter->setOpacity(0.4);
+    const QPalette usual = palette_;
+    // The ground of what is selected is dark in either theme.
+    if (mode == QIcon::Selected) palette_ = on_highlight(usual);
     draw_kind(*painter);
     if (mark_ && *mark_ != Severity::note) draw_mark(*painter);
+    palette_ = usual;
     painter->restore();
   }
 
@@ -40,6 +44,15 @@ class ObjectIconEngine : public QIconEngine {
   [[nodiscard]] QIconEngine* clone() const override { return new ObjectIconEngine(*this); }
 
  private:
+  static QPalette on_highlight(const QPalette& palette) {
+    QPalette turned = palette;
+    const QColor ground = palette.color(QPalette::Highlight);
+    const QColor text = palette.color(QPalette::HighlightedText);
+    for (const QPalette::ColorRole role : {QPalette::Window, QPalette::Base}) turned.setColor(role, ground);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text}) turned.setColor(role, text);
+    return turned;
+  }
+
   void draw_kind(QPainter& painter) const {
     const QColor text = palette_.color(QPalette::Text);
     switch (kind_) {

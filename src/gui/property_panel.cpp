@@ -39,6 +39,7 @@ QTableWidget* make_figures(QWidget* parent) {
   table->setHorizontalHeaderLabels({PropertyPanel::tr("Value"), PropertyPanel::tr("Figure")});
   table->horizontalHeader()->hide();
   table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() * 3 / 2);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   table->horizontalHeader()->setStretchLastSection(true);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -264,7 +265,8 @@ void PropertyPanel::show_figures(const std::vector<DerivedFigure>& figures) {
       QTableWidgetItem* item = derived_->item(row, column);
       if (item == nullptr) derived_->setItem(row, column, item = new QTableWidgetItem);
       item->setText(QString::fromStdString(column == 0 ? figure.label : figure.text));
-      item->setToolTip(formula);
+      item->setToolTip(QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(figure.text).toHtmlEscaped()) +
+                       formula);
       item->setData(Qt::AccessibleDescriptionRole, QString::fromStdString(figure.formula));
     }
   }

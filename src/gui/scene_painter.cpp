@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QList>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 
 #include <cmath>
@@ -13,6 +14,7 @@ namespace {
 
 // Beyond so many lines smooth edges and dots cost more than they show.
 constexpr std::size_t most_fine_lines = 4000;
+constexpr std::size_t most_halos = 200;
 
 QColor colour_of(Role role, bool dark) {
   const Rgb rgb = colour(role, dark);
@@ -48,6 +50,16 @@ void paint_lines(QPainter& painter, const std::vector<Drawing::Line>& lines, boo
   }
 }
 
+// A rim in the colour of the ground keeps words readable across lines.
+void paint_halo(QPainter& painter, const QPointF& start, const QFont& font, const QString& words,
+                const ScenePainter::Look& look) {
+  QPainterPath outline;
+  outline.addText(start, font, words);
+  QColor ground = colour_of(Role::background, look.dark);
+  ground.setAlphaF(0.85F);
+  painter.strokePath(outline, QPen(ground, 3.0 * look.pixel_scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
 void paint_texts(QPainter& painter, const std::vector<Drawing::Text>& texts, const ScenePainter::Look& look) {
   QFont plain = look.font;
   plain.setPixelSize(static_cast<int>(std::lround(QFontInfo(look.font).pixelSize() * look.pixel_scale)));
@@ -55,12 +67,21 @@ void paint_texts(QPainter& painter, const std::vector<Drawing::Text>& texts, con
   bold.setBold(true);
   const QFontMetricsF plain_metrics(plain);
   const QFontMetricsF bold_metrics(bold);
+  const auto start_of = [&](const Drawing::Text& text, const QString& words) {
+    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
+    return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
+  };
+  // All rims first: none covers another word.
+  if (texts.size() <= most_halos)
+    for (const Drawing::Text& text : texts) {
+      const QString words = QString::fromStdString(text.text);
+      paint_halo(painter, start_of(text, words), text.bold ? bold : plain, words, look);
+    }
   for (const Drawing::Text& text : texts) {
     const QString words = QString::fromStdString(text.text);
-    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
     painter.setFont(text.bold ? bold : plain);
     painter.setPen(colour_of(text.role, look.dark));
-    painter.drawText(QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y), words);
+    painter.drawText(start_of(text, words), words);
   }
 }
 

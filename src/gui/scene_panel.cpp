@@ -1,6 +1,5 @@
 #include "gui/scene_panel.hpp"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -13,6 +12,7 @@
 #include "gui/scene_widget.hpp"
 #include "gui/time_bar.hpp"
 #include "view/edit.hpp"
+#include "view/ticks.hpp"
 
 namespace sarsim {
 
@@ -29,19 +29,22 @@ Vec3* position_of(AnyObject& object) {
 }  // namespace
 
 ScenePanel::ScenePanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), scene_(new SceneWidget), time_bar_(new TimeBar), direction_(new QLabel) {
+    : QWidget(parent),
+      session_(session),
+      scene_(new SceneWidget),
+      time_bar_(new TimeBar),
+      direction_(new QLabel(scene_)) {
   setObjectName("scene_panel");
   direction_->setObjectName("view_direction");
   direction_->setToolTip(tr("Where the scene is seen from: azimuth clockwise from +y, elevation above the x-y plane"));
-  auto* bottom = new QHBoxLayout;
-  bottom->addWidget(time_bar_, 1);
-  bottom->addWidget(direction_);
-  bottom->setContentsMargins(4, 2, 8, 2);
+  // In a corner of the scene, so that the time has the whole width below.
+  auto* corner = new QVBoxLayout(scene_);
+  corner->addWidget(direction_, 0, Qt::AlignTop | Qt::AlignRight);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(scene_, 1);
-  layout->addLayout(bottom);
+  layout->addWidget(time_bar_);
   scene_->set_namer([this](ObjectId id) {
     return has_object(session_.scene(), id) ? label_of(session_.scene(), id) : std::string();
   });
@@ -93,7 +96,7 @@ void ScenePanel::take_scene() {
   maker_ = std::make_unique<SnapshotMaker>(session_.scene());
   const auto [first_s, last_s] = maker_->time_span_s();
   time_bar_->set_span(first_s, last_s);
-  if (new_document_) time_bar_->set_step((last_s - first_s) / 100.0);
+  if (new_document_) time_bar_->set_step(round_below((last_s - first_s) / 100.0));
   show_time();
   if (new_document_) scene_->fit();
   new_document_ = false;

@@ -14,6 +14,8 @@ namespace sarsim {
 
 namespace {
 
+constexpr double fit_margin_px = 40.0;  // of the screen
+
 template <class Objects>
 auto* found_in(const Objects& objects, ObjectId id) {
   const auto at = std::ranges::find(objects, id, [](const auto& object) { return object.id; });
@@ -60,7 +62,11 @@ void SceneWidget::set_namer(std::function<std::string(ObjectId)> namer) { namer_
 
 void SceneWidget::fit() {
   follow_size();
-  change_camera(fitted(camera_, points_of(snapshot_)));
+  // Marks and names have a size of their own, beyond the points that are fitted.
+  Camera inner = camera_;
+  inner.width_px = std::max(0.5 * camera_.width_px, camera_.width_px - 2.0 * fit_margin_px * options_.pixel_scale);
+  inner.height_px = std::max(0.5 * camera_.height_px, camera_.height_px - 2.0 * fit_margin_px * options_.pixel_scale);
+  change_camera(fitted(inner, points_of(snapshot_)));
 }
 
 void SceneWidget::look(ViewPreset view) { change_camera(preset(camera_, view)); }

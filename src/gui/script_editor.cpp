@@ -92,6 +92,7 @@ void ScriptEditor::lay_out() {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setObjectName(action->objectName() + "_button");
     button->setAccessibleName(action->text());
     tools->addWidget(button);
   }

@@ -66,7 +66,7 @@ QToolButton* make_button(QWidget* parent, const char* name, const QString& text,
   button->setAccessibleName(text);
   button->setToolTip(tip);
   button->setIcon(parent->style()->standardIcon(icon));
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   button->setFocusPolicy(Qt::StrongFocus);
   return button;
 }
@@ -76,8 +76,8 @@ QLineEdit* make_field(QWidget* parent, const char* name, const QString& spoken, 
   field->setObjectName(QLatin1String(name));
   field->setAccessibleName(spoken);
   field->setToolTip(tip);
-  field->setMinimumWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-0000.000000 ms")));
-  field->setMaximumWidth(2 * field->minimumWidth());
+  field->setMinimumWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("000.00 ms ")));
+  field->setMaximumWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-0000.000000 ms ")));
   return field;
 }
 
@@ -103,10 +103,11 @@ TimeBar::~TimeBar() {
 
 void TimeBar::add_buttons() {
   earlier_button_ = make_button(this, "earlier_button", tr("Earlier"), QStyle::SP_MediaSeekBackward,
-                                tr("One step back; held, ten steps a second"));
-  play_button_ = make_button(this, "play_button", tr("Play"), QStyle::SP_MediaPlay, tr("Let the time run"));
+                                tr("Earlier: one step back; held, ten steps a second"));
+  play_button_ =
+      make_button(this, "play_button", tr("Play"), QStyle::SP_MediaPlay, tr("Play or stop: let the time run"));
   later_button_ = make_button(this, "later_button", tr("Later"), QStyle::SP_MediaSeekForward,
-                              tr("One step on; held, ten steps a second"));
+                              tr("Later: one step on; held, ten steps a second"));
   for (QToolButton* button : {earlier_button_, later_button_}) {
     button->setAutoRepeat(true);
     button->setAutoRepeatDelay(3 * repeat_ms);
@@ -122,7 +123,7 @@ void TimeBar::add_buttons() {
   scrubber_->setRange(0, scrubber_steps);
   scrubber_->setSingleStep(scrubber_steps / 100);
   scrubber_->setPageStep(scrubber_steps / 10);
-  scrubber_->setMinimumWidth(80);
+  scrubber_->setMinimumWidth(60);
   connect(scrubber_, &QSlider::valueChanged, this, [this](int value) {
     const double length_s = span_s_[1] - span_s_[0];
     set_time(value == scrubber_steps
@@ -165,11 +166,11 @@ void TimeBar::lay_out() {
   row->addWidget(earlier_button_);
   row->addWidget(play_button_);
   row->addWidget(later_button_);
-  row->addWidget(scrubber_, 1);
+  row->addWidget(scrubber_, 3);
   row->addWidget(label(tr("Time"), time_field_));
-  row->addWidget(time_field_);
+  row->addWidget(time_field_, 1);
   row->addWidget(label(tr("Step"), step_field_));
-  row->addWidget(step_field_);
+  row->addWidget(step_field_, 1);
   row->addWidget(label(tr("Speed"), speed_box_));
   row->addWidget(speed_box_);
   row->addWidget(loop_box_);

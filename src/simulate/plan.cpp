@@ -149,10 +149,11 @@ double sample_count(const Simulation& simulation, double light_speed_mps) {
                     0.5 + index_tolerance);
 }
 
-Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved, Engine engine) {
+Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved, Engine engine,
+               const StopFlag* stop) {
   Plan plan;
   plan.simulation = scene.simulations.at(index);
-  plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene));
+  plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene, {1, stop}));
   const std::size_t radar = find_radar(scene, plan.simulation.radar);
   if (radar == not_found) throw std::invalid_argument("radar '" + plan.simulation.radar + "' is not defined");
   plan.radar = resolve_radar(scene, *plan.scene, radar);
@@ -171,7 +172,7 @@ Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const Reso
   plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
                               plan.scene->options.tolerance);
   if (plan.engine.engine != Engine::reference)
-    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene, plan.radar));
+    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene, plan.radar, stop));
   return plan;
 }
 

@@ -66,10 +66,11 @@ struct Plan {
 
 /// Decides everything about simulation number `index` of a scene.
 /// @param engine  which kernel to use; automatic decides by cost
+/// @param stop    asked now and then; a requested stop throws Interrupted
 /// @throws std::invalid_argument where the scene would not pass `check`.
 [[nodiscard]] Plan make_plan(const Scene& scene, std::size_t index,
-                             std::shared_ptr<const ResolvedScene> resolved = nullptr,
-                             Engine engine = Engine::reference);
+                             std::shared_ptr<const ResolvedScene> resolved = nullptr, Engine engine = Engine::reference,
+                             const StopFlag* stop = nullptr);
 
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood

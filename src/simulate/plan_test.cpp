@@ -253,5 +253,17 @@ TEST(Product, DescribesTheAxesOfTheRecording) {
   EXPECT_EQ(raw.script, "text");
 }
 
+TEST(Plan, OfManyTargetsIsGivenUpWhenAskedTo) {
+  Scene scene = one_target_scene();
+  scene.targets.resize(10000, scene.targets[0]);
+  StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)resolve(scene, {1, &stop}), Interrupted);
+  const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
+  EXPECT_THROW((void)group_points(*resolved, resolve_radar(scene, *resolved, 0), &stop), Interrupted);
+  EXPECT_THROW((void)make_plan(scene, 0, resolved, Engine::direct, &stop), Interrupted);
+  EXPECT_NO_THROW((void)make_plan(scene, 0, resolved, Engine::direct));
+}
+
 }  // namespace
 }  // namespace sarsim

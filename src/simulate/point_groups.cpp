@@ -144,12 +144,17 @@ void resize(EchoBatch& echoes, std::size_t count) {
 
 }  // namespace
 
-PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar) {
+PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const StopFlag* stop) {
+  const auto look_at_stop = [stop] {
+    if (stop != nullptr && stop->requested()) throw Interrupted();
+  };
   PointGroups groups;
   groups.antenna = antenna_sight(scene, radar);
   groups.reflectivity = reflectivity_tables(scene);
   Grouping grouping(groups);
   for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
+    constexpr std::size_t between_looks = 4096;
+    if (i % between_looks == 0) look_at_stop();
     const Scatterer& s = scene.scatterers[i];
     const GroupKey key = key_of(s);
     PointArrays& points = grouping.of(key);
@@ -159,6 +164,7 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar)
   }
   for (const ScattererSheet& sheet : scene.sheets) {
     if (sheet.points_m.empty()) continue;
+    look_at_stop();
     PointArrays& points = grouping.of({sheet.platform, PointArrays::Law::cosine, false, false, false, false});
     for (const Vec3& point_m : sheet.points_m) add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
   }

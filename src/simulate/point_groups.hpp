@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "echo/sight.hpp"
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/resolved.hpp"
@@ -29,7 +30,9 @@ struct PointGroups {
 /// Groups the targets and the points of the surfaces: groups in the order of their first points, the points of a group
 /// in the order of the scene, targets before surfaces. User-defined curves are tabulated so that all of them together
 /// put an error of less than an eighth of the scene's tolerance on any amplitude, relative to that amplitude.
-[[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar);
+/// @param stop  asked now and then; a requested stop throws Interrupted
+[[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
+                                       const StopFlag* stop = nullptr);
 
 /// All echoes of the current pulse of `geometry` in SIMD, as `PulseGeometry::echoes` gives them, but group by group,
 /// and with amplitude 0 where that leaves out the back of a surface. Delays and speeds agree to rounding, amplitudes to

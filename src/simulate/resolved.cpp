@@ -221,8 +221,12 @@ ResolvedScene resolve(const Scene& scene, const WorkControl& control) {
 
   PlatformNames platforms(scene);
   reserve_touched(resolved.scatterers, scene.targets.size(), control);
-  for (const Target& target : scene.targets)
+  for (const Target& target : scene.targets) {
+    constexpr std::size_t between_looks = 4096;
+    if (resolved.scatterers.size() % between_looks == 0 && control.stop != nullptr && control.stop->requested())
+      throw Interrupted();
     resolved.scatterers.push_back(scatterer_of(target, platforms.find(target.platform), resolved));
+  }
   resolved.sheets.resize(scene.surfaces.size());
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
     resolved.sheets[i].platform = platforms.find(scene.surfaces[i].platform);

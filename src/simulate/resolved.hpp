@@ -76,7 +76,7 @@ struct ResolvedScene {
 inline constexpr double surface_points_per_m2 = 1.0;
 
 /// Resolves everything but the radars. The scene must have passed `check`; a name that is not found is
-/// std::invalid_argument, except the platform "Earth", which is the world itself.
+/// std::invalid_argument, except the platform "Earth", which is the world itself. A requested stop throws Interrupted.
 [[nodiscard]] ResolvedScene resolve(const Scene& scene, const WorkControl& control = {});
 
 /// Resolves one radar of a scene.

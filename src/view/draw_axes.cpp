@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,6 +17,8 @@ constexpr double mark_part = 0.9;     // of a main axis: the mark stands below
 constexpr double letter_part = 1.07;  // of an axis: where its letter stands
 constexpr double end_on_px = 12.0;    // a shorter line is seen end on and carries no words
 constexpr double letter_drop_px = 4.0;
+constexpr double triad_room_px = 48.0;  // about the corner triad: main axes end there
+constexpr double label_gap_px = 12.0;   // from a mark to its label
 
 Vec3 axis_of(std::size_t i) { return Mat3{}.row[i]; }
 
@@ -25,19 +28,56 @@ void put_letter(Pen& pen, const PicturePoint& at, std::size_t axis) {
   pen.text(at.x, at.y + pen.px(letter_drop_px), axis_letters[axis], axis_roles[axis], true, true);
 }
 
+PicturePoint triad_origin(const Pen& pen) {
+  return {pen.camera().width_px - pen.px(50.0), pen.camera().height_px - pen.px(50.0), 0.0};
+}
+
+bool in_triad(const Pen& pen, const PicturePoint& point) {
+  return pen.options().corner_triad && distance_px(point, triad_origin(pen)) < pen.px(triad_room_px);
+}
+
+// How much of a line can be drawn before it runs into the corner triad, 0 to 1. A line that starts there runs on.
+double part_before_triad(const Pen& pen, const PicturePoint& from, const PicturePoint& to) {
+  const PicturePoint centre = triad_origin(pen);
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double fx = from.x - centre.x;
+  const double fy = from.y - centre.y;
+  const double a = dx * dx + dy * dy;
+  const double b = dx * fx + dy * fy;
+  const double c = fx * fx + fy * fy - pen.px(triad_room_px) * pen.px(triad_room_px);
+  const double root = b * b - a * c;
+  if (!pen.options().corner_triad || !(a > 0.0) || !(c > 0.0) || !(b < 0.0) || !(root > 0.0)) return 1.0;
+  return std::min(1.0, (-b - std::sqrt(root)) / a);
+}
+
+// Beside an axis rather than on it: to the right of a steep one, below a flat one.
+void put_mark_label(Pen& pen, const PicturePoint& origin, const PicturePoint& mark, const std::string& words) {
+  const double length = distance_px(origin, mark);
+  double across_x = -(mark.y - origin.y) / length;
+  double across_y = (mark.x - origin.x) / length;
+  const bool steep = std::abs(across_x) > 0.5;
+  if (steep ? across_x < 0.0 : across_y < 0.0) across_x = -across_x, across_y = -across_y;
+  pen.text(mark.x + pen.px(label_gap_px * across_x),
+           mark.y + pen.px(label_gap_px * across_y + letter_drop_px * (1.0 + across_y)), words, Role::text, false,
+           !steep);
+}
+
 // One axis from the world's origin with the mark at a round distance.
 void draw_main_axis(Pen& pen, const PicturePoint& origin, std::size_t axis, double length_m) {
   const Vec3 unit = axis_of(axis);
-  pen.world_line({}, length_m * unit, axis_roles[axis], 2.0);
   const auto end = pen.project(length_m * unit);
+  const double shown = end ? part_before_triad(pen, origin, *end) : 1.0;
+  pen.world_line({}, shown * length_m * unit, axis_roles[axis], 2.0);
   if (!end || distance_px(origin, *end) < pen.px(end_on_px)) return;
-  if (const auto letter = pen.project(letter_part * length_m * unit)) put_letter(pen, *letter, axis);
+  if (const auto letter = pen.project(letter_part * length_m * unit); letter && !in_triad(pen, *letter))
+    put_letter(pen, *letter, axis);
   const double mark_m = round_below(mark_part * length_m);
   const auto mark = pen.project(mark_m * unit);
-  if (!mark || distance_px(origin, *mark) < pen.px(end_on_px)) return;
+  if (!mark || shown * length_m < mark_m || in_triad(pen, *mark) || distance_px(origin, *mark) < pen.px(end_on_px))
+    return;
   pen.disc(*mark, 5.0, Role::text, false);
-  if (pen.options().labels && !pen.options().coarse)
-    pen.text(mark->x + pen.px(6.0), mark->y + pen.px(14.0), with_prefix(mark_m, "m", 3), Role::text, false, false);
+  if (pen.options().labels && !pen.options().coarse) put_mark_label(pen, origin, *mark, with_prefix(mark_m, "m", 3));
 }
 
 }  // namespace
@@ -60,10 +100,7 @@ void draw_main_axes(Pen& pen) {
   for (std::size_t i = 0; i < 3; ++i) draw_main_axis(pen, *origin, i, length_m);
 }
 
-void draw_corner_triad(Pen& pen) {
-  const PicturePoint origin{pen.camera().width_px - pen.px(50.0), pen.camera().height_px - pen.px(50.0), 0.0};
-  draw_axes(pen, origin, Mat3{}, 30.0, 1.0, true);
-}
+void draw_corner_triad(Pen& pen) { draw_axes(pen, triad_origin(pen), Mat3{}, 30.0, 1.0, true); }
 
 void draw_scale_bar(Pen& pen) {
   const double length_m = round_below(pen.px(120.0) / pen.camera().pixels_per_m);

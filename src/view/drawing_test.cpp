@@ -293,6 +293,38 @@ TEST(Drawing, LobesReplaceConesExceptInCoarseDrawings) {
 
 // --- Platforms ------------------------------------------------------------------------------------------------------
 
+TEST(Drawing, MainAxesEndBeforeTheCornerTriad) {
+  DrawingOptions options = bare_options();
+  options.coordinate_systems = true;
+  Camera camera = front_camera();
+  camera.focus_world_m = {-250.0, 0.0, 250.0};  // the origin at (650, 550), the triad's at (750, 550)
+  const auto alone = lines_of(drawn({}, camera, options), Role::x_axis);
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_NEAR(alone[0].x1, 850.0, 1e-3);
+  options.corner_triad = true;
+  const Drawing drawing = drawn({}, camera, options);
+  EXPECT_NEAR(lines_of(drawing, Role::x_axis).at(0).x1, 702.0, 1e-3);
+  EXPECT_EQ(lines_of(drawing, Role::x_axis).size(), 2U);  // and its own
+  EXPECT_NEAR(lines_of(drawing, Role::z_axis).at(0).y1, 350.0, 1e-3);
+}
+
+TEST(Drawing, LabelsOfMainAxesStandBesideTheirAxes) {
+  DrawingOptions options = bare_options();
+  options.coordinate_systems = true;
+  options.labels = true;
+  const Drawing drawing = drawn({}, front_camera(), options);
+  std::vector<Drawing::Text> labels;
+  for (const Drawing::Text& text : drawing.texts)
+    if (text.text == "100 m" && text.role == Role::text) labels.push_back(text);
+  ASSERT_EQ(labels.size(), 3U);  // x, z and the scale bar
+  EXPECT_TRUE(labels[0].centred);
+  EXPECT_NEAR(labels[0].x, 500.0, 1e-3);
+  EXPECT_GT(labels[0].y, 315.0F);
+  EXPECT_FALSE(labels[1].centred);
+  EXPECT_GT(labels[1].x, 408.0F);
+  EXPECT_NEAR(labels[1].y, 204.0, 1e-3);
+}
+
 TEST(Drawing, PlatformShowsItsOwnAxesAndItsNameAbove) {
   Snapshot snapshot;
   snapshot.platforms = {platform_at("Plane", {0, 0, 100})};

@@ -79,6 +79,7 @@ class HelpTest : public QObject {
     QTest::newRow("objects") << "objects" << workbench << "Objects";
     QTest::newRow("properties") << "properties" << workbench << "Values";
     QTest::newRow("simulations") << "simulations" << workbench << "Stored simulations";
+    QTest::newRow("simulation") << "simulation" << workbench << "Simulation windows";
     QTest::newRow("script") << "script"
                             << "formats/script.md"
                             << "";

@@ -1,0 +1,327 @@
+#include "gui/figure_plot.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QSvgGenerator>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include "gui/palette_colours.hpp"
+#include "view/ticks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int bar_width_px = 14;
+constexpr std::size_t most_stops = 256;
+
+// Marks at round numbers for whatever length the axis has when it is drawn.
+class RoundTicker : public QCPAxisTicker {
+ public:
+  /// @param factor  what the values of the axis are multiplied by to be those of `unit`
+  RoundTicker(const QCPAxis* axis, std::string unit, double spacing_px, double factor)
+      : axis_(axis), unit_(std::move(unit)), spacing_px_(spacing_px), factor_(factor) {}
+
+  void generate(const QCPRange& range, const QLocale& /*locale*/, QChar /*format*/, int /*precision*/,
+                QVector<double>& ticks, QVector<double>* sub_ticks, QVector<QString>* labels) override {
+    const QRect area = axis_->axisRect()->rect();
+    const QRect around = axis_->axisRect()->parentPlot()->viewport();
+    const bool known = area.width() > 0 && area.height() > 0;
+    const double length =
+        axis_->orientation() == Qt::Horizontal ? (known ? area : around).width() : (known ? area : around).height();
+    const Ticks marks = axis_ticks(range.lower * factor_, range.upper * factor_, length, spacing_px_, unit_);
+    ticks.clear();
+    if (sub_ticks != nullptr) sub_ticks->clear();
+    if (labels != nullptr) labels->clear();
+    for (const Tick& mark : marks.ticks) {
+      ticks.append(mark.value / factor_);
+      if (labels != nullptr) labels->append(QString::fromStdString(mark.label));
+    }
+  }
+
+ private:
+  const QCPAxis* axis_;
+  std::string unit_;
+  double spacing_px_;
+  double factor_;
+};
+
+QString axis_title(const std::string& label, const std::string& unit, double first, double last) {
+  const std::string shown = axis_ticks(first, last, 500.0, 50.0, unit).unit;
+  const QString name = QString::fromStdString(label);
+  return shown.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(shown));
+}
+
+QImage picture_of(const FigureImage& image) {
+  QImage picture(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_RGB32);
+  for (std::size_t row = 0; row < image.height; ++row) {
+    auto* const line = reinterpret_cast<QRgb*>(picture.scanLine(static_cast<int>(row)));
+    for (std::size_t column = 0; column < image.width; ++column) {
+      const Rgb& cell = image.cells[row * image.width + column];
+      line[column] = qRgb(cell.red, cell.green, cell.blue);
+    }
+  }
+  return picture;
+}
+
+QVector<double> numbers(const std::vector<double>& list) { return {list.begin(), list.end()}; }
+
+}  // namespace
+
+FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
+  setObjectName("figure");
+  setAccessibleName(tr("Figure"));
+  setInteractions(QCP::iNone);
+  setMinimumSize(200, 150);
+  rebuild();
+}
+
+void FigurePlot::set_figure(const Figure& figure) {
+  figure_ = figure;
+  rebuild();
+  // Once for the lengths of the axes, once for marks that suit them.
+  replot();
+  replot(rpQueuedReplot);
+}
+
+QColor FigurePlot::ink(Role role) const { return colour_of(role, palette()); }
+
+void FigurePlot::rebuild() {
+  clearPlottables();
+  clearItems();
+  panels_.clear();
+  plotLayout()->clear();
+  legend = nullptr;
+  setBackground(QBrush(ink(Role::background)));
+  int row = 0;
+  if (!figure_.title.empty()) add_text(row++, QString::fromStdString(figure_.title), true);
+  for (const FigurePanel& panel : figure_.panels) {
+    if (!panel.title.empty()) add_text(row++, QString::fromStdString(panel.title), false);
+    add_panel(row++, panel);
+  }
+  if (!figure_.note.empty()) add_text(row, QString::fromStdString(figure_.note), false);
+  // Axes below each other begin and end at the same place.
+  auto* const margins = new QCPMarginGroup(this);
+  for (const auto& rect : panels_) rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+}
+
+void FigurePlot::add_text(int row, const QString& text, bool bold) {
+  QFont shown = font();
+  shown.setBold(bold);
+  auto* const element = new QCPTextElement(this, text, shown);
+  element->setTextColor(ink(Role::text));
+  element->setMargins(QMargins(4, 4, 4, 2));
+  plotLayout()->addElement(row, 0, element);
+  // Words take the room they need; panels share the rest.
+  plotLayout()->setRowStretchFactor(row, 0.001);
+}
+
+void FigurePlot::add_panel(int row, const FigurePanel& panel) {
+  auto* const rect = new QCPAxisRect(this);
+  plotLayout()->addElement(row, 0, rect);
+  panels_.emplace_back(rect);
+  rect->setupFullAxesBox();
+  for (QCPAxis* axis : rect->axes()) dress(axis);
+  for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
+  add_axis(rect->axis(QCPAxis::atBottom), panel.x, 8.0 * fontMetrics().averageCharWidth() + 24.0);
+  add_axis(rect->axis(QCPAxis::atLeft), panel.y, 2.5 * fontMetrics().height());
+  if (panel.x.twin) add_twin(rect->axis(QCPAxis::atTop), panel.x, 8.0 * fontMetrics().averageCharWidth() + 24.0);
+  if (panel.y.twin) add_twin(rect->axis(QCPAxis::atRight), panel.y, 2.5 * fontMetrics().height());
+  if (panel.image && !panel.image->cells.empty()) {
+    add_image(rect, *panel.image);
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
+  }
+  for (const FigureCurve& curve : panel.curves) add_curve(rect, curve);
+  for (const FigureMark& mark : panel.marks) add_mark(rect, mark);
+  add_legend(rect, panel);
+  if (panel.colour_bar) add_colour_bar(row, rect, *panel.colour_bar);
+}
+
+void FigurePlot::dress(QCPAxis* axis) {
+  for (const auto& set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+    (axis->*set)(QPen(ink(Role::text)));
+  axis->setTickLabelColor(ink(Role::text));
+  axis->setLabelColor(ink(Role::text));
+  axis->setTickLabelFont(font());
+  axis->setLabelFont(font());
+  axis->setSubTicks(false);
+  axis->grid()->setPen(QPen(ink(Role::faint), 0, Qt::DotLine));
+  axis->grid()->setZeroLinePen(QPen(ink(Role::faint)));
+}
+
+void FigurePlot::add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
+  axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
+  axis->setRangeReversed(described.last < described.first);
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, described.unit, spacing_px, 1.0));
+  axis->setLabel(axis_title(described.label, described.unit, described.first, described.last));
+}
+
+void FigurePlot::add_twin(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
+  const FigureAxis::Twin& twin = *described.twin;
+  axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
+  axis->setRangeReversed(described.last < described.first);
+  axis->setTicks(true);
+  axis->setTickLabels(true);
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, twin.unit, spacing_px, twin.factor));
+  axis->setLabel(axis_title(twin.label, twin.unit, described.first * twin.factor, described.last * twin.factor));
+}
+
+void FigurePlot::add_image(QCPAxisRect* rect, const FigureImage& image) {
+  auto* const item = new QCPItemPixmap(this);
+  item->setPixmap(QPixmap::fromImage(picture_of(image)));
+  // Cells stay cells: no colour that no sample has.
+  item->setScaled(true, Qt::IgnoreAspectRatio, Qt::FastTransformation);
+  item->setClipAxisRect(rect);
+  item->setClipToAxisRect(true);
+  for (QCPItemPosition* corner : {item->topLeft, item->bottomRight}) {
+    corner->setType(QCPItemPosition::ptPlotCoords);
+    corner->setAxisRect(rect);
+    corner->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+  }
+  item->topLeft->setCoords(image.x_first, image.y_first);
+  item->bottomRight->setCoords(image.x_last, image.y_last);
+}
+
+void FigurePlot::add_curve(QCPAxisRect* rect, const FigureCurve& curve) {
+  QCPAxis* const across = rect->axis(QCPAxis::atBottom);
+  QCPAxis* const up = rect->axis(QCPAxis::atLeft);
+  QCPAbstractPlottable* drawn = nullptr;
+  if (curve.bars) {
+    auto* const bars = new QCPBars(across, up);
+    bars->setData(numbers(curve.x), numbers(curve.y));
+    bars->setWidthType(QCPBars::wtPlotCoords);
+    if (curve.x.size() > 1) bars->setWidth(0.7 * std::abs(curve.x[1] - curve.x[0]));
+    QColor filled = ink(curve.role);
+    filled.setAlphaF(0.4F);
+    bars->setBrush(filled);
+    drawn = bars;
+  } else {
+    // Not a graph: what is plotted need not be a function of x.
+    auto* const line = new QCPCurve(across, up);
+    line->setData(numbers(curve.x), numbers(curve.y));
+    drawn = line;
+  }
+  drawn->setPen(QPen(ink(curve.role), 1.5));
+  drawn->setName(QString::fromStdString(curve.name));
+}
+
+void FigurePlot::add_mark(QCPAxisRect* rect, const FigureMark& mark) {
+  auto* const cross = new QCPItemTracer(this);
+  auto* const words = new QCPItemText(this);
+  for (QCPItemPosition* place : {cross->position, words->position}) {
+    place->setType(QCPItemPosition::ptPlotCoords);
+    place->setAxisRect(rect);
+    place->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    place->setCoords(mark.x, mark.y);
+  }
+  cross->setStyle(QCPItemTracer::tsPlus);
+  cross->setSize(9.0);
+  cross->setPen(QPen(ink(Role::error), 1.5));
+  words->setText(QString::fromStdString(mark.text));
+  words->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  words->setPadding(QMargins(6, 2, 4, 4));
+  words->setFont(font());
+  words->setColor(ink(Role::error));
+  for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(cross), static_cast<QCPAbstractItem*>(words)}) {
+    item->setClipAxisRect(rect);
+    item->setClipToAxisRect(true);
+  }
+}
+
+void FigurePlot::add_legend(QCPAxisRect* rect, const FigurePanel& panel) {
+  const bool named = std::ranges::any_of(panel.curves, [](const FigureCurve& c) { return !c.name.empty(); });
+  if (!named) return;
+  auto* const names = new QCPLegend;
+  rect->insetLayout()->addElement(names, Qt::AlignTop | Qt::AlignRight);
+  names->setLayer("legend");
+  names->setBrush(ink(Role::background));
+  names->setBorderPen(QPen(ink(Role::faint)));
+  names->setTextColor(ink(Role::text));
+  names->setFont(font());
+  for (QCPAbstractPlottable* plottable : rect->plottables())
+    if (!plottable->name().isEmpty()) plottable->addToLegend(names);
+}
+
+void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar) {
+  auto* const scale = new QCPColorScale(this);
+  plotLayout()->addElement(row, 1, scale);
+  scale->setType(QCPAxis::atRight);
+  scale->setBarWidth(bar_width_px);
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+  const std::size_t step = (bar.colours.size() + most_stops - 1) / most_stops;
+  for (std::size_t i = 0; i < bar.colours.size(); i += step) {
+    const Rgb& c = bar.colours[i];
+    gradient.setColorStopAt(static_cast<double>(i) / static_cast<double>(bar.colours.size() - 1),
+                            QColor(c.red, c.green, c.blue));
+  }
+  scale->setGradient(gradient);
+  scale->setDataRange(QCPRange(bar.first, bar.last));
+  dress(scale->axis());
+  scale->axis()->setRange(bar.first, bar.last);
+  scale->axis()->setTicker(
+      QSharedPointer<RoundTicker>::create(scale->axis(), bar.unit, 2.5 * fontMetrics().height(), 1.0));
+  scale->axis()->setLabel(axis_title(bar.label, bar.unit, bar.first, bar.last));
+  auto* const margins = new QCPMarginGroup(this);
+  scale->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+  rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+}
+
+void FigurePlot::resizeEvent(QResizeEvent* event) {
+  QCustomPlot::resizeEvent(event);
+  replot(rpQueuedReplot);
+}
+
+void FigurePlot::changeEvent(QEvent* event) {
+  QCustomPlot::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
+  rebuild();
+  replot(rpQueuedReplot);
+}
+
+bool FigurePlot::save(const QString& path, QSize size, double scale, QString& failure) {
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending != "png" && ending != "svg" && ending != "pdf") {
+    failure = tr("'%1': pictures are written as .png, .svg or .pdf").arg(path);
+    return false;
+  }
+  // What stands under the name stays until the new picture is whole.
+  const QFileInfo place(path);
+  const QString partial = place.dir().filePath(
+      QStringLiteral(".%1.partial-%2.%3").arg(place.fileName()).arg(QCoreApplication::applicationPid()).arg(ending));
+  bool good = write_picture(partial, ending, size, scale);
+  good = good && QFileInfo(partial).size() > 0;
+  std::error_code renamed;
+  if (good) std::filesystem::rename(partial.toStdString(), path.toStdString(), renamed);
+  if (good && !renamed) return true;
+  QFile::remove(partial);
+  failure = tr("'%1' could not be written%2")
+                .arg(path, renamed ? ": " + QString::fromStdString(renamed.message()) : QString());
+  return false;
+}
+
+bool FigurePlot::write_picture(const QString& path, const QString& ending, QSize size, double scale) {
+  // Marks suit the lengths that axes had when they were drawn last.
+  toPixmap(size.width(), size.height());
+  const QString title = QString::fromStdString(figure_.title);
+  if (ending == "png") return savePng(path, size.width(), size.height(), scale);
+  if (ending == "pdf") return savePdf(path, size.width(), size.height(), QCP::epAllowCosmetic, "sarsim", title);
+  QSvgGenerator generator;
+  generator.setFileName(path);
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(), size));
+  generator.setTitle(title);
+  QCPPainter painter;
+  if (!painter.begin(&generator)) return false;
+  painter.setMode(QCPPainter::pmVectorized);
+  toPainter(&painter, size.width(), size.height());
+  return painter.end();
+}
+
+}  // namespace sarsim

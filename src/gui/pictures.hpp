@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QSize>
+#include <QStringList>
+
+namespace sarsim {
+
+class MainWindow;
+
+/// What a picture of the workbench is to show.
+struct PictureWish {
+  QString window = "main";   ///< One of picture_names().
+  QString file;              ///< PNG file that is written.
+  QStringList selected;      ///< Objects by kind and number from 1: "radar:2".
+  QStringList commands;      ///< Object names of actions that are triggered first: "view_filled".
+  QStringList typed;         ///< Fields of the property panel and what is typed there: "width=3 us".
+  QSize size;                ///< Of the window in pixels of the screen; empty: its own.
+  bool few_colours = false;  ///< At most 256 of them, for a small file.
+};
+
+/// Windows and states that can be made into a picture: those of MainWindow::window_names(), the small dialogs (about,
+/// focus, unsaved) and the menus (menu-file, ..., menu-object).
+[[nodiscard]] QStringList picture_names();
+
+/// Brings a window into the wanted state, lets work in the background end and writes the picture. Runs the event loop.
+/// Complaints go to standard error.
+/// @return  true where the picture was written
+[[nodiscard]] bool make_picture(MainWindow& main, const PictureWish& wish);
+
+}  // namespace sarsim

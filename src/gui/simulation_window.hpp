@@ -1,0 +1,115 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "gui/session.hpp"
+#include "view/echo_window.hpp"
+#include "view/figure.hpp"
+#include "view/preview.hpp"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace sarsim {
+
+class EchoControls;
+class EchoPlot;
+class FigurePlot;
+class ProblemLine;
+
+/// A simulation window (thesis 4.5): the echoes of the scene as it is now, at the resolution of the screen, computed
+/// again whenever scene or window change. Any number of them, each with its own state.
+class SimulationWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param window  what it shows at first
+  /// @param show_all  choose the ranges so that all targets are seen
+  SimulationWindow(Session& session, EchoWindow window, bool show_all, QWidget* parent = nullptr);
+  ~SimulationWindow() override;
+
+  [[nodiscard]] const EchoWindow& window_state() const { return window_; }
+  [[nodiscard]] EchoPlot& plot() { return *plot_; }
+  [[nodiscard]] EchoControls& controls() { return *controls_; }
+  /// Whether all samples of the present view are shown.
+  [[nodiscard]] bool complete() const;
+  /// What is seen, with axes, to be written to a file.
+  [[nodiscard]] Figure figure() const;
+  /// The window as a simulation to be stored or saved.
+  [[nodiscard]] Simulation simulation() const;
+
+ public slots:
+  void set_state(const sarsim::EchoWindow& window);
+  /// Another view; the present one is kept to go back to.
+  void go_to(const sarsim::EchoView& view);
+  void go_back();
+  void go_forward();
+  void show_all_targets();
+  /// Follows another window along the axes that both have linked.
+  void follow(const sarsim::EchoView& view, sarsim::AxisLink link);
+  void copy_picture();
+  void copy_values();
+  void save_picture();
+  void store_simulation();
+
+ signals:
+  void view_changed(const sarsim::EchoView& view, sarsim::AxisLink link);
+  /// The user wants the data in a file.
+  void save_data_wanted(const sarsim::Simulation& simulation);
+  void finished();  ///< All samples of the view are shown.
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  [[nodiscard]] QWidget* make_tool_row();
+  [[nodiscard]] QWidget* make_foot();
+  QToolButton* add_tool(QWidget* row, const QString& text, const char* name, const QString& tip);
+  void connect_all();
+  void change_view(const EchoView& view);
+  void take_state(const EchoWindow& window);
+  void compute();
+  void compute_soon();
+  void take_event(const PreviewEvent& event);
+  void show_event();
+  void show_failure(const Problems& problems);
+  void show_read_out();
+  void show_cuts();
+  void show_state();
+  [[nodiscard]] double bandwidth_hz() const;
+  [[nodiscard]] QString title() const;
+
+  Session& session_;
+  std::shared_ptr<const Scene> scene_;
+  EchoWindow window_;
+  ViewHistory history_;
+  bool show_all_ = false;
+  EchoControls* controls_ = nullptr;
+  EchoPlot* plot_ = nullptr;
+  FigurePlot* cuts_ = nullptr;
+  QToolButton* back_ = nullptr;
+  QToolButton* forward_ = nullptr;
+  QToolButton* show_cuts_ = nullptr;
+  QLabel* read_out_ = nullptr;
+  QLabel* difference_ = nullptr;
+  QLabel* highest_ = nullptr;
+  QLabel* warning_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  ProblemLine* problems_ = nullptr;
+  QTimer soon_;
+  std::mutex lock_;                     // of `latest_`
+  std::optional<PreviewEvent> latest_;  // from the threads that compute
+  std::uint64_t request_ = 0;
+  bool finished_ = false;
+  std::unique_ptr<Preview> preview_;  // last: ends before what its events touch
+};
+
+}  // namespace sarsim

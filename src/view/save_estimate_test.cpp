@@ -1,0 +1,52 @@
+#include "view/save_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "view/preview_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+Plan plan_of(double lsb_v) {
+  Scene scene = flight_scene();
+  Simulation simulation = simulation_of(flight_window(), 20e6);
+  simulation.lsb_v = lsb_v;
+  scene.simulations = {simulation};
+  return make_plan(scene, 0, nullptr, Engine::direct);
+}
+
+// The example of thesis 4.5.2 has 6.39369e-5 mV over 127: 5.0344e-7 mV, before 3 % to spare.
+TEST(EstimatedLsb, LeavesThreePercentAboveTheLargestMagnitude) {
+  EXPECT_NEAR(estimated_lsb_v(6.39369e-8, 8), 1.03 * 5.0344e-10, 1e-14);
+  EXPECT_NEAR(estimated_lsb_v(2.0, 1), 1.03, 1e-12);
+  EXPECT_NEAR(estimated_lsb_v(2.0, 2), 2.06, 1e-12);
+  EXPECT_NEAR(estimated_lsb_v(1.0, 16), 1.03 / 32767.0, 1e-12);
+  EXPECT_EQ(estimated_lsb_v(0.0, 8), 0.0);
+}
+
+TEST(SaveEstimate, HasSizeTimeMemoryAndLsb) {
+  const Plan plan = plan_of(0.0);
+  const SaveEstimate e = save_estimate(plan, 96480.0, 1e-6, 2);
+  EXPECT_EQ(e.rows, 201.0);
+  EXPECT_EQ(e.columns, 240.0);
+  EXPECT_EQ(e.bytes, 96480.0);
+  EXPECT_NEAR(e.seconds, 0.5 * estimated_cost(plan, 2).seconds_one_thread, 1e-12);
+  EXPECT_GT(e.memory_bytes, 0.0);
+  EXPECT_TRUE(e.lsb_estimated);
+  EXPECT_NEAR(e.lsb_v, 1.03e-6 / 127.0, 1e-15);
+  EXPECT_NE(text_of(e).find("201 x 240 samples"), std::string::npos);
+  EXPECT_NE(text_of(e).find("(estimated)"), std::string::npos);
+}
+
+TEST(SaveEstimate, KeepsTheLsbThatIsSetAndAdmitsWhenNoneIsKnown) {
+  const SaveEstimate set = save_estimate(plan_of(2e-9), 1.0, 1e-6, 1);
+  EXPECT_EQ(set.lsb_v, 2e-9);
+  EXPECT_FALSE(set.lsb_estimated);
+  EXPECT_EQ(text_of(set).find("estimated"), std::string::npos);
+  const SaveEstimate unknown = save_estimate(plan_of(0.0), 1.0, 0.0, 1);
+  EXPECT_EQ(unknown.lsb_v, 0.0);
+  EXPECT_NE(text_of(unknown).find("LSB unknown"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sarsim

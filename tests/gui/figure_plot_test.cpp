@@ -1,0 +1,135 @@
+#include <QtTest>
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+#include "gui/appearance.hpp"
+#include "gui/figure_plot.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// A picture of four cells, red where y is low and x is low.
+Figure four_cells() {
+  Figure figure;
+  FigurePanel& panel = figure.panels.emplace_back();
+  panel.x = {"Slant range", "m", 1000.0, 3000.0, FigureAxis::Twin{"Delay", "s", 1.0 / 1.5e8}};
+  panel.y = {"Time", "s", 0.0, 2.0, {}};
+  panel.image = FigureImage{2, 2, 1000.0, 3000.0, 0.0, 2.0, {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}}};
+  panel.colour_bar = FigureColourBar{"Magnitude", "V", 0.0, 1e-9, {{0, 0, 0}, {255, 255, 255}}};
+  return figure;
+}
+
+QPoint pixel_of(const FigurePlot& plot, double x, double y) {
+  const QCPAxisRect* rect = plot.panel(0);
+  return {static_cast<int>(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
+          static_cast<int>(rect->axis(QCPAxis::atLeft)->coordToPixel(y))};
+}
+
+}  // namespace
+
+class FigurePlotTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cells_stand_where_the_axes_say() {
+    FigurePlot plot;
+    plot.resize(600, 400);
+    plot.set_figure(four_cells());
+    const QImage picture = plot.toPixmap(600, 400).toImage();
+    plot.grab();  // Lays out at this size.
+    const QImage seen = plot.grab().toImage();
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 1500, 0.5)), QColor(255, 0, 0));
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 2500, 0.5)), QColor(0, 255, 0));
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 1500, 1.5)), QColor(0, 0, 255));
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 2500, 1.5)), QColor(255, 255, 0));
+    QCOMPARE(picture.size(), QSize(600, 400));
+  }
+
+  void an_axis_turned_round_turns_the_picture() {
+    Figure figure = four_cells();
+    std::swap(figure.panels[0].y.first, figure.panels[0].y.last);
+    FigurePlot plot;
+    plot.resize(600, 400);
+    plot.set_figure(figure);
+    plot.grab();
+    const QImage seen = plot.grab().toImage();
+    QVERIFY(pixel_of(plot, 1500, 0.5).y() < pixel_of(plot, 1500, 1.5).y());
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 1500, 0.5)), QColor(255, 0, 0));
+    QCOMPARE(seen.pixelColor(pixel_of(plot, 1500, 1.5)), QColor(0, 0, 255));
+  }
+
+  void axes_name_their_units_with_a_prefix_that_suits() {
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    const QCPAxisRect* rect = plot.panel(0);
+    QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("Slant range (km)"));
+    QCOMPARE(rect->axis(QCPAxis::atTop)->label(), QString("Delay (us)"));
+    QCOMPARE(rect->axis(QCPAxis::atLeft)->label(), QString("Time (s)"));
+  }
+
+  void curves_with_names_are_in_the_legend_and_others_are_not() {
+    Figure figure = four_cells();
+    figure.panels[0].curves.push_back({"In phase", Role::curve, false, {1000, 3000}, {0, 2}});
+    figure.panels[0].curves.push_back({"", Role::curve_2, false, {1000, 3000}, {2, 0}});
+    FigurePlot plot;
+    plot.set_figure(figure);
+    QCOMPARE(plot.plottableCount(), 2);
+    const auto* legend = qobject_cast<QCPLegend*>(plot.panel(0)->insetLayout()->elementAt(0));
+    QVERIFY(legend != nullptr);
+    QCOMPARE(legend->itemCount(), 1);
+  }
+
+  void pictures_have_the_asked_size_times_the_scale() {
+    const QTemporaryDir folder;
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    QString failure;
+    QVERIFY2(plot.save(folder.filePath("a.png"), {500, 300}, 2.0, failure), qPrintable(failure));
+    QCOMPARE(QImage(folder.filePath("a.png")).size(), QSize(1000, 600));
+    QVERIFY(plot.save(folder.filePath("a.svg"), {500, 300}, 1.0, failure));
+    QVERIFY(plot.save(folder.filePath("a.pdf"), {500, 300}, 1.0, failure));
+    QFile svg(folder.filePath("a.svg"));
+    QVERIFY(svg.open(QIODevice::ReadOnly));
+    QVERIFY(svg.readAll().contains("Slant range"));
+    QFile pdf(folder.filePath("a.pdf"));
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    QVERIFY(pdf.readAll().startsWith("%PDF"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 3);
+  }
+
+  void a_file_that_cannot_be_written_is_told_and_nothing_is_left() {
+    const QTemporaryDir folder;
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    QString failure;
+    QVERIFY(!plot.save(folder.filePath("none/a.png"), {500, 300}, 1.0, failure));
+    QVERIFY(failure.contains("could not be written"));
+    QVERIFY(!plot.save(folder.filePath("a.gif"), {500, 300}, 1.0, failure));
+    QVERIFY(failure.contains(".png, .svg or .pdf"));
+    QVERIFY(QDir().mkdir(folder.filePath("taken.png")));
+    QVERIFY(!plot.save(folder.filePath("taken.png"), {500, 300}, 1.0, failure));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 0);
+  }
+
+  void dark_figures_have_dark_grounds() {
+    FigurePlot plot;
+    plot.resize(300, 200);
+    plot.set_figure(four_cells());
+    set_appearance(*qApp, Appearance::dark);
+    QCoreApplication::processEvents();
+    QVERIFY(plot.grab().toImage().pixelColor(2, 2).lightness() < 80);
+    set_appearance(*qApp, Appearance::light);
+    QCoreApplication::processEvents();
+    QVERIFY(plot.grab().toImage().pixelColor(2, 2).lightness() > 180);
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::FigurePlotTest)
+#include "figure_plot_test.moc"
