@@ -2,13 +2,13 @@
 
 #include <QApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
 
 #include <exception>
+#include <utility>
 
 namespace sarsim {
 
@@ -25,6 +25,10 @@ std::filesystem::path recovery_folder() {
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
+QString name_of_document(const std::filesystem::path& path) {
+  return path.empty() ? DocumentKeeper::tr("a scene that was never saved") : text_of(path);
+}
+
 }  // namespace
 
 DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
@@ -32,30 +36,15 @@ DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
       session_(session),
       window_(window),
       recovery_(recovery_folder(), static_cast<long>(QCoreApplication::applicationPid())) {
-  ask_unsaved = [this] {
-    const QString name =
-        session_.document().path().empty() ? tr("the new scene") : text_of(session_.document().path().filename());
-    const auto button =
-        QMessageBox::question(window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(name),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    return button == QMessageBox::Save      ? Answer::save
-           : button == QMessageBox::Discard ? Answer::discard
-                                            : Answer::cancel;
-  };
-  const QString filter = tr("Sarsim scripts (*.scr *.SCR);;All files (*)");
-  ask_open_name = [this, filter] { return QFileDialog::getOpenFileName(window_, tr("Open"), QString(), filter); };
-  ask_save_name = [this, filter] {
-    const auto& path = session_.document().path();
-    return QFileDialog::getSaveFileName(window_, tr("Save As"), path.empty() ? "scene.scr" : text_of(path), filter);
-  };
+  make_questions();
   keep_soon_.setSingleShot(true);
   keep_soon_.setInterval(keep_after_ms);
   connect(&keep_soon_, &QTimer::timeout, this, &DocumentKeeper::keep_copy);
   connect(&session_, &Session::document_changed, this, [this] {
-    if (session_.document().changed())
-      keep_soon_.start();
-    else
+    if (!session_.document().changed())
       recovery_.forget();
+    else if (!keep_soon_.isActive())  // whoever edits without a pause wants copies too
+      keep_soon_.start();
   });
   look_.setInterval(look_every_ms);
   connect(&look_, &QTimer::timeout, this, &DocumentKeeper::look_at_disk);
@@ -76,7 +65,9 @@ bool DocumentKeeper::open() {
   return !path.isEmpty() && open_file(path);
 }
 
-bool DocumentKeeper::open_file(const QString& path) {
+bool DocumentKeeper::open_file(const QString& name) {
+  // Copies for recovery outlive the folder that the program was started in.
+  const QString path = QFileInfo(name).absoluteFilePath();
   Document document = Document::open(path.toStdString());
   if (document.path().empty()) {
     const Problems& problems = document.problems();
@@ -87,6 +78,16 @@ bool DocumentKeeper::open_file(const QString& path) {
   session_.take(std::move(document));
   note_recent(path);
   session_.log(Severity::note, tr("Opened %1").arg(path));
+  return true;
+}
+
+bool DocumentKeeper::open_example(const QString& path) {
+  const Document example = Document::open(path.toStdString());
+  Document copy = Document::from_text(example.text());
+  // What stands in files beside the example is not found from a copy.
+  if (example.path().empty() || has_errors(copy.problems())) return open_file(path);
+  session_.take(std::move(copy));
+  session_.log(Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
   return true;
 }
 
@@ -102,8 +103,14 @@ bool DocumentKeeper::save_as() {
   return save_to(path);
 }
 
-bool DocumentKeeper::save_to(const QString& path) {
+bool DocumentKeeper::save_to(const QString& name) {
+  const QString path = QFileInfo(name).absoluteFilePath();
+  const std::vector<DataFileWrite> data = data_to_write(session_.document(), path.toStdString());
+  const DataAnswer answer = data.empty() ? DataAnswer::leave : ask_data(data);
+  if (answer == DataAnswer::cancel) return false;
   try {
+    // The data first: a script is never newer than what it speaks of.
+    if (answer == DataAnswer::write) write_data(data);
     session_.save(path.toStdString());
   } catch (const std::exception& error) {
     tell(tr("The scene was not saved."), QString::fromUtf8(error.what()));
@@ -112,11 +119,20 @@ bool DocumentKeeper::save_to(const QString& path) {
   recovery_.forget();
   note_recent(path);
   session_.log(Severity::note, tr("Saved %1").arg(path));
+  if (answer == DataAnswer::write)
+    for (const DataFileWrite& file : data) session_.log(Severity::note, tr("Saved %1").arg(text_of(file.path)));
   return true;
 }
 
+// A file of data that was written, and then taken back, differs although the script is as it was saved.
+bool DocumentKeeper::unsaved() const {
+  const Document& document = session_.document();
+  if (document.changed()) return true;
+  return !document.pending_data().empty() && !data_to_write(document, document.path()).empty();
+}
+
 bool DocumentKeeper::may_close() {
-  if (!session_.document().changed()) return true;
+  if (!unsaved()) return true;
   switch (ask_unsaved()) {
     case Answer::save: return save();
     case Answer::discard: return true;
@@ -148,36 +164,42 @@ std::filesystem::path DocumentKeeper::examples_folder() {
   return {};
 }
 
-void DocumentKeeper::keep_copy() {
-  if (!session_.document().changed()) return;
+bool DocumentKeeper::keep_copy() {
+  keep_soon_.stop();
+  if (!session_.document().changed()) return false;
   try {
     recovery_.keep(session_.document().path(), session_.document().text());
   } catch (const std::exception& error) {
     session_.log(Severity::warning, tr("No copy for recovery could be kept: %1").arg(QString::fromUtf8(error.what())));
+    return false;
   }
+  return true;
 }
 
 void DocumentKeeper::offer_recovery() {
-  for (const Recovery::Copy& copy : Recovery::orphans(recovery_folder())) {
-    const QString name = copy.document.empty() ? tr("a scene that was never saved") : text_of(copy.document);
-    const auto button = QMessageBox::question(
-        window_, tr("Recovery"),
-        tr("The program ended before the changes to %1 were saved. Take them up again?").arg(name),
-        QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
-    if (button == QMessageBox::Cancel) return;
-    if (button == QMessageBox::No) {
-      Recovery::discard(copy);
+  const std::vector<Recovery::Copy> copies = Recovery::orphans(recovery_folder());
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    const Answer answer = ask_recovery(copies[i].document);
+    if (answer == Answer::cancel) return;
+    if (answer == Answer::discard) {
+      Recovery::discard(copies[i]);
       continue;
     }
-    Document document = copy.document.empty() ? Document() : Document::open(copy.document);
-    session_.take(std::move(document));
-    session_.type_text(copy.text);
-    session_.end_run();
-    Recovery::discard(copy);
-    keep_copy();
-    session_.log(Severity::note, tr("Recovered %1").arg(name));
+    recover(copies[i]);
+    if (const auto others = static_cast<int>(copies.size() - i) - 1; others > 0)
+      session_.log(Severity::note, tr("%n more scene(s) can be recovered at the next start", nullptr, others));
     return;
   }
+}
+
+// The copy goes only when this program has one of its own.
+void DocumentKeeper::recover(const Recovery::Copy& copy) {
+  session_.take(copy.document.empty() ? Document() : Document::open(copy.document));
+  session_.type_text(copy.text);
+  session_.end_run();
+  if (session_.document().changed() && !keep_copy()) return;
+  Recovery::discard(copy);
+  session_.log(Severity::note, tr("Recovered %1").arg(name_of_document(copy.document)));
 }
 
 void DocumentKeeper::close() {

@@ -6,8 +6,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "gui/session.hpp"
+#include "view/document_data.hpp"
 #include "view/recovery.hpp"
 
 class QWidget;
@@ -25,8 +27,13 @@ class DocumentKeeper : public QObject {
   ~DocumentKeeper() override;
 
   enum class Answer { save, discard, cancel };
+  enum class DataAnswer { write, leave, cancel };
   /// Asked before unsaved changes are lost, and for file names (empty: cancelled). Dialogs unless replaced.
   std::function<Answer()> ask_unsaved;
+  /// Asked when a script is saved whose data files do not say what the scene shows; `leave` saves the script alone.
+  std::function<DataAnswer(const std::vector<DataFileWrite>&)> ask_data;
+  /// Asked for each document (empty: never saved) that a crash left a copy of; `cancel` puts the question off.
+  std::function<Answer(const std::filesystem::path& document)> ask_recovery;
   std::function<QString()> ask_open_name;
   std::function<QString()> ask_save_name;
 
@@ -34,14 +41,21 @@ class DocumentKeeper : public QObject {
   /// @{
   bool make_new();
   bool open();
-  bool open_file(const QString& path);
+  bool open_file(const QString& name);
+  /// Opens a copy without a file, so that saving it does not change the example.
+  bool open_example(const QString& path);
   bool save();
   bool save_as();
-  bool save_to(const QString& path);
+  bool save_to(const QString& name);
   /// Saves or discards what is unsaved, or asks; true where the document may go.
   bool may_close();
   /// @}
 
+  /// True where the script, or a data file that it speaks of, is not on disk as the scene is shown.
+  [[nodiscard]] bool unsaved() const;
+  /// Writes the copy for recovery now, as is done two seconds after a change; false where there is nothing to keep or
+  /// the disk refused.
+  bool keep_copy();
   /// Paths, the newest first, at most ten that still exist.
   [[nodiscard]] QStringList recent() const;
   /// Where the examples are, or an empty path.
@@ -56,7 +70,9 @@ class DocumentKeeper : public QObject {
 
  private:
   void note_recent(const QString& path);
-  void keep_copy();
+  void make_questions();
+  [[nodiscard]] DataAnswer data_question(const std::vector<DataFileWrite>& files) const;
+  void recover(const Recovery::Copy& copy);
   void look_at_disk();
   void tell(const QString& what, const QString& why);
 

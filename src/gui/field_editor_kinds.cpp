@@ -93,7 +93,7 @@ class LineField : public FieldEditor {
       case QEvent::ShortcutOverride:
         // Escape is the field's as long as there is something to restore.
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && to_restore()) event->accept();
-        break;
+        return undo_of_scene(*static_cast<QKeyEvent*>(event));
       case QEvent::KeyPress: return key_pressed(*static_cast<QKeyEvent*>(event));
       case QEvent::Wheel: return wheel_turned(*static_cast<QWheelEvent*>(event));
       case QEvent::FocusOut: end_steps(); break;
@@ -104,6 +104,14 @@ class LineField : public FieldEditor {
 
  private:
   [[nodiscard]] bool to_restore() const { return refused() || edit_->text() != displayed_; }
+
+  // Undo and redo are those of typing while something is typed; else those of the scene, which lines of text would
+  // keep for themselves.
+  [[nodiscard]] bool undo_of_scene(QKeyEvent& key) const {
+    if (to_restore() || !(key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo))) return false;
+    key.ignore();
+    return true;
+  }
 
   bool key_pressed(const QKeyEvent& key) {
     if (key.key() == Qt::Key_Escape) {

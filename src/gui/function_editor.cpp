@@ -103,6 +103,11 @@ FunctionEditor::FunctionEditor(Session& session, ObjectId object, const std::str
   show_part(0);
 }
 
+// A field that goes while it has the keyboard says once more that it is finished.
+FunctionEditor::~FunctionEditor() {
+  for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
+
 void FunctionEditor::make_questions() {
   ask_unsaved = [this](const QString& file) {
     QMessageBox box(QMessageBox::Question, windowTitle(), tr("The samples are not in the file '%1'.").arg(file),

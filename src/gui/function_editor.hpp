@@ -32,6 +32,7 @@ class FunctionEditor : public QDialog {
  public:
   /// @param field  of kind `function` (view/fields.hpp); std::invalid_argument for another
   FunctionEditor(Session& session, ObjectId object, const std::string& field, QWidget* parent = nullptr);
+  ~FunctionEditor() override;
 
   [[nodiscard]] const FunctionDraft& draft() const { return draft_; }
   [[nodiscard]] const FunctionInfo& info() const { return info_; }

@@ -91,7 +91,10 @@ GeometryWindow::GeometryWindow(Session& session, QWidget* parent)
   resize(fontMetrics().averageCharWidth() * 180, fontMetrics().height() * 46);
 }
 
-GeometryWindow::~GeometryWindow() = default;
+// A field that goes while it has the keyboard says once more that it is finished.
+GeometryWindow::~GeometryWindow() {
+  for (const QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
 
 void GeometryWindow::connect_all() {
   soon_.setSingleShot(true);

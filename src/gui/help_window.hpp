@@ -3,6 +3,7 @@
 #include <QDialog>
 
 class QTextBrowser;
+class QUrl;
 
 namespace sarsim {
 
@@ -13,12 +14,17 @@ class HelpWindow : public QDialog {
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
 
-  /// @param page  a file of the documentation's folder
-  void show_page(const QString& page);
+  /// @param page     a file of the documentation's folder
+  /// @param heading  of the section to begin with; empty, or one that is not there: the page's beginning
+  void show_page(const QString& page, const QString& heading = QString());
+  /// The heading of the section at the top of the window, or of the page; for tests and titles.
+  [[nodiscard]] QString heading() const;
   /// Where the documentation is, or an empty text.
   [[nodiscard]] static QString folder();
 
  private:
+  bool scroll_to(const QString& anchor);
+  void follow(const QUrl& link);
   void lay_out_tables();
 
   QTextBrowser* browser_;

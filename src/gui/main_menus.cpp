@@ -21,6 +21,7 @@
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
+#include "gui/help_key.hpp"
 #include "gui/help_window.hpp"
 #include "gui/import_dialog.hpp"
 #include "gui/main_window.hpp"
@@ -72,9 +73,12 @@ void MainWindow::make_menus() {
 
 void MainWindow::make_file_menu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] { documents_->make_new(); });
+  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] {
+    commit_typed();
+    documents_->make_new();
+  });
   add_action(file, tr("&Open…"), "file_open", QKeySequence::Open, [this] {
-    script_->commit();
+    commit_typed();
     documents_->open();
   });
   recent_ = file->addMenu(tr("Open &Recent"));
@@ -82,16 +86,16 @@ void MainWindow::make_file_menu() {
   const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
   for (const QString& name : folder.entryList({"*.scr"}, QDir::Files, QDir::Name))
     connect(examples->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
-      if (documents_->may_close()) documents_->open_file(path);
+      if (may_go()) documents_->open_example(path);
     });
   examples->setEnabled(!examples->isEmpty());
   file->addSeparator();
   add_action(file, tr("&Save"), "file_save", QKeySequence::Save, [this] {
-    script_->commit();
+    commit_typed();
     documents_->save();
   });
   add_action(file, tr("Save &As…"), "file_save_as", QKeySequence("Ctrl+Shift+S"), [this] {
-    script_->commit();
+    commit_typed();
     documents_->save_as();
   });
   file->addSeparator();
@@ -109,6 +113,7 @@ void MainWindow::make_edit_menu() {
     session_.undo();
   });
   QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   const auto show = [this, undo, redo] {
     const History& history = session_.document().history();
     undo->setEnabled(history.can_undo());
@@ -122,6 +127,15 @@ void MainWindow::make_edit_menu() {
   add_action(edit, tr("&Modify"), "edit_modify", {}, [this] {
     if (session_.current()) edit_object(*session_.current());
   });
+  QMenu* functions = edit->addMenu(tr("&Functions"));
+  functions->setObjectName("edit_functions");
+  const auto offer = [this, functions] {
+    fill_functions(functions);
+    functions->setEnabled(!functions->isEmpty());
+  };
+  connect(&session_, &Session::selection_changed, this, offer);
+  connect(&session_, &Session::scene_changed, this, offer);
+  offer();
   add_action(edit, tr("&Delete"), "edit_delete", {}, [this] { tree_->delete_selection(); });
   add_action(edit, tr("Du&plicate"), "edit_duplicate", QKeySequence("Ctrl+D"),
              [this] { tree_->duplicate_selection(); });
@@ -182,6 +196,7 @@ void MainWindow::make_simulation_menu() {
   add_action(
       simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
       [this] {
+        commit_typed();
         docks_["simulations"]->show();
         docks_["simulations"]->raise();
         if (!simulations_->chosen() && !session_.scene().simulations.empty())
@@ -247,13 +262,25 @@ void MainWindow::make_view_menu() {
     panels->addAction(docks_[name]->toggleViewAction());
   for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
+      view, tr("Ne&xt Panel"), "view_next_panel", QKeySequence("F6"), [this] { go_to_panel(1); },
+      tr("Take the keyboard to the next panel"));
+  add_action(
+      view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
+      tr("Take the keyboard to the panel before"));
+  add_action(
       view, tr("Reset La&yout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));
 }
 
 void MainWindow::make_help_menu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  add_action(help, tr("&Contents"), "help_contents", QKeySequence::HelpContents, [this] { show_help(); });
+  add_action(help, tr("&Contents"), "help_contents", {}, [this] { show_help({"README.md", {}}); });
+  add_action(
+      help, tr("Help on This &Window"), "help_window_page", QKeySequence::HelpContents,
+      [this] { show_help(help_place_of(focusWidget())); },
+      tr("The page of the guide for the panel that has the keyboard"));
+  connect(new HelpKey(this), &HelpKey::pressed, this,
+          [this](const QWidget* where) { show_help(help_place_of(where)); });
   add_action(help, tr("&About"), "help_about", {}, [this] { show_about(); });
 }
 
@@ -329,12 +356,16 @@ void MainWindow::show_focus() {
   scene_->focus_on({wanted[0], wanted[1], wanted[2]});
 }
 
-void MainWindow::show_help(const QString& page) {
-  auto* help = findChild<HelpWindow*>("help_window");
-  if (help == nullptr) help = new HelpWindow(this);
-  help->show_page(page.isEmpty() ? QString("README.md") : page);
-  help->show();
+// A dialog that holds up the rest of the program must not hold up its own help.
+void MainWindow::show_help(const HelpPlace& place) {
+  QWidget* parent = QApplication::activeModalWidget();
+  if (parent == nullptr || qobject_cast<HelpWindow*>(parent) != nullptr) parent = this;
+  auto* help = parent->findChild<HelpWindow*>("help_window", Qt::FindDirectChildrenOnly);
+  if (help == nullptr) help = new HelpWindow(parent);
+  help->show();  // before the page, which is scrolled in a window that has its size
+  help->show_page(place.page, place.heading);
   help->raise();
+  help->activateWindow();
 }
 
 void MainWindow::show_about() {
@@ -361,7 +392,7 @@ QWidget* MainWindow::window_named(const QString& name) {
   if (name == "simulation") return simulation_windows_->open_new(Processing::raw);
   if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
   if (name == "targets") return show_targets(), targets_;
-  if (name == "help") return show_help(), findChild<HelpWindow*>("help_window");
+  if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
   if (name == "import") return new ImportDialog(session_, this);
   if (name != "function") return nullptr;

@@ -65,7 +65,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new Do
 }
 
 MainWindow::~MainWindow() {
-  // The panels speak to the session, which is a member and goes first.
+  // A field that goes while it has the keyboard says that it is finished, to whatever is left of its window.
+  if (QWidget* last = QApplication::focusWidget()) last->clearFocus();
+  // Panels and windows speak to the session, which is a member and goes first.
+  for (QWidget* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+    if (child->isWindow() && qobject_cast<QDockWidget*>(child) == nullptr) delete child;
   delete centralWidget();
   for (const auto& [name, dock] : docks_) delete dock;
 }
@@ -123,7 +127,7 @@ void MainWindow::fill_recent() {
   recent_->clear();
   for (const QString& path : documents_->recent())
     connect(recent_->addAction(path), &QAction::triggered, this, [this, path] {
-      if (documents_->may_close()) documents_->open_file(path);
+      if (may_go()) documents_->open_file(path);
     });
   recent_->setEnabled(!recent_->isEmpty());
 }
@@ -131,7 +135,7 @@ void MainWindow::fill_recent() {
 void MainWindow::show_title() {
   const auto& path = session_.document().path();
   setWindowTitle(QString("%1[*] - Sarsim").arg(path.empty() ? tr("New scene") : QString::fromStdString(path.string())));
-  setWindowModified(session_.document().changed());
+  setWindowModified(documents_->unsaved());
 }
 
 void MainWindow::show_state() {
@@ -145,6 +149,17 @@ void MainWindow::show_state() {
     if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
   }
   statusBar()->showMessage(text);
+}
+
+// What is typed and not yet entered belongs to what is saved, run or left.
+void MainWindow::commit_typed() {
+  script_->commit();
+  panel_->commit();
+}
+
+bool MainWindow::may_go() {
+  commit_typed();
+  return documents_->may_close();
 }
 
 void MainWindow::add_new(AnyObject object) {
@@ -219,8 +234,7 @@ void MainWindow::reset_layout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  script_->commit();
-  if (!documents_->may_close()) {
+  if (!may_go()) {
     event->ignore();
     return;
   }
@@ -239,7 +253,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = dropped_file(event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  if (documents_->may_close()) documents_->open_file(path);
+  if (may_go()) documents_->open_file(path);
 }
 
 }  // namespace sarsim

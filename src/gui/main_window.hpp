@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <vector>
 
 #include "gui/appearance.hpp"
 #include "gui/session.hpp"
@@ -16,6 +17,7 @@ namespace sarsim {
 
 class DocumentKeeper;
 class GeometryWindow;
+struct HelpPlace;
 class ObjectTree;
 class PropertyPanel;
 class ScenePanel;
@@ -66,15 +68,20 @@ class MainWindow : public QMainWindow {
   void fill_recent();
   void show_title();
   void show_state();
+  void commit_typed();
+  bool may_go();
   void add_new(AnyObject object);
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);
+  [[nodiscard]] std::vector<QWidget*> panels_in_view() const;
+  void go_to_panel(int step);
+  void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
   void show_geometry();
   void show_targets();
   void show_focus();
   void show_commands();
-  void show_help(const QString& page = QString());
+  void show_help(const HelpPlace& place);
   void show_about();
   void size_docks();
   void restore_layout();

@@ -146,6 +146,11 @@ void PropertyPanel::commit_pending() {
   }
 }
 
+void PropertyPanel::commit() {
+  commit_pending();
+  refresh();
+}
+
 void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   const std::string key = step ? merge_key_of(subject_, editor->field()) : std::string();
   FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString(), key);

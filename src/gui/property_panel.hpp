@@ -31,6 +31,8 @@ class PropertyPanel : public QScrollArea {
   explicit PropertyPanel(Session& session, QWidget* parent = nullptr);
   ~PropertyPanel() override;
 
+  /// Applies what was typed and not entered yet; what cannot be taken stays in its field.
+  void commit();
   /// Puts the keyboard into a field, unfolding its group; false where the panel shows no such field.
   bool focus_field(const QString& id);
   /// Puts the keyboard into the first field that can be edited.

@@ -1,5 +1,6 @@
 #include "gui/scene_panel.hpp"
 
+#include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -48,6 +49,7 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     return has_object(session_.scene(), id) ? label_of(session_.scene(), id) : std::string();
   });
   connect_gestures();
+  scene_->installEventFilter(this);
   connect(&session_, &Session::document_replaced, this, [this] {
     new_document_ = true;
     followed_.reset();
@@ -80,6 +82,14 @@ void ScenePanel::connect_gestures() {
     session_.end_run();
   });
   connect(scene_, &SceneWidget::camera_changed, this, &ScenePanel::show_camera);
+}
+
+bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != scene_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() != Qt::Key_Space || key->modifiers() != Qt::NoModifier) return QWidget::eventFilter(watched, event);
+  if (!key->isAutoRepeat()) time_bar_->set_playing(!time_bar_->playing());
+  return true;
 }
 
 void ScenePanel::take_scene() {

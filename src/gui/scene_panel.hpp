@@ -38,6 +38,10 @@ class ScenePanel : public QWidget {
   void edit_requested(sarsim::ObjectId object);
   void menu_requested(std::optional<sarsim::ObjectId> object, QPoint global);
 
+ protected:
+  /// Space in the scene plays and stops the time.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void connect_gestures();
   void take_scene();

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view ending = ".recovery";
+constexpr std::string_view part_beginning = ".sarsim-";  // of files that write_text_file has not completed
 constexpr std::string_view first_line = "Sarsim recovery copy 1\n";
 
 // FNV-1a, 64 bits: tells a damaged copy from a whole one.
@@ -53,13 +56,13 @@ bool runs(long process, std::uint64_t start) {
   return start == 0 || present == 0 || start == present;
 }
 
-// The next number of a line of numbers parted by blanks, which is taken off its front.
-std::optional<std::uint64_t> take_number(std::string_view& line) {
+// The next of numbers that are parted by one character, taken off the front of the line together with it.
+std::optional<std::uint64_t> take_number(std::string_view& line, char part = ' ') {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
   if (error != std::errc{}) return std::nullopt;
   line.remove_prefix(static_cast<std::size_t>(end - line.data()));
-  if (line.starts_with(' ')) line.remove_prefix(1);
+  if (line.starts_with(part)) line.remove_prefix(1);
   return number;
 }
 
@@ -92,17 +95,47 @@ std::optional<Content> unpacked(std::string_view copy) {
   return Content{*start, fs::path(content.substr(0, *path_size)), std::string(content.substr(*path_size))};
 }
 
-// The process that a copy belongs to, by its name; 0 for other files.
+// The name of a copy holds the start as well: the next process of this number must not write over what this one left.
+// Where starts are not known, the present moment parts the two.
+std::string copy_name(long process) {
+  std::uint64_t start = start_of(process);
+  if (start == 0) start = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+  return fmt::format("{}-{}{}", process, start, ending);
+}
+
+// The process that a file belongs to, by a name of the form 123-456.recovery or 123.recovery; 0 for other files.
 long owner_of(const fs::path& file) {
-  const std::string name = file.filename().string();
-  long owner = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), owner);
-  return error == std::errc{} && std::string_view(end, name.data() + name.size()) == ending ? owner : 0;
+  const std::string whole = file.filename().string();
+  std::string_view name = whole;
+  const auto owner = take_number(name, '-');
+  if (!owner || *owner > static_cast<std::uint64_t>(std::numeric_limits<pid_t>::max())) return 0;
+  static_cast<void>(take_number(name, '-'));
+  return name == ending ? static_cast<long>(*owner) : 0;
+}
+
+// The process that a partly written file was left by, had it been killed; 0 for other files.
+long writer_of(const fs::path& file) {
+  const std::string whole = file.filename().string();
+  std::string_view name = whole;
+  if (!name.starts_with(part_beginning) || !name.ends_with(".part")) return 0;
+  name.remove_prefix(part_beginning.size());
+  return static_cast<long>(std::min(take_number(name, '-').value_or(0), std::uint64_t{1} << 62));
+}
+
+// What writers left that were killed while they wrote is of no use to anybody. A folder may be shared with machines
+// whose processes are not seen here, so young files are left alone.
+void sweep(const fs::path& file) {
+  constexpr auto longest_writing = std::chrono::minutes(1);
+  const long writer = writer_of(file);
+  if (writer <= 0 || runs(writer, 0)) return;
+  std::error_code gone;
+  const auto written = fs::last_write_time(file, gone);
+  if (!gone && fs::file_time_type::clock::now() - written > longest_writing) fs::remove(file, gone);
 }
 
 }  // namespace
 
-Recovery::Recovery(fs::path folder, long owner) : file_(folder / fmt::format("{}{}", owner, ending)) {
+Recovery::Recovery(fs::path folder, long owner) : owner_(owner), file_(folder / copy_name(owner)) {
   std::error_code error;
   if (fs::create_directories(folder, error))
     fs::permissions(folder, fs::perms::owner_all, error);  // scenes are nobody else's business
@@ -111,7 +144,7 @@ Recovery::Recovery(fs::path folder, long owner) : file_(folder / fmt::format("{}
 }
 
 void Recovery::keep(const fs::path& document, const std::string& text) const {
-  write_text_file(file_, packed(start_of(owner_of(file_)), document, text));
+  write_text_file(file_, packed(start_of(owner_), document, text));
 }
 
 void Recovery::forget() const {
@@ -124,7 +157,10 @@ std::vector<Recovery::Copy> Recovery::orphans(const fs::path& folder) {
   std::error_code unreadable;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
     const long owner = owner_of(entry.path());
-    if (owner == 0) continue;
+    if (owner == 0) {
+      sweep(entry.path());
+      continue;
+    }
     const auto bytes = read_text_file(entry.path());
     auto content = bytes ? unpacked(*bytes) : std::nullopt;
     if (!content || runs(owner, content->start)) continue;

@@ -8,7 +8,8 @@
 namespace sarsim {
 
 /// Copies of unsaved documents that survive a crash: one file per running program in a folder, holding the path of the
-/// document and its text.
+/// document and its text. Programs never touch each other's: a file is named after the number and the start of its
+/// process, so that one that gets the number of a dead one does not write over what that left.
 class Recovery {
  public:
   /// @param folder  is made where it does not exist
@@ -25,11 +26,13 @@ class Recovery {
     std::filesystem::path document;  ///< Empty where it was never saved.
     std::string text;
   };
-  /// Copies whose owners no longer run, newest first. Damaged ones are left out.
+  /// Copies whose owners no longer run, newest first. Damaged ones are left out. Takes away what programs left that
+  /// were killed while they wrote a copy.
   [[nodiscard]] static std::vector<Copy> orphans(const std::filesystem::path& folder);
   static void discard(const Copy& copy);
 
  private:
+  long owner_;
   std::filesystem::path file_;
 };
 

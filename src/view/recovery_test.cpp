@@ -34,6 +34,15 @@ class RecoveryFolder : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_.parent_path()); }
 
+  // The only copy in the folder.
+  [[nodiscard]] fs::path copy() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().extension() == ".recovery") files.push_back(entry.path());
+    EXPECT_EQ(files.size(), 1U);
+    return files.at(0);
+  }
+
   fs::path folder_;
 };
 
@@ -71,13 +80,57 @@ TEST_F(RecoveryFolder, LeavesTheCopiesOfRunningProgramsAlone) {
 TEST_F(RecoveryFolder, TellsAProgramFromAnotherThatGotItsNumber) {
   const Recovery own(folder_, ::getpid());
   own.keep("a.scr", "mine");
-  const fs::path file = folder_ / (std::to_string(::getpid()) + ".recovery");
-  std::string copy = read_text_file(file).value();
-  const std::size_t start = copy.find('\n') + 1;
-  copy.replace(start, copy.find(' ', start) - start, "1");  // started in another time
-  std::ofstream(file, std::ios::binary) << copy;
+  const fs::path file = copy();
+  std::string bytes = read_text_file(file).value();
+  const std::size_t start = bytes.find('\n') + 1;
+  bytes.replace(start, bytes.find(' ', start) - start, "1");  // started in another time
+  std::ofstream(file, std::ios::binary) << bytes;
   if (!fs::exists("/proc/self/stat")) GTEST_SKIP() << "the start of a process is not known here";
   EXPECT_EQ(Recovery::orphans(folder_).size(), 1U);
+}
+
+// In containers every start of a program may get the same number.
+TEST_F(RecoveryFolder, AProgramThatGetsTheNumberOfADeadOneLeavesItsCopy) {
+  if (!fs::exists("/proc/self/stat")) GTEST_SKIP() << "the start of a process is not known here";
+  const Recovery own(folder_, ::getpid());
+  own.keep("a.scr", "mine");
+  const std::string bytes = read_text_file(copy()).value();
+  const std::size_t start = bytes.find('\n') + 1;
+  const fs::path earlier = folder_ / (std::to_string(::getpid()) + "-1.recovery");
+  std::ofstream(earlier, std::ios::binary) << std::string(bytes).replace(start, bytes.find(' ', start) - start, "1");
+  own.keep("b.scr", "mine, later");
+  own.forget();
+  const std::vector<Recovery::Copy> copies = Recovery::orphans(folder_);
+  ASSERT_EQ(copies.size(), 1U);
+  EXPECT_EQ(copies[0].file, earlier);
+  EXPECT_EQ(copies[0].text, "mine");
+}
+
+TEST_F(RecoveryFolder, FindsTheCopiesOfEarlierVersions) {
+  Recovery(folder_, dead_process()).keep("a.scr", "text");
+  fs::rename(copy(), folder_ / (std::to_string(dead_process()) + ".recovery"));
+  EXPECT_EQ(Recovery::orphans(folder_).size(), 1U);
+}
+
+TEST_F(RecoveryFolder, SweepsAwayWhatKilledWritersLeft) {
+  fs::create_directories(folder_);
+  const auto part = [this](long process) {
+    fs::path file = folder_ / (".sarsim-" + std::to_string(process) + "-0.part");
+    std::ofstream(file) << "half a co";
+    return file;
+  };
+  const auto age = [](const fs::path& file) {
+    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
+  };
+  const fs::path of_dead = part(dead_process());
+  const fs::path young = part(dead_process());
+  const fs::path of_living = part(::getpid());
+  const fs::path foreign = folder_ / ".sarsim-notes.part";
+  std::ofstream(foreign) << "x";
+  for (const fs::path& file : {of_dead, of_living, foreign}) age(file);
+  EXPECT_TRUE(Recovery::orphans(folder_).empty());
+  EXPECT_FALSE(fs::exists(of_dead));
+  EXPECT_TRUE(fs::exists(young) && fs::exists(of_living) && fs::exists(foreign));
 }
 
 TEST_F(RecoveryFolder, ForgetsWhatWasSaved) {
@@ -89,10 +142,9 @@ TEST_F(RecoveryFolder, ForgetsWhatWasSaved) {
 }
 
 TEST_F(RecoveryFolder, PassesOverDamagedCopiesAndOtherFiles) {
-  const long dead = dead_process();
-  const Recovery recovery(folder_, dead);
+  const Recovery recovery(folder_, dead_process());
   recovery.keep("a.scr", "the text of a scene");
-  const fs::path file = folder_ / (std::to_string(dead) + ".recovery");
+  const fs::path file = copy();
   const std::string whole = read_text_file(file).value();
   std::ofstream(folder_ / "notes.txt") << whole;
   std::ofstream(folder_ / "x.recovery") << whole;
@@ -108,12 +160,10 @@ TEST_F(RecoveryFolder, PassesOverDamagedCopiesAndOtherFiles) {
 }
 
 TEST_F(RecoveryFolder, ListsTheNewestFirst) {
-  const long first = dead_process();
-  const long second = dead_process();
-  Recovery(folder_, first).keep("", "older");
-  Recovery(folder_, second).keep("", "newer");
-  const fs::path older = folder_ / (std::to_string(first) + ".recovery");
+  Recovery(folder_, dead_process()).keep("", "older");
+  const fs::path older = copy();
   fs::last_write_time(older, fs::last_write_time(older) - std::chrono::hours(1));
+  Recovery(folder_, dead_process()).keep("", "newer");
   const std::vector<Recovery::Copy> copies = Recovery::orphans(folder_);
   ASSERT_EQ(copies.size(), 2U);
   EXPECT_EQ(copies[0].text, "newer");

@@ -1,0 +1,187 @@
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QStandardPaths>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QtTest>
+
+#include "gui/document_keeper.hpp"
+#include "gui/help_key.hpp"
+#include "gui/help_window.hpp"
+#include "gui/main_window.hpp"
+#include "gui/property_panel.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "gui/time_bar.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// The example of the thesis, at work on its first target.
+struct Bench {
+  Bench() {
+    if (!window.documents().open_file(QStringLiteral(SARSIM_SOURCE_DIR "/examples/sar_r.scr"))) qFatal("not opened");
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window)) qFatal("not shown");
+    window.activateWindow();
+    window.session().select_only({ObjectKind::target, 0});
+    QCoreApplication::processEvents();
+  }
+
+  // Presses F1 in a widget and gives back the window that opened.
+  [[nodiscard]] HelpWindow* help_in(QWidget* widget) const {
+    widget->setFocus();
+    QTest::keyClick(widget, Qt::Key_F1);
+    for (QWidget* top : QApplication::topLevelWidgets())
+      if (auto* help = qobject_cast<HelpWindow*>(top); help != nullptr && help->isVisible()) return help;
+    return nullptr;
+  }
+  [[nodiscard]] static QString page(const HelpWindow& help) {
+    return help.findChild<QTextBrowser*>()->source().toLocalFile().remove(HelpWindow::folder() + "/");
+  }
+
+  MainWindow window;
+};
+
+}  // namespace
+
+class HelpTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("help_test");
+  }
+
+  void every_place_that_f1_may_lead_to_is_in_the_guide() {
+    HelpWindow help;
+    help.show();
+    for (const HelpPlace& place : all_help_places()) {
+      help.show_page(place.page, place.heading);
+      const auto* browser = help.findChild<QTextBrowser*>();
+      QVERIFY2(!browser->document()->isEmpty(), qPrintable(place.page));
+      if (!place.heading.isEmpty()) QCOMPARE(help.heading(), place.heading);
+    }
+  }
+
+  void f1_opens_the_page_of_the_window_that_has_the_keyboard_data() {
+    QTest::addColumn<QString>("window");
+    QTest::addColumn<QString>("page");
+    QTest::addColumn<QString>("heading");
+    const QString workbench = "guide/workbench.md";
+    QTest::newRow("objects") << "objects" << workbench << "Objects";
+    QTest::newRow("properties") << "properties" << workbench << "Values";
+    QTest::newRow("simulations") << "simulations" << workbench << "Stored simulations";
+    QTest::newRow("simulation") << "simulation" << workbench << "Simulation windows";
+    QTest::newRow("script") << "script"
+                            << "formats/script.md"
+                            << "";
+    QTest::newRow("log") << "log"
+                         << "guide/bad-input.md"
+                         << "";
+    QTest::newRow("geometry") << "geometry"
+                              << "formats/geometry-table.md"
+                              << "";
+    QTest::newRow("targets") << "targets" << workbench << "Many targets";
+    QTest::newRow("import") << "import" << workbench << "Many targets";
+    QTest::newRow("function") << "function" << workbench << "Functions";
+    QTest::newRow("commands") << "commands" << workbench << "";
+  }
+
+  void f1_opens_the_page_of_the_window_that_has_the_keyboard() {
+    QFETCH(QString, window);
+    QFETCH(QString, page);
+    QFETCH(QString, heading);
+    Bench bench;
+    QWidget* shown = bench.window.window_named(window);
+    QVERIFY(shown != nullptr);
+    shown->show();
+    shown->activateWindow();
+    QCoreApplication::processEvents();
+    QWidget* inside = nullptr;
+    for (QWidget* child : shown->findChildren<QWidget*>())
+      if (child->focusPolicy() != Qt::NoFocus && child->isVisible() && child->isEnabled()) inside = child;
+    QVERIFY(inside != nullptr);
+    const HelpWindow* help = bench.help_in(inside);
+    QVERIFY(help != nullptr);
+    QCOMPARE(Bench::page(*help), page);
+    if (!heading.isEmpty()) QCOMPARE(help->heading(), heading);
+  }
+
+  void f1_in_the_scene_and_in_the_bar_of_the_time_differ() {
+    Bench bench;
+    const HelpWindow* help = bench.help_in(&bench.window.scene().scene());
+    QVERIFY(help != nullptr);
+    QCOMPARE(help->heading(), QString("Mouse and keys in the scene"));
+    QVERIFY(bench.help_in(bench.window.scene().time_bar().findChild<QLineEdit*>("time_field")) == help);
+    QCOMPARE(help->heading(), QString("Time"));
+  }
+
+  // A modal dialog holds up all windows but its own.
+  void the_help_of_a_modal_dialog_can_be_used_while_it_is_open() {
+    Bench bench;
+    QWidget* editor = bench.window.window_named("function");
+    QVERIFY(editor != nullptr);
+    static_cast<QDialog*>(editor)->open();
+    QCoreApplication::processEvents();
+    HelpWindow* help = bench.help_in(editor->findChild<QPushButton*>());
+    QVERIFY(help != nullptr);
+    QVERIFY(help->parentWidget() == editor);
+    auto* close = help->findChild<QPushButton*>();
+    QVERIFY(close != nullptr);
+    QTest::keyClick(help, Qt::Key_Escape);
+    QVERIFY(!help->isVisible());
+    QVERIFY(editor->isVisible());
+  }
+
+  void links_lead_to_pages_and_folders_and_back() {
+    HelpWindow help;
+    help.show();
+    help.show_page("README.md");
+    auto* browser = help.findChild<QTextBrowser*>();
+    emit browser->anchorClicked(QUrl("guide"));
+    QVERIFY(browser->toPlainText().contains("workbench.md"));
+    QUrl values = QUrl::fromLocalFile(HelpWindow::folder() + "/guide/workbench.md");
+    values.setFragment("values");
+    emit browser->anchorClicked(values);
+    QCOMPARE(Bench::page(help), QString("guide/workbench.md"));
+    QCOMPARE(help.heading(), QString("Values"));
+  }
+
+  void space_plays_and_stops_the_time_in_the_scene() {
+    Bench bench;
+    SceneWidget& scene = bench.window.scene().scene();
+    const TimeBar& bar = bench.window.scene().time_bar();
+    scene.setFocus();
+    QTest::keyClick(&scene, Qt::Key_Space);
+    QVERIFY(bar.playing());
+    const double begun_s = bench.window.session().time_s();
+    QTRY_VERIFY(bench.window.session().time_s() > begun_s);
+    QTest::keyClick(&scene, Qt::Key_Space);
+    QVERIFY(!bar.playing());
+    QTest::keyClick(&scene, Qt::Key_Space, Qt::ControlModifier);
+    QVERIFY(!bar.playing());
+  }
+
+  void space_in_a_field_is_a_space() {
+    Bench bench;
+    auto* field = bench.window.findChild<PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
+    field->setFocus();
+    field->setText("1");
+    QTest::keyClick(field, Qt::Key_Space);
+    QCOMPARE(field->text(), QString("1 "));
+    QVERIFY(!bench.window.scene().time_bar().playing());
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::HelpTest)
+#include "help_test.moc"

@@ -1,0 +1,118 @@
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStandardPaths>
+#include <QtTest>
+
+#include "gui/document_keeper.hpp"
+#include "gui/function_editor.hpp"
+#include "gui/main_window.hpp"
+#include "gui/object_tree.hpp"
+#include "gui/property_panel.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "gui/stored_simulations.hpp"
+
+namespace sarsim {
+
+namespace {
+
+struct Bench {
+  Bench() {
+    if (!window.documents().open_file(QStringLiteral(SARSIM_SOURCE_DIR "/examples/sar_r.scr"))) qFatal("not opened");
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window)) qFatal("not shown");
+    window.activateWindow();
+    QCoreApplication::processEvents();
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : &window, key, modifiers);
+  }
+  template <class Panel>
+  [[nodiscard]] bool keyboard_in() {
+    const auto* panel = window.findChild<Panel*>();
+    const QWidget* now = QApplication::focusWidget();
+    return now != nullptr && (panel == now || panel->isAncestorOf(now));
+  }
+  [[nodiscard]] double x() { return window.session().scene().targets[0].position_m.x; }
+
+  MainWindow window;
+};
+
+}  // namespace
+
+class KeysTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("keys_test");
+  }
+
+  void f6_takes_the_keyboard_from_panel_to_panel_and_back() {
+    Bench bench;
+    bench.window.scene().scene().setFocus();
+    bench.press(Qt::Key_F6);
+    QVERIFY(bench.keyboard_in<StoredSimulations>());  // and not in the script, which lies behind it
+    bench.press(Qt::Key_F6);
+    QVERIFY(bench.keyboard_in<PropertyPanel>());
+    bench.press(Qt::Key_F6);
+    QVERIFY(bench.keyboard_in<ObjectTree>());
+    bench.press(Qt::Key_F6);
+    QVERIFY(bench.window.scene().scene().hasFocus());
+    bench.press(Qt::Key_F6, Qt::ShiftModifier);
+    QVERIFY(bench.keyboard_in<ObjectTree>());
+  }
+
+  void the_functions_of_an_object_open_from_the_menu() {
+    Bench bench;
+    auto* menu = bench.window.findChild<QMenu*>("edit_functions");
+    QVERIFY(!menu->isEnabled());
+    std::size_t moving = 0;
+    const std::vector<Platform>& platforms = bench.window.session().scene().platforms;
+    while (moving < platforms.size() && platforms[moving].path != Platform::Path::trajectory) ++moving;
+    QVERIFY(moving < platforms.size());
+    bench.window.session().select_only({ObjectKind::platform, moving});
+    QVERIFY(menu->isEnabled());
+    QCOMPARE(menu->actions().size(), qsizetype{1});
+    menu->actions()[0]->trigger();
+    auto* editor = bench.window.findChild<FunctionEditor*>();
+    QVERIFY(editor != nullptr && editor->isVisible());
+    editor->reject();
+    bench.window.session().select_only({ObjectKind::target, 0});
+    QVERIFY(!menu->isEnabled());
+  }
+
+  void undo_in_a_field_is_of_its_typing_first_and_of_the_scene_then() {
+    Bench bench;
+    const double before = bench.x();
+    bench.window.session().select_only({ObjectKind::target, 0});
+    auto* field = bench.window.findChild<PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
+    const QString shown = field->text();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "77");
+    bench.press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(field->text(), shown);
+    QCOMPARE(bench.x(), before);
+    field->selectAll();
+    QTest::keyClicks(field, "77");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(bench.x(), 77.0);
+    bench.press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.x(), before);
+    QCOMPARE(field->text(), shown);
+    QVERIFY(!bench.window.isWindowModified());
+    bench.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(bench.x(), 77.0);
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::KeysTest)
+#include "keys_test.moc"
