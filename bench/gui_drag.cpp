@@ -29,6 +29,7 @@ void run(std::size_t targets) {
     print(targets, with_table, "drag a target", drags.move_target(steps));
     print(targets, with_table, "step a coordinate", drags.step_coordinate(steps));
   }
+  print(targets, true, "fill a column", drags.fill_column(5));
 }
 
 }  // namespace

@@ -78,6 +78,18 @@ std::optional<std::vector<DecodedChange>> decoded_changes(const TextChanges& cha
   return decoded_ones;
 }
 
+QString changed_text(const QString& text, const std::vector<DecodedChange>& changes) {
+  QString result;
+  qsizetype taken = 0;  // of the text before
+  for (const DecodedChange& change : changes) {
+    const qsizetype before = change.at - result.size();
+    result.append(QStringView(text).mid(taken, before));
+    result.append(change.put_in);
+    taken += before + change.removed;
+  }
+  return result.append(QStringView(text).mid(taken));
+}
+
 ScriptCoding coding_of(std::string_view text) { return {!view_of(text).isValidUtf8(), line_end_of(text)}; }
 
 QString decoded(std::string_view text, const ScriptCoding& coding) {

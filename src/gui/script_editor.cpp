@@ -26,16 +26,9 @@ constexpr int pause_ms = 300;
 constexpr int run_end_ms = 2000;
 constexpr int problems_ms = 100;
 constexpr std::size_t most_listed = 500;
-constexpr std::size_t most_splices = 30;  // beyond, one that spans them all is quicker
 
 // What stands between the common beginning and the common end of two texts.
-struct Difference {
-  int at = 0;
-  int removed = 0;
-  QString put_in;
-};
-
-Difference difference_of(const QString& from, const QString& to) {
+DecodedChange difference_of(const QString& from, const QString& to) {
   const auto shorter = std::min(from.size(), to.size());
   qsizetype head = 0;
   while (head < shorter && from[head] == to[head]) ++head;
@@ -201,14 +194,11 @@ bool ScriptEditor::take_last_changes() {
   if (document.revision() == revision_) return true;
   if (document.revision() != revision_ + 1 || !document.last_edit()) return false;
   const auto& [edit, forwards] = *document.last_edit();
-  if (edit.script.changes.size() > most_splices) return false;
   const auto changes = decoded_changes(edit.script.changes, forwards, document.text(), coding_);
   if (!changes) return false;
+  shared_ = changed_text(shared_, *changes);
   splicing_ = true;
-  for (const DecodedChange& change : *changes) {
-    shared_.replace(change.at, change.removed, change.put_in);
-    text_->splice(change.at, change.removed, change.put_in);
-  }
+  text_->splice(*changes);
   splicing_ = false;
   return true;
 }
@@ -220,10 +210,10 @@ void ScriptEditor::take_whole_text() {
   QString now = decoded(session_.document().text(), coding_);
   if (now == shared_) return;
   const QString typed = text_->script();
-  Difference change = difference_of(shared_, now);
+  DecodedChange change = difference_of(shared_, now);
   bool still_typing = false;
   if (typed != shared_) {
-    const Difference own = difference_of(shared_, typed);
+    const DecodedChange own = difference_of(shared_, typed);
     const int grown = static_cast<int>(typed.size() - shared_.size());
     still_typing = own.at + own.removed <= change.at || change.at + change.removed <= own.at;
     if (!still_typing)
@@ -233,7 +223,7 @@ void ScriptEditor::take_whole_text() {
   }
   shared_ = std::move(now);
   splicing_ = true;
-  text_->splice(change.at, change.removed, change.put_in);
+  text_->splice({change});
   splicing_ = false;
   agreed_ = !still_typing;
   if (!still_typing) pause_.stop();

@@ -1,5 +1,7 @@
 #include "gui/script_highlighter.hpp"
 
+#include <QTextLayout>
+
 #include "gui/palette_colours.hpp"
 #include "script/grammar.hpp"
 #include "script/tokens.hpp"
@@ -35,13 +37,8 @@ std::vector<ScriptSpan> script_spans(const QString& line) {
   return spans;
 }
 
-ScriptHighlighter::ScriptHighlighter(QTextDocument* document) : QSyntaxHighlighter(document) {}
-
 void ScriptHighlighter::set_palette(const QPalette& palette) {
-  const bool dark = is_dark(palette);
-  if (coloured_ && dark == dark_) return;
-  coloured_ = true;
-  dark_ = dark;
+  dark_ = is_dark(palette);
   const auto set = [&](ScriptPart part, Role role, bool bold, bool italic) {
     QTextCharFormat& format = formats_[static_cast<std::size_t>(part)];
     format.setForeground(colour_of(role, palette));
@@ -53,12 +50,19 @@ void ScriptHighlighter::set_palette(const QPalette& palette) {
   set(ScriptPart::number, Role::text, false, false);
   set(ScriptPart::name, Role::hovered, false, false);
   set(ScriptPart::comment, Role::curve_3, false, true);
-  rehighlight();
 }
 
-void ScriptHighlighter::highlightBlock(const QString& line) {
-  for (const ScriptSpan& span : script_spans(line))
-    setFormat(span.at, span.length, formats_[static_cast<std::size_t>(span.part)]);
+void ScriptHighlighter::colour(QTextBlock line) const {
+  const QString text = line.text();
+  const int stamp =
+      static_cast<int>(qHash(text, dark_ ? 1 : 2) & 0x7FFFFFFF);  // Lines that were never coloured have -1.
+  if (line.userState() == stamp) return;
+  QList<QTextLayout::FormatRange> ranges;
+  for (const ScriptSpan& span : script_spans(text))
+    ranges += {span.at, span.length, formats_[static_cast<std::size_t>(span.part)]};
+  line.setUserState(stamp);
+  line.layout()->setFormats(ranges);
+  line.clearLayout();
 }
 
 }  // namespace sarsim

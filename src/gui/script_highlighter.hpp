@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QPalette>
-#include <QSyntaxHighlighter>
+#include <QTextBlock>
 #include <QTextCharFormat>
 
 #include <array>
@@ -25,23 +25,18 @@ struct ScriptSpan {
 [[nodiscard]] std::vector<ScriptSpan> script_spans(const QString& line);
 
 /// Colours a script: commands, keywords, numbers, comments. Weight and slant tell the parts apart as well as colour
-/// does.
-class ScriptHighlighter : public QSyntaxHighlighter {
-  Q_OBJECT
-
+/// does. Lines are coloured one by one, when they are about to be seen, so that long scripts cost no more than short
+/// ones.
+class ScriptHighlighter {
  public:
-  explicit ScriptHighlighter(QTextDocument* document);
-
-  /// Takes the colours that suit a palette and colours the text anew.
+  /// Takes the colours that suit a palette.
   void set_palette(const QPalette& palette);
-
- protected:
-  void highlightBlock(const QString& line) override;
+  /// Colours a line, unless that was done since its text or the colours changed; it has to be laid out again then.
+  void colour(QTextBlock line) const;
 
  private:
   std::array<QTextCharFormat, static_cast<std::size_t>(ScriptPart::count)> formats_;
   bool dark_ = false;
-  bool coloured_ = false;
 };
 
 }  // namespace sarsim

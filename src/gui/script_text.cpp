@@ -18,8 +18,6 @@ namespace sarsim {
 
 namespace {
 
-// Longer scripts are left uncoloured: colouring takes a second for every few hundred thousand lines.
-constexpr int longest_coloured_lines = 200'000;
 constexpr std::size_t most_marks = 500;
 constexpr double smallest_size_pt = 5.0;
 constexpr double largest_size_pt = 60.0;
@@ -52,13 +50,15 @@ ScriptText::ScriptText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Li
   setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   setTabStopDistance(8.0 * fontMetrics().horizontalAdvance(u' '));
   first_size_pt_ = font().pointSizeF() > 0.0 ? font().pointSizeF() : 10.0;
-  highlighter_ = new ScriptHighlighter(document());
+  highlighter_ = std::make_unique<ScriptHighlighter>();
   connect(this, &QPlainTextEdit::blockCountChanged, this, &ScriptText::place_margin);
   connect(this, &QPlainTextEdit::updateRequest, this, &ScriptText::scroll_margin);
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, &ScriptText::show_marks);
   refresh_colours();
   place_margin();
 }
+
+ScriptText::~ScriptText() = default;
 
 QString ScriptText::script() const {
   // Not toPlainText, which turns blanks that do not break into ones that do.
@@ -68,23 +68,21 @@ QString ScriptText::script() const {
 
 void ScriptText::set_script(const QString& text) {
   marks_.clear();
-  const bool coloured = text.count(u'\n') < longest_coloured_lines;
-  // A text that comes whole is coloured once, when it is there.
-  highlighter_->setDocument(nullptr);
   setPlainText(text);
-  if (coloured) highlighter_->setDocument(document());
   show_marks();
 }
 
-void ScriptText::splice(int at, int length, const QString& with) {
+void ScriptText::splice(const std::vector<DecodedChange>& changes) {
   const int across = horizontalScrollBar()->value();
   const QTextBlock top = firstVisibleBlock();
   QTextCursor top_cursor(top);
   QTextCursor edit(document());
-  edit.setPosition(at);
-  edit.setPosition(at + length, QTextCursor::KeepAnchor);
   edit.beginEditBlock();
-  edit.insertText(with);
+  for (const DecodedChange& change : changes) {
+    edit.setPosition(change.at);
+    edit.setPosition(change.at + change.removed, QTextCursor::KeepAnchor);
+    edit.insertText(change.put_in);
+  }
   edit.endEditBlock();
   // The scroll bar counts lines: the line that was on top stays there.
   verticalScrollBar()->setValue(top_cursor.block().firstLineNumber());
@@ -212,6 +210,16 @@ void ScriptText::scroll_margin(const QRect& area, int dy) {
     margin_->scroll(0, dy);
   else
     margin_->update(0, area.y(), margin_->width(), area.height());
+}
+
+// Before lines are seen.
+void ScriptText::paintEvent(QPaintEvent* event) {
+  QTextBlock line = firstVisibleBlock();
+  for (double top = contentOffset().y(); line.isValid() && top <= viewport()->height(); line = line.next()) {
+    highlighter_->colour(line);
+    top += blockBoundingRect(line).height();  // Lays it out where that is needed.
+  }
+  QPlainTextEdit::paintEvent(event);
 }
 
 void ScriptText::resizeEvent(QResizeEvent* event) {

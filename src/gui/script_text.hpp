@@ -2,6 +2,7 @@
 
 #include <QPlainTextEdit>
 
+#include <memory>
 #include <vector>
 
 #include "base/problem.hpp"
@@ -18,13 +19,14 @@ class ScriptText : public QPlainTextEdit {
 
  public:
   explicit ScriptText(QWidget* parent = nullptr);
+  ~ScriptText() override;
 
   /// The text with '\n' at the ends of lines, character by character as it was put in.
   [[nodiscard]] QString script() const;
   /// Puts another text in its place.
   void set_script(const QString& text);
-  /// Puts a stretch of text in place of another; the cursor and what is on screen stay where they are.
-  void splice(int at, int length, const QString& with);
+  /// Puts stretches of text in place of others, in turn; the cursor and what is on screen stay where they are.
+  void splice(const std::vector<DecodedChange>& changes);
 
   /// Underlines problems; they move with the text until they are set again.
   void underline(const std::vector<Problem>& problems, const ScriptCoding& coding);
@@ -46,6 +48,7 @@ class ScriptText : public QPlainTextEdit {
   void left();  ///< The keyboard goes elsewhere.
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
@@ -68,7 +71,7 @@ class ScriptText : public QPlainTextEdit {
   [[nodiscard]] QTextCursor stretch_of(const Place& place, const ScriptCoding& coding) const;
 
   QWidget* margin_ = nullptr;
-  ScriptHighlighter* highlighter_ = nullptr;
+  std::unique_ptr<ScriptHighlighter> highlighter_;
   std::vector<Mark> marks_;
   double first_size_pt_ = 0.0;
 };

@@ -133,9 +133,8 @@ void Session::follow_last_edit() {
   const auto& last = document_.last_edit();
   if (!last) return;
   const auto follow = [&](const std::set<ObjectId>& ids) {
-    std::set<ObjectId> there;
-    for (const ObjectId& id : ids)
-      if (const auto now = moved(id, last->edit, last->forwards); now && has_object(scene(), *now)) there.insert(*now);
+    std::set<ObjectId> there = moved(ids, last->edit, last->forwards);
+    std::erase_if(there, [&](ObjectId id) { return !has_object(scene(), id); });
     return there;
   };
   hidden_ = follow(hidden_);

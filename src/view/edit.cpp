@@ -1,6 +1,7 @@
 #include "view/edit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "view/edit_runs.hpp"
@@ -63,6 +64,28 @@ void make(const Edit& edit, bool forwards, Scene& scene) {
   if (options_out && !same(*options_out, scene.options)) throw_foreign_edit();
   change_scene_or_nothing(edit, forwards, scene);
   if (options_in) scene.options = *options_in;
+}
+
+// What a run of changes does to places in the list that it changes; ascending before and after.
+void move_places(std::vector<std::size_t>& places, std::span<const ListChange> run) {
+  if (run.front().inserts()) {
+    std::size_t before = 0;  // insertions that come before the place
+    for (std::size_t& place : places) {
+      while (before < run.size() && run[before].id.index <= place + before) ++before;
+      place += before;
+    }
+  } else if (run.front().removes()) {
+    std::size_t left = run.size();  // removals of what stands further on; the run descends
+    std::erase_if(places, [&](std::size_t place) {
+      while (left > 0 && run[left - 1].id.index < place) --left;
+      return left > 0 && run[left - 1].id.index == place;
+    });
+    left = run.size();
+    for (std::size_t& place : places) {
+      while (left > 0 && run[left - 1].id.index < place) --left;
+      place -= run.size() - left;
+    }
+  }
 }
 
 }  // namespace
@@ -136,16 +159,23 @@ Edit composed(Edit first, const Edit& second) {
 }
 
 std::optional<ObjectId> moved(ObjectId id, const Edit& edit, bool forwards) {
-  for (const ListChange& change : list_changes(edit, forwards)) {
-    if (change.id.kind != id.kind) continue;
-    if (change.inserts() && change.id.index <= id.index) {
-      ++id.index;
-    } else if (change.removes()) {
-      if (change.id.index == id.index) return std::nullopt;
-      if (change.id.index < id.index) --id.index;
-    }
+  const std::set<ObjectId> there = moved(std::set{id}, edit, forwards);
+  return there.empty() ? std::nullopt : std::optional(*there.begin());
+}
+
+std::set<ObjectId> moved(const std::set<ObjectId>& ids, const Edit& edit, bool forwards) {
+  std::array<std::vector<std::size_t>, 6> places;  // of each kind, ascending
+  for (const ObjectId id : ids) places[static_cast<std::size_t>(id.kind)].push_back(id.index);
+  const std::vector<ListChange> changes = list_changes(edit, forwards);
+  for (std::span<const ListChange> rest = changes; !rest.empty();) {
+    const std::span<const ListChange> run = rest.first(run_length(rest));
+    move_places(places[static_cast<std::size_t>(run.front().id.kind)], run);
+    rest = rest.subspan(run.size());
   }
-  return id;
+  std::set<ObjectId> there;
+  for (const ObjectKind kind : all_object_kinds)
+    for (const std::size_t place : places[static_cast<std::size_t>(kind)]) there.insert(there.end(), {kind, place});
+  return there;
 }
 
 }  // namespace sarsim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,8 @@ void revert(const Edit& edit, Scene& scene);
 
 /// Where an id is after an edit; nothing where the edit removed it. `forwards` false: after reverting.
 [[nodiscard]] std::optional<ObjectId> moved(ObjectId id, const Edit& edit, bool forwards = true);
+/// Where many ids are, without those that the edit removed; in time linear in them for each run of changes to a list.
+[[nodiscard]] std::set<ObjectId> moved(const std::set<ObjectId>& ids, const Edit& edit, bool forwards = true);
 
 /// Why an object of the scene cannot be given a name, in words for people: it is empty, holds characters that no script
 /// can, or another object of its kind has it. Empty where it can.

@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
+#include <QTableView>
 #include <QTest>
 #include <QWindow>
 
@@ -22,6 +23,8 @@
 #include "gui/main_window.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
+#include "gui/target_table.hpp"
+#include "gui/target_table_model.hpp"
 #include "script/writer.hpp"
 #include "view/document.hpp"
 
@@ -126,6 +129,21 @@ class WindowDrags : public QObject {
     const QString before = field->text();
     AnswerTimes times = timed(steps, [&](int) { QTest::keyClick(field, Qt::Key_Up); });
     if (field->text() == before) throw std::runtime_error("the key changed nothing");
+    return times;
+  }
+
+  /// Gives all targets of the table another cross-section, again and again.
+  AnswerTimes fill_column(int steps) {
+    auto* table = window_.findChild<TargetTable*>();
+    auto* view = table->findChild<QTableView*>("target_cells");
+    const int column = static_cast<TargetTableModel*>(view->model())->column_of("rcs_m2");
+    const QItemSelection cells(view->model()->index(0, column),
+                               view->model()->index(view->model()->rowCount() - 1, column));
+    view->selectionModel()->select(cells, QItemSelectionModel::ClearAndSelect);
+    QTest::qWait(500);
+    AnswerTimes times = timed(steps, [&](int i) { table->fill_selection(QString("%1 m2").arg(i + 2)); });
+    if (window_.session().scene().targets.back().rcs_m2 != 1.0 + steps)
+      throw std::runtime_error("the column was not filled");
     return times;
   }
 

@@ -1,0 +1,534 @@
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeView>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "gui/function_editor.hpp"
+#include "gui/import_dialog.hpp"
+#include "gui/main_window.hpp"
+#include "gui/object_tree.hpp"
+#include "gui/object_tree_model.hpp"
+#include "gui/property_panel.hpp"
+#include "gui/run_panel.hpp"
+#include "gui/scene_panel.hpp"
+#include "gui/scene_widget.hpp"
+#include "gui/script_coding.hpp"
+#include "gui/script_editor.hpp"
+#include "gui/script_text.hpp"
+#include "gui/target_table.hpp"
+#include "gui/target_table_model.hpp"
+#include "script/reader.hpp"
+#include "small_scene.hpp"
+#include "view/edit_test_support.hpp"
+
+// Every way to change a scene, undone and done again: scene and text come back, byte by byte.
+
+namespace sarsim {
+namespace {
+
+using test::platform;
+using test::radar;
+using test::target;
+
+constexpr ObjectId first_simulation{ObjectKind::simulation, 0};
+constexpr ObjectId first_surface{ObjectKind::surface, 0};
+
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// The small scene with a path for the ship, and with comments above, beside and behind its commands.
+std::string commented_script() {
+  Scene scene = test::small_scene();
+  Platform& ship = scene.platforms[1];
+  ship.path = Platform::Path::trajectory;
+  for (SampledFunction& part : ship.trajectory_m.part) part.knots = {{0.0, 10.0}, {1.0, 150.0}};
+  std::istringstream lines(write_script(scene));
+  std::string script = "! A scene for tests\n\n";
+  int number = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    if (line.starts_with("$")) script += "! about the next command\n";
+    script += line;
+    if (number % 3 == 0 && !line.empty() && line.find('!') == std::string::npos) script += "   ! beside";
+    script += '\n';
+  }
+  return script + "\n! the end";
+}
+
+// --- Makers of edits ------------------------------------------------------------------------------------------------
+
+using Maker = std::function<Edit(const Scene&)>;
+
+// By the names of the functions in view/edit.hpp that make edits; one entry for each or more.
+const std::multimap<std::string, Maker>& makers() {
+  static const std::multimap<std::string, Maker> all{
+      {"replace_object",
+       [](const Scene& scene) {
+         Target moved = scene.targets[1];
+         moved.position_m = {1.25, -3e6, 0.1};
+         return replace_object(scene, target(1), moved, "Move target");
+       }},
+      {"replace_object",
+       [](const Scene& scene) {
+         Radar other = scene.radars[0];
+         other.pulse = Radar::Pulse::barker;
+         other.bandwidth_hz = Radar{}.bandwidth_hz;
+         other.carrier = Radar::Carrier::stepped;
+         return replace_object(scene, radar(0), other, "Change radar");
+       }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, Platform{}); }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, Target{}); }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, Surface{}); }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, Radar{}); }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, scene.simulations[0]); }},
+      {"add_object", [](const Scene& scene) { return add_object(scene, scene.geometries[0]); }},
+      {"remove_objects",
+       [](const Scene& scene) {
+         return remove_objects(scene, {target(0), target(2)});
+       }},
+      {"remove_objects", [](const Scene& scene) { return remove_objects(scene, {platform(0)}); }},
+      {"remove_objects",
+       [](const Scene& scene) {
+         return remove_objects(scene, {radar(0), first_surface});
+       }},
+      {"duplicate_objects",
+       [](const Scene& scene) {
+         return duplicate_objects(scene, {platform(1), target(0)});
+       }},
+      {"rename_object", [](const Scene& scene) { return rename_object(scene, platform(1), "Great ship"); }},
+      {"rename_object", [](const Scene& scene) { return rename_object(scene, radar(0), "X"); }},
+      {"carry_objects",
+       [](const Scene& scene) {
+         return carry_objects(scene, {target(0), radar(0)}, "Ship");
+       }},
+      {"add_targets", [](const Scene& scene) { return add_targets(scene, std::vector<Target>(3)); }},
+      {"change_options",
+       [](const Scene& scene) {
+         RunOptions options = scene.options;
+         options.seed = 7;
+         options.profile = Profile::classic;
+         return change_options(scene, options);
+       }},
+      {"difference", [](const Scene& scene) {
+         Scene to = scene;
+         to.targets.erase(to.targets.begin());
+         to.surfaces.emplace_back();
+         to.radars[1].power_w = 5.0;
+         to.options.tolerance = 1e-3;
+         return difference(scene, to, "Difference");
+       }}};
+  return all;
+}
+
+// --- Commands of the windows ----------------------------------------------------------------------------------------
+
+struct Command {
+  std::string file;  // of src/gui, where it changes the document
+  std::string name;
+  std::function<void(MainWindow&)> work;
+};
+
+void trigger(MainWindow& window, const char* action) {
+  auto* found = window.findChild<QAction*>(action);
+  QVERIFY2(found != nullptr, action);
+  found->trigger();
+}
+void press(QWidget* in, const char* button) {
+  auto* found = in->findChild<QPushButton*>(button);
+  QVERIFY2(found != nullptr && found->isEnabled(), button);
+  found->click();
+}
+ObjectTree& tree(MainWindow& window) { return *window.findChild<ObjectTree*>(); }
+ObjectTreeModel& tree_model(MainWindow& window) {
+  return *qobject_cast<ObjectTreeModel*>(window.findChild<QTreeView*>("object_tree")->model());
+}
+TargetTable& table(MainWindow& window) { return *window.window_named("targets")->findChild<TargetTable*>(); }
+void type_into(MainWindow& window, const char* field, const QString& text) {
+  auto* edit = window.findChild<QLineEdit*>(field);
+  QVERIFY2(edit != nullptr, field);
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
+void select_cells(MainWindow& window, const char* field) {
+  auto* view = table(window).findChild<QTableView*>("target_cells");
+  const int column = qobject_cast<TargetTableModel*>(view->model())->column_of(field);
+  view->setCurrentIndex(view->model()->index(0, column));
+  view->selectionModel()->select(QItemSelection(view->model()->index(0, column), view->model()->index(1, column)),
+                                 QItemSelectionModel::ClearAndSelect);
+}
+void import(MainWindow& window) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("targets.csv");
+  std::ofstream(path.toStdString()) << "x,y,z\n1,2,3\n4,5,6\n";
+  ImportDialog dialog(window.session());
+  dialog.set_file(path);
+  dialog.set_platform("Ship");
+  dialog.accept();
+}
+void bend_path(MainWindow& window) {
+  FunctionEditor editor(window.session(), platform(1), "trajectory_m");
+  auto* points = editor.findChild<QTableView*>("function_table")->model();
+  QVERIFY(points->setData(points->index(1, 1), "175"));
+  editor.accept();
+}
+void drag(MainWindow& window, ObjectId id) {
+  SceneWidget& view = window.scene().scene();
+  emit view.drag_started(id);
+  for (int i = 1; i <= 5; ++i) emit view.dragged_to(id, {1.5 * i, 0.0, -2.0 * i});
+  emit view.drag_ended();
+}
+void type_in_script(MainWindow& window) {
+  auto& editor = *window.findChild<ScriptEditor*>();
+  editor.text().moveCursor(QTextCursor::End);
+  editor.text().insertPlainText("\n$TARGET Earth 1 2 3 0 0 0 1 0 ISO ! typed\n");
+  editor.commit();
+}
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{
+      {"main_window.cpp", "new target", [](MainWindow& w) { trigger(w, "new_target"); }},
+      {"main_window.cpp", "new platform", [](MainWindow& w) { trigger(w, "new_platform"); }},
+      {"main_window.cpp", "new radar", [](MainWindow& w) { trigger(w, "new_radar"); }},
+      {"main_window.cpp", "new surface", [](MainWindow& w) { trigger(w, "new_surface"); }},
+      {"main_window.cpp", "new simulation", [](MainWindow& w) { trigger(w, "simulation_raw"); }},
+      {"object_tree.cpp", "delete",
+       [](MainWindow& w) {
+         w.session().select({platform(1), target(0)});
+         tree(w).delete_selection();
+       }},
+      {"object_tree.cpp", "duplicate",
+       [](MainWindow& w) {
+         w.session().select({platform(1), target(0)});
+         tree(w).duplicate_selection();
+       }},
+      {"object_tree.cpp", "invert surface",
+       [](MainWindow& w) {
+         w.session().select_only(first_surface);
+         tree(w).invert_surfaces();
+       }},
+      {"object_tree_model.cpp", "rename",
+       [](MainWindow& w) {
+         ObjectTreeModel& model = tree_model(w);
+         QVERIFY(model.setData(model.index_of(radar(0)), "C-band", Qt::EditRole));
+       }},
+      {"object_tree_drag.cpp", "carry",
+       [](MainWindow& w) {
+         ObjectTreeModel& model = tree_model(w);
+         const std::unique_ptr<QMimeData> data(model.mimeData({model.index_of(target(0)), model.index_of(radar(0))}));
+         QVERIFY(model.dropMimeData(data.get(), Qt::MoveAction, -1, -1, model.index_of(platform(1))));
+       }},
+      {"property_panel.cpp", "type a number",
+       [](MainWindow& w) {
+         w.session().select_only(target(1));
+         type_into(w, "field_position_m.x", "5 km");
+       }},
+      {"property_panel.cpp", "type a number for several",
+       [](MainWindow& w) {
+         w.session().select({target(0), target(1)});
+         type_into(w, "field_rcs_m2", "10 dBsm");
+       }},
+      {"property_panel.cpp", "choose",
+       [](MainWindow& w) {
+         w.session().select_only(radar(0));
+         auto* box = w.findChild<QComboBox*>("field_pulse");
+         box->setCurrentIndex((box->currentIndex() + 1) % box->count());
+       }},
+      {"property_panel.cpp", "rename",
+       [](MainWindow& w) {
+         w.session().select_only(platform(1));
+         type_into(w, "field_name", "Boat");
+       }},
+      {"property_panel.cpp", "options",
+       [](MainWindow& w) {
+         w.session().select({});
+         type_into(w, "field_seed", "11");
+       }},
+      {"scene_panel.cpp", "drag a target", [](MainWindow& w) { drag(w, target(2)); }},
+      {"scene_panel.cpp", "drag a platform", [](MainWindow& w) { drag(w, platform(0)); }},
+      {"stored_simulations.cpp", "delete a simulation",
+       [](MainWindow& w) {
+         w.session().select_only(first_simulation);
+         press(&w, "stored_delete");
+       }},
+      {"stored_simulations.cpp", "new simulation", [](MainWindow& w) { press(&w, "stored_new"); }},
+      {"stored_simulations.cpp", "best LSB",
+       [](MainWindow& w) { emit w.findChild<RunPanel*>()->lsb_wanted(w.session().scene().simulations[0], 1.5e-3); }},
+      {"target_table.cpp", "add a target", [](MainWindow& w) { table(w).add_target(); }},
+      {"target_table.cpp", "delete targets",
+       [](MainWindow& w) {
+         select_cells(w, "rcs_m2");
+         table(w).delete_targets();
+       }},
+      {"target_table.cpp", "paste targets",
+       [](MainWindow& w) {
+         QApplication::clipboard()->setText("1\t2\t3\n4\t5\t6\n");
+         table(w).paste();
+       }},
+      {"target_table_model.cpp", "fill",
+       [](MainWindow& w) {
+         select_cells(w, "rcs_m2");
+         table(w).fill_selection("3 m2");
+       }},
+      {"import_dialog.cpp", "import", import},
+      {"function_editor.cpp", "change a function", bend_path},
+      {"geometry_window.cpp", "delete a table",
+       [](MainWindow& w) { press(w.window_named("geometry"), "geometry_delete_stored"); }},
+      {"geometry_window.cpp", "store a table",
+       [](MainWindow& w) { press(w.window_named("geometry"), "geometry_to_script"); }},
+      {"script_editor.cpp", "type", type_in_script}};
+  return all;
+}
+
+// How many places in a file of src/gui change the document.
+std::map<std::string, int> places_that_edit() {
+  std::map<std::string, int> places;
+  for (const auto& entry : std::filesystem::directory_iterator(SARSIM_SOURCE_DIR "/src/gui")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".cpp") || name == "session.cpp") continue;
+    const std::string text = file_text(entry.path());
+    const std::regex call(R"(session_?(\(\))?\.(perform|type_text)\()");
+    const auto found = std::distance(std::sregex_iterator(text.begin(), text.end(), call), std::sregex_iterator());
+    if (found > 0) places[name] = static_cast<int>(found);
+  }
+  return places;
+}
+
+bool shows_its_text(MainWindow& window) {
+  const std::string& text = window.session().document().text();
+  return window.findChild<ScriptEditor*>()->text().script() == decoded(text, coding_of(text));
+}
+
+// A state of a document, and whether another is the same.
+struct State {
+  Scene scene;
+  std::string text;
+
+  explicit State(const Document& document) : scene(document.scene()), text(document.text()) {}
+  [[nodiscard]] bool is(const Document& document) const { return text == document.text() && scene == document.scene(); }
+};
+
+}  // namespace
+
+class UndoTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("undo_test");
+  }
+
+  void every_maker_of_edits_is_tested() {
+    const std::string header = file_text(SARSIM_SOURCE_DIR "/src/view/edit.hpp");
+    const std::regex declaration(R"(\[\[nodiscard\]\] Edit (\w+)\()");
+    std::set<std::string> declared;
+    for (std::sregex_iterator at(header.begin(), header.end(), declaration); at != std::sregex_iterator(); ++at)
+      declared.insert((*at)[1]);
+    declared.erase("composed");  // joins edits, makes none
+    QVERIFY(declared.size() >= 9);
+    for (const std::string& name : declared) QVERIFY2(makers().contains(name), (name + " is not in makers()").c_str());
+  }
+
+  void every_maker_undoes_and_redoes_scene_and_text() {
+    for (const auto& [name, make] : makers()) {
+      Document document = Document::from_text(commented_script());
+      const State before(document);
+      document.perform(make(document.scene()));
+      const State after(document);
+      QVERIFY2(after.text != before.text, name.c_str());
+      QVERIFY2(read_script(after.text, "", {}).scene == after.scene, name.c_str());
+      QVERIFY2(after.text.find("! A scene for tests") == 0, name.c_str());
+      document.undo();
+      QVERIFY2(before.is(document), name.c_str());
+      QVERIFY2(!document.history().can_undo() && !document.changed(), name.c_str());
+      document.redo();
+      QVERIFY2(after.is(document), name.c_str());
+      QVERIFY2(!document.history().can_redo(), name.c_str());
+    }
+  }
+
+  void every_place_in_the_windows_that_edits_is_tested() {
+    std::set<std::string> tested;
+    std::map<std::string, int> known;
+    for (const Command& command : commands()) known[command.file] += 1;
+    for (const auto& [file, places] : places_that_edit()) {
+      if (file == "document_keeper.cpp") continue;  // takes a text up after a crash; recovery is tested on its own
+      QVERIFY2(
+          known.contains(file) && known[file] >= places,
+          (file + " changes the document in " + std::to_string(places) + " places; add them to commands()").c_str());
+      tested.insert(file);
+    }
+    for (const auto& [file, count] : known)
+      QVERIFY2(tested.contains(file), (file + " changes nothing any more").c_str());
+  }
+
+  void every_command_undoes_and_redoes_scene_and_text() {
+    for (const Command& command : commands()) {
+      MainWindow window;
+      window.session().take(Document::from_text(commented_script()));
+      window.show();
+      const Document& document = window.session().document();
+      const State before(document);
+      command.work(window);
+      if (QTest::currentTestFailed()) return;
+      const State after(document);
+      QVERIFY2(after.text != before.text, command.name.c_str());
+      QVERIFY2(read_script(after.text, "", {}).scene == after.scene, command.name.c_str());
+      QVERIFY2(!document.history().undo_label().empty(), command.name.c_str());
+      trigger(window, "edit_undo");
+      QVERIFY2(before.is(document), command.name.c_str());
+      QVERIFY2(!document.history().can_undo(), (command.name + " is more than one step").c_str());
+      trigger(window, "edit_redo");
+      QVERIFY2(after.is(document), command.name.c_str());
+      window.findChild<QDockWidget*>("script_dock")->raise();
+      QTRY_VERIFY2(shows_its_text(window), command.name.c_str());
+    }
+  }
+
+  void drags_and_runs_of_steps_are_one_step_each() {
+    MainWindow window;
+    window.session().take(Document::from_text(commented_script()));
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));  // Only then do fields hear that the keyboard leaves them.
+    const Document& document = window.session().document();
+    std::vector<State> states{State(document)};
+    const auto note = [&] { states.emplace_back(document); };
+    drag(window, target(0));
+    note();
+    drag(window, target(0));
+    note();
+    drag(window, target(1));
+    note();
+    const auto run_up = [&](const char* field, int steps) {
+      auto* edit = window.findChild<QLineEdit*>(field);
+      edit->setFocus();
+      for (int i = 0; i < steps; ++i) QTest::keyClick(edit, Qt::Key_Up);
+      QTest::keyClick(edit, Qt::Key_Tab);
+      note();
+    };
+    window.session().select_only(target(1));
+    run_up("field_position_m.x", 20);
+    run_up("field_position_m.x", 7);
+    run_up("field_position_m.y", 3);
+    window.session().select_only(target(2));
+    run_up("field_position_m.y", 4);
+    for (std::size_t i = 1; i < states.size(); ++i) QVERIFY(states[i].text != states[i - 1].text);
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+      QVERIFY2(states[i].is(document), std::to_string(i).c_str());
+      window.session().undo();
+    }
+    QVERIFY(states[0].is(document));
+    QVERIFY(!document.history().can_undo());
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      window.session().redo();
+      QVERIFY2(states[i].is(document), std::to_string(i).c_str());
+    }
+  }
+
+  void a_drag_that_comes_back_is_no_step() {
+    MainWindow window;
+    window.session().take(Document::from_text(commented_script()));
+    const State before(window.session().document());
+    SceneWidget& view = window.scene().scene();
+    emit view.drag_started(target(0));
+    emit view.dragged_to(target(0), {5.0, 0.0, 0.0});
+    emit view.dragged_to(target(0), {0.0, 0.0, 0.0});
+    emit view.drag_ended();
+    QVERIFY(before.is(window.session().document()));
+    QVERIFY(!window.session().document().history().can_undo());
+    QVERIFY(!window.session().document().changed());
+  }
+
+  // Edits of every maker, runs of merged edits and typed texts in any order, now and then some steps back and on.
+  void random_steps_go_back_to_the_beginning_and_forward_again() {
+    constexpr std::uint64_t seed = 20;
+    test::RandomEdits edits(seed);
+    Session session;
+    session.take(Document::from_text(commented_script()));
+    ScriptEditor editor(session);
+    editor.show();
+    ObjectTreeModel model(session);
+    const Document& document = session.document();
+    const auto shown = [&] { return editor.text().script() == decoded(document.text(), coding_of(document.text())); };
+    std::vector<State> states{State(document)};
+    std::size_t at = 0;
+    for (int step = 0; step < 500; ++step) {
+      const std::uint64_t kind = edits.below(10);
+      if (kind == 0) {
+        for (std::uint64_t back = edits.below(4); back > 0 && at > 0; --back, --at) session.undo();
+        for (std::uint64_t on = edits.below(3); on > 0 && at + 1 < states.size(); --on, ++at) session.redo();
+      } else {
+        take_step(session, edits, kind);
+        session.end_run();
+        if (!states[at].is(document)) {
+          states.erase(states.begin() + static_cast<std::ptrdiff_t>(++at), states.end());
+          states.emplace_back(document);
+        }
+      }
+      QVERIFY2(states[at].is(document), std::to_string(step).c_str());
+      QVERIFY2(shown(), std::to_string(step).c_str());
+    }
+    QVERIFY(states.size() > 200);
+    while (at > 0) {
+      session.undo();
+      QVERIFY2(states[--at].is(document), std::to_string(at).c_str());
+    }
+    QVERIFY(!document.history().can_undo());
+    QVERIFY(shown());
+    QCOMPARE(document.text(), commented_script());
+    for (++at; at < states.size(); ++at) {
+      session.redo();
+      QVERIFY2(states[at].is(document), std::to_string(at).c_str());
+    }
+    QVERIFY(!document.history().can_redo());
+    QVERIFY(shown());
+  }
+
+ private:
+  static void take_step(Session& session, test::RandomEdits& edits, std::uint64_t kind) {
+    if (kind == 1 && !session.scene().targets.empty()) {  // a drag
+      for (int i = 0; i < 5; ++i) {
+        Target moved = session.scene().targets[0];
+        moved.position_m.x += 1.25;
+        session.perform(replace_object(session.scene(), target(0), moved, "Move target", "drag"));
+      }
+    } else if (kind == 2) {  // typing, which may leave the text broken on the way
+      const std::string text = session.document().text();
+      session.type_text(text + "$TARGET Earth 1 2");
+      session.type_text(text + "$TARGET Earth 1 2 3 0 0 0 1 0 ISO ! typed\n");
+    } else if (kind == 3) {
+      session.type_text(session.document().text() + "! a remark\n");
+    } else {
+      session.perform(edits.edit(session.scene()));
+    }
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::UndoTest)
+#include "undo_test.moc"
