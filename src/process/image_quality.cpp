@@ -114,9 +114,7 @@ class Chip {
       }
       return values;
     }
-    for (std::ptrdiff_t i = -half; i <= half; ++i)
-      values[static_cast<std::size_t>(i + half)] =
-          value(u + static_cast<double>(i) * du, v + static_cast<double>(i) * dv);
+    fill_oblique(values, u, v, du, dv, half);
     return values;
   }
 
@@ -178,9 +176,37 @@ class Chip {
     }
   }
 
+  // A slanting line, magnitudes only: its values at every sixteenth place, without the carrier, fix those between.
+  void fill_oblique(std::vector<Complex>& values, double u, double v, double du, double dv, std::ptrdiff_t half) const {
+    constexpr std::ptrdiff_t fineness = 16;
+    const std::ptrdiff_t coarse_half = half / fineness;
+    const auto count = static_cast<std::size_t>(2 * coarse_half);
+    std::vector<Complex> coarse(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto step = static_cast<double>((static_cast<std::ptrdiff_t>(i) - coarse_half) * fineness);
+      coarse[i] = value(u + step * du, v + step * dv);
+    }
+    Fft(count).forward(coarse);
+    std::vector<Complex> fine(count * fineness);
+    for (std::size_t k = 0; k < count; ++k)
+      fine[2 * k < count ? k : fine.size() - count + k] = coarse[k] / static_cast<double>(count);
+    Fft(fine.size()).inverse(fine);
+    const auto first = static_cast<std::size_t>(half - coarse_half * fineness);
+    std::copy_n(fine.begin(), std::min(fine.size(), values.size() - first),
+                values.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
+  // Frequencies without the whole cycles and the centre that they were given.
+  [[nodiscard]] static std::vector<double> about_zero(std::vector<double> hz) {
+    const double centre = 0.5 * (std::ranges::min(hz) + std::ranges::max(hz));
+    for (double& value : hz) value -= centre;
+    return hz;
+  }
+
+  // The value without its carrier.
   [[nodiscard]] Complex value(double u, double v) const {
-    const std::vector<Complex> rows = turns_at(row_hz_, u);
-    const std::vector<Complex> columns = turns_at(column_hz_, v);
+    const std::vector<Complex> rows = turns_at(about_zero(row_hz_), u);
+    const std::vector<Complex> columns = turns_at(about_zero(column_hz_), v);
     double real = 0.0;
     double imag = 0.0;
     for (std::size_t k = 0; k < size_; ++k) {
