@@ -182,7 +182,7 @@ void GeometryWindow::add_fields(QWidget* page) {
   targets_->setAccessibleName(tr("Numbers of the targets shown"));
   targets_->setToolTip(tr("Numbers and ranges of targets, such as 1-20, 35; saved files hold all of them"));
   targets_problem_ = new ProblemLine(group);
-  auto* label = new QLabel(tr("&Show targets"), group);
+  auto* label = new QLabel(tr("Show &targets"), group);
   label->setBuddy(targets_);
   form->addRow(distance_);
   form->addRow(label, targets_);

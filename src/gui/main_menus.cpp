@@ -113,6 +113,9 @@ void MainWindow::make_edit_menu() {
     session_.undo();
   });
   QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
+  // Buttons of the tool bar stay where they are, whatever is undone.
+  undo->setIconText(tr("Undo"));
+  redo->setIconText(tr("Redo"));
   redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   const auto show = [this, undo, redo] {
     const History& history = session_.document().history();

@@ -116,6 +116,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (sized_) return;
   sized_ = true;
+  scene_->scene().setFocus();
   QTimer::singleShot(0, this, [this] {
     size_docks();
     first_layout_ = saveState(layout_version);

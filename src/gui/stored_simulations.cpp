@@ -106,11 +106,11 @@ QHBoxLayout* StoredSimulations::make_buttons() {
     return button;
   };
   of_chosen_ = {
-      add(tr("&Show"), "stored_show", tr("Opens a window with the echoes of this simulation"),
+      add(tr("Sho&w"), "stored_show", tr("Opens a window with the echoes of this simulation"),
           &StoredSimulations::show_chosen),
-      add(tr("&Edit"), "stored_edit", tr("Shows the fields of this simulation"), &StoredSimulations::edit_chosen),
+      add(tr("Ed&it"), "stored_edit", tr("Shows the fields of this simulation"), &StoredSimulations::edit_chosen),
       add(tr("&Run …"), "stored_run", tr("Computes the file of this simulation"), &StoredSimulations::run_chosen),
-      add(tr("&Delete"), "stored_delete", tr("Takes this simulation out of the script"),
+      add(tr("De&lete"), "stored_delete", tr("Takes this simulation out of the script"),
           &StoredSimulations::delete_chosen)};
   new_ = add(tr("&New"), "stored_new", tr("Stores a new simulation of the current radar"), &StoredSimulations::add_new);
   buttons->addStretch(1);

@@ -1,8 +1,11 @@
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QStandardPaths>
 #include <QtTest>
 
@@ -41,6 +44,22 @@ struct Bench {
   MainWindow window;
 };
 
+// Letters that Alt takes to a widget of a window, each with the texts that claim it.
+QMap<QString, QStringList> letters_of(const QWidget& window) {
+  QMap<QString, QStringList> claims;
+  const auto claim = [&](const QString& text) {
+    const QKeySequence letter = QKeySequence::mnemonic(text);
+    if (!letter.isEmpty()) claims[letter.toString()] += text;
+  };
+  for (const auto* button : window.findChildren<QAbstractButton*>())
+    if (button->window() == &window && button->isVisible() && !button->visibleRegion().isEmpty()) claim(button->text());
+  for (const auto* label : window.findChildren<QLabel*>())
+    if (label->window() == &window && label->isVisible() && label->buddy() != nullptr) claim(label->text());
+  if (const auto* main = qobject_cast<const QMainWindow*>(&window))
+    for (const QAction* menu : main->menuBar()->actions()) claim(menu->text());
+  return claims;
+}
+
 }  // namespace
 
 class KeysTest : public QObject {
@@ -66,6 +85,22 @@ class KeysTest : public QObject {
     QVERIFY(bench.window.scene().scene().hasFocus());
     bench.press(Qt::Key_F6, Qt::ShiftModifier);
     QVERIFY(bench.keyboard_in<ObjectTree>());
+  }
+
+  // Of two that have the same letter Alt opens neither.
+  void no_letter_of_a_window_is_claimed_twice() {
+    Bench bench;
+    QVERIFY(letters_of(bench.window).contains("Alt+F"));  // of a menu
+    QVERIFY(letters_of(bench.window).contains("Alt+N"));  // of a button
+    QStringList clashes;
+    for (const QString& name : MainWindow::window_names()) {
+      QWidget* window = bench.window.window_named(name)->window();
+      window->show();
+      QCoreApplication::processEvents();
+      for (const auto& [letter, texts] : letters_of(*window).asKeyValueRange())
+        if (texts.size() > 1) clashes += name + ": " + texts.join(", ");
+    }
+    QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join('\n')));
   }
 
   void the_functions_of_an_object_open_from_the_menu() {
