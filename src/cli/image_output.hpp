@@ -19,9 +19,9 @@ namespace sarsim::cli {
 /// Files that an image of that name becomes: data, and the header of ENVI and NPY.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_image(const std::filesystem::path& path);
 
-/// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a header,
-/// HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws Interrupted,
-/// and like the sinks.
+/// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a
+/// header, HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws
+/// Interrupted, and like the sinks.
 /// @param magnitude  ENVI: magnitudes instead of complex numbers
 void write_image(const FocusedRows& image, const ImageOrigin& origin, const std::filesystem::path& path, bool replace,
                  bool magnitude, const StopFlag* stop);

@@ -33,6 +33,8 @@
 #include "gui/script_coding.hpp"
 #include "gui/script_editor.hpp"
 #include "gui/script_text.hpp"
+#include "gui/simulation_window.hpp"
+#include "gui/simulation_windows.hpp"
 #include "gui/target_table.hpp"
 #include "gui/target_table_model.hpp"
 #include "script/reader.hpp"
@@ -213,7 +215,8 @@ const std::vector<Command>& commands() {
       {"main_window.cpp", "new platform", [](MainWindow& w) { trigger(w, "new_platform"); }},
       {"main_window.cpp", "new radar", [](MainWindow& w) { trigger(w, "new_radar"); }},
       {"main_window.cpp", "new surface", [](MainWindow& w) { trigger(w, "new_surface"); }},
-      {"main_window.cpp", "new simulation", [](MainWindow& w) { trigger(w, "simulation_raw"); }},
+      {"simulation_window.cpp", "store a simulation",
+       [](MainWindow& w) { w.simulation_windows().open_new(Processing::raw)->store_simulation(); }},
       {"object_tree.cpp", "delete",
        [](MainWindow& w) {
          w.session().select({platform(1), target(0)});
