@@ -38,7 +38,7 @@ struct Options {
 void read_options(CLI::App& app, Options& options) {
   app.description("Workbench of sarsim: builds a scene on screen. The same scripts as the command sarsim.");
   app.set_version_flag("--version", std::string("sarsim-gui ") + sarsim::program_version);
-  app.add_option("script,--script", options.script, "script to open");
+  app.add_option("file,--script", options.script, "script to open, or a file of samples to look at");
   app.add_flag("--dark", options.dark, "dark colours");
   app.add_flag("--light", options.light, "light colours");
   app.add_option("--time", options.time_s, "time of the scene, s");
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   if (options.dark) appearance = Appearance::dark;
   sarsim::set_appearance(application, appearance);
   sarsim::MainWindow window;
-  if (!options.script.empty() && !window.documents().open_file(QString::fromStdString(options.script)) &&
+  if (!options.script.empty() && !window.open_any(QString::fromStdString(options.script)) &&
       !options.screenshot.empty())
     return EXIT_FAILURE;
   window.session().set_time(options.time_s);

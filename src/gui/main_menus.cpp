@@ -23,9 +23,12 @@
 #include "gui/geometry_window.hpp"
 #include "gui/help_key.hpp"
 #include "gui/help_window.hpp"
+#include "gui/image_viewer.hpp"
+#include "gui/image_viewers.hpp"
 #include "gui/import_dialog.hpp"
 #include "gui/main_window.hpp"
 #include "gui/object_tree.hpp"
+#include "gui/open_image_dialog.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
@@ -209,10 +212,9 @@ void MainWindow::make_simulation_menu() {
       tr("Run the chosen simulation into its file"));
 
   QMenu* display = menuBar()->addMenu(tr("&Display"));
-  QAction* output = add_action(
-      display, tr("Simulation &Output"), "display_output", {}, [] {},
-      tr("The viewer of recordings is not there yet; sarsim info describes a file"));
-  output->setEnabled(false);
+  add_action(
+      display, tr("Simulation &Output…"), "display_output", QKeySequence("Ctrl+Shift+O"),
+      [this] { image_viewers_->ask_file(); }, tr("Look into a file of samples, of any size, or a picture"));
   add_action(display, tr("&Script File"), "display_script", QKeySequence("Ctrl+E"), [this] {
     docks_["script"]->show();
     docks_["script"]->raise();
@@ -380,8 +382,8 @@ void MainWindow::show_about() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",       "objects",    "properties", "script",   "simulations", "log",  "geometry",
-          "simulation", "compressed", "targets",    "function", "commands",    "help", "import"};
+  return {"main",       "objects", "properties", "script",   "simulations", "log",    "geometry", "simulation",
+          "compressed", "targets", "function",   "commands", "help",        "import", "viewer",   "output"};
 }
 
 QWidget* MainWindow::window_named(const QString& name) {
@@ -394,6 +396,11 @@ QWidget* MainWindow::window_named(const QString& name) {
   if (name == "geometry") return show_geometry(), geometry_;
   if (name == "simulation") return simulation_windows_->open_new(Processing::raw);
   if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
+  if (name == "viewer") {
+    const auto viewers = image_viewers_->viewers();
+    return viewers.empty() ? image_viewers_->open_empty() : viewers.front();
+  }
+  if (name == "output") return image_viewers_->ask_file();
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);

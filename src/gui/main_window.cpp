@@ -15,6 +15,8 @@
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
+#include "gui/image_viewer.hpp"
+#include "gui/image_viewers.hpp"
 #include "gui/log_panel.hpp"
 #include "gui/object_tree.hpp"
 #include "gui/property_panel.hpp"
@@ -33,7 +35,7 @@ namespace {
 
 constexpr int layout_version = 1;
 
-// The one script that a drop brings, or nothing.
+// The one file that a drop brings, or nothing.
 QString dropped_file(const QMimeData* data) {
   if (!data->hasUrls() || data->urls().size() != 1 || !data->urls().first().isLocalFile()) return {};
   return data->urls().first().toLocalFile();
@@ -89,6 +91,7 @@ void MainWindow::make_docks() {
   script_ = new ScriptEditor(session_);
   simulations_ = new StoredSimulations(session_);
   simulation_windows_ = new SimulationWindows(session_, this);
+  image_viewers_ = new ImageViewers(session_, this);
   connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 36);
@@ -254,7 +257,13 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = dropped_file(event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  if (may_go()) documents_->open_file(path);
+  open_any(path);
+}
+
+bool MainWindow::open_any(const QString& path) {
+  if (!is_data_file(path.toStdString())) return may_go() && documents_->open_file(path);
+  image_viewers_->open_file(path.toStdString());
+  return true;
 }
 
 }  // namespace sarsim

@@ -18,6 +18,7 @@ namespace sarsim {
 class DocumentKeeper;
 class GeometryWindow;
 struct HelpPlace;
+class ImageViewers;
 class ObjectTree;
 class PropertyPanel;
 class ScenePanel;
@@ -38,8 +39,12 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DocumentKeeper& documents() { return *documents_; }
   [[nodiscard]] ScenePanel& scene() { return *scene_; }
   [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
+  [[nodiscard]] ImageViewers& image_viewers() { return *image_viewers_; }
+  /// Opens a script as the document, or a file of samples in a viewer. False where the user cancelled or it failed;
+  /// what is wrong with samples is told in the viewer.
+  bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
-  /// simulation, compressed, targets, function, commands, about, help. Null for another name; some need a scene that
+  /// simulation, compressed, targets, function, commands, help, import, viewer, output. Null for another name; some need a scene that
   /// has what they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
@@ -95,6 +100,7 @@ class MainWindow : public QMainWindow {
   ScriptEditor* script_ = nullptr;
   StoredSimulations* simulations_ = nullptr;
   SimulationWindows* simulation_windows_ = nullptr;
+  ImageViewers* image_viewers_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   QMenu* recent_ = nullptr;

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "data/image_source.hpp"
+#include "gui/background_job.hpp"
+#include "gui/image_part.hpp"
+#include "gui/image_plot.hpp"
+#include "gui/image_reader.hpp"
+#include "view/echo_window.hpp"
+#include "view/figure.hpp"
+#include "view/overview.hpp"
+#include "view/point_reading.hpp"
+#include "view/selection_statistics.hpp"
+
+class QCheckBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace sarsim {
+
+class FigurePlot;
+class ImageControls;
+class ImageThumbnail;
+class ProblemLine;
+
+/// Looks into a file of samples of any size: only what is seen is read. What is wrong with the file is told in the
+/// window, which stays.
+class ImageViewer : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImageViewer(QWidget* parent = nullptr);
+  ~ImageViewer() override;
+
+  /// Opens a file in the background; `opened` or `open_failed` follows.
+  void open(const std::filesystem::path& path, const ImageHints& hints = {});
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const ImageHints& hints() const { return hints_; }
+  [[nodiscard]] const std::shared_ptr<ImageSource>& source() const { return source_; }
+  [[nodiscard]] ImagePlot& plot() { return *plot_; }
+  [[nodiscard]] ImageControls& controls() { return *controls_; }
+  [[nodiscard]] const ImageLook& look() const { return look_; }
+  /// Whether all samples of the present view are shown.
+  [[nodiscard]] bool complete() const { return complete_; }
+  /// The selection, or all that is seen.
+  [[nodiscard]] ImageWindow chosen() const;
+  [[nodiscard]] const std::optional<SelectionStatistics>& statistics() const { return statistics_; }
+  [[nodiscard]] const std::optional<PointReading>& reading() const { return reading_; }
+  /// What is seen, with axes, to be written to a file.
+  [[nodiscard]] Figure figure() const;
+  /// What is wrong, as the window says it; empty where nothing is.
+  [[nodiscard]] QString problem_words() const;
+
+ public slots:
+  void set_look(const sarsim::ImageLook& look);
+  /// Another view; the present one is kept to go back to.
+  void go_to(const sarsim::ImageView& view);
+  void go_back();
+  void go_forward();
+  void show_whole();
+  /// Follows another viewer along the axes that both have linked.
+  void follow(const sarsim::ImageView& view, sarsim::AxisLink link);
+  /// Opens the file anew, as it is now.
+  void refresh();
+  /// Measures the response of the point next to a sample.
+  void read_point_at(std::size_t row, std::size_t column);
+  void copy_picture();
+  void save_picture();
+  /// Asks for a name and a format.
+  void export_chosen();
+  /// Writes what is chosen in the background; `exported` follows. An existing file is replaced.
+  void export_to(const QString& path, sarsim::FileFormat format);
+
+ signals:
+  void opened();
+  void open_failed();
+  void view_changed(const sarsim::ImageView& view, sarsim::AxisLink link);
+  void describe_wanted();  ///< The user wants to say how the file is stored.
+  void exported(bool good);
+  void shown();  ///< All samples of the view are shown.
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QWidget* make_left();
+  [[nodiscard]] QWidget* make_tool_row();
+  [[nodiscard]] QWidget* make_foot();
+  QToolButton* add_tool(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
+  QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
+  void connect_all();
+  void take_source(OpenedImage& result);
+  void begin_overview();
+  void look_at_file();
+  void take_rows(std::size_t rows);
+  void change_view(const ImageView& view);
+  void read_soon();
+  void read_part();
+  void take_part(const PartResult& result);
+  void show_overview();
+  void show_info();
+  void show_problems();
+  void show_read_out();
+  void show_cuts();
+  void measure_soon();
+  void measure();
+  void show_statistics();
+  void show_reading(const QString& words);
+  [[nodiscard]] QString unit() const;
+  [[nodiscard]] QString value_unit() const;
+  [[nodiscard]] QString words_at(ImagePlace place) const;
+
+  std::filesystem::path path_;
+  ImageHints hints_;
+  std::shared_ptr<ImageSource> source_;
+  Problems open_problems_;
+  QString read_failure_;
+  std::optional<SampleAxes> axes_;
+  std::size_t rows_ = 0;
+  std::uintmax_t file_bytes_ = 0;
+  std::filesystem::file_time_type file_time_;
+  ImageLook look_;
+  bool look_set_ = false;
+  std::vector<ImageView> past_;
+  std::vector<ImageView> future_;
+  std::uint64_t request_ = 0;
+  bool complete_ = false;
+  std::shared_ptr<Overview> overview_;
+  std::size_t overview_rows_ = 0;
+  bool overview_shown_ = false;
+  std::optional<SelectionStatistics> statistics_;
+  std::optional<PointReading> reading_;
+
+  ImageControls* controls_ = nullptr;
+  ImageThumbnail* thumbnail_ = nullptr;
+  ImagePlot* plot_ = nullptr;
+  FigurePlot* cuts_ = nullptr;
+  FigurePlot* histogram_ = nullptr;
+  ProblemLine* problems_ = nullptr;
+  QLabel* info_ = nullptr;
+  QLabel* read_out_ = nullptr;
+  QLabel* difference_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QLabel* point_ = nullptr;
+  QLabel* state_ = nullptr;
+  QToolButton* back_ = nullptr;
+  QToolButton* forward_ = nullptr;
+  QToolButton* show_cuts_ = nullptr;
+  QToolButton* show_statistics_ = nullptr;
+  QToolButton* reading_tool_ = nullptr;
+  QCheckBox* follow_file_ = nullptr;
+  QPushButton* export_ = nullptr;
+  QPushButton* describe_ = nullptr;
+  QTimer soon_;
+  QTimer watch_;
+  QTimer overview_timer_;
+  QTimer measure_soon_;
+  ImageReader reader_;
+  BackgroundJob opening_;
+  bool open_again_ = false;
+  BackgroundJob measuring_;
+  bool measure_again_ = false;
+  BackgroundJob pointing_;
+  BackgroundJob exporting_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+
+#include <vector>
+
+#include "data/image_source.hpp"
+#include "scene/scene.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace sarsim {
+
+class ProblemLine;
+
+/// Which file is to be looked at and how it is stored: by itself, one of Sarsim's formats, or described by hand with
+/// guesses to choose from. A preview shows what comes of it.
+class OpenImageDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit OpenImageDialog(QWidget* parent = nullptr);
+
+  /// The scene that knows shape and bits of the files its simulations write.
+  void set_scene(const Scene& scene) { scene_ = scene; }
+  void show_file(const QString& path, const ImageHints& hints);
+  [[nodiscard]] QString path() const;
+  [[nodiscard]] ImageHints hints() const;
+  /// Guesses for the file, likeliest first.
+  [[nodiscard]] const std::vector<RawGuess>& guesses() const { return guesses_; }
+  [[nodiscard]] bool has_preview() const;
+
+ private:
+  enum Kind { by_content, binary, ascii, bracket, csv, custom };
+  void make_file_row(QFormLayout* form);
+  void make_sample_rows(QFormLayout* form);
+  void make_raw_rows(QFormLayout* form);
+  QLineEdit* add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip);
+  void find_file();
+  void take_file();
+  void take_guess(int index);
+  void show_layout(const RawLayout& layout);
+  [[nodiscard]] RawLayout layout() const;
+  void changed();
+  void show_rows();
+  void show_preview();
+
+  Scene scene_;
+  std::vector<RawGuess> guesses_;
+  bool showing_ = false;
+  QFormLayout* form_ = nullptr;
+  QLineEdit* path_ = nullptr;
+  QComboBox* kind_ = nullptr;
+  QLineEdit* columns_ = nullptr;
+  QLineEdit* bits_ = nullptr;
+  QComboBox* guess_ = nullptr;
+  QLineEdit* header_ = nullptr;
+  QLineEdit* width_ = nullptr;
+  QLineEdit* height_ = nullptr;
+  QComboBox* number_ = nullptr;
+  QComboBox* value_ = nullptr;
+  QLineEdit* offset_ = nullptr;
+  QCheckBox* big_endian_ = nullptr;
+  QCheckBox* q_first_ = nullptr;
+  QLabel* preview_ = nullptr;
+  ProblemLine* problems_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QTimer soon_;
+};
+
+}  // namespace sarsim
