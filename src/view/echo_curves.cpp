@@ -36,6 +36,8 @@ double top_px(const EchoColours& colours, const Scale& scale) {
   return scale.px(colours.quantity == DisplayQuantity::phase ? 180.0 : colours.statistics.largest_v);
 }
 
+double pixels(std::size_t count) { return static_cast<double>(std::max<std::size_t>(count, 1)); }
+
 // Every how many elements a curve is drawn, for elements that are so far apart.
 std::size_t stride_for(double apart_px) {
   return apart_px >= nearest_px ? 1 : static_cast<std::size_t>(std::ceil(nearest_px / apart_px - 1e-9));
@@ -46,7 +48,7 @@ std::size_t stride_for(double apart_px) {
 EchoCurves curves_per_pulse(const EchoMatrix& matrix, const EchoColours& colours) {
   EchoCurves out;
   const EchoView view = view_of(matrix.window());
-  const double apart = static_cast<double>(matrix.size().height_px) / static_cast<double>(matrix.rows());
+  const double apart = pixels(matrix.size().height_px) / static_cast<double>(matrix.rows());
   const std::size_t stride = stride_for(apart);
   out.spacing_px = apart * static_cast<double>(stride);
   const Scale scale = scale_for(colours, out.spacing_px);
@@ -68,7 +70,7 @@ EchoCurves curves_per_pulse(const EchoMatrix& matrix, const EchoColours& colours
 EchoCurves curves_per_range(const EchoMatrix& matrix, const EchoColours& colours) {
   EchoCurves out;
   const EchoView view = view_of(matrix.window());
-  const double apart = static_cast<double>(matrix.size().width_px) / static_cast<double>(matrix.columns());
+  const double apart = pixels(matrix.size().width_px) / static_cast<double>(matrix.columns());
   const std::size_t stride = stride_for(apart);
   out.spacing_px = apart * static_cast<double>(stride);
   const Scale scale = scale_for(colours, out.spacing_px);

@@ -171,5 +171,16 @@ TEST(EchoCurves, OfSilenceAreFlat) {
     for (const EchoCurve::Point& p : c.points) EXPECT_EQ(p.y_px, c.base_from.y_px);
 }
 
+TEST(EchoCurves, OfAPlotWithoutPixelsAreFew) {
+  const EchoWindow window = small_window();
+  const auto matrix = filled_matrix(window, {0, 0}, numbered);
+  const EchoColours colours = colours_for(*matrix, window);
+  EXPECT_EQ(curves_per_pulse(*matrix, colours).curves.size(), 1U);
+  EXPECT_EQ(curves_per_range(*matrix, colours).curves.size(), 1U);
+  EchoImage image;
+  paint(*matrix, colours, RowPlacing::own_row, 1, image);
+  EXPECT_TRUE(image.pixel.empty());
+}
+
 }  // namespace
 }  // namespace sarsim
