@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "gui/command_list.hpp"
+#include "gui/data_saver.hpp"
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
@@ -21,6 +22,7 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_window.hpp"
 #include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
@@ -86,6 +88,9 @@ void MainWindow::make_docks() {
   simulations_ = new StoredSimulations(session_);
   simulation_windows_ = new SimulationWindows(session_, this);
   connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
+  saver_ = new DataSaver(session_, this);
+  connect(simulation_windows_, &SimulationWindows::save_data_wanted, saver_,
+          [this](const Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 36);
   panel_->setMinimumWidth(letter * 54);
@@ -220,7 +225,7 @@ void MainWindow::reset_layout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   script_->commit();
-  if (!documents_->may_close()) {
+  if (!saver_->may_close() || !documents_->may_close()) {
     event->ignore();
     return;
   }

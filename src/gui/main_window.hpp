@@ -14,6 +14,7 @@ class QMenu;
 
 namespace sarsim {
 
+class DataSaver;
 class DocumentKeeper;
 class GeometryWindow;
 class ObjectTree;
@@ -36,9 +37,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] DocumentKeeper& documents() { return *documents_; }
   [[nodiscard]] ScenePanel& scene() { return *scene_; }
   [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
+  [[nodiscard]] DataSaver& saver() { return *saver_; }
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
-  /// simulation, compressed, targets, function, commands, about, help. Null for another name; some need a scene that
-  /// has what they show.
+  /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, targets,
+  /// function, commands, about, help. Null for another name; some need a scene that has what they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
@@ -70,6 +72,7 @@ class MainWindow : public QMainWindow {
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
   void show_targets();
   void show_focus();
@@ -88,6 +91,7 @@ class MainWindow : public QMainWindow {
   ScriptEditor* script_ = nullptr;
   StoredSimulations* simulations_ = nullptr;
   SimulationWindows* simulation_windows_ = nullptr;
+  DataSaver* saver_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   QMenu* recent_ = nullptr;
