@@ -7,17 +7,20 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QEventLoop>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QTimer>
 #include <QToolBar>
 
 #include <cmath>
 
 #include "base/version.hpp"
 #include "gui/command_list.hpp"
+#include "gui/data_saver.hpp"
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
@@ -29,6 +32,9 @@
 #include "gui/main_window.hpp"
 #include "gui/object_tree.hpp"
 #include "gui/open_image_dialog.hpp"
+#include "gui/radar_view_window.hpp"
+#include "gui/save_data_dialog.hpp"
+#include "gui/save_queue.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
@@ -41,6 +47,12 @@
 #include "view/ticks.hpp"
 
 namespace sarsim {
+
+namespace {
+
+constexpr int longest_picture_ms = 5000;
+
+}  // namespace
 
 QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
                                 const std::function<void()>& work, const QString& tip) {
@@ -198,6 +210,9 @@ void MainWindow::make_simulation_menu() {
   add_action(
       simulation, tr("&Geometry"), "simulation_geometry", QKeySequence("Ctrl+G"), [this] { show_geometry(); },
       tr("Table of ranges, delays, amplitudes and speeds for every pulse"));
+  add_action(
+      simulation, tr("Sa&ving"), "simulation_saving", {}, [this] { saver_->queue().show(), saver_->queue().raise(); },
+      tr("Files that are being saved, and what came of those before"));
   simulation->addSeparator();
   add_action(
       simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
@@ -382,8 +397,30 @@ void MainWindow::show_about() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",       "objects", "properties", "script",   "simulations", "log",    "geometry", "simulation",
-          "compressed", "targets", "function",   "commands", "help",        "import", "viewer",   "output"};
+  return {"main",      "objects",    "properties",    "script",        "simulations", "log",
+          "geometry",  "simulation", "compressed",    "targets",       "function",    "commands",
+          "help",      "import",     "viewer",        "output",        "viewer",      "output",
+          "save_data", "saving",     "range_profile", "range_doppler", "spectrum",    "phase_history"};
+}
+
+// Windows that belong to one of raw echoes, which is opened with them.
+QWidget* MainWindow::simulation_part(const QString& name) {
+  static const std::map<QString, RadarView> views{{"range_profile", RadarView::range_profile},
+                                                  {"range_doppler", RadarView::range_doppler},
+                                                  {"spectrum", RadarView::spectrum},
+                                                  {"phase_history", RadarView::phase_history}};
+  if (name == "saving") return &saver_->queue();
+  const auto view = views.find(name);
+  if (view == views.end() && name != "save_data") return nullptr;
+  SimulationWindow* window = simulation_windows_->open_new(Processing::raw);
+  if (window == nullptr) return nullptr;
+  if (view != views.end()) return window->open_radar_view(view->second);
+  // The dialog tells of the picture, which must be there first.
+  QEventLoop until_shown;
+  connect(window, &SimulationWindow::finished, &until_shown, &QEventLoop::quit);
+  QTimer::singleShot(longest_picture_ms, &until_shown, &QEventLoop::quit);
+  until_shown.exec();
+  return saver_->ask(window->simulation(), *window);
 }
 
 QWidget* MainWindow::window_named(const QString& name) {
@@ -401,6 +438,7 @@ QWidget* MainWindow::window_named(const QString& name) {
     return viewers.empty() ? image_viewers_->open_empty() : viewers.front();
   }
   if (name == "output") return image_viewers_->ask_file();
+  if (QWidget* of_simulation = simulation_part(name)) return of_simulation;
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);

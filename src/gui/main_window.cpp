@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include "gui/command_list.hpp"
+#include "gui/data_saver.hpp"
 #include "gui/document_keeper.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/geometry_window.hpp"
@@ -23,6 +24,7 @@
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
+#include "gui/simulation_window.hpp"
 #include "gui/simulation_windows.hpp"
 #include "gui/stored_simulations.hpp"
 #include "gui/target_table.hpp"
@@ -93,6 +95,9 @@ void MainWindow::make_docks() {
   simulation_windows_ = new SimulationWindows(session_, this);
   image_viewers_ = new ImageViewers(session_, this);
   connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
+  saver_ = new DataSaver(session_, this);
+  connect(simulation_windows_, &SimulationWindows::save_data_wanted, saver_,
+          [this](const Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 36);
   panel_->setMinimumWidth(letter * 54);
@@ -238,7 +243,7 @@ void MainWindow::reset_layout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_go()) {
+  if (!saver_->may_close() || !may_go()) {
     event->ignore();
     return;
   }

@@ -15,6 +15,7 @@ class QMenu;
 
 namespace sarsim {
 
+class DataSaver;
 class DocumentKeeper;
 class GeometryWindow;
 struct HelpPlace;
@@ -40,12 +41,13 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ScenePanel& scene() { return *scene_; }
   [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
   [[nodiscard]] ImageViewers& image_viewers() { return *image_viewers_; }
+  [[nodiscard]] DataSaver& saver() { return *saver_; }
   /// Opens a script as the document, or a file of samples in a viewer. False where the user cancelled or it failed;
   /// what is wrong with samples is told in the viewer.
   bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
-  /// simulation, compressed, targets, function, commands, help, import, viewer, output. Null for another name; some need a scene that
-  /// has what they show.
+  /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, viewer, output,
+  /// targets, function, commands, help, import. Null for another name; some need a scene that has what they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
@@ -82,6 +84,7 @@ class MainWindow : public QMainWindow {
   void go_to_panel(int step);
   void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
   void show_targets();
   void show_focus();
@@ -101,6 +104,7 @@ class MainWindow : public QMainWindow {
   StoredSimulations* simulations_ = nullptr;
   SimulationWindows* simulation_windows_ = nullptr;
   ImageViewers* image_viewers_ = nullptr;
+  DataSaver* saver_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   QMenu* recent_ = nullptr;

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
@@ -20,9 +21,9 @@
 
 #include "base/number_text.hpp"
 #include "gui/echo_controls.hpp"
-#include "gui/echo_plot.hpp"
 #include "gui/figure_plot.hpp"
 #include "gui/problem_line.hpp"
+#include "gui/radar_view_window.hpp"
 #include "scene/check_objects.hpp"
 #include "simulate/conventions.hpp"
 #include "view/echo_figure.hpp"
@@ -141,6 +142,7 @@ QWidget* SimulationWindow::make_tool_row() {
       add_tool(row, tr("Cuts"), "echo_show_cuts", tr("Graphs along range and azimuth through the first cursor"));
   show_cuts_->setCheckable(true);
   connect(show_cuts_, &QToolButton::toggled, this, &SimulationWindow::show_cuts);
+  add_views_menu(row);
   layout->addStretch(1);
   progress_ = new QProgressBar(row);
   progress_->setObjectName("echo_progress");
@@ -154,6 +156,27 @@ QWidget* SimulationWindow::make_tool_row() {
   progress_->hide();
   layout->addWidget(progress_);
   return row;
+}
+
+void SimulationWindow::add_views_menu(QWidget* row) {
+  auto* const button =
+      add_tool(row, tr("Views"), "echo_views",
+               tr("Other views of the same samples: range profile, range-Doppler map, spectrum, phase"));
+  auto* const menu = new QMenu(button);
+  for (const RadarView view :
+       {RadarView::range_profile, RadarView::range_doppler, RadarView::spectrum, RadarView::phase_history}) {
+    const std::string_view title = title_of(view);
+    menu->addAction(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())), this,
+                    [this, view] { open_radar_view(view); });
+  }
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+}
+
+RadarViewWindow* SimulationWindow::open_radar_view(RadarView view) {
+  auto* const window = new RadarViewWindow(*this, view);
+  window->show();
+  return window;
 }
 
 QWidget* SimulationWindow::make_foot() {
@@ -205,6 +228,7 @@ void SimulationWindow::connect_all() {
     scene_ = std::make_shared<Scene>(session_.scene());
     show_state();
     compute_soon();
+    emit changed();
   });
   connect(controls_, &EchoControls::edited, this, [this](const EchoWindow& window) { take_state(window); });
   connect(controls_, &EchoControls::view_typed, this, &SimulationWindow::go_to);
@@ -220,12 +244,21 @@ void SimulationWindow::connect_all() {
   connect(plot_, &EchoPlot::cursors_changed, this, [this] {
     show_read_out();
     show_cuts();
+    emit changed();
   });
 }
 
 double SimulationWindow::bandwidth_hz() const {
   const Radar* const radar = radar_of(*scene_, window_);
   return radar == nullptr ? 0.0 : nominal_bandwidth_hz(*radar).value_or(0.0);
+}
+
+double SimulationWindow::largest_v() const { return finished_ ? plot_->colours().statistics.largest_v : 0.0; }
+
+EchoPlot::Cursor SimulationWindow::place() const {
+  if (const auto& cursor = plot_->cursor(0)) return *cursor;
+  const EchoView view = view_of(window_);
+  return {0.5 * (view.range_start_m + view.range_end_m), 0.5 * (view.time_start_s + view.time_end_s)};
 }
 
 Simulation SimulationWindow::simulation() const { return simulation_of(window_, bandwidth_hz()); }
@@ -249,6 +282,7 @@ void SimulationWindow::take_state(const EchoWindow& window) {
     compute_soon();
   else
     show_cuts();
+  if (again) emit changed();
 }
 
 void SimulationWindow::set_state(const EchoWindow& window) {
@@ -331,6 +365,7 @@ void SimulationWindow::show_event() {
     set_view(window_, view_of(event.matrix->window()));
     show_state();
     emit view_changed(view_of(window_), controls_->link());
+    emit changed();
   }
   finished_ = event.kind == PreviewEvent::Kind::finished;
   if (event.matrix && event.matrix->ready_rows() > 0) plot_->set_matrix(event.matrix);

@@ -8,10 +8,12 @@
 #include <mutex>
 #include <optional>
 
+#include "gui/echo_plot.hpp"
 #include "gui/session.hpp"
 #include "view/echo_window.hpp"
 #include "view/figure.hpp"
 #include "view/preview.hpp"
+#include "view/radar_figures.hpp"
 
 class QLabel;
 class QProgressBar;
@@ -21,9 +23,9 @@ class QToolButton;
 namespace sarsim {
 
 class EchoControls;
-class EchoPlot;
 class FigurePlot;
 class ProblemLine;
+class RadarViewWindow;
 
 /// A simulation window (thesis 4.5): the echoes of the scene as it is now, at the resolution of the screen, computed
 /// again whenever scene or window change. Any number of them, each with its own state.
@@ -45,6 +47,15 @@ class SimulationWindow : public QWidget {
   [[nodiscard]] Figure figure() const;
   /// The window as a simulation to be stored or saved.
   [[nodiscard]] Simulation simulation() const;
+  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  /// Of the radar's pulse; 0: unknown.
+  [[nodiscard]] double bandwidth_hz() const;
+  /// Largest magnitude in the picture; 0 until it is complete.
+  [[nodiscard]] double largest_v() const;
+  /// Where the first cursor is, or else the middle of the view.
+  [[nodiscard]] EchoPlot::Cursor place() const;
+  /// Opens another view of the same samples, which follows this window and ends with it.
+  RadarViewWindow* open_radar_view(RadarView view);
 
  public slots:
   void set_state(const sarsim::EchoWindow& window);
@@ -64,6 +75,7 @@ class SimulationWindow : public QWidget {
   void view_changed(const sarsim::EchoView& view, sarsim::AxisLink link);
   /// The user wants the data in a file.
   void save_data_wanted(const sarsim::Simulation& simulation);
+  void changed();   ///< Scene, view, recording or cursor: what other views of it show.
   void finished();  ///< All samples of the view are shown.
 
  protected:
@@ -72,6 +84,7 @@ class SimulationWindow : public QWidget {
  private:
   [[nodiscard]] QWidget* make_tool_row();
   [[nodiscard]] QWidget* make_foot();
+  void add_views_menu(QWidget* row);
   QToolButton* add_tool(QWidget* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
   void change_view(const EchoView& view);
@@ -84,7 +97,6 @@ class SimulationWindow : public QWidget {
   void show_read_out();
   void show_cuts();
   void show_state();
-  [[nodiscard]] double bandwidth_hz() const;
   [[nodiscard]] QString title() const;
 
   Session& session_;

@@ -30,7 +30,7 @@ class SimulationWindows : public QObject {
   [[nodiscard]] std::vector<SimulationWindow*> windows() const;
 
  signals:
-  void save_data_wanted(const sarsim::Simulation& simulation, QWidget* from);
+  void save_data_wanted(const sarsim::Simulation& simulation, sarsim::SimulationWindow* from);
 
  private:
   SimulationWindow* open(const EchoWindow& window, bool show_all);

@@ -47,12 +47,19 @@ std::string remark_on(const EchoBlock& block, double interval_s) {
 }  // namespace
 
 EchoBlock echo_block(const Plan& plan, IndexSpan rows, const WorkControl& control) {
+  return echo_block(plan, rows, {0, plan.columns}, control);
+}
+
+EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const WorkControl& control) {
   EchoBlock block;
   const std::size_t end = std::min(rows.end, plan.rows);
   const std::size_t begin = std::min(rows.begin, end);
   block.rows = end - begin;
-  block.columns = plan.columns;
-  block.range_m = plan.column_range_m;
+  const std::size_t last_column = std::min(columns.end, plan.columns);
+  const std::size_t first_column = std::min(columns.begin, last_column);
+  block.columns = last_column - first_column;
+  block.range_m.assign(plan.column_range_m.begin() + static_cast<std::ptrdiff_t>(first_column),
+                       plan.column_range_m.begin() + static_cast<std::ptrdiff_t>(last_column));
   block.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   block.light_speed_mps = plan.scene->conventions.light_speed_mps;
   SampleSelection selection;
@@ -62,7 +69,7 @@ EchoBlock echo_block(const Plan& plan, IndexSpan rows, const WorkControl& contro
     block.time_s.push_back(plan.radar.repetition.send_time_s(pulse));
     block.carrier_hz.push_back(plan.radar.carrier.carrier_hz(pulse));
   }
-  for (std::size_t c = 0; c < plan.columns; ++c) selection.columns.push_back({c, c + 1});
+  for (std::size_t c = first_column; c < last_column; ++c) selection.columns.push_back({c, c + 1});
   block.samples.resize(block.rows * block.columns);
   std::vector<std::size_t> order(block.rows);
   std::iota(order.begin(), order.end(), std::size_t{0});

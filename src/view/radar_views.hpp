@@ -31,6 +31,8 @@ struct EchoBlock {
 /// @param rows  of the plan's product; cut off at its end
 /// @throws Interrupted when stopped
 [[nodiscard]] EchoBlock echo_block(const Plan& plan, IndexSpan rows, const WorkControl& control = {});
+/// Same for some of the columns, cut off at the last one.
+[[nodiscard]] EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const WorkControl& control);
 
 /// Weights over a spectrum's input.
 enum class SpectrumWindow { rectangular, hann, hamming };

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+
+#include "gui/session.hpp"
+
+class QWidget;
+
+namespace sarsim {
+
+class SaveDataDialog;
+class SaveQueue;
+class SimulationWindow;
+
+/// Takes a simulation window's data from the wish to save them to the file or the script: dialog, queue, log.
+class DataSaver : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param owner  of the window of the queue
+  DataSaver(Session& session, QWidget* owner);
+
+  [[nodiscard]] SaveQueue& queue() { return *queue_; }
+  /// Opens the dialog on a window; it deletes itself when it is closed.
+  SaveDataDialog* ask(const Simulation& simulation, SimulationWindow& from);
+  /// Does what was chosen.
+  void take(const SaveDataDialog& dialog);
+  /// True where nothing is being saved, or the user wants it to end; then it is told to.
+  [[nodiscard]] bool may_close();
+
+  /// Asked before runs are cancelled by closing. A message box unless replaced.
+  std::function<bool()> ask_cancel;
+
+ private:
+  Session& session_;
+  SaveQueue* queue_;
+};
+
+}  // namespace sarsim

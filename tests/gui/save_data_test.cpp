@@ -1,0 +1,352 @@
+#include <QtTest>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "data/sinks.hpp"
+#include "gui/data_saver.hpp"
+#include "gui/document_keeper.hpp"
+#include "gui/echo_plot.hpp"
+#include "gui/main_window.hpp"
+#include "gui/save_data_dialog.hpp"
+#include "gui/save_queue.hpp"
+#include "gui/simulation_window.hpp"
+#include "gui/simulation_windows.hpp"
+#include "script/writer.hpp"
+#include "simulate/run.hpp"
+#include "small_scene.hpp"
+#include "view/edit.hpp"
+
+namespace sarsim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience_ms = 60'000;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// What `sarsim run` writes for a stored simulation.
+std::string run_by_hand(const Scene& scene, std::size_t index, const fs::path& path) {
+  const Plan plan = make_plan(scene, index, nullptr, Engine::automatic);
+  const bool with_script = plan.simulation.format == FileFormat::hdf5;
+  const std::unique_ptr<Sink> sink = make_sink(
+      path, product_of(plan, with_script ? write_script(scene) : std::string()), {plan.simulation.format, true});
+  run(plan, resolved_lsb_v(plan, {}), *sink, {});
+  return bytes_of(path);
+}
+
+// A recording that takes minutes.
+RunRequest slow_request(const fs::path& file) {
+  Scene scene = test::many_targets(2000);
+  Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_end_m = 20e3;
+  simulation.time_end_s = 100.0;
+  simulation.sample_rate_hz = 50e6;
+  simulation.lsb_v = 1e-6;
+  scene.simulations = {simulation};
+  for (Target& target : scene.targets) target.position_m.x += 1000.0;
+  return {scene, 0, file, true};
+}
+
+RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
+  Scene scene = test::small_scene();
+  scene.simulations[0].range_end_m = 4000.0;
+  scene.simulations[0].time_end_s = 0.009;
+  scene.simulations[0].lsb_v = lsb_v;
+  return {scene, 0, file, false};
+}
+
+// A window of raw echoes of the example of chapter 3, and a folder to save into.
+struct Bench {
+  Bench() {
+    QSettings().setValue("saving/folder", folder.path());
+    main.session().take(Document::from_text(bytes_of(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr")));
+    window = main.simulation_windows().open_new(Processing::raw);
+    window->resize(900, 600);
+    QTest::qWait(50);
+    shown = QTest::qWaitFor([&] { return window->complete(); }, patience_ms);
+    window->go_to({2900.0, 3900.0, 0.0, 0.01});
+    shown = shown && QTest::qWaitFor([&] { return window->complete(); }, patience_ms);
+  }
+  SaveDataDialog* ask() {
+    window->findChild<QPushButton*>("echo_save_data")->click();
+    auto* const dialog = window->findChild<SaveDataDialog*>();
+    dialog->ask_replace = [this](const fs::path&) {
+      ++questions;
+      return may_replace;
+    };
+    return dialog;
+  }
+  static void type(SaveDataDialog& dialog, const char* field, const QString& text) {
+    auto* const line = dialog.findChild<QLineEdit*>(field);
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+  }
+  static void choose(SaveDataDialog& dialog, const char* field, int index) {
+    dialog.findChild<QComboBox*>(field)->setCurrentIndex(index);
+  }
+  SaveState wait_for(std::size_t run) {
+    SaveQueue& queue = main.saver().queue();
+    const auto ended = [&] {
+      return queue.size() > run && queue.state(run) != SaveState::running && queue.state(run) != SaveState::waiting;
+    };
+    if (!QTest::qWaitFor(ended, patience_ms)) qFatal("the run did not end");
+    return queue.state(run);
+  }
+  [[nodiscard]] fs::path in_folder(const char* name) const { return fs::path(folder.path().toStdString()) / name; }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path().toStdString()), {}));
+  }
+
+  QTemporaryDir folder;
+  MainWindow main;
+  SimulationWindow* window = nullptr;
+  bool shown = false;
+  bool may_replace = false;
+  int questions = 0;
+};
+
+bool wait_for_end(SaveQueue& queue) {
+  return QTest::qWaitFor([&] { return !queue.busy(); }, patience_ms);
+}
+
+}  // namespace
+
+class SaveDataTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("save_data_test");
+    QSettings().clear();
+  }
+
+  void the_dialog_proposes_what_the_window_shows() {
+    Bench bench;
+    QVERIFY(bench.shown);
+    SaveDataDialog& dialog = *bench.ask();
+    const auto choice = dialog.choice();
+    QVERIFY(choice.has_value());
+    QCOMPARE(choice->recording.range_start_m, 2900.0);
+    QCOMPARE(choice->recording.range_end_m, 3900.0);
+    QCOMPARE(choice->recording.bits, 8);
+    QCOMPARE(choice->file, bench.in_folder("sim1.bin"));
+    QCOMPARE(dialog.findChild<QLineEdit*>("save_multiple")->text(), QString("1"));
+    // 1.03 times the largest magnitude of the picture over 127.
+    QVERIFY(std::abs(dialog.simulation().lsb_v - 1.03 * bench.window->largest_v() / 127.0) < 1e-20);
+    QVERIFY(bench.window->largest_v() > 0.0);
+  }
+
+  void size_and_time_are_told_before() {
+    Bench bench;
+    SaveDataDialog& dialog = *bench.ask();
+    QSignalSpy told(&dialog, &SaveDataDialog::forecast_ready);
+    Bench::type(dialog, "save_rate", "100 MHz");
+    QVERIFY(told.wait(patience_ms));
+    // 2 x 100 MHz x 1000 m / c = 667 samples.
+    const QString text = dialog.findChild<QLabel*>("save_estimate")->text();
+    QVERIFY2(text.contains("667 samples") && text.contains("about") && text.contains("LSB"), qPrintable(text));
+  }
+
+  void rate_and_multiple_follow_each_other() {
+    Bench bench;
+    SaveDataDialog& dialog = *bench.ask();
+    const double bandwidth_hz = bench.window->bandwidth_hz();
+    Bench::type(dialog, "save_multiple", "0.5");
+    QCOMPARE(dialog.choice()->recording.sample_rate_hz, 0.5 * bandwidth_hz);
+    Bench::type(dialog, "save_rate", "100 MHz");
+    QCOMPARE(dialog.choice()->recording.sample_rate_hz, 100e6);
+    QCOMPARE(dialog.findChild<QLineEdit*>("save_multiple")->text(), QString::number(100e6 / bandwidth_hz, 'g', 10));
+    Bench::type(dialog, "save_multiple", "0");
+    QVERIFY(!dialog.choice().has_value());
+    QVERIFY(dialog.findChild<QWidget*>("save_problems")->isVisibleTo(&dialog));
+  }
+
+  void the_extension_follows_the_format() {
+    Bench bench;
+    SaveDataDialog& dialog = *bench.ask();
+    const QStringList expected{"sim1.bin", "sim1.asc", "sim1.csv", "sim1.brk", "sim1.npy", "sim1.h5"};
+    for (int i = 0; i < expected.size(); ++i) {
+      Bench::choose(dialog, "save_format", i);
+      QCOMPARE(QString::fromStdString(dialog.simulation().file), expected[i]);
+    }
+    dialog.ask_file = [&](const QString&) { return bench.folder.filePath("other.csv"); };
+    dialog.findChild<QPushButton*>("save_select")->click();
+    QCOMPARE(dialog.choice()->recording.format, FileFormat::csv);
+  }
+
+  void what_cannot_be_written_is_told_and_not_accepted() {
+    Bench bench;
+    SaveDataDialog& dialog = *bench.ask();
+    Bench::type(dialog, "save_file", "/no/such/folder/x.bin");
+    QVERIFY(!dialog.choice().has_value());
+    dialog.accept();
+    QVERIFY(dialog.isVisible());
+    Bench::choose(dialog, "save_lsb_from", 2);
+    Bench::type(dialog, "save_lsb", "heavy");
+    Bench::type(dialog, "save_file", "x.bin");
+    QVERIFY(!dialog.choice().has_value());
+    Bench::type(dialog, "save_lsb", "2");
+    QCOMPARE(dialog.choice()->recording.lsb_v, 2e-3);
+  }
+
+  void the_saved_file_is_that_of_the_stored_simulation() {
+    for (const int format : {0, 1, 2, 3, 4, 5}) {
+      Bench bench;
+      SaveDataDialog& dialog = *bench.ask();
+      Bench::choose(dialog, "save_format", format);
+      Bench::choose(dialog, "save_target", 2);
+      const fs::path file = dialog.choice()->file;
+      dialog.accept();
+      QCOMPARE(bench.wait_for(0), SaveState::done);
+      const Scene& scene = bench.main.session().scene();
+      QCOMPARE(QString::fromStdString(scene.simulations.back().file), QString::fromStdString(file.filename().string()));
+      const Scene again = Document::from_text(bench.main.session().document().text()).scene();
+      QVERIFY(again == scene);
+      QVERIFY(!bytes_of(file).empty());
+      QVERIFY2(bytes_of(file) == run_by_hand(again, again.simulations.size() - 1, bench.in_folder("by_hand")),
+               qPrintable(QString::fromStdString(file.string())));
+    }
+  }
+
+  void disk_only_leaves_the_script_and_script_only_the_disk() {
+    Bench bench;
+    const std::string text = bench.main.session().document().text();
+    bench.ask()->accept();
+    QCOMPARE(bench.wait_for(0), SaveState::done);
+    QVERIFY(bench.main.session().document().text() == text);
+    QCOMPARE(bench.files(), std::size_t{1});
+    QTRY_VERIFY(bench.window->findChild<SaveDataDialog*>() == nullptr);
+    const std::size_t stored = bench.main.session().scene().simulations.size();
+    SaveDataDialog& dialog = *bench.ask();
+    Bench::choose(dialog, "save_target", 1);
+    dialog.accept();
+    QCOMPARE(bench.main.session().scene().simulations.size(), stored + 1);
+    QCOMPARE(bench.main.saver().queue().size(), std::size_t{1});
+    QCOMPARE(bench.files(), std::size_t{1});
+  }
+
+  void an_existing_file_is_replaced_only_after_a_question() {
+    Bench bench;
+    std::ofstream(bench.in_folder("old.bin")) << "old";
+    SaveDataDialog& dialog = *bench.ask();
+    Bench::type(dialog, "save_file", "old.bin");
+    dialog.accept();
+    QCOMPARE(bench.questions, 1);
+    QVERIFY(dialog.isVisible());
+    QCOMPARE(bytes_of(bench.in_folder("old.bin")), std::string("old"));
+    bench.may_replace = true;
+    dialog.accept();
+    QCOMPARE(bench.wait_for(0), SaveState::done);
+    QVERIFY(bytes_of(bench.in_folder("old.bin")) != "old");
+  }
+
+  void cancel_leaves_nothing_and_keeps_what_was_there() {
+    const QTemporaryDir folder;
+    const fs::path path = folder.path().toStdString();
+    std::ofstream(path / "old.bin") << "old";
+    SaveQueue queue;
+    queue.add(slow_request(path / "old.bin"));
+    queue.add(slow_request(path / "new.bin"));
+    queue.add(quick_request(path / "third.bin"));
+    QVERIFY(queue.will_write(path / "new.bin"));
+    QTest::qWait(300);
+    QCOMPARE(queue.state(0), SaveState::running);
+    QCOMPARE(queue.state(1), SaveState::waiting);
+    queue.cancel(1);
+    queue.cancel(0);
+    QVERIFY(wait_for_end(queue));
+    QCOMPARE(queue.state(0), SaveState::cancelled);
+    QCOMPARE(queue.state(1), SaveState::cancelled);
+    QCOMPARE(queue.state(2), SaveState::done);
+    QVERIFY(!queue.will_write(path / "new.bin"));
+    QCOMPARE(bytes_of(path / "old.bin"), std::string("old"));
+    QCOMPARE(std::distance(fs::directory_iterator(path), {}), std::ptrdiff_t{2});
+  }
+
+  void a_destroyed_queue_leaves_nothing() {
+    const QTemporaryDir folder;
+    {
+      SaveQueue queue;
+      queue.add(slow_request(fs::path(folder.path().toStdString()) / "new.bin"));
+      QTest::qWait(200);
+    }
+    QVERIFY(fs::is_empty(folder.path().toStdString()));
+  }
+
+  void clipped_samples_are_told_and_saved_again_with_the_best_lsb() {
+    const QTemporaryDir folder;
+    const fs::path file = fs::path(folder.path().toStdString()) / "echo.bin";
+    SaveQueue queue;
+    queue.add(quick_request(file, 1e-15));
+    QVERIFY(wait_for_end(queue));
+    QVERIFY(queue.report(0).contains("saturated"));
+    auto* const again = queue.findChild<QPushButton*>("saving_again");
+    QVERIFY(again->isVisibleTo(&queue));
+    QVERIFY(queue.findChild<QWidget*>("saving_problems")->isVisibleTo(&queue));
+    const std::string clipped = bytes_of(file);
+    again->click();
+    QCOMPARE(queue.size(), std::size_t{2});
+    QVERIFY(wait_for_end(queue));
+    QCOMPARE(queue.state(1), SaveState::done);
+    QVERIFY2(queue.report(1).contains("0 % of the samples saturated"), qPrintable(queue.report(1)));
+    QVERIFY(bytes_of(file) != clipped);
+    queue.findChild<QPushButton*>("saving_clear")->click();
+    QCOMPARE(queue.size(), std::size_t{0});
+  }
+
+  void a_run_that_fails_says_why() {
+    const QTemporaryDir folder;
+    SaveQueue queue;
+    queue.add(quick_request(fs::path(folder.path().toStdString()) / "none" / "echo.bin"));
+    QVERIFY(wait_for_end(queue));
+    QCOMPARE(queue.state(0), SaveState::failed);
+    QVERIFY2(queue.report(0).contains("echo.bin"), qPrintable(queue.report(0)));
+  }
+
+  void closing_asks_while_data_are_being_saved() {
+    Bench bench;
+    int questions = 0;
+    bool yes = false;
+    bench.main.saver().ask_cancel = [&] {
+      ++questions;
+      return yes;
+    };
+    bench.main.saver().queue().add(slow_request(bench.in_folder("slow.bin")));
+    QVERIFY(!bench.main.saver().may_close());
+    QVERIFY(bench.main.saver().queue().busy());
+    yes = true;
+    QVERIFY(bench.main.saver().may_close());
+    QCOMPARE(questions, 2);
+    QVERIFY(wait_for_end(bench.main.saver().queue()));
+    QVERIFY(bench.main.saver().may_close());
+    QCOMPARE(questions, 2);
+    QCOMPARE(bench.files(), std::size_t{0});
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::SaveDataTest)
+#include "save_data_test.moc"
