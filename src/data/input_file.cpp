@@ -44,6 +44,13 @@ InputFile::~InputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+std::uint64_t InputFile::current_size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot ask for the size of " + path_.string());
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
   std::size_t done = 0;
   while (done < bytes.size()) {

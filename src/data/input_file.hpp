@@ -30,6 +30,8 @@ class InputFile {
 
   /// Bytes of the file when it was opened.
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Bytes of the file now; std::system_error where the disk fails.
+  [[nodiscard]] std::uint64_t current_size() const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -211,6 +211,12 @@ std::optional<FileFormat> detect_text_format(const InputFile& file) {
   return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? FileFormat::csv : FileFormat::ascii;
 }
 
+TextScanner scanner_at_samples(const InputFile& file, FileFormat format) {
+  TextScanner scanner = scanner_at_start(file);
+  if (format == FileFormat::csv) skip_header(scanner, file);
+  return scanner;
+}
+
 OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64)
@@ -218,8 +224,7 @@ OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints&
             {file_problem(name, "the number of A/D bits is out of range", fmt::format("{}", hints.bits), "1 to 64")}};
   if (hints.columns > std::numeric_limits<std::size_t>::max() / 2)
     return {nullptr, {file_problem(name, "the samples of a row are too many", fmt::format("{}", hints.columns))}};
-  TextScanner scanner = scanner_at_start(file);
-  if (format == FileFormat::csv) skip_header(scanner, file);
+  TextScanner scanner = scanner_at_samples(file, format);
   const TextLayout layout{format, format == FileFormat::csv ? 0 : hints.columns};
   TextSurvey survey = survey_text(file, std::move(scanner), layout);
   OpenedReader result{nullptr, std::move(survey.problems)};

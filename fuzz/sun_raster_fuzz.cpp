@@ -1,0 +1,46 @@
+// Sun rasters: any header and pixels behind the magic number. Whatever opens can be read: all rows or the first million
+// pixels, the last row, every third pixel as a colour or level, and the same from the rows that are remembered.
+
+#include <algorithm>
+#include <cstring>
+
+#include "data/image_source.hpp"
+#include "data/sample_file_probe.hpp"
+
+namespace {
+
+constexpr std::size_t most_pixels = std::size_t{1} << 20;
+
+void read_through(const sarsim::ImageSource& source) {
+  const std::size_t columns = std::min(source.columns(), most_pixels);
+  const std::size_t rows = std::min(source.rows(), most_pixels / columns);
+  std::vector<std::complex<float>> samples(rows * columns);
+  source.read_window({0, rows, 0, columns}, samples);
+  if (source.rows() == 0) return;
+  std::vector<std::complex<float>> last(columns);
+  source.read_window({source.rows() - 1, 1, source.columns() - columns, columns}, last);
+  if (rows == source.rows() && columns == source.columns() &&
+      !std::equal(last.begin(), last.end(), samples.end() - static_cast<std::ptrdiff_t>(columns)))
+    throw std::logic_error("a row that is read twice differs");
+  if (source.info().value != sarsim::ImageValue::rgb) return;
+  std::vector<sarsim::Rgb> colours((columns + 2) / 3);
+  source.read_rgb({source.rows() - 1, 1, 0, colours.size(), 1, 3}, colours);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::uint8_t magic[4] = {0x59, 0xa6, 0x6a, 0x95};
+  if (size < sizeof magic) return 0;
+  std::vector<std::uint8_t> bytes(data, data + size);
+  std::memcpy(bytes.data(), magic, sizeof magic);
+  const sarsim::MemoryFile file(bytes.data(), bytes.size());
+  const sarsim::OpenedImage opened = sarsim::ImageSource::open(file.path());
+  if ((opened.source != nullptr) == sarsim::has_errors(opened.problems))
+    throw std::logic_error("a source without errors or errors without a source are promised");
+  if (!opened.source) return 0;
+  opened.source->wait_until_indexed(nullptr);
+  // A picture of a known size cannot become shorter here: nothing may be thrown.
+  read_through(*opened.source);
+  return 0;
+}

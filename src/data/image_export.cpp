@@ -1,0 +1,154 @@
+#include "data/image_export.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "data/count_range.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::size_t samples_at_once = std::size_t{1} << 18;
+
+// Consecutive rows of a window, some MB at a time: use(first row of the window, samples).
+template <class Use>
+void for_each_block(const ImageSource& source, const ImageWindow& window, const WorkControl& control, const Use& use) {
+  const std::size_t at_once = std::max<std::size_t>(1, samples_at_once / window.cols);
+  std::vector<std::complex<float>> samples;
+  for (std::size_t i = 0; i < window.rows; i += at_once) {
+    if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+    ImageWindow part = window;
+    part.row0 = window.row(i);
+    part.rows = std::min(at_once, window.rows - i);
+    samples.resize(part.samples());
+    source.read_window(part, samples, control);
+    use(i, samples);
+  }
+}
+
+double magnitude_of(const std::complex<double>& value) {
+  const double magnitude = std::abs(value);
+  return std::isfinite(magnitude) ? magnitude : 0.0;
+}
+
+// The A/D converter: round half up, clip; what is not a number is 0.
+class Converter {
+ public:
+  explicit Converter(CountRange range)
+      : range_(range), lowest_(static_cast<double>(range.lowest())), highest_(static_cast<double>(range.highest())) {}
+
+  std::int64_t count(double value, bool& clipped) const {
+    if (std::isnan(value)) return 0;
+    const double rounded = std::floor(value + 0.5);
+    clipped = clipped || rounded < lowest_ || rounded > highest_;
+    if (rounded <= lowest_) return range_.lowest();
+    if (rounded >= highest_) return range_.highest();
+    return static_cast<std::int64_t>(rounded);
+  }
+
+ private:
+  CountRange range_;
+  double lowest_;
+  double highest_;
+};
+
+double largest_magnitude(const ImageSource& source, const ImageWindow& window, const WorkControl& control) {
+  double largest = 0.0;
+  for_each_block(source, window, control, [&](std::size_t, const std::vector<std::complex<float>>& samples) {
+    for (const auto& sample : samples) largest = std::max(largest, magnitude_of(std::complex<double>(sample)));
+  });
+  return largest;
+}
+
+// Picks what a window takes of an axis.
+std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t first, std::size_t step) {
+  return [axis = std::move(axis), first, step](std::size_t i) {
+    const std::size_t at = first + i * step;
+    return at < axis.size() ? axis[at] : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
+  const ImageInfo& info = source.info();
+  SampleAxes axes = source.axes().value_or(SampleAxes{});
+  Product product;
+  product.rows = window.rows;
+  product.columns = window.cols;
+  product.row_time_s = picked(std::move(axes.row_time_s), window.row0, window.row_step);
+  product.row_carrier_hz = picked(std::move(axes.row_carrier_hz), window.row0, window.row_step);
+  product.column_range_m = picked(std::move(axes.column_range_m), window.col0, window.col_step);
+  product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
+  product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;
+  product.engine = "selection of " + info.path.filename().string();
+  return product;
+}
+
+// What the sink is given of one block.
+struct BlockMaker {
+  Converter converter;
+  double counts_of_value = 1.0;
+  double volts_of_value = 1.0;
+  bool counts = false;
+  std::vector<std::complex<double>> volts;
+  std::vector<std::int64_t> numbers;
+
+  // Fills the lists and adds to the report.
+  void make(const std::vector<std::complex<float>>& samples, RunReport& report) {
+    volts.clear();
+    numbers.clear();
+    for (const std::complex<float>& sample : samples) {
+      const std::complex<double> value(sample);
+      report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
+      if (!counts) {
+        volts.push_back(value * volts_of_value);
+        continue;
+      }
+      bool clipped = false;
+      const std::int64_t i = converter.count(value.real() * counts_of_value, clipped);
+      const std::int64_t q = converter.count(value.imag() * counts_of_value, clipped);
+      numbers.insert(numbers.end(), {i, q});
+      report.saturated += clipped ? 1 : 0;
+      report.zero += i == 0 && q == 0 ? 1 : 0;
+    }
+  }
+};
+
+}  // namespace
+
+RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const WorkControl& control, const ProgressReport& progress) {
+  if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
+  const auto begin = std::chrono::steady_clock::now();
+  Product product = product_of(source, window, options);
+  const auto sink = make_sink(path, product, options.sink);
+  const CountRange range{product.bits};
+  const auto steps = static_cast<double>(range.offset());
+  const bool from_counts = source.info().counts;
+  double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
+  if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
+  if (!(lsb_v > 0.0)) lsb_v = 1.0;
+  BlockMaker maker{
+      Converter(range), from_counts ? 1.0 : 1.0 / lsb_v, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
+  RunReport report;
+  report.rows = window.rows;
+  report.columns = window.cols;
+  for_each_block(source, window, control, [&](std::size_t row, const std::vector<std::complex<float>>& samples) {
+    maker.make(samples, report);
+    const std::size_t rows = samples.size() / window.cols;
+    sink->append(sink->encode({row, rows, window.cols, maker.volts, maker.numbers}), row, rows);
+    if (progress) progress({row + rows, window.rows, window.cols});
+  });
+  report.lsb_v = lsb_v;
+  report.best_lsb_v = report.maximum_v / steps;
+  report.range_used = report.maximum_v / (lsb_v * steps);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sink->finish(report);
+  return report;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "base/parallel.hpp"
+#include "base/progress.hpp"
+#include "data/image_source.hpp"
+#include "data/sinks.hpp"
+
+namespace sarsim {
+
+/// How a selection of an image is stored.
+struct ImageExport {
+  SinkOptions sink;
+  int bits = 0;  ///< Of the counts; 0: those of the source, otherwise 16.
+  double lsb_v =
+      0.0;  ///< Volts of a count; 0: that of the source, otherwise of counts 1 and of volts the largest one/C.
+};
+
+/// Writes a window of an image as a file of samples in any of the formats of docs/formats/samples.md, some MB at a
+/// time.
+///
+/// Counts stay counts where the format holds counts, clipped where they do not fit; volts become counts, and counts
+/// volts, by the LSB. Real values, magnitudes, powers and the luminance of colours are stored as they are, with Q 0.
+/// Numbers pass through float: counts above 2^24 are rounded. Times, carriers, ranges and the sampling rate are those
+/// of the samples that are taken; where the source has none they are not numbers, and the rate is 0.
+///
+/// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
+/// std::out_of_range for a window that is not inside or empty, Interrupted.
+RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const WorkControl& control = {},
+                        const ProgressReport& progress = {});
+
+}  // namespace sarsim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "data/sample_reader.hpp"
+#include "scene/scene.hpp"
+
+namespace sarsim {
+
+/// What a scene says of a file that one of its simulations writes: shape, bits, LSB and format. The simulation is the
+/// one whose output has the name of the file, ignoring case and folders, otherwise with another extension (and then
+/// without a format). Nothing where there is none, or where its shape cannot be worked out because the scene would not
+/// pass `check`.
+[[nodiscard]] std::optional<SampleFileHints> hints_from_scene(const Scene& scene, const std::filesystem::path& file);
+
+}  // namespace sarsim
