@@ -41,6 +41,7 @@ struct Program {
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
+    add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);
     add("convert", "convert files of samples between formats", add_convert);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
     add("completion", "print a completion script for a shell",

@@ -17,6 +17,7 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_format_command(CLI::App& app);
 [[nodiscard]] Action add_info(CLI::App& app);
 [[nodiscard]] Action add_geometry(CLI::App& app);
+[[nodiscard]] Action add_plot(CLI::App& app);
 [[nodiscard]] Action add_convert(CLI::App& app);
 /// @param root  the application whose commands and options are completed
 [[nodiscard]] Action add_completion(CLI::App& app, const CLI::App& root);

@@ -1,17 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include "base/rgb.hpp"
 
 namespace sarsim {
-
-/// A colour, each part from 0 to 255.
-struct Rgb {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend bool operator==(const Rgb&, const Rgb&) = default;
-};
 
 /// Brightness of a colour, 0 to 255: ITU-R BT.601, 0.299 red + 0.587 green + 0.114 blue.
 [[nodiscard]] inline float luminance(Rgb colour) {

@@ -1,17 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include "base/rgb.hpp"
 
 namespace sarsim {
-
-/// A colour as red, green, blue from 0 to 255.
-struct Rgb {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend bool operator==(const Rgb&, const Rgb&) = default;
-};
 
 /// What colours of drawings are for. Light and dark give each its own.
 enum class Role {
