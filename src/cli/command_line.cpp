@@ -41,6 +41,7 @@ struct Program {
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
+    add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);
     add("convert", "convert files of samples between formats", add_convert);
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
     add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);

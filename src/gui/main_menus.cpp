@@ -397,10 +397,10 @@ void MainWindow::show_about() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",      "objects",    "properties",    "script",        "simulations", "log",
-          "geometry",  "simulation", "compressed",    "targets",       "function",    "commands",
-          "help",      "import",     "viewer",        "output",        "viewer",      "output",
-          "save_data", "saving",     "range_profile", "range_doppler", "spectrum",    "phase_history"};
+  return {"main",          "objects",       "properties", "script",       "simulations", "log",
+          "geometry",      "simulation",    "compressed", "targets",      "function",    "commands",
+          "help",          "import",        "viewer",     "output",       "save_data",   "saving",
+          "range_profile", "range_doppler", "spectrum",   "phase_history"};
 }
 
 // Windows that belong to one of raw echoes, which is opened with them.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "view/figure.hpp"
+
+namespace sarsim::cli {
+
+/// Size and look of a picture file.
+struct PictureStyle {
+  int width_px = 1000;
+  int height_px = 700;
+  double scale = 1.0;  ///< Dots for each pixel (PNG).
+  bool dark = false;
+};
+
+/// Has the graphical program, which stands beside this one or in the PATH, draw a figure into a file; it needs no
+/// display. The command line itself knows nothing of windows and fonts.
+/// @throws std::runtime_error where the program is not installed, with what to do, or with what it says
+void draw_picture(const Figure& figure, const std::filesystem::path& out, const PictureStyle& style);
+
+}  // namespace sarsim::cli
