@@ -655,7 +655,9 @@ class ImageViewerTest : public QObject {
       viewer->open(path);
       QTest::qWait(7 * i);
       viewer->read_point_at(point_row, point_column);
-      viewer->findChild<QToolButton*>("image_show_statistics")->click();
+      auto* const statistics = viewer->findChild<QToolButton*>("image_show_statistics");
+      QVERIFY(statistics != nullptr);
+      statistics->click();
     }
   }
 };
