@@ -79,8 +79,7 @@ std::vector<double> decibels_of(std::vector<double> values, double factor) {
 std::string interval_text(const EchoBlock& block) {
   if (block.rows == 0) return "no pulse";
   return fmt::format("{} pulse{} from {} to {}", block.rows, block.rows == 1 ? "" : "s",
-                     with_prefix(block.time_s.front(), "s"),
-                     with_prefix(block.time_s.back(), "s"));
+                     with_prefix(block.time_s.front(), "s"), with_prefix(block.time_s.back(), "s"));
 }
 
 // Spacing of an axis whose first and last cell have their centres at its ends.
@@ -219,10 +218,9 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
 
   std::vector<double> cut;
   for (std::size_t d = 0; d < map.doppler_hz.size(); ++d) cut.push_back(std::abs(map.at(d, column)));
-  figure.panels.push_back(curve_panel("At " + with_prefix(map.range_m[column], "m"),
-                                      axis_along("Doppler frequency", "Hz", map.doppler_hz),
-                                      {"Level above 1 V", "dB", 0.0, 1.0, {}}, map.doppler_hz,
-                                      decibels_of(std::move(cut), 20.0)));
+  figure.panels.push_back(
+      curve_panel("At " + with_prefix(map.range_m[column], "m"), axis_along("Doppler frequency", "Hz", map.doppler_hz),
+                  {"Level above 1 V", "dB", 0.0, 1.0, {}}, map.doppler_hz, decibels_of(std::move(cut), 20.0)));
   return figure;
 }
 
@@ -237,8 +235,8 @@ Figure spectrum_figure(const EchoBlock& block, std::size_t row, const RadarViewC
     values = decibels_of(std::move(values), 10.0);
     up = {"Density above 1 W/Hz", "dB", 0.0, 1.0, {}};
   }
-  figure.note = "Pulse at " + with_prefix(block.time_s[row], "s") + ", carrier " +
-                with_prefix(block.carrier_hz[row], "Hz");
+  figure.note =
+      "Pulse at " + with_prefix(block.time_s[row], "s") + ", carrier " + with_prefix(block.carrier_hz[row], "Hz");
   FigureAxis across = axis_along("Frequency from the carrier", "Hz", spectrum.frequency_hz);
   figure.panels.push_back(
       curve_panel("", std::move(across), std::move(up), std::move(spectrum.frequency_hz), std::move(values)));

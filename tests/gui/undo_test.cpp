@@ -21,6 +21,7 @@
 #include <set>
 #include <sstream>
 
+#include "gui/data_saver.hpp"
 #include "gui/function_editor.hpp"
 #include "gui/import_dialog.hpp"
 #include "gui/main_window.hpp"
@@ -28,6 +29,7 @@
 #include "gui/object_tree_model.hpp"
 #include "gui/property_panel.hpp"
 #include "gui/run_panel.hpp"
+#include "gui/save_data_dialog.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_coding.hpp"
@@ -215,6 +217,15 @@ const std::vector<Command>& commands() {
       {"main_window.cpp", "new platform", [](MainWindow& w) { trigger(w, "new_platform"); }},
       {"main_window.cpp", "new radar", [](MainWindow& w) { trigger(w, "new_radar"); }},
       {"main_window.cpp", "new surface", [](MainWindow& w) { trigger(w, "new_surface"); }},
+      {"data_saver.cpp", "settings to the script only",
+       [](MainWindow& w) {
+         SimulationWindow& from = *w.simulation_windows().open_new(Processing::raw);
+         SaveDataDialog* const dialog = w.saver().ask(w.session().scene().simulations[0], from);
+         auto* const target = dialog->findChild<QComboBox*>("save_target");
+         QVERIFY(target != nullptr);
+         target->setCurrentIndex(1);
+         dialog->accept();
+       }},
       {"simulation_window.cpp", "store a simulation",
        [](MainWindow& w) { w.simulation_windows().open_new(Processing::raw)->store_simulation(); }},
       {"object_tree.cpp", "delete",
