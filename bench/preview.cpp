@@ -1,7 +1,7 @@
 // Times the simulation window: the first, coarse picture, the full one, the delay of a cancel, and how often a second a
 // dragged target is followed. Prints one JSON object.
 //
-//   preview [SCENE.scr] [WIDTH HEIGHT]
+//   preview_bench [--simd LEVEL] [SCENE.scr] [WIDTH HEIGHT]
 //
 // Without a script the scene is 100 000 targets of 1 m2 on 1.5 km x 1.5 km, seen with a chirp of 100 MHz and 800 ns by
 // a radar that rests ("resting") and by one that flies past ("flying"); with one, its first simulation.
@@ -15,11 +15,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "base/random.hpp"
 #include "script/reader.hpp"
+#include "simulate/simd_level.hpp"
 #include "view/echo_picture.hpp"
 #include "view/preview.hpp"
 
@@ -180,6 +182,14 @@ void measure(const char* name, const Scene& scene, const EchoWindow& window, con
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string_view(argv[1]) == "--simd") {
+    if (!use_simd_level(argv[2])) {
+      std::fprintf(stderr, "preview_bench: this machine has no '%s'\n", argv[2]);
+      return 1;
+    }
+    argc -= 2;
+    argv += 2;
+  }
   const PlotSize size{argc > 3 ? std::strtoul(argv[2], nullptr, 10) : 1600,
                       argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1000};
   std::printf("{\n");

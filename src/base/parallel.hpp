@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_pages.hpp"
 #include "base/stop.hpp"
 
 namespace sarsim {
@@ -197,6 +198,7 @@ void reserve_touched(std::vector<T>& list, std::size_t capacity, const WorkContr
   const std::size_t known = list.capacity();
   list.reserve(capacity);
   if (control.threads < 2 || capacity <= known) return;
+  prefer_large_pages(list.data(), capacity * sizeof(T));
   const std::size_t used = list.size() * sizeof(T);
   auto* const unused = reinterpret_cast<volatile unsigned char*>(list.data()) + used;
   parallel_ranges(capacity * sizeof(T) - used, range_bytes, control, [&](std::size_t begin, std::size_t end) {

@@ -7,6 +7,7 @@
 
 #include "data/data_test_support.hpp"
 #include "data/formats.hpp"
+#include "support/folders.hpp"
 
 // Other people's software must read our files and find the same numbers. Skipped where the software is absent.
 namespace sarsim {
@@ -17,7 +18,7 @@ using namespace data_test;
 constexpr std::size_t rows = 5;
 constexpr std::size_t columns = 7;
 
-fs::path script(const char* name) { return (fs::path(__FILE__) / "../../../tests/data" / name).lexically_normal(); }
+fs::path script(const char* name) { return test::source_folder() / "tests/data" / name; }
 
 // Debian's own interpreter first: another one in the search path may lack the modules.
 std::string python() { return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3"; }

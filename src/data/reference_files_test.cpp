@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "data/data_test_support.hpp"
+#include "support/folders.hpp"
 
 // Reads what the programs of 1997 to 2015 wrote; the files are not part of the project.
 namespace sarsim {
@@ -10,10 +9,7 @@ namespace {
 
 using namespace data_test;
 
-fs::path reference_folder() {
-  const char* given = std::getenv("SARSIM_REFERENCE");
-  return given != nullptr ? fs::path(given) : (fs::path(__FILE__) / "../../../../shared/reference").lexically_normal();
-}
+using test::reference_folder;
 
 struct Shape {
   const char* file;

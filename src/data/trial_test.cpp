@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "data/sample_file.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 namespace {
@@ -41,8 +42,7 @@ TEST(Trial, BringsBackTheTextAndNothingElse) {
 
 // An input that fuzzing found: H5Fopen of libhdf5 1.10.8 reads beyond its memory and dies.
 TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
-  const auto path =
-      std::filesystem::path(__FILE__).parent_path() / "../../fuzz/corpus/hdf5_samples/crashes_libhdf5_1_10.h5";
+  const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/crashes_libhdf5_1_10.h5";
   ASSERT_TRUE(std::filesystem::exists(path));
   const OpenedSampleFile opened = SampleFile::open(path);
   EXPECT_FALSE(opened.file.has_value());
@@ -52,8 +52,7 @@ TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
 
 // Another: the library asks for 17 GB because a header says so.
 TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
-  const auto path =
-      std::filesystem::path(__FILE__).parent_path() / "../../fuzz/corpus/hdf5_samples/claims_17_gigabytes.h5";
+  const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/claims_17_gigabytes.h5";
   ASSERT_TRUE(std::filesystem::exists(path));
   const OpenedSampleFile opened = SampleFile::open(path);
   EXPECT_FALSE(opened.file.has_value());

@@ -180,8 +180,8 @@ struct SpectralKernel::Typed : Implementation {
   bool add_bodies(double carrier_hz, const EchoBatch& echoes) {
     gather(carrier_hz, echoes);
     if (position.empty()) return false;
-    const auto [lowest, highest] =
-        gathered.moving ? std::ranges::minmax(doppler) : std::ranges::minmax_result<double>{0.0, 0.0};
+    const double lowest = gathered.lowest_doppler;
+    const double highest = gathered.highest_doppler;
     const DopplerSpan span = span_covering(lowest, highest);
     if (!has_body || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_doppler_terms)
       return false;
@@ -261,7 +261,7 @@ struct SpectralKernel::Typed : Implementation {
       piece.doppler_slope =
           body.doppler_turns(piece.start + 1.0, carrier_hz) - piece.doppler_offset - piece.doppler_bend;
       add_edges<Real>(piece, position, strength,
-                      gathered.moving ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
+                      gathered.moving() ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
     }
   }
 

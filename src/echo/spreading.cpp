@@ -40,12 +40,15 @@ HWY_INLINE void place_on_pieces(D d, V x, const LanePolynomials<Real>& lanes, st
   }
 }
 
-// A copy of positions [first, first + count), padded to whole vectors.
-HWY_INLINE void padded_copy(std::span<const double> position, std::size_t first, std::size_t count,
-                            double* HWY_RESTRICT out) {
+// The values [first, first + count): where they stand if they fill whole vectors, else a padded copy in `buffer`.
+HWY_INLINE const double* whole_vectors(std::span<const double> values, std::size_t first, std::size_t count,
+                                       double* HWY_RESTRICT buffer) {
   const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
-  std::copy_n(position.begin() + static_cast<std::ptrdiff_t>(first), count, out);
-  for (; count % lanes != 0; ++count) out[count] = out[0];
+  const double* const from = values.data() + first;
+  if (count % lanes == 0) return from;
+  std::copy_n(from, count, buffer);
+  for (; count % lanes != 0; ++count) buffer[count] = buffer[0];
+  return buffer;
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -126,14 +129,15 @@ struct Polynomials {
   }
 };
 
-template <class Real, std::size_t Degree, std::size_t Chunks>
-HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
+// Terms is 0 where their number is only known at run time.
+template <class Real, std::size_t Degree, std::size_t Chunks, std::size_t Terms>
+HWY_INLINE void spread_terms(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
                              std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
                              SpreadGrid<Real>& grid) {
   const hn::ScalableTag<Real> d;
   const Polynomials<Real, Degree, Chunks> polynomials(taps);
   const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
-  const std::size_t terms = grid.term.size();
+  const std::size_t terms = Terms > 0 ? Terms : grid.term.size();
   for (std::size_t k = 0; k < count; ++k) {
     const auto y = hn::Set(d, places.y[k]);
     const auto at = static_cast<std::ptrdiff_t>(places.cell[k]);
@@ -146,6 +150,18 @@ HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Rea
         hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
       }
     }
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
+                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
+                             SpreadGrid<Real>& grid) {
+  switch (grid.term.size()) {
+    case 1: return spread_terms<Real, Degree, Chunks, 1>(taps, places, first, count, total, strength, grid);
+    case 2: return spread_terms<Real, Degree, Chunks, 2>(taps, places, first, count, total, strength, grid);
+    case 3: return spread_terms<Real, Degree, Chunks, 3>(taps, places, first, count, total, strength, grid);
+    default: return spread_terms<Real, Degree, Chunks, 0>(taps, places, first, count, total, strength, grid);
   }
 }
 
@@ -170,50 +186,132 @@ HWY_INLINE hn::Vec<D> sample_numbers(D d, std::size_t lane) {
   return hn::Mul(hn::OddEven(hn::Sub(twice, hn::Set(d, T(1))), twice), hn::Set(d, T(0.5)));
 }
 
-// The Doppler phasors of the samples of an edge piece of one echo.
+// How the Doppler phase runs along the few samples of the edges of a block of echoes: not at all, or seen from the
+// middle sample by so little that a short series turns them, or by any angle.
+enum class EdgeTurn { none, slight, any };
+
+// The strengths of the edges of a block of echoes, turned by the Doppler phase of the middle sample, and how the phase
+// goes on from there.
 template <class Real>
-struct EdgeTurn {
-  double turns = 0.0;
-  Real slope = 0;
-  Real bend = 0;
-
-  EdgeTurn(const EdgePiece<Real>& piece, double doppler, double fraction) {
-    turns = doppler * (piece.doppler_offset + fraction * (piece.doppler_slope + fraction * piece.doppler_bend));
-    turns -= std::round(turns);
-    slope = static_cast<Real>(doppler * (piece.doppler_slope + 2.0 * fraction * piece.doppler_bend));
-    bend = static_cast<Real>(doppler * piece.doppler_bend);
-  }
-
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE V applied(D d, std::size_t lane, V pairs) const {
-    const auto i = sample_numbers(d, lane);
-    const auto rest = hn::Mul(i, hn::MulAdd(i, hn::Set(d, bend), hn::Set(d, slope)));
-    const auto x = fraction_of_turn(hn::Neg(hn::Add(hn::Set(d, static_cast<Real>(turns)), rest)));
-    auto c = hn::Zero(d);
-    auto s = hn::Zero(d);
-    cos_sin_turns(d, x, c, s);
-    return complex_product(d, pairs, c, hn::Mul(s, pair_signs(d)));
-  }
+struct TurnedEdges {
+  static constexpr std::size_t most = Places<Real>::most;
+  HWY_ALIGN double turns[most];
+  HWY_ALIGN Real slope[most];  // Turns per sample, backwards
+  HWY_ALIGN Real bend[most];   // and per sample squared.
+  HWY_ALIGN Real strength[2 * most];
+  EdgeTurn turn = EdgeTurn::none;
 };
 
-template <class Real, std::size_t Degree, std::size_t Chunks, bool Moving>
+template <class Real>
+double middle_sample(const EdgePiece<Real>& piece) {
+  return 0.5 * (0.5 * static_cast<double>(piece.samples.lanes) - 1.0);
+}
+
+template <class Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void store_narrow(D d, V x, Real* HWY_RESTRICT out) {
+  if constexpr (sizeof(Real) == 4) {
+    const hn::Rebind<float, D> narrow;
+    hn::StoreU(hn::DemoteTo(narrow, x), narrow, out);
+  } else {
+    hn::Store(x, d, out);
+  }
+}
+
+// Phases of the middle samples and their changes. The next terms of the series, the fourth power of the angle over 24,
+// are lost in the last digit of Real (1e-13 in double precision) below `slight_angle`.
+template <class Real>
+HWY_INLINE void place_turns(const EdgePiece<Real>& piece, std::span<const double> doppler, std::size_t first,
+                            std::size_t count, const Places<Real>& places, TurnedEdges<Real>& out) {
+  constexpr double slight_angle = sizeof(Real) == 4 ? 0.02 : 1e-3;
+  const hn::ScalableTag<double> d;
+  HWY_ALIGN double buffer[Places<Real>::most];
+  const double* const from = whole_vectors(doppler, first, count, buffer);
+  const double middle = middle_sample(piece);
+  const auto offset = hn::Set(d, piece.doppler_offset);
+  const auto slope = hn::Set(d, piece.doppler_slope);
+  const auto bend = hn::Set(d, piece.doppler_bend);
+  auto largest = hn::Zero(d);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto speed = hn::LoadU(d, from + k);
+    const auto sample = hn::Add(hn::Load(d, places.fraction + k), hn::Set(d, middle));
+    const auto bent = hn::Mul(sample, bend);
+    const auto turns = hn::Mul(speed, hn::Add(offset, hn::Mul(sample, hn::Add(slope, bent))));
+    const auto change = hn::Neg(hn::Mul(speed, hn::Add(slope, hn::Add(bent, bent))));
+    const auto curve = hn::Neg(hn::Mul(speed, bend));
+    hn::Store(hn::Sub(hn::Round(turns), turns), d, out.turns + k);
+    store_narrow(d, change, out.slope + k);
+    store_narrow(d, curve, out.bend + k);
+    largest = hn::Max(largest, hn::MulAdd(hn::Set(d, middle), hn::Abs(curve), hn::Abs(change)));
+  }
+  const double angle = 6.283185307179586476925 * middle * hn::GetLane(hn::MaxOfLanes(d, largest));
+  out.turn = angle < slight_angle ? EdgeTurn::slight : EdgeTurn::any;
+}
+
+// Strengths times the phasors of the middle samples.
+template <class Real>
+HWY_INLINE void turn_strengths(const std::complex<Real>* HWY_RESTRICT strength, std::size_t count,
+                               TurnedEdges<Real>& out) {
+  using Edges = TurnedEdges<Real>;
+  const hn::ScalableTag<Real> d;
+  HWY_ALIGN Real given[2 * Edges::most];
+  HWY_ALIGN Real turns[Edges::most];
+  std::copy_n(reinterpret_cast<const Real*>(strength), 2 * count, given);
+  std::transform(out.turns, out.turns + count, turns, [](double t) { return static_cast<Real>(t); });
+  for (std::size_t padded = count; padded % hn::Lanes(d) != 0; ++padded) {
+    turns[padded] = 0;
+    given[2 * padded] = given[2 * padded + 1] = 0;
+  }
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    auto c = hn::Zero(d);
+    auto s = hn::Zero(d);
+    cos_sin_turns(d, hn::Load(d, turns + k), c, s);
+    auto re = hn::Zero(d);
+    auto im = hn::Zero(d);
+    hn::LoadInterleaved2(d, given + 2 * k, re, im);
+    hn::StoreInterleaved2(hn::NegMulAdd(im, s, hn::Mul(re, c)), hn::MulAdd(re, s, hn::Mul(im, c)), d,
+                          out.strength + 2 * k);
+  }
+}
+
+// The samples of an edge turned from the middle one: `i` counts them from there.
+template <EdgeTurn Turn, class D, class V = hn::Vec<D>>
+HWY_INLINE V turned(D d, V pairs, V i, V slope, V bend) {
+  using T = hn::TFromD<D>;
+  const auto turns = hn::Mul(i, hn::MulAdd(i, bend, slope));
+  auto c = hn::Set(d, T(1));
+  auto s = hn::Zero(d);
+  if constexpr (Turn == EdgeTurn::slight) {
+    const auto angle = hn::Mul(turns, hn::Set(d, T(6.283185307179586476925)));
+    const auto square = hn::Mul(angle, angle);
+    c = hn::MulAdd(square, hn::Set(d, T(-0.5)), c);
+    s = hn::Mul(angle, hn::MulAdd(square, hn::Set(d, T(-1.0 / 6.0)), hn::Set(d, T(1))));
+  } else {
+    cos_sin_turns(d, fraction_of_turn(turns), c, s);
+  }
+  return complex_product(d, pairs, c, hn::Mul(s, pair_signs(d)));
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks, EdgeTurn Turn>
 HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t count,
-                          const std::complex<Real>* HWY_RESTRICT strength, const double* HWY_RESTRICT doppler,
+                          const Real* HWY_RESTRICT strength, const TurnedEdges<Real>& edges,
                           std::complex<Real>* HWY_RESTRICT row) {
   const hn::ScalableTag<Real> d;
   const Polynomials<Real, Degree, Chunks> polynomials(piece.samples);
   const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
   const auto signs = pair_signs(d);
+  const auto middle = hn::Set(d, static_cast<Real>(middle_sample(piece)));
   for (std::size_t k = 0; k < count; ++k) {
     if (places.cell[k] < 0.0) continue;
     const auto y = hn::Set(d, places.y[k]);
-    const auto s_re = hn::Set(d, strength[k].real());
-    const auto s_im = hn::Mul(hn::Set(d, strength[k].imag()), signs);
+    const auto s_re = hn::Set(d, strength[2 * k]);
+    const auto s_im = hn::Mul(hn::Set(d, strength[2 * k + 1]), signs);
     Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + static_cast<std::ptrdiff_t>(places.cell[k]));
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
       const std::size_t lane = chunk * hn::Lanes(d);
       auto pairs = polynomials.at(places.table[k], chunk, y);
-      if (Moving) pairs = EdgeTurn<Real>(piece, doppler[k], places.fraction[k]).applied(d, lane, pairs);
+      if constexpr (Turn != EdgeTurn::none)
+        pairs = turned<Turn>(d, pairs, hn::Sub(sample_numbers(d, lane), middle), hn::Set(d, edges.slope[k]),
+                             hn::Set(d, edges.bend[k]));
       const auto sum = hn::MulAdd(pairs, s_re, hn::LoadU(d, out + lane));
       hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), s_im, sum), d, out + lane);
     }
@@ -224,11 +322,18 @@ template <class Real, std::size_t Degree, std::size_t Chunks>
 HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first,
                            std::size_t count, std::span<const std::complex<Real>> strength,
                            std::span<const double> doppler, EdgeRow<Real>& row) {
-  if (doppler.empty())
-    edge_loop<Real, Degree, Chunks, false>(piece, places, count, strength.data() + first, nullptr, row.samples.data());
+  TurnedEdges<Real> edges;
+  std::complex<Real>* const out = row.samples.data();
+  if (doppler.empty()) {
+    const Real* const given = reinterpret_cast<const Real*>(strength.data() + first);
+    return edge_loop<Real, Degree, Chunks, EdgeTurn::none>(piece, places, count, given, edges, out);
+  }
+  place_turns(piece, doppler, first, count, places, edges);
+  turn_strengths(strength.data() + first, count, edges);
+  if (edges.turn == EdgeTurn::slight)
+    edge_loop<Real, Degree, Chunks, EdgeTurn::slight>(piece, places, count, edges.strength, edges, out);
   else
-    edge_loop<Real, Degree, Chunks, true>(piece, places, count, strength.data() + first, doppler.data() + first,
-                                          row.samples.data());
+    edge_loop<Real, Degree, Chunks, EdgeTurn::any>(piece, places, count, edges.strength, edges, out);
 }
 
 #endif  // HWY_SCALAR
@@ -268,9 +373,9 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
   Block places;
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
-    padded_copy(position, first, count, buffer);
+    const double* const from = whole_vectors(position, first, count, buffer);
     for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const auto given = hn::Load(d, buffer + k);
+      const auto given = hn::LoadU(d, from + k);
       const auto wrapped = hn::IfThenElse(hn::Lt(given, hn::Zero(d)), hn::Add(given, hn::Set(d, period)), given);
       const auto on_grid = hn::Min(hn::Mul(wrapped, hn::Set(d, cells / period)), hn::Set(d, cells));
       const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
@@ -297,9 +402,9 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
   Block places;
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
-    padded_copy(position, first, count, buffer);
+    const double* const from = whole_vectors(position, first, count, buffer);
     for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const auto start = hn::Add(hn::Load(d, buffer + k), hn::Set(d, piece.start));
+      const auto start = hn::Add(hn::LoadU(d, from + k), hn::Set(d, piece.start));
       const auto sample = hn::Ceil(hn::Sub(start, hn::Set(d, 1e-9)));
       const auto fraction = hn::Max(hn::Zero(d), hn::Sub(sample, start));
       const auto useful = hn::And(hn::Gt(sample, first_useful), hn::Lt(sample, last_useful));

@@ -62,7 +62,6 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
     hn::StoreU(v.position, dd, out.position.data() + kept);
     hn::StoreU(v.doppler, dd, out.doppler.data() + kept);
     hn::StoreInterleaved2(v.re, v.im, narrow, reinterpret_cast<Real*>(out.strength.data() + kept));
-    out.moving = out.moving || !hn::AllTrue(dd, hn::Eq(v.doppler, hn::Zero(dd)));
     kept += lanes;
     return;
   }
@@ -79,8 +78,28 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
     out.position[kept] = position[i];
     out.strength[kept] = {re[i], im[i]};
     out.doppler[kept] = doppler[i];
-    out.moving = out.moving || doppler[i] != 0.0;
     ++kept;
+  }
+}
+
+template <class Real>
+HWY_INLINE void set_doppler_range(Strengths<Real>& out) {
+  const hn::ScalableTag<double> d;
+  const std::size_t count = out.doppler.size();
+  const auto first = hn::Set(d, count > 0 ? out.doppler.front() : 0.0);
+  auto lowest = first;
+  auto highest = first;
+  std::size_t k = 0;
+  for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d)) {
+    const auto x = hn::LoadU(d, out.doppler.data() + k);
+    lowest = hn::Min(lowest, x);
+    highest = hn::Max(highest, x);
+  }
+  out.lowest_doppler = hn::GetLane(hn::MinOfLanes(d, lowest));
+  out.highest_doppler = hn::GetLane(hn::MaxOfLanes(d, highest));
+  for (; k < count; ++k) {
+    out.lowest_doppler = std::min(out.lowest_doppler, out.doppler[k]);
+    out.highest_doppler = std::max(out.highest_doppler, out.doppler[k]);
   }
 }
 
@@ -92,7 +111,6 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.position.resize(count);
   out.strength.resize(count);
   out.doppler.resize(count);
-  out.moving = false;
   std::size_t kept = 0;
   std::size_t k = 0;
   const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.speed_mps.data()};
@@ -112,6 +130,7 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.position.resize(kept);
   out.strength.resize(kept);
   out.doppler.resize(kept);
+  set_doppler_range(out);
 }
 
 // Chebyshev's polynomials at the nodes, [node][degree], times 2/terms, half of that for degree 0: Lagrange's polynomial
@@ -121,6 +140,27 @@ void lagrange_matrix(std::size_t terms, double* matrix) {
     for (std::size_t m = 0; m < terms; ++m)
       matrix[r * terms + m] = (m == 0 ? 1.0 : 2.0) / static_cast<double>(terms) *
                               std::cos(static_cast<double>(m) * std::acos(doppler_node(r, terms)));
+}
+
+// Strengths of one vector of echoes, or of the first `here` of it, times their weights.
+template <class Real>
+HWY_INLINE void store_weighted(hn::Vec<hn::ScalableTag<double>> weight, const std::complex<Real>* HWY_RESTRICT strength,
+                               std::size_t here, std::complex<Real>* HWY_RESTRICT out) {
+  const hn::ScalableTag<double> dd;
+  const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
+  auto factor = hn::Zero(narrow);
+  if constexpr (sizeof(Real) == 4) factor = hn::DemoteTo(narrow, weight);
+  if constexpr (sizeof(Real) == 8) factor = weight;
+  if (here < hn::Lanes(dd)) {
+    HWY_ALIGN Real each[hn::MaxLanes(dd)];
+    hn::Store(factor, narrow, each);
+    for (std::size_t i = 0; i < here; ++i) out[i] = strength[i] * each[i];
+    return;
+  }
+  auto re = hn::Zero(narrow);
+  auto im = hn::Zero(narrow);
+  hn::LoadInterleaved2(narrow, reinterpret_cast<const Real*>(strength), re, im);
+  hn::StoreInterleaved2(hn::Mul(re, factor), hn::Mul(im, factor), narrow, reinterpret_cast<Real*>(out));
 }
 
 template <class Real>
@@ -135,8 +175,10 @@ HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan
   HWY_ALIGN double buffer[hn::MaxLanes(dd)];
   for (std::size_t k = 0; k < count; k += lanes) {
     const std::size_t here = std::min(lanes, count - k);
-    for (std::size_t i = 0; i < lanes; ++i) buffer[i] = echoes.doppler[k + std::min(i, here - 1)];
-    const auto x = hn::Mul(hn::Sub(hn::Load(dd, buffer), hn::Set(dd, span.middle)), hn::Set(dd, 1.0 / span.half));
+    if (here < lanes)
+      for (std::size_t i = 0; i < lanes; ++i) buffer[i] = echoes.doppler[k + std::min(i, here - 1)];
+    const auto doppler = hn::LoadU(dd, here < lanes ? buffer : echoes.doppler.data() + k);
+    const auto x = hn::Mul(hn::Sub(doppler, hn::Set(dd, span.middle)), hn::Set(dd, 1.0 / span.half));
     auto before = hn::Set(dd, 1.0);
     auto now = x;
     for (std::size_t m = 0; m < terms; ++m) {
@@ -149,9 +191,7 @@ HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan
       auto sum = hn::Zero(dd);
       for (std::size_t m = 0; m < terms; ++m)
         sum = hn::MulAdd(hn::Set(dd, matrix[r * terms + m]), hn::Load(dd, chebyshev + m * lanes), sum);
-      hn::Store(sum, dd, buffer);
-      for (std::size_t i = 0; i < here; ++i)
-        weighted[r * count + k + i] = echoes.strength[k + i] * static_cast<Real>(buffer[i]);
+      store_weighted(sum, echoes.strength.data() + k, here, weighted + r * count + k);
     }
   }
 }

@@ -24,7 +24,11 @@ struct Strengths {
   std::vector<double> position;              ///< Of the leading edge, samples after the row's first.
   std::vector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
   std::vector<double> doppler;               ///< 2v/c.
-  bool moving = false;                       ///< Any doppler is not 0.
+  double lowest_doppler = 0.0;               ///< Of `doppler`; 0 without echoes.
+  double highest_doppler = 0.0;
+
+  /// Whether any Doppler factor is not 0.
+  [[nodiscard]] bool moving() const { return lowest_doppler != 0.0 || highest_doppler != 0.0; }
 };
 
 /// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to

@@ -117,6 +117,7 @@ class ImageViewer : public QWidget {
   void show_reading(const QString& words);
   [[nodiscard]] QString unit() const;
   [[nodiscard]] QString value_unit() const;
+  [[nodiscard]] QString decibel_unit() const;
   [[nodiscard]] QString words_at(ImagePlace place) const;
 
   std::filesystem::path path_;
@@ -143,7 +144,8 @@ class ImageViewer : public QWidget {
   ImageControls* controls_ = nullptr;
   ImageThumbnail* thumbnail_ = nullptr;
   ImagePlot* plot_ = nullptr;
-  FigurePlot* cuts_ = nullptr;
+  FigurePlot* row_cut_ = nullptr;
+  FigurePlot* column_cut_ = nullptr;
   FigurePlot* histogram_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QLabel* info_ = nullptr;

@@ -105,6 +105,9 @@ QString ImageViewer::unit() const {
   return of_values ? value_unit() : text_of(unit_of(look_.quantity));
 }
 
+// What is measured counts from 1 V, not from the strongest sample in view.
+QString ImageViewer::decibel_unit() const { return value_unit() == "V" ? QStringLiteral("dBV") : QStringLiteral("dB"); }
+
 QString ImageViewer::words_at(ImagePlace place) const {
   const auto& part = plot_->part();
   const auto index = part ? part->nearest(place.column, place.row) : std::nullopt;
@@ -133,7 +136,7 @@ QString ImageViewer::words_at(ImagePlace place) const {
           << tr("Phase %1 deg").arg(value_of(DisplayQuantity::phase, s), 0, 'f', 2);
   else
     words << tr("Value %1").arg(number_text(s.real(), value_unit()));
-  words << (db <= lowest_db ? tr("no power") : QStringLiteral("%1 dB").arg(db, 0, 'f', 2));
+  words << (db <= lowest_db ? tr("no power") : QStringLiteral("%1 %2").arg(db, 0, 'f', 2).arg(decibel_unit()));
   return words.join("   ");
 }
 
@@ -160,7 +163,7 @@ void ImageViewer::show_read_out() {
 void ImageViewer::show_cuts() {
   const auto& part = plot_->part();
   const bool wanted = show_cuts_->isChecked();
-  cuts_->setVisible(wanted);
+  for (FigurePlot* plot : {row_cut_, column_cut_}) plot->setVisible(wanted);
   if (!wanted || !part || part->samples.empty()) return;
   const ImageView& view = plot_->view();
   const ImagePlace at = plot_->cursor(0).value_or(
@@ -176,7 +179,6 @@ void ImageViewer::show_cuts() {
     // The floor of what is drawn; silence would make the rest flat.
     return look_.quantity == DisplayQuantity::decibels ? std::max(v, colours.limits.low) : v;
   };
-  Figure figure;
   FigureCurve along;
   for (std::size_t k = 0; k < part->window.cols; ++k) {
     along.x.push_back(static_cast<double>(part->window.column(k)));
@@ -188,18 +190,22 @@ void ImageViewer::show_cuts() {
     across.x.push_back(static_cast<double>(part->window.row(i)));
     across.y.push_back(value(i, column));
   }
-  const auto panel = [&](FigureCurve curve, const QString& label, const QString& title, double from, double to) {
-    FigurePanel made;
-    made.title = title.toStdString();
-    made.x = {label.toStdString(), "", from, to, {}};
-    made.y = {std::string(title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
-    set_span(made.y, curve.y);
-    made.curves.push_back(std::move(curve));
-    figure.panels.push_back(std::move(made));
+  const auto show = [&](FigurePlot* plot, FigureCurve curve, const QString& label, const QString& title, double from,
+                        double to) {
+    FigurePanel panel;
+    panel.title = title.toStdString();
+    panel.x = {label.toStdString(), "", from, to, {}};
+    panel.y = {std::string(title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
+    set_span(panel.y, curve.y);
+    panel.curves.push_back(std::move(curve));
+    Figure figure;
+    figure.panels.push_back(std::move(panel));
+    plot->set_figure(figure);
   };
-  panel(std::move(along), tr("Sample"), tr("Row %1").arg(part->window.row(row)), view.column_first, view.column_last);
-  panel(std::move(across), tr("Row"), tr("Sample %1").arg(part->window.column(column)), view.row_first, view.row_last);
-  cuts_->set_figure(figure);
+  show(row_cut_, std::move(along), tr("Sample"), tr("Row %1").arg(part->window.row(row)), view.column_first,
+       view.column_last);
+  show(column_cut_, std::move(across), tr("Row"), tr("Sample %1").arg(part->window.column(column)), view.row_first,
+       view.row_last);
 }
 
 ImageWindow ImageViewer::chosen() const {
@@ -250,12 +256,16 @@ void ImageViewer::show_statistics() {
   histogram_->setVisible(wanted && statistics_);
   if (!wanted || !statistics_) return;
   const QuantityStatistics& of = (*statistics_)[measured(look_.quantity)];
-  const double degrees = look_.quantity == DisplayQuantity::phase ? 180.0 / M_PI : 1.0;
+  const bool decibels = look_.quantity == DisplayQuantity::decibels;
+  const bool powers = source_ && source_->info().value == ImageValue::power;
+  // Measured are radians, and 20 log10 of whatever the values are.
+  const double scale = look_.quantity == DisplayQuantity::phase ? 180.0 / M_PI : decibels && powers ? 0.5 : 1.0;
+  const QString of_unit = decibels ? decibel_unit() : unit();
   QStringList words{
       tr("%1 %2 samples").arg(plot_->selection() ? tr("Selection:") : tr("In view:")).arg(statistics_->samples)};
   const QString name = text_of(title_of(look_.quantity));
   const auto add = [&](const QString& what, double value) {
-    words << what + " " + number_text(value * degrees, unit());
+    words << what + " " + number_text(value * scale, of_unit);
   };
   if (of.count > 0) {
     words << name + ":";
@@ -263,16 +273,16 @@ void ImageViewer::show_statistics() {
     add(tr("to"), of.maximum);
     add(tr("mean"), of.mean);
     add(tr("deviation"), of.deviation);
-    if (look_.quantity != DisplayQuantity::decibels) add(tr("RMS"), of.rms);
+    if (!decibels) add(tr("RMS"), of.rms);
   }
   if (statistics_->zeros > 0) words << tr("%1 zero").arg(statistics_->zeros);
   if (statistics_->not_finite > 0) words << tr("%1 no number").arg(statistics_->not_finite);
   figures_->setText(words.join("   "));
   FigurePanel panel;
   FigureCurve curve = bars_of(of);
-  for (double& x : curve.x) x *= degrees;
+  for (double& x : curve.x) x *= scale;
   panel.title = tr("How often").toStdString();
-  panel.x = {name.toStdString(), unit().toStdString(), 0.0, 1.0, {}};
+  panel.x = {name.toStdString(), of_unit.toStdString(), 0.0, 1.0, {}};
   set_span(panel.x, curve.x);
   panel.y = {tr("Samples").toStdString(), "", 0.0, 1.0, {}};
   for (const double y : curve.y) panel.y.last = std::max(panel.y.last, 1.05 * y);

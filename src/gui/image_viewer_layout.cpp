@@ -33,7 +33,7 @@ FigurePlot* figure_plot(QWidget* parent, const char* name, const QString& spoken
   auto* const plot = new FigurePlot(parent);
   plot->setObjectName(name);
   plot->setAccessibleName(spoken);
-  plot->setMinimumHeight(140);
+  plot->setMinimumHeight(180);
   plot->hide();
   return plot;
 }
@@ -44,7 +44,8 @@ ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent) {
   setObjectName("image_viewer");
   setWindowTitle(tr("Simulation output"));
   plot_ = new ImagePlot(this);
-  cuts_ = figure_plot(this, "image_cuts", tr("Cuts"));
+  row_cut_ = figure_plot(this, "image_row_cut", tr("Cut along the row"));
+  column_cut_ = figure_plot(this, "image_column_cut", tr("Cut along the column"));
   histogram_ = figure_plot(this, "image_histogram", tr("Histogram"));
   problems_ = new ProblemLine(this);
   problems_->setObjectName("image_problems");
@@ -53,8 +54,7 @@ ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   auto* const pictures = new QSplitter(Qt::Vertical, right);
   auto* const below = new QSplitter(Qt::Horizontal, pictures);
-  below->addWidget(cuts_);
-  below->addWidget(histogram_);
+  for (FigurePlot* plot : {row_cut_, column_cut_, histogram_}) below->addWidget(plot);
   pictures->addWidget(plot_);
   pictures->addWidget(below);
   pictures->setStretchFactor(0, 5);

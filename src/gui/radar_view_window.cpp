@@ -75,7 +75,7 @@ RadarViewWindow::RadarViewWindow(SimulationWindow& from, RadarView view) : QWidg
   connect(&from_, &SimulationWindow::changed, this, &RadarViewWindow::compute_soon);
   connect(&work_, &LatestWork::ended, this, &RadarViewWindow::show_result);
   show_choice();
-  resize(820, 560);
+  resize(820, view == RadarView::range_doppler ? 740 : 560);  // Two pictures below each other, one of them a map.
   compute_soon();
 }
 

@@ -33,9 +33,11 @@ constexpr std::array formats{FileFormat::binary,  FileFormat::ascii, FileFormat:
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
-QString span_text(double from, double to, Quantity quantity) {
+// For people, who do not count nanometres; what is saved is exact.
+QString span_text(double from, double to, const char* unit) {
+  constexpr int digits = 8;
   return SaveDataDialog::tr("%1 to %2")
-      .arg(text_of(quantity_text(from, quantity)), text_of(quantity_text(to, quantity)));
+      .arg(text_of(with_prefix(from, unit, digits)), text_of(with_prefix(to, unit, digits)));
 }
 
 QFormLayout* add_group(QVBoxLayout* column, const QString& title, QWidget* parent) {
@@ -114,8 +116,8 @@ void SaveDataDialog::make_window_group(QFormLayout* form) {
     form->addRow(label, shown);
   };
   add_text(tr("Radar"), text_of(s.radar), "save_radar");
-  add_text(tr("Slant range"), span_text(s.range_start_m, s.range_end_m, Quantity::length), "save_range");
-  add_text(tr("Azimuth"), span_text(s.time_start_s, s.time_end_s, Quantity::time), "save_time");
+  add_text(tr("Slant range"), span_text(s.range_start_m, s.range_end_m, "m"), "save_range");
+  add_text(tr("Azimuth"), span_text(s.time_start_s, s.time_end_s, "s"), "save_time");
   multiple_ = add_line(form, tr("Sampling x bandwidth"), "save_multiple",
                        tr("Sampling frequency over the bandwidth of the pulse; below 1 is accepted"));
   rate_ = add_line(form, tr("Sampling frequency"), "save_rate", tr("Of complex samples, as 60 MHz"));

@@ -12,6 +12,7 @@
 #include "script/random_scene_test_support.hpp"
 #include "script/reader.hpp"
 #include "script/writer.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 
@@ -70,8 +71,6 @@ std::vector<std::string> scripts_in(const fs::path& folder) {
   }
   return texts;
 }
-
-fs::path here() { return fs::path(__FILE__).parent_path(); }
 
 // Small texts of all sorts, good and bad, to be put together and spoilt.
 std::vector<std::string> fragments() {
@@ -150,20 +149,19 @@ void change_line_ends(std::mt19937& random, std::string& text) {
 }  // namespace
 
 TEST(PiecewiseReading, IsTheSameForTheExamples) {
-  const std::vector<std::string> texts = scripts_in(here() / "../../examples");
+  const std::vector<std::string> texts = scripts_in(test::source_folder() / "examples");
   ASSERT_GE(texts.size(), 5U);
   for (const std::string& text : texts) expect_same(text);
 }
 
 TEST(PiecewiseReading, IsTheSameForTheSeedsOfTheFuzzer) {
-  const std::vector<std::string> texts = scripts_in(here() / "../../fuzz/corpus/script");
+  const std::vector<std::string> texts = scripts_in(test::source_folder() / "fuzz/corpus/script");
   ASSERT_GE(texts.size(), 5U);
   for (const std::string& text : texts) expect_same(text);
 }
 
 TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
-  const char* const named = std::getenv("SARSIM_REFERENCE");
-  const fs::path folder = named != nullptr ? fs::path(named) : here() / "../../../shared/reference";
+  const fs::path folder = test::reference_folder();
   if (!fs::is_directory(folder))
     GTEST_SKIP() << "no reference scripts at " << folder << "; SARSIM_REFERENCE may name their folder";
   const std::vector<std::string> texts = scripts_in(folder);
@@ -194,8 +192,8 @@ TEST(PiecewiseReading, IsTheSameForEachFragmentAndForPairsOfThem) {
 TEST(PiecewiseReading, IsTheSameForRandomConcatenationsAndMutations) {
   std::mt19937 random(1998);
   std::vector<std::string> texts = fragments();
-  for (const std::string& text : scripts_in(here() / "../../fuzz/corpus/script")) texts.push_back(text);
-  for (const std::string& text : scripts_in(here() / "../../examples"))
+  for (const std::string& text : scripts_in(test::source_folder() / "fuzz/corpus/script")) texts.push_back(text);
+  for (const std::string& text : scripts_in(test::source_folder() / "examples"))
     if (text.size() < 3000) texts.push_back(text);
   static constexpr std::size_t sizes[] = {1, 1, 20, 100, 700};
   static constexpr unsigned threads[] = {1, 1, 2, 3, 8};

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "base/large_pages.hpp"
 #include "base/number_text.hpp"
 #include "script/reader.hpp"
 
@@ -97,13 +98,14 @@ struct LargeText {
 
 // The bytes of a large ordinary file, read by all threads; nothing for other files and for any that cannot be read so.
 std::optional<LargeText> read_large(const fs::path& path, const WorkControl& control) {
-  constexpr std::uintmax_t large = std::uintmax_t{4} << 20;
-  constexpr std::size_t range_bytes = std::size_t{2} << 20;
+  constexpr std::uintmax_t large = std::uintmax_t{1} << 18;
+  constexpr std::size_t range_bytes = std::size_t{1} << 19;
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) return std::nullopt;
   const std::uintmax_t size = fs::file_size(path, failure);
   if (failure || size < large || size > largest_script_bytes) return std::nullopt;
   LargeText text{std::make_unique_for_overwrite<char[]>(size), static_cast<std::size_t>(size)};  // NOLINT
+  prefer_large_pages(text.bytes.get(), text.size);
   const SharedFile file(path);
   std::atomic<bool> complete{true};
   parallel_ranges(text.size, range_bytes, control, [&](std::size_t begin, std::size_t end) {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
 #include "script/reader.hpp"
 #include "script/writer.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 
@@ -17,10 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path reference_folder() {
-  if (const char* folder = std::getenv("SARSIM_REFERENCE")) return folder;
-  return (fs::path(__FILE__).parent_path() / "../../../shared/reference").lexically_normal();
-}
+using test::reference_folder;
 
 bool is_script(const fs::path& path) {
   std::string ending = path.extension().string();

@@ -1,7 +1,9 @@
 #include "simulate/engine.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
+#include "simulate/run.hpp"
 #include "simulate/simd_level.hpp"
 #include "simulate/simulate_test_scene.hpp"
 
@@ -101,6 +103,23 @@ TEST(SimdLevel, IsTheBestOfTheListAndUnknownOnesAreRefused) {
   EXPECT_FALSE(use_simd_level("mmx"));
   EXPECT_FALSE(use_simd_level(""));
   EXPECT_EQ(simd_level(), levels.front());
+}
+
+// Sums of vectors of another width are rounded elsewhere.
+TEST(SimdLevel, ChosenIsTheOneThatComputesHoweverOftenItIsLookedAt) {
+  const std::string best = simd_level();
+  const std::string worst = simd_levels().back();
+  if (best == worst) GTEST_SKIP() << "only " << best << " here";
+  const auto samples = [] { return record(make_plan(scene_with(400), 0, nullptr, Engine::spectral)).samples; };
+  const auto fast = samples();
+  ASSERT_TRUE(use_simd_level(worst));
+  EXPECT_EQ(simd_level(), worst);
+  EXPECT_EQ(simd_level(), worst);
+  const auto slow = samples();
+  EXPECT_FALSE(use_simd_level(best));
+  hwy::SetSupportedTargetsForTest(0);
+  EXPECT_NE(fast, slow);
+  EXPECT_EQ(fast, samples());
 }
 
 }  // namespace

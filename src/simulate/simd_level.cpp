@@ -53,7 +53,8 @@ bool use_simd_level(std::string_view level) {
   for (std::int64_t rest = usable_targets(); rest != 0; rest &= rest - 1) {
     const std::int64_t target = rest & -rest;
     if (name_of_target(target) != level) continue;
-    hwy::DisableTargets(target - 1);
+    // Not DisableTargets: in Highway 1.0, the next look at SupportedTargets sets the dispatch back to the best target.
+    hwy::SetSupportedTargetsForTest(usable_targets() & ~(target - 1));
     return true;
   }
   return false;

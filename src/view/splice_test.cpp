@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
 #include "script/reader.hpp"
 #include "script/writer.hpp"
+#include "support/folders.hpp"
 #include "view/document.hpp"
 #include "view/edit_test_support.hpp"
 #include "view/splice_command.hpp"
@@ -274,14 +274,9 @@ TEST(AsScriptSays, KeepsFaultyValues) {
 
 namespace {
 
-fs::path reference_folder() {
-  if (const char* folder = std::getenv("SARSIM_REFERENCE")) return folder;
-  return (fs::path(__FILE__).parent_path() / "../../../shared/reference").lexically_normal();
-}
-
 std::vector<fs::path> all_scripts() {
   std::vector<fs::path> scripts;
-  for (const fs::path& folder : {fs::path(__FILE__).parent_path() / "../../examples", reference_folder()}) {
+  for (const fs::path& folder : {test::source_folder() / "examples", test::reference_folder()}) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string ending = entry.path().extension().string();

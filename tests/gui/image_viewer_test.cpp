@@ -331,11 +331,12 @@ class ImageViewerTest : public QObject {
     QVERIFY2(bench.words("image_difference").contains("5 samples   10 rows"),
              qPrintable(bench.words("image_difference")));
     bench.viewer.findChild<QToolButton*>("image_show_cuts")->click();
-    auto* const cuts = bench.viewer.findChild<FigurePlot*>("image_cuts");
-    QVERIFY(cuts->isVisibleTo(&bench.viewer));
-    QCOMPARE(cuts->figure().panels.size(), std::size_t{2});
-    QCOMPARE(cuts->figure().panels[0].title, std::string("Row 70"));
-    QCOMPARE(cuts->figure().panels[1].curves[0].y.size(), rows);
+    auto* const row = bench.viewer.findChild<FigurePlot*>("image_row_cut");
+    auto* const column = bench.viewer.findChild<FigurePlot*>("image_column_cut");
+    QVERIFY(row->isVisibleTo(&bench.viewer) && column->isVisibleTo(&bench.viewer));
+    QCOMPARE(row->figure().panels.at(0).title, std::string("Row 70"));
+    QCOMPARE(column->figure().panels.at(0).title, std::string("Sample 40"));
+    QCOMPARE(column->figure().panels.at(0).curves[0].y.size(), rows);
     QTest::keyClick(&bench.viewer.plot(), Qt::Key_Escape);
     QVERIFY(!bench.viewer.plot().cursor(0));
   }

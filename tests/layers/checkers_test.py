@@ -52,6 +52,11 @@ class Layers(unittest.TestCase):
             }
         )
 
+    def test_only_tests_may_use_what_tests_share(self):
+        self.passes({"math/b_test.cpp": '#include "support/folders.hpp"\n'})
+        found = self.lines({"math/b.cpp": '#include "support/folders.hpp"\n'})
+        self.assertEqual(found, ['math/b.cpp:1: "support/folders.hpp" is in no declared folder'])
+
     def test_an_upward_include_is_found(self):
         found = self.lines({"base/a.cpp": '#include <vector>\n#include "math/b.hpp"\n'})
         self.assertEqual(found, ["base/a.cpp:2: base may not use math"])

@@ -8,7 +8,7 @@
 #include "script/reader.hpp"
 #include "simulate/run.hpp"
 #include "support/ascii_samples.hpp"
-#include "support/reference_folder.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 namespace {

@@ -11,7 +11,7 @@
 #include "simulate/run.hpp"
 #include "support/ascii_samples.hpp"
 #include "support/count_fit.hpp"
-#include "support/reference_folder.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 namespace {

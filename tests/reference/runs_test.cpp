@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "support/reference_folder.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 namespace {

@@ -12,7 +12,7 @@
 #include "simulate/run.hpp"
 #include "simulate/survey.hpp"
 #include "support/discarding_sink.hpp"
-#include "support/reference_folder.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim {
 namespace {
