@@ -166,7 +166,7 @@ PlotSize plot_pixels(const PlotArguments& a) {
 void take_look(const PlotArguments& a, DisplayQuantity usual, EchoWindow& window) {
   window.quantity = a.quantity.value_or(usual);
   const ColourMapKind kind = kind_for(window.quantity);
-  window.map = a.map.value_or(kind == ColourMapKind::diverging ? ColourMap::balance
+  window.map = a.map.value_or(kind == ColourMapKind::diverging ? (a.dark ? ColourMap::balance_dark : ColourMap::balance)
                               : kind == ColourMapKind::cyclic  ? ColourMap::cycle
                                                                : ColourMap::ocean);
   window.inverted = a.inverted;

@@ -11,6 +11,7 @@
 #include "cli/plot_samples.hpp"
 #include "view/antenna_figure.hpp"
 #include "view/echo_figure.hpp"
+#include "view/echo_picture.hpp"
 #include "view/fields.hpp"
 #include "view/function_figure.hpp"
 #include "view/object.hpp"
@@ -95,11 +96,18 @@ EchoBlock block_of(const EchoMatrix& matrix) {
   return block;
 }
 
+constexpr std::size_t samples_per_pixel = 4;  // of curves
+
 Plotted picture(const PlotArguments& a, const Scene& scene, const StopFlag* stop) {
   bool show_all = false;
   const EchoWindow window = chosen_window(a, scene, show_all);
-  const auto matrix =
-      computed({std::make_shared<Scene>(scene), window, plot_pixels(a), Engine::automatic, show_all}, stop);
+  PreviewRequest request{std::make_shared<Scene>(scene), window, plot_pixels(a), Engine::automatic, show_all};
+  auto matrix = computed(request, stop);
+  // Curves show what lies between the pixels of a chirp.
+  if (!a.screen && drawn_as(window, *matrix) == DrawAs::curves_per_pulse) {
+    request.size.width_px *= samples_per_pixel;
+    matrix = computed(request, stop);
+  }
   Plotted plotted{echo_figure(*matrix, window), {}};
   if (!a.csv.empty()) plotted.table = sample_table(block_of(*matrix), {}, true, true, ',');
   return plotted;
@@ -122,10 +130,11 @@ std::shared_ptr<const Plan> chosen_plan(const PlotArguments& a, SceneInput& inpu
   if (show_all) show_all_targets(input.scene, window, stop);
   resolve_once(input, {thread_count(0), stop});
   PlotSize size = plot_pixels(a);
-  // One sample for each pixel makes a cut smooth; a profile, spectrum or phase is of the samples that a run saves.
+  // Cuts are smooth; a profile, spectrum or phase is of the samples that a run saves.
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
   const bool smooth = a.screen || (cut && !a.recorded);
   if (!smooth) size.width_px = 1;
+  if (smooth && !a.screen) size.width_px *= samples_per_pixel;
   if (!smooth && window.sampling.kind == Sampling::Kind::screen) window.sampling = {Sampling::Kind::multiple, 0.0, 1.0};
   ShownPlan planned = plan_shown(input.scene, input.resolved, window, size, Engine::automatic, stop);
   if (!planned.plan) throw BadInput(std::move(planned.problems));

@@ -54,6 +54,7 @@ Figure cut(std::string title, FigureAxis across, std::vector<double> x, Shown up
   // Magnitudes are seen against 0.
   if (look.quantity == DisplayQuantity::magnitude) panel.y.first = std::min(panel.y.first, -0.05 * panel.y.last);
   mark_peaks(panel, look.peaks);
+  break_where_it_turns_back(panel.curves[0]);
   return figure;
 }
 

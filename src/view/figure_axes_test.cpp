@@ -40,6 +40,7 @@ TEST(FigureDecibels, OfSilenceAreFinite) {
 }
 
 // A parabola about 2.3 and one about 7.6, sampled at 0, 1, 2, ...; the second is higher.
+// Seen from 0 to 10.
 FigurePanel two_peaks() {
   std::vector<double> x;
   std::vector<double> y;
@@ -48,7 +49,7 @@ FigurePanel two_peaks() {
     const double from = i < 5 ? 2.3 : 7.6;
     y.push_back((i < 5 ? 10.0 : 20.0) - (i - from) * (i - from));
   }
-  return curve_panel("", {"Range", "m", 0.0, 1.0, {}}, {}, x, y);
+  return curve_panel("", {"Range", "m", 0.0, 10.0, {}}, {}, x, y);
 }
 
 TEST(PeakMarks, StandBetweenSamplesWhereAParabolaPeaksHighestFirst) {
@@ -59,7 +60,7 @@ TEST(PeakMarks, StandBetweenSamplesWhereAParabolaPeaksHighestFirst) {
   ASSERT_EQ(panel.marks.size(), 2U);
   EXPECT_NEAR(panel.marks[0].x, 7.6, 1e-12);
   EXPECT_NEAR(panel.marks[1].x, 2.3, 1e-12);
-  EXPECT_EQ(panel.marks[0].text, "7.6 m");
+  EXPECT_EQ(panel.marks[0].text, "7.600 m");
 }
 
 TEST(PeakMarks, AreAtMostAsManyAsWanted) {
@@ -69,6 +70,35 @@ TEST(PeakMarks, AreAtMostAsManyAsWanted) {
   FigurePanel empty;
   mark_peaks(empty, 3);
   EXPECT_TRUE(empty.marks.empty());
+}
+
+TEST(PeakMarks, HaveNoWordsWhereThoseOfAHigherOneStand) {
+  FigurePanel panel =
+      curve_panel("", {"Range", "m", 0.0, 100.0, {}}, {}, {0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 5.0, 4.0, 5.01, 0.0});
+  mark_peaks(panel, 2);
+  ASSERT_EQ(panel.marks.size(), 2U);
+  EXPECT_FALSE(panel.marks[0].text.empty());
+  EXPECT_EQ(panel.marks[1].text, "");
+}
+
+TEST(PeakMarks, AreWrittenInTheUnitOfTheAxis) {
+  FigurePanel panel =
+      curve_panel("", {"Range", "m", 10'000.0, 10'500.0, {}}, {}, {10'100.0, 10'101.0, 10'102.0}, {0.0, 1.0, 0.0});
+  mark_peaks(panel, 1);
+  EXPECT_EQ(panel.marks.at(0).text, "10.10100 km");
+}
+
+TEST(BrokenCurves, AreBrokenWhereTheyTurnBackAndNowhereElse) {
+  FigureCurve curve{"srp", Role::curve_2, false, {0.0, 1.0, 0.5, 1.5}, {1.0, 2.0, 3.0, 4.0}};
+  break_where_it_turns_back(curve);
+  ASSERT_EQ(curve.x.size(), 5U);
+  EXPECT_TRUE(std::isnan(curve.y[2]));
+  EXPECT_EQ(curve.y[3], 3.0);
+  EXPECT_EQ(curve.name, "srp");
+  FigureCurve whole{"", Role::curve, false, {0.0, 0.0, 1.0}, {1.0, 2.0, 3.0}};
+  const FigureCurve before = whole;
+  break_where_it_turns_back(whole);
+  EXPECT_EQ(whole, before);
 }
 
 TEST(PeakMarks, AreNotOnSlopesOrAtEnds) {
