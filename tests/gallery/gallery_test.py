@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import pathlib
+import sys
 import tempfile
 import unittest
 
@@ -17,6 +18,7 @@ def loaded():
 
 
 gallery = loaded()
+figures = sys.modules["gallery_figures"]
 EXACT = {figure.name: [number.expected for number in figure.numbers] for figure in gallery.FIGURES}
 
 
@@ -80,10 +82,9 @@ class Page(unittest.TestCase):
 
 class Numbers(unittest.TestCase):
     def test_a_number_beyond_its_tolerance_is_told(self):
-        number = gallery.Number("length", "m", 750.0, "thesis", 0.7, ".1f", lambda lab: lab)
-        figures = gallery.FIGURES[:]
-        self.addCleanup(gallery.FIGURES.__setitem__, slice(None), figures)
-        gallery.FIGURES[:] = [gallery.Figure("A.7", "", [], "", [number])]
+        number = figures.Number("length", "m", 750.0, "thesis", 0.7, ".1f", lambda lab: lab)
+        self.addCleanup(gallery.FIGURES.__setitem__, slice(None), gallery.FIGURES[:])
+        gallery.FIGURES[:] = [figures.Figure("A.7", "", [], "", [number])]
         self.assertEqual(gallery.measure_all(749.5), ({"A.7": [749.5]}, []))
         self.assertIn("749.2 m instead of 750", gallery.measure_all(749.2)[1][0])
         self.assertTrue(gallery.measure_all(float("nan"))[1])
