@@ -10,6 +10,7 @@
 #include "cli/plot_arguments.hpp"
 #include "cli/plot_samples.hpp"
 #include "data/image_source.hpp"
+#include "math/finer.hpp"
 #include "view/image_figure.hpp"
 
 namespace sarsim::cli {
@@ -22,6 +23,8 @@ namespace {
 struct FocusedPlaces {
   ImagePlaces azimuth;
   ImagePlaces range;
+  double azimuth_centre_per_m = 0.0;  // middles of the image's spectrum
+  double range_centre_per_m = 0.0;
 };
 
 // What a file is, and where its samples are.
@@ -58,7 +61,9 @@ FocusedPlaces places_of(const EnviHeader& header, const std::string& path) {
   read_header(header, envi_header_of(path).string(), image, origin);
   const char* range = image.frame.plane == ImagePlane::slant_range ? "Slant range" : "Ground range";
   return {{"Azimuth", "m", image.azimuth.first_m, image.azimuth.step_m},
-          {range, "m", image.range.first_m, image.range.step_m}};
+          {range, "m", image.range.first_m, image.range.step_m},
+          image.azimuth.spectrum_centre_per_m,
+          image.range.spectrum_centre_per_m};
 }
 
 SampleAxes axes_of(const Plan& plan) {
@@ -207,6 +212,64 @@ Part chosen_part(const PlotArguments& a, const Input& input, const StopFlag* sto
   return part;
 }
 
+// ---- Cuts through focused images --------------------------------------------------------------------------------
+
+// An image has a sample or two for each width of a point: a cut shows what lies between them, too.
+constexpr std::size_t finer_by = 16;
+
+// One line of an image along which a cut goes, and the places of its finer samples.
+struct FineLine {
+  std::vector<double> place;
+  std::vector<std::complex<double>> value;
+};
+
+FineLine fine_line(const Input& input, bool along_range, std::size_t number, const StopFlag* stop) {
+  const ImagePlaces& places = along_range ? input.focused->range : input.focused->azimuth;
+  const double centre = along_range ? input.focused->range_centre_per_m : input.focused->azimuth_centre_per_m;
+  const std::size_t count = along_range ? input.source->columns() : input.source->rows();
+  std::vector<std::complex<float>> read(count);
+  input.source->read_window(
+      along_range ? ImageWindow{number, 1, 0, count, 1, 1} : ImageWindow{0, count, number, 1, 1, 1}, read,
+      {thread_count(0), stop});
+  FineLine line;
+  line.value = finer(std::vector<std::complex<double>>(read.begin(), read.end()), centre * places.step, finer_by);
+  // Behind the last sample the line would lead back to the first.
+  line.value.resize((count - 1) * finer_by + 1);
+  for (std::size_t i = 0; i < line.value.size(); ++i)
+    line.place.push_back(places.first + places.step * static_cast<double>(i) / static_cast<double>(finer_by));
+  return line;
+}
+
+// Gives a cut the finer places of its line, inside the part.
+void make_finer(const PlotArguments& a, const Input& input, Part& part, const StopFlag* stop) {
+  const bool along_range = a.kind == PlotKind::pulse;
+  PlotSamples& samples = part.samples;
+  const std::size_t first_line = along_range ? part.rows.begin : part.columns.begin;
+  auto& places = along_range ? samples.column_place : samples.row_place;
+  const auto inside = [low = places.front(), high = places.back()](double place) {
+    return place >= low && place <= high;
+  };
+  const FineLine all = fine_line(input, along_range, first_line, stop);
+  const auto first = static_cast<std::size_t>(std::ranges::find_if(all.place, inside) - all.place.begin());
+  std::vector<double> kept;
+  std::ranges::copy_if(all.place, std::back_inserter(kept), inside);
+  places = std::move(kept);
+  samples.read = [input, along_range, first_line, first, rows_at = samples.row_place, columns_at = samples.column_place,
+                  stop](IndexSpan rows, IndexSpan columns) {
+    const std::size_t number = first_line + (along_range ? rows.begin : columns.begin);
+    const IndexSpan span = along_range ? columns : rows;
+    const FineLine line = fine_line(input, along_range, number, stop);
+    EchoBlock block;
+    block.rows = rows.end - rows.begin;
+    block.columns = columns.end - columns.begin;
+    block.time_s = cut_out(rows_at, rows.begin, rows.end);
+    block.range_m = cut_out(columns_at, columns.begin, columns.end);
+    const auto begin = line.value.begin() + static_cast<std::ptrdiff_t>(first + span.begin);
+    block.samples.assign(begin, begin + static_cast<std::ptrdiff_t>(span.end - span.begin));
+    return block;
+  };
+}
+
 Plotted picture(const PlotArguments& a, const Input& input, const Part& part, const StopFlag* stop) {
   if (!a.csv.empty()) throw BadInput("the picture of a file has no table", "sarsim convert gives its values as CSV");
   EchoWindow look;
@@ -246,8 +309,11 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   if (a.kind != PlotKind::picture && !is_of_samples(a.kind))
     throw BadInput("antennas, pulses and functions are drawn from scripts", "give the .scr file");
   const Input input = opened(a, streams);
-  const Part part = chosen_part(a, input, streams.stop);
+  Part part = chosen_part(a, input, streams.stop);
   if (a.kind == PlotKind::picture) return picture(a, input, part, streams.stop);
+  const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
+  const bool complex = input.source->info().value == ImageValue::complex;
+  if (input.focused && cut && complex && !a.recorded) make_finer(a, input, part, streams.stop);
   if (a.at_azimuth_m) a.at_s = a.at_azimuth_m;
   return plot_samples(a, part.samples);
 }

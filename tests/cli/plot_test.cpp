@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "program.hpp"
@@ -108,6 +109,16 @@ double strongest_place(const std::vector<std::vector<double>>& rows) {
   return std::ranges::max_element(rows, {}, [](const std::vector<double>& row) { return row[3]; })->front();
 }
 
+// How wide the highest peak of a cut is where the magnitude is above 1/sqrt(2) of it.
+double half_power_width(const std::vector<std::vector<double>>& rows) {
+  const auto peak = std::ranges::max_element(rows, {}, [](const std::vector<double>& row) { return row[3]; });
+  const double level = (*peak)[3] / std::sqrt(2.0);
+  const auto below = [level](const std::vector<double>& row) { return row[3] < level; };
+  const auto end = std::find_if(peak, rows.end(), below);
+  const auto begin = std::find_if(std::make_reverse_iterator(peak), rows.rend(), below);
+  return end->front() - begin->front();
+}
+
 std::string heading_of(const std::string& table) { return table.substr(0, table.find('\n')); }
 
 TEST_F(PlotTable, IsWrittenWithoutAPictureWhereNoneIsWanted) {
@@ -210,7 +221,9 @@ TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
       sarsim({"plot", "r.img", "--kind", "pulse", "--at-azimuth", "0", "--range", "10190", "10205", "--csv", "a.csv"});
   ASSERT_EQ(done.status, 0) << done.err;
   EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "slant range [m],I [V],Q [V],magnitude [V],phase [deg]");
-  EXPECT_NEAR(strongest_place(numbers_of(text_of(folder_ / "a.csv"))), 10198.04, 1.0);
+  EXPECT_NEAR(strongest_place(numbers_of(text_of(folder_ / "a.csv"))), 10198.04, 0.07);
+  // c/(2 x 100 MHz) times 0.886, to a sample of a sixteenth of a metre.
+  EXPECT_NEAR(half_power_width(numbers_of(text_of(folder_ / "a.csv"))), 1.328, 0.065);
   const Finished column = sarsim(
       {"plot", "r.img", "--kind", "range", "--at-range", "10198.04", "--azimuth", "-30", "30", "--csv", "b.csv"});
   ASSERT_EQ(column.status, 0) << column.err;
@@ -218,7 +231,17 @@ TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
   EXPECT_EQ(heading_of(text_of(folder_ / "b.csv")), "azimuth [m],I [V],Q [V],magnitude [V],phase [deg]");
   EXPECT_GE(rows.front()[0], -30.0);
   EXPECT_LE(rows.back()[0], 30.0);
-  EXPECT_NEAR(strongest_place(rows), 0.0, 0.5);
+  EXPECT_NEAR(strongest_place(rows), 0.0, 0.03);
+  EXPECT_NEAR(half_power_width(rows), 0.65, 0.02);
+  const Finished pixels = sarsim({"plot", "r.img", "--kind", "range", "--at-range", "10198.04", "--azimuth", "-30",
+                                  "30", "--recorded", "--csv", "c.csv"});
+  ASSERT_EQ(pixels.status, 0) << pixels.err;
+  const auto coarse = numbers_of(text_of(folder_ / "c.csv"));
+  ASSERT_EQ(rows.size(), (coarse.size() - 1) * 16 + 1);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_NEAR(rows[16 * i][0], coarse[i][0], 1e-9);
+    EXPECT_NEAR(rows[16 * i][1], coarse[i][1], 1e-15);
+  }
 }
 
 TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {
