@@ -7,7 +7,8 @@ import math
 # A number of a figure: what it is, its unit, what it has to be and who says so ("thesis", or a formula of the page), how
 # far off it may be, how it is written, and how it is measured: a function of a Lab.
 Number = collections.namedtuple("Number", "what unit expected source tolerance form measure")
-# A figure: its number in the thesis or, without a point in it, a name, a title, the commands that make its pictures, what to look at, its numbers.
+# A figure: its number in the thesis or, without a point in it, a name; a title, the commands that make its pictures, what
+# to look at, its numbers.
 Figure = collections.namedtuple("Figure", "name title commands look numbers")
 
 
@@ -251,8 +252,8 @@ FIGURES = [
         "2.3",
         "A target passes the radar",
         [f"sarsim plot {PASS} {CLASSIC_COLOURS} {SIZE} -o figure_2_3.png"],
-        "The echo comes nearest at time 0 and weakens with distance. The bands are the turns of a chirp whose bandwidth, as"
-        " in the thesis, is unrealistically low.",
+        "The echo comes nearest at time 0 and weakens with distance. Along range the bands are a chirp whose bandwidth, as in"
+        " the thesis, is unrealistically low; over time they are the phase of the changing distance.",
         [
             Number("strongest, and so nearest, at", "s", 0.0, "thesis", 1e-6, ".3f",
                    at_strongest("azimuth time", f"{PASS} --kind range --at-range 2300 --recorded")),
@@ -407,7 +408,7 @@ FIGURES = [
     Figure(
         "A.12",
         "The same, compressed",
-        [f"sarsim plot {A3} --simulation 2 --kind pulse --at-time 0 --show magnitude --peaks 2 {SIZE} -o figure_a12.png"],
+        [f"sarsim plot {A3} --simulation 2 --kind pulse --at-time 0 --show magnitude --mark-peaks 2 {SIZE} -o figure_a12.png"],
         "Two peaks, at the places of the two targets. Their sidelobes overlap, which shifts each by a few centimetres.",
         [
             Number("first peak", "m", 300.0, "thesis", 0.1, ".2f",
@@ -475,7 +476,7 @@ FIGURES = [
         "Beyond the thesis: a point of the focused R",
         [
             f"sarsim focus {SAR} --out sar_r.img --quiet",
-            "sarsim plot sar_r.img --kind range --at-range 10198.04 --azimuth -12 12 --show db --span 50 --peaks 3"
+            "sarsim plot sar_r.img --kind range --at-range 10198.04 --azimuth -12 12 --show db --span 50 --mark-peaks 3"
             f" {SIZE} -o point.png",
         ],
         "A cut along the track through the point in the origin: its sidelobes are those of sin(x)/x. `sarsim measure` holds"

@@ -18,6 +18,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const std::vector<std::pair<std::string, PlotKind>>& kind_words() {
+  static const std::vector<std::pair<std::string, PlotKind>> words{
+      {"picture", PlotKind::picture},  {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
+      {"profile", PlotKind::profile},  {"doppler", PlotKind::range_doppler}, {"spectrum", PlotKind::spectrum},
+      {"phase", PlotKind::phase},      {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
+      {"function", PlotKind::function}};
+  return words;
+}
+
+std::string word_of(PlotKind kind) {
+  return std::ranges::find(kind_words(), kind, [](const auto& pair) { return pair.second; })->first;
+}
+
 void write_table(const PlotArguments& a, const std::string& table) {
   if (a.csv.empty()) return;
   OutputFile file(a.csv, a.force);
@@ -43,6 +56,49 @@ void expect_names(const PlotArguments& a) {
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
+// An option that was given, and the kinds that it means something for.
+struct Use {
+  const char* option;
+  bool given;
+  std::vector<PlotKind> kinds;
+};
+
+// Options that would be ignored are mistakes, all of them at once.
+void expect_used(const PlotArguments& a) {
+  using K = PlotKind;
+  const std::vector<K> cuts{K::pulse, K::range};
+  const std::vector<K> of_samples{K::pulse, K::range, K::profile, K::range_doppler, K::spectrum, K::phase};
+  const std::vector<K> colours{K::picture};
+  const std::vector<Use> uses{{"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
+                              {"--at-time", a.at_s.has_value(), of_samples},
+                              {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
+                              {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},
+                              {"--recorded", a.recorded, of_samples},
+                              {"--mean", a.mean.has_value(), {K::profile}},
+                              {"--window", a.window.has_value(), {K::range_doppler, K::spectrum}},
+                              {"--padding", a.padding.has_value(), {K::range_doppler}},
+                              {"--wrapped", a.wrapped, {K::phase}},
+                              {"--mark-peaks", a.peaks.has_value(), cuts},
+                              {"--function", !a.function.empty(), {K::function}},
+                              {"--compare", a.compare, {K::function}},
+                              {"--angles", !a.angles_deg.empty(), {K::antenna}},
+                              {"--draw", a.draw_as.has_value(), colours},
+                              {"--colours", a.map.has_value(), colours},
+                              {"--invert", a.inverted, colours},
+                              {"--limits", !a.limits.empty(), colours},
+                              {"--percentile", a.percentile.has_value(), colours},
+                              {"--peak", a.peak, colours}};
+  Problems problems;
+  for (const Use& use : uses) {
+    if (!use.given || std::ranges::find(use.kinds, a.kind) != use.kinds.end()) continue;
+    Problem problem;
+    problem.message = fmt::format("{} means nothing for --kind {}", use.option, word_of(a.kind));
+    for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
+    problems.push_back(std::move(problem));
+  }
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
 // The name of the input, and what is seen of it where that is not the whole.
 std::string title_for(const PlotArguments& a, const Figure& figure) {
   if (!a.title.empty()) return a.title;
@@ -53,6 +109,7 @@ std::string title_for(const PlotArguments& a, const Figure& figure) {
 ExitStatus plot(PlotArguments& a, Streams& streams) {
   a.kind = a.wanted_kind.value_or(PlotKind::picture);
   expect_names(a);
+  expect_used(a);
   Plotted plotted = ending_of(a.input) == ".scr" ? plot_scene(a, streams) : plot_file(a, streams);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
@@ -63,20 +120,10 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
 }
 
 void add_kind(CLI::App& app, PlotArguments& a) {
-  add_choice<PlotKind>(app, "--kind", a.wanted_kind,
-                       {{"picture", PlotKind::picture},
-                        {"pulse", PlotKind::pulse},
-                        {"range", PlotKind::range},
-                        {"profile", PlotKind::profile},
-                        {"doppler", PlotKind::range_doppler},
-                        {"spectrum", PlotKind::spectrum},
-                        {"phase", PlotKind::phase},
-                        {"antenna", PlotKind::antenna},
-                        {"sent", PlotKind::sent},
-                        {"function", PlotKind::function}},
-                       "all rows (default), one pulse against range, one range against time; of several pulses their "
-                       "mean profile, range-Doppler map or phase; the spectrum of one; antenna patterns, the pulse "
-                       "that is sent, a user-defined function");
+  add_choice<PlotKind>(
+      app, "--kind", a.wanted_kind, kind_words(),
+      "the rows (default), one pulse against range, one range against time; profile, range-Doppler map "
+      "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function");
 }
 
 void add_two(CLI::App& app, const char* name, std::vector<double>& values, const char* meaning) {
@@ -84,8 +131,9 @@ void add_two(CLI::App& app, const char* name, std::vector<double>& values, const
 }
 
 void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
-  add_integer(app, "--simulation", a.simulation, 1, 1'000'000, "which simulation of the script (default: the first)");
-  add_text(app, "--radar", a.radar, "NAME", "any window of this radar instead of a simulation");
+  CLI::Option* simulation = add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
+                                        "which simulation of the script (default: the first)");
+  add_text(app, "--radar", a.radar, "NAME", "any window of this radar instead of a simulation")->excludes(simulation);
   add_choice<Processing>(
       app, "--data", a.processing,
       {{"raw", Processing::raw}, {"compressed", Processing::matched_filter}, {"srp", Processing::srp}},
@@ -121,7 +169,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
                              "weights of spectra and range-Doppler maps (default: hann)");
   add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");
   app.add_flag("--wrapped", a.wrapped, "phases within half a turn, not joined to a line");
-  add_integer(app, "--peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
+  add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
   add_text(app, "--function", a.function, "OBJECT:FIELD", "which user-defined function, such as Plane:trajectory");
   app.add_flag("--compare", a.compare, "a function by all three interpolations");
   add_two(app, "--angles", a.angles_deg, "offsets of an antenna pattern, deg (default: -90 90)");

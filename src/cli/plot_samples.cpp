@@ -11,8 +11,17 @@ namespace {
 
 constexpr std::size_t most_samples = std::size_t{1} << 25U;
 
-std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted) {
+// The place nearest to the wanted one; the middle where none is wanted.
+std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted, const CutPlaces& names) {
   if (!wanted) return places.size() / 2;
+  const auto [low, high] = std::ranges::minmax(places);
+  const double spacing = places.size() < 2 ? 1.0 : (high - low) / static_cast<double>(places.size() - 1);
+  const auto with_unit = [&](double value) {
+    return fmt::format("{:.6g}{}{}", value, names.unit.empty() ? "" : " ", names.unit);
+  };
+  if (*wanted < low - spacing || *wanted > high + spacing)
+    throw BadInput(fmt::format("{} {} is not among what is seen", names.label, with_unit(*wanted)),
+                   fmt::format("it goes from {:.6g} to {}", low, with_unit(high)));
   const auto distance = [&](double place) { return std::abs(place - *wanted); };
   return static_cast<std::size_t>(std::ranges::min_element(places, {}, distance) - places.begin());
 }
@@ -97,8 +106,8 @@ bool is_of_samples(PlotKind kind) {
 Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
   expect_quantity(a);
   if (samples.row_place.empty() || samples.column_place.empty()) throw BadInput("there are no samples to look at");
-  const std::size_t row = nearest(samples.row_place, a.at_s);
-  const std::size_t column = nearest(samples.column_place, a.at_m);
+  const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
+  const std::size_t column = nearest(samples.column_place, a.at_m, samples.look.columns);
   Plotted plotted;
   if (a.kind == PlotKind::pulse || a.kind == PlotKind::range) {
     CutLook look = samples.look;

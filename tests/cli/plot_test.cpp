@@ -282,6 +282,27 @@ TEST_F(PlotArguments, WantingWhatAKindDoesNotShowAreRefused) {
   }
 }
 
+TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
+  write_scene({});
+  const Finished done =
+      sarsim({"plot", "scene.scr", "--kind", "pulse", "--angles", "0", "1", "--padding", "2", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find("--angles means nothing for --kind pulse"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("it is for antenna"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("--padding"), std::string::npos) << done.err;
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
+}
+
+TEST_F(PlotArguments, WantingAPlaceThatIsNotSeenSayWhatIs) {
+  write_scene({});
+  const Finished range = sarsim({"plot", "scene.scr", "--kind", "range", "--at-range", "5000", "--csv", "a.csv"});
+  EXPECT_EQ(range.status, 2);
+  EXPECT_NE(range.err.find("from 900 to"), std::string::npos) << range.err;
+  const Finished time = sarsim({"plot", "scene.scr", "--kind", "pulse", "--at-time", "-1", "--csv", "a.csv"});
+  EXPECT_EQ(time.status, 2);
+  EXPECT_NE(time.err.find("Azimuth time -1 s"), std::string::npos) << time.err;
+}
+
 TEST_F(PlotArguments, WantingAnAntennaOfAFileAreRefused) {
   write_scene({});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
