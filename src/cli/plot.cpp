@@ -1,24 +1,16 @@
 #include <algorithm>
-#include <cmath>
-#include <condition_variable>
 #include <filesystem>
-#include <mutex>
 #include <ostream>
 
 #include <fmt/format.h>
 
-#include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
 #include "cli/picture_program.hpp"
-#include "cli/sample_input.hpp"
-#include "cli/scene_input.hpp"
-#include "data/image_source.hpp"
+#include "cli/plot_arguments.hpp"
 #include "data/output_file.hpp"
-#include "view/echo_figure.hpp"
-#include "view/image_figure.hpp"
-#include "view/preview.hpp"
+#include "view/colour_map.hpp"
 
 namespace sarsim::cli {
 
@@ -26,182 +18,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Kind { picture, pulse, cell };
-
-struct PlotArguments {
-  std::string input;
-  std::string out;
-  std::string csv;
-  std::string title;
-  std::string radar;
-  std::optional<std::int64_t> simulation;
-  std::optional<Kind> kind;
-  std::optional<DisplayQuantity> quantity;
-  std::optional<Processing> processing;
-  std::optional<DrawAs> draw_as;
-  std::optional<ColourMap> map;
-  std::optional<double> span_db;
-  std::optional<double> percentile;
-  std::optional<double> at_m;
-  std::optional<double> at_s;
-  std::vector<double> range_m;
-  std::vector<double> time_s;
-  std::vector<double> limits;
-  std::vector<std::int64_t> size{1000, 700};
-  std::optional<double> scale;
-  bool inverted = false;
-  bool peak = false;
-  bool screen = false;
-  bool dark = false;
-  bool force = false;
-  SceneOverrides overrides;
-  SampleArguments samples;
-};
-
-// What the axes, colour bar and titles leave of a picture of this size, about.
-PlotSize plot_pixels(const PlotArguments& a) {
-  const double scale = a.scale.value_or(1.0);
-  const auto left = [scale](std::int64_t all, double taken) {
-    return static_cast<std::size_t>(std::max(16.0, (static_cast<double>(all) - taken) * scale));
-  };
-  return {left(a.size[0], 170.0), left(a.size[1], 150.0)};
+const std::vector<std::pair<std::string, PlotKind>>& kind_words() {
+  static const std::vector<std::pair<std::string, PlotKind>> words{
+      {"picture", PlotKind::picture},  {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
+      {"profile", PlotKind::profile},  {"doppler", PlotKind::range_doppler}, {"spectrum", PlotKind::spectrum},
+      {"phase", PlotKind::phase},      {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
+      {"function", PlotKind::function}};
+  return words;
 }
 
-void take_look(const PlotArguments& a, DisplayQuantity usual, EchoWindow& window) {
-  window.quantity = a.quantity.value_or(usual);
-  const ColourMapKind kind = kind_for(window.quantity);
-  window.map = a.map.value_or(kind == ColourMapKind::diverging ? ColourMap::balance
-                              : kind == ColourMapKind::cyclic  ? ColourMap::cycle
-                                                               : ColourMap::ocean);
-  window.inverted = a.inverted;
-  window.draw_as = a.draw_as.value_or(DrawAs::automatic);
-  if (a.peak) window.pixel_rule = PixelRule::peak;
-  if (a.span_db) window.decibels.range_db = *a.span_db;
-  if (a.percentile) window.limits.percentile = *a.percentile;
-  if (a.limits.size() == 2) window.limits = {LimitRule::Kind::manual, 100.0, a.limits[0], a.limits[1]};
-}
-
-Simulation chosen_simulation(const PlotArguments& a, const Scene& scene) {
-  if (a.simulation) {
-    const auto number = static_cast<std::size_t>(*a.simulation);
-    if (number > scene.simulations.size())
-      throw BadInput(fmt::format("the script has no simulation {}", number),
-                     scene.simulations.empty()
-                         ? "it has none: choose with --radar"
-                         : fmt::format("simulations have the numbers 1 to {}", scene.simulations.size()));
-    return scene.simulations[number - 1];
-  }
-  if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
-  if (scene.radars.empty()) throw BadInput(a.input + ": the script has no radar", "add a $RADAR");
-  Simulation simulation;
-  simulation.radar = scene.radars[a.radar.empty() ? 0 : radar_named(scene, a.radar)].name;
-  return simulation;
-}
-
-EchoWindow chosen_window(const PlotArguments& a, const Scene& scene, bool& show_all) {
-  const Simulation simulation = chosen_simulation(a, scene);
-  EchoWindow window = window_of(simulation);
-  const bool stored = simulation.sample_rate_hz > 0.0;
-  show_all = !stored && a.range_m.empty();
-  if (!stored) window = new_echo_window(simulation.radar, a.processing.value_or(Processing::raw));
-  if (a.processing) window.recording.processing = *a.processing;
-  if (a.screen) window.sampling.kind = Sampling::Kind::screen;
-  EchoView view = view_of(window);
-  if (!a.range_m.empty()) std::tie(view.range_start_m, view.range_end_m) = std::pair(a.range_m[0], a.range_m[1]);
-  if (!a.time_s.empty()) std::tie(view.time_start_s, view.time_end_s) = std::pair(a.time_s[0], a.time_s[1]);
-  set_view(window, mended(view));
-  take_look(a, DisplayQuantity::real, window);
-  return window;
-}
-
-// The echo matrix of a window, as a simulation window computes it.
-std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const StopFlag* stop) {
-  std::mutex lock;
-  std::condition_variable changed;
-  std::optional<PreviewEvent> end;
-  Preview preview([&](const PreviewEvent& event) {
-    if (event.kind != PreviewEvent::Kind::finished && event.kind != PreviewEvent::Kind::failed) return;
-    const std::scoped_lock hold(lock);
-    end = event;
-    changed.notify_all();
-  });
-  preview.show(request);
-  {
-    std::unique_lock hold(lock);
-    while (!end) {
-      changed.wait_for(hold, std::chrono::milliseconds(50));
-      if (stop != nullptr && stop->requested()) throw Interrupted();
-    }
-  }
-  if (end->kind == PreviewEvent::Kind::failed) throw BadInput(std::move(end->problems));
-  return end->matrix;
-}
-
-template <class Place>
-std::size_t nearest(std::size_t count, double wanted, const Place& place) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < count; ++i)
-    if (std::abs(place(i) - wanted) < std::abs(place(best) - wanted)) best = i;
-  return best;
-}
-
-struct Plotted {
-  Figure figure;
-  std::string table;
-};
-
-std::string range_table(const EchoMatrix& matrix, std::size_t column) {
-  std::string text = "time [s],I [V],Q [V],magnitude [V]\n";
-  for (std::size_t row = 0; row < matrix.rows(); ++row) {
-    const std::complex<double> v = matrix.row(row)[column];
-    text += fmt::format("{},{},{},{}\n", format_number(matrix.time_s(row)), format_number(v.real()),
-                        format_number(v.imag()), format_number(std::abs(v)));
-  }
-  return text;
-}
-
-Plotted plot_scene(const PlotArguments& a, Streams& streams) {
-  const SceneInput input = read_scene(a.input, a.overrides, Scrutiny::values);
-  expect_usable(input);
-  bool show_all = false;
-  const EchoWindow window = chosen_window(a, input.scene, show_all);
-  const auto matrix = computed(
-      {std::make_shared<Scene>(input.scene), window, plot_pixels(a), Engine::automatic, show_all}, streams.stop);
-  const double range = a.at_m.value_or(matrix->range_m(matrix->columns() / 2));
-  const double time = a.at_s.value_or(matrix->time_s(matrix->rows() / 2));
-  const std::size_t row = nearest(matrix->rows(), time, [&](std::size_t i) { return matrix->time_s(i); });
-  const std::size_t column = nearest(matrix->columns(), range, [&](std::size_t k) { return matrix->range_m(k); });
-  Plotted plotted;
-  const Kind kind = a.kind.value_or(Kind::picture);
-  if (kind == Kind::picture) {
-    plotted.figure = echo_figure(*matrix, window);
-    plotted.table = pulse_table(*matrix, row, ',');
-    return plotted;
-  }
-  plotted.figure = cut_figure(*matrix, colours_for(*matrix, window), row, column);
-  plotted.figure.panels.erase(plotted.figure.panels.begin() + (kind == Kind::pulse ? 1 : 0));
-  plotted.figure.note = highest_magnitude_text(colours_for(*matrix, window).statistics);
-  plotted.table = kind == Kind::pulse ? pulse_table(*matrix, row, ',') : range_table(*matrix, column);
-  return plotted;
-}
-
-Plotted plot_file(const PlotArguments& a, Streams& streams) {
-  if (a.kind.value_or(Kind::picture) != Kind::picture || !a.csv.empty())
-    throw BadInput("cuts and tables are made from scripts", "of a file, sarsim convert gives the values");
-  OpenedImage opened = ImageSource::open(a.input, {hints_for(a.input, a.samples), std::nullopt});
-  if (!opened.source) throw BadInput(ranked(std::move(opened.problems)));
-  print_problems(streams, ranked(std::move(opened.problems)));
-  opened.source->wait_until_indexed(streams.stop);
-  if (opened.source->rows() == 0 || opened.source->columns() == 0) throw BadInput(a.input + " holds no samples");
-  EchoWindow look;
-  take_look(a, DisplayQuantity::magnitude, look);
-  ImageLook wanted;
-  wanted.quantity = look.quantity;
-  wanted.map = look.map;
-  wanted.inverted = look.inverted;
-  wanted.limits = look.limits;
-  wanted.decibels = look.decibels;
-  return {image_figure(*opened.source, wanted, plot_pixels(a), {0, streams.stop}), {}};
+std::string word_of(PlotKind kind) {
+  return std::ranges::find(kind_words(), kind, [](const auto& pair) { return pair.second; })->first;
 }
 
 void write_table(const PlotArguments& a, const std::string& table) {
@@ -211,9 +38,17 @@ void write_table(const PlotArguments& a, const std::string& table) {
   file.commit();
 }
 
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
 void expect_names(const PlotArguments& a) {
-  const std::string ending = fs::path(a.out).extension().string();
-  if (ending != ".png" && ending != ".svg" && ending != ".pdf")
+  if (a.out.empty() && a.csv.empty())
+    throw BadInput("nothing is to be written", "name a picture with -o, or a table with --csv");
+  const std::string ending = ending_of(a.out);
+  if (!a.out.empty() && ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw BadInput("'" + a.out + "' does not say which kind of picture", "end it with .png, .svg or .pdf");
   Problems problems;
   for (const std::string& path : {a.out, a.csv})
@@ -221,26 +56,126 @@ void expect_names(const PlotArguments& a) {
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
-ExitStatus plot(const PlotArguments& a, Streams& streams) {
+// An option that was given, and the kinds that it means something for.
+struct Use {
+  const char* option;
+  bool given;
+  std::vector<PlotKind> kinds;
+};
+
+// Options that would be ignored are mistakes, all of them at once.
+void expect_used(const PlotArguments& a) {
+  using K = PlotKind;
+  const std::vector<K> cuts{K::pulse, K::range};
+  const std::vector<K> of_samples{K::pulse, K::range, K::profile, K::range_doppler, K::spectrum, K::phase};
+  const std::vector<K> colours{K::picture};
+  const std::vector<Use> uses{{"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
+                              {"--at-time", a.at_s.has_value(), of_samples},
+                              {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
+                              {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},
+                              {"--recorded", a.recorded, of_samples},
+                              {"--mean", a.mean.has_value(), {K::profile}},
+                              {"--window", a.window.has_value(), {K::range_doppler, K::spectrum}},
+                              {"--padding", a.padding.has_value(), {K::range_doppler}},
+                              {"--wrapped", a.wrapped, {K::phase}},
+                              {"--mark-peaks", a.peaks.has_value(), cuts},
+                              {"--function", !a.function.empty(), {K::function}},
+                              {"--compare", a.compare, {K::function}},
+                              {"--angles", !a.angles_deg.empty(), {K::antenna}},
+                              {"--draw", a.draw_as.has_value(), colours},
+                              {"--colours", a.map.has_value(), colours},
+                              {"--invert", a.inverted, colours},
+                              {"--limits", !a.limits.empty(), colours},
+                              {"--percentile", a.percentile.has_value(), colours},
+                              {"--peak", a.peak, colours}};
+  Problems problems;
+  for (const Use& use : uses) {
+    if (!use.given || std::ranges::find(use.kinds, a.kind) != use.kinds.end()) continue;
+    Problem problem;
+    problem.message = fmt::format("{} means nothing for --kind {}", use.option, word_of(a.kind));
+    for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
+    problems.push_back(std::move(problem));
+  }
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+// The name of the input, and what is seen of it where that is not the whole.
+std::string title_for(const PlotArguments& a, const Figure& figure) {
+  if (!a.title.empty()) return a.title;
+  const std::string name = fs::path(a.input).filename().string();
+  return figure.title.empty() ? name : name + ": " + figure.title;
+}
+
+ExitStatus plot(PlotArguments& a, Streams& streams) {
+  a.kind = a.wanted_kind.value_or(PlotKind::picture);
   expect_names(a);
-  std::string ending = fs::path(a.input).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  Plotted plotted = ending == ".scr" ? plot_scene(a, streams) : plot_file(a, streams);
-  plotted.figure.title = a.title.empty() ? fs::path(a.input).filename().string() : a.title;
-  draw_picture(plotted.figure, a.out,
-               {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark});
+  expect_used(a);
+  Plotted plotted = ending_of(a.input) == ".scr" ? plot_scene(a, streams) : plot_file(a, streams);
+  plotted.figure.title = title_for(a, plotted.figure);
+  if (!a.out.empty())
+    draw_picture(plotted.figure, a.out,
+                 {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark});
   write_table(a, plotted.table);
   return exit_done;
 }
 
-void add_look(CLI::App& app, PlotArguments& a) {
+void add_kind(CLI::App& app, PlotArguments& a) {
+  add_choice<PlotKind>(
+      app, "--kind", a.wanted_kind, kind_words(),
+      "the rows (default), one pulse against range, one range against time; profile, range-Doppler map "
+      "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function");
+}
+
+void add_two(CLI::App& app, const char* name, std::vector<double>& values, const char* meaning) {
+  app.add_option(name, values, meaning)->expected(2)->type_name("FROM TO");
+}
+
+void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
+  CLI::Option* simulation = add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
+                                        "which simulation of the script (default: the first)");
+  add_text(app, "--radar", a.radar, "NAME", "any window of this radar instead of a simulation")->excludes(simulation);
+  add_choice<Processing>(
+      app, "--data", a.processing,
+      {{"raw", Processing::raw}, {"compressed", Processing::matched_filter}, {"srp", Processing::srp}},
+      "raw return or range compressed");
+  add_two(app, "--range", a.range_m, "slant ranges that are seen, m");
+  add_two(app, "--time", a.time_s, "azimuth times that are seen, s");
+  add_two(app, "--azimuth", a.azimuth_m, "of a focused image, what is seen along the track, m");
+  add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the middle)");
+  add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
+  add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the middle)");
+  add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "so many about --at-time (default: all that are seen)");
+  add_real(app, "--rate", a.rate_hz, "HZ", "sampling frequency instead of the simulation's")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--recorded", a.recorded, "cuts of the samples that a run saves, none in between");
+  app.add_flag("--screen", a.screen, "one sample for each pixel, as the windows have it");
+}
+
+void add_choice_of_values(CLI::App& app, PlotArguments& a) {
   add_choice<DisplayQuantity>(app, "--show", a.quantity,
                               {{"real", DisplayQuantity::real},
                                {"imaginary", DisplayQuantity::imaginary},
                                {"magnitude", DisplayQuantity::magnitude},
                                {"phase", DisplayQuantity::phase},
                                {"db", DisplayQuantity::decibels}},
-                              "what of the samples (default: real of a script, magnitude of a file)");
+                              "what of the samples (default: real of a script, magnitude of files and antennas, db of "
+                              "profiles and spectra)");
+  add_choice<ProfileMean>(app, "--mean", a.mean, {{"power", ProfileMean::power}, {"coherent", ProfileMean::coherent}},
+                          "how a profile is averaged (default: power)");
+  add_choice<SpectrumWindow>(app, "--window", a.window,
+                             {{"rectangular", SpectrumWindow::rectangular},
+                              {"hann", SpectrumWindow::hann},
+                              {"hamming", SpectrumWindow::hamming}},
+                             "weights of spectra and range-Doppler maps (default: hann)");
+  add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");
+  app.add_flag("--wrapped", a.wrapped, "phases within half a turn, not joined to a line");
+  add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
+  add_text(app, "--function", a.function, "OBJECT:FIELD", "which user-defined function, such as Plane:trajectory");
+  app.add_flag("--compare", a.compare, "a function by all three interpolations");
+  add_two(app, "--angles", a.angles_deg, "offsets of an antenna pattern, deg (default: -90 90)");
+}
+
+void add_look(CLI::App& app, PlotArguments& a) {
   add_choice<DrawAs>(app, "--draw", a.draw_as,
                      {{"auto", DrawAs::automatic},
                       {"pixels", DrawAs::pixels},
@@ -252,7 +187,8 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_choice<ColourMap>(app, "--colours", a.map, maps, "map of colours (default: one that suits what is shown)");
   app.add_flag("--invert", a.inverted, "colours in the opposite order");
   app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them");
-  add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest colour (default: 60)");
+  add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)")
+      ->check(CLI::PositiveNumber);
   add_real(app, "--percentile", a.percentile, "P", "share of the samples within the colours, percent (default: 100)");
   app.add_option("--limits", a.limits, "values of the first and the last colour")->expected(2)->type_name("LOW HIGH");
   app.add_option("--size", a.size, "pixels (default: 1000 700)")
@@ -267,25 +203,37 @@ void add_look(CLI::App& app, PlotArguments& a) {
 
 }  // namespace
 
+PlotSize plot_pixels(const PlotArguments& a) {
+  const double scale = a.scale.value_or(1.0);
+  const auto left = [scale](std::int64_t all, double taken) {
+    return static_cast<std::size_t>(std::max(16.0, (static_cast<double>(all) - taken) * scale));
+  };
+  return {left(a.size[0], 170.0), left(a.size[1], 150.0)};
+}
+
+void take_look(const PlotArguments& a, DisplayQuantity usual, EchoWindow& window) {
+  window.quantity = a.quantity.value_or(usual);
+  const ColourMapKind kind = kind_for(window.quantity);
+  window.map = a.map.value_or(kind == ColourMapKind::diverging ? (a.dark ? ColourMap::balance_dark : ColourMap::balance)
+                              : kind == ColourMapKind::cyclic  ? ColourMap::cycle
+                                                               : ColourMap::ocean);
+  window.inverted = a.inverted;
+  window.draw_as = a.draw_as.value_or(DrawAs::automatic);
+  if (a.peak) window.pixel_rule = PixelRule::peak;
+  if (a.span_db) window.decibels.range_db = *a.span_db;
+  if (a.percentile) window.limits.percentile = *a.percentile;
+  if (a.limits.size() == 2) window.limits = {LimitRule::Kind::manual, 100.0, a.limits[0], a.limits[1]};
+}
+
 Action add_plot(CLI::App& app) {
   auto a = std::make_shared<PlotArguments>();
-  add_text(app, "input", a->input, "SCENE|FILE", "script (.scr) or file of samples")->required();
-  add_text(app, "-o,--output", a->out, "PICTURE", "picture to write: .png, .svg or .pdf")->required();
-  add_integer(app, "--simulation", a->simulation, 1, 1'000'000, "which simulation of the script (default: the first)");
-  add_text(app, "--radar", a->radar, "NAME", "any window of this radar instead of a simulation");
-  add_choice<Processing>(
-      app, "--data", a->processing,
-      {{"raw", Processing::raw}, {"compressed", Processing::matched_filter}, {"srp", Processing::srp}},
-      "raw return or range compressed");
-  add_choice<Kind>(app, "--kind", a->kind, {{"picture", Kind::picture}, {"pulse", Kind::pulse}, {"range", Kind::cell}},
-                   "the matrix, one pulse against range, or one range against time");
-  app.add_option("--range", a->range_m, "slant ranges that are seen, m")->expected(2)->type_name("FROM TO");
-  app.add_option("--time", a->time_s, "azimuth times that are seen, s")->expected(2)->type_name("FROM TO");
-  add_real(app, "--at-range", a->at_m, "M", "range of --kind range (default: the middle)");
-  add_real(app, "--at-time", a->at_s, "S", "time of --kind pulse (default: the middle)");
-  app.add_flag("--screen", a->screen, "one sample for each pixel, as the windows have it");
+  add_text(app, "input", a->input, "SCENE|FILE", "script (.scr), file of samples or focused image")->required();
+  add_text(app, "-o,--output", a->out, "PICTURE", "picture to write: .png, .svg or .pdf");
+  add_kind(app, *a);
+  add_choice_of_samples(app, *a);
+  add_choice_of_values(app, *a);
   add_look(app, *a);
-  add_text(app, "--csv", a->csv, "FILE", "the values of the cut as well");
+  add_text(app, "--csv", a->csv, "FILE", "the values as a table, beside the picture or instead of it");
   app.add_flag("--force", a->force, "replace files that exist");
   add_sample_arguments(app, a->samples);
   add_scene_overrides(app, a->overrides);
@@ -293,7 +241,9 @@ Action add_plot(CLI::App& app) {
       app, {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
             {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
             {"sarsim plot scene.scr --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
-            {"sarsim plot recording.h5 --show db --dark -o b.png", "a file of samples"}});
+            {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
+            {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
+            {"sarsim plot sar_r.scr --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }
 

@@ -31,12 +31,16 @@ std::size_t simulation_of(const Scene& scene, const std::string& path, const std
                  known.empty() ? std::string() : "its outputs are " + known);
 }
 
-void take_script(SampleFileHints& hints, const std::string& path, const std::string& script) {
+// The simulation that writes a file, with its plan.
+std::pair<Simulation, Plan> recording_of(const std::string& path, const std::string& script) {
   const SceneInput input = read_scene(script, {}, Scrutiny::values);
   expect_usable(input);
   const std::size_t index = simulation_of(input.scene, path, script);
-  const Simulation& simulation = input.scene.simulations[index];
-  const Plan plan = make_plan(input.scene, index);
+  return {input.scene.simulations[index], make_plan(input.scene, index)};
+}
+
+void take_script(SampleFileHints& hints, const std::string& path, const std::string& script) {
+  const auto [simulation, plan] = recording_of(path, script);
   hints.columns = plan.columns;
   hints.rows = plan.rows;
   hints.bits = simulation.bits;
@@ -69,6 +73,8 @@ SampleFileHints hints_for(const std::string& path, const SampleArguments& argume
   }
   return hints;
 }
+
+Plan plan_of_file(const std::string& path, const std::string& script) { return recording_of(path, script).second; }
 
 SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams) {
   OpenedSampleFile opened = SampleFile::open(path, hints);

@@ -77,6 +77,8 @@ FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
   setObjectName("figure");
   setAccessibleName(tr("Figure"));
   setInteractions(QCP::iNone);
+  // The first legend would collect the curves of all panels.
+  setAutoAddPlottableToLegend(false);
   setMinimumSize(200, 150);
   rebuild();
 }

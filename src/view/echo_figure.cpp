@@ -10,6 +10,7 @@
 #include "base/number_text.hpp"
 #include "view/echo_curves.hpp"
 #include "view/echo_readout.hpp"
+#include "view/figure_axes.hpp"
 
 namespace sarsim {
 
@@ -58,7 +59,7 @@ void add_pixels(FigurePanel& panel, const EchoMatrix& matrix, const EchoColours&
   for (const std::uint32_t level : colours.level) bar.colours.push_back(rgb(level));
 }
 
-void add_curves(FigurePanel& panel, const EchoMatrix& matrix, const EchoCurves& drawn) {
+void add_curves(FigurePanel& panel, const EchoMatrix& matrix, const EchoCurves& drawn, bool across) {
   const EchoView view = view_of(matrix.window());
   for (const EchoCurve& curve : drawn.curves) {
     FigureCurve& line = panel.curves.emplace_back();
@@ -66,6 +67,7 @@ void add_curves(FigurePanel& panel, const EchoMatrix& matrix, const EchoCurves& 
       line.x.push_back(range_at(view, matrix.size(), point.x_px));
       line.y.push_back(time_at(view, matrix.size(), point.y_px));
     }
+    if (across) break_where_it_turns_back(line);
   }
 }
 
@@ -107,8 +109,8 @@ Figure echo_figure(const EchoMatrix& matrix, const EchoWindow& how) {
   const EchoColours colours = colours_for(matrix, how);
   figure.note = highest_magnitude_text(colours.statistics);
   switch (drawn_as(how, matrix)) {
-    case DrawAs::curves_per_pulse: add_curves(panel, matrix, curves_per_pulse(matrix, colours)); break;
-    case DrawAs::curves_per_range: add_curves(panel, matrix, curves_per_range(matrix, colours)); break;
+    case DrawAs::curves_per_pulse: add_curves(panel, matrix, curves_per_pulse(matrix, colours), true); break;
+    case DrawAs::curves_per_range: add_curves(panel, matrix, curves_per_range(matrix, colours), false); break;
     default: add_pixels(panel, matrix, colours, how);
   }
   return figure;

@@ -12,68 +12,19 @@
 #include "base/number_text.hpp"
 #include "view/colour_map.hpp"
 #include "view/display_quantity.hpp"
+#include "view/figure_axes.hpp"
 
 namespace sarsim {
 
 namespace {
 
 constexpr std::size_t most_samples = std::size_t{1} << 25;
-constexpr double deepest_db = 120.0;  // below the largest value of a curve; silence would hide everything else
-
 double in_degrees(double radians) { return radians * (180.0 / pi); }
-
-// Limits with a margin about the values; 1 apart where they coincide.
-void fit(FigureAxis& axis, const std::vector<double>& values) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (!std::isfinite(low)) low = high = 0.0;
-  const double margin = low < high ? 0.05 * (high - low) : 1.0;
-  axis.first = low - margin;
-  axis.last = high + margin;
-}
-
-// From the first value to the last, however few there are.
-FigureAxis axis_along(std::string label, std::string unit, const std::vector<double>& values) {
-  FigureAxis axis{std::move(label), std::move(unit), 0.0, 1.0, {}};
-  if (values.empty()) return axis;
-  axis.first = values.front();
-  axis.last = values.back();
-  if (axis.first == axis.last) fit(axis, values);
-  return axis;
-}
 
 FigureAxis range_axis(const EchoBlock& block) {
   FigureAxis axis = axis_along("Slant range", "m", block.range_m);
   axis.twin = FigureAxis::Twin{"Delay (there and back)", "s", 2.0 / block.light_speed_mps};
   return axis;
-}
-
-FigurePanel curve_panel(std::string title, FigureAxis across, FigureAxis up, std::vector<double> x,
-                        std::vector<double> y) {
-  FigurePanel panel;
-  panel.title = std::move(title);
-  panel.x = std::move(across);
-  fit(up, y);
-  panel.y = std::move(up);
-  panel.curves.push_back({"", Role::curve, false, std::move(x), std::move(y)});
-  return panel;
-}
-
-// 10 log10 of powers, or 20 log10 of magnitudes, not further below the largest than what tells anything.
-std::vector<double> decibels_of(std::vector<double> values, double factor) {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (double& value : values) {
-    value = factor * std::log10(value);
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  }
-  if (!std::isfinite(largest)) largest = lowest_db;
-  for (double& value : values) value = std::isnan(value) ? value : std::max(value, largest - deepest_db);
-  return values;
 }
 
 std::string interval_text(const EchoBlock& block) {
@@ -248,12 +199,16 @@ Figure phase_figure(const EchoBlock& block, std::size_t column, const RadarViewC
   figure.title = std::string(title_of(RadarView::phase_history));
   if (block.rows == 0 || column >= block.columns) return figure;
   PhaseHistory history = phase_history(block, column);
-  std::vector<double> phase = choice.unwrapped ? std::move(history.unwrapped_rad) : std::move(history.phase_rad);
+  std::vector<double> phase = choice.unwrapped ? history.unwrapped_rad : history.phase_rad;
   std::ranges::transform(phase, phase.begin(), in_degrees);
   std::vector<double> path = std::move(history.path_m);
   const double start_m = path.front();
   for (double& metres : path) metres -= start_m;
   figure.note = "Range " + with_prefix(block.range_m[column], "m") + ", " + interval_text(block);
+  if (block.rows > 1)
+    figure.note +=
+        fmt::format(", mean step {:.6g} deg", in_degrees(history.unwrapped_rad.back() - history.unwrapped_rad.front()) /
+                                                  static_cast<double>(block.rows - 1));
   const FigureAxis across = axis_along("Azimuth time", "s", history.time_s);
   figure.panels.push_back(curve_panel("", across, {choice.unwrapped ? "Unwrapped phase" : "Phase", "deg", 0.0, 1.0, {}},
                                       history.time_s, std::move(phase)));

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "program.hpp"
 
@@ -71,9 +73,263 @@ TEST_F(Plot, IntoAFolderThatIsNotThereFailsInWordsAndLeavesNothing) {
   EXPECT_NE(done.err.find("none"), std::string::npos) << done.err;
 }
 
+TEST_F(Plot, DrawsEveryKind) {
+  write_scene({});
+  for (const char* kind :
+       {"picture", "pulse", "range", "profile", "doppler", "spectrum", "phase", "antenna", "sent", "function"}) {
+    const Finished done =
+        sarsim({"plot", "scene.scr", "--kind", kind, "-o", "kind.png", "--size", "300", "200", "--force"});
+    EXPECT_EQ(done.status, 0) << kind << '\n' << done.err;
+    EXPECT_EQ(signature(folder_ / "kind.png", 4), "\x89PNG") << kind;
+  }
+}
+
 #endif
 
+// Tables need no graphical program.
+using PlotTable = CommandTest;
+
+// A table without its heading: numbers by row.
+std::vector<std::vector<double>> numbers_of(const std::string& table) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && !line.empty()) {
+    std::istringstream cells(line);
+    std::string cell;
+    rows.emplace_back();
+    while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+// Where the magnitude of a cut is largest.
+double strongest_place(const std::vector<std::vector<double>>& rows) {
+  return std::ranges::max_element(rows, {}, [](const std::vector<double>& row) { return row[3]; })->front();
+}
+
+// How wide the highest peak of a cut is where the magnitude is above 1/sqrt(2) of it.
+double half_power_width(const std::vector<std::vector<double>>& rows) {
+  const auto peak = std::ranges::max_element(rows, {}, [](const std::vector<double>& row) { return row[3]; });
+  const double level = (*peak)[3] / std::sqrt(2.0);
+  const auto below = [level](const std::vector<double>& row) { return row[3] < level; };
+  const auto end = std::find_if(peak, rows.end(), below);
+  const auto begin = std::find_if(std::make_reverse_iterator(peak), rows.rend(), below);
+  return end->front() - begin->front();
+}
+
+std::string heading_of(const std::string& table) { return table.substr(0, table.find('\n')); }
+
+TEST_F(PlotTable, IsWrittenWithoutAPictureWhereNoneIsWanted) {
+  write_scene({});
+  const Finished done = sarsim({"plot", "scene.scr", "--kind", "range", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "azimuth time [s],I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_EQ(numbers_of(text_of(folder_ / "a.csv")).size(), 20U);
+  EXPECT_EQ(entries("."), (std::vector<std::string>{"a.csv", "scene.scr"}));
+}
+
+TEST_F(PlotTable, OfTheRecordedSamplesIsWhatARunSaves) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  ASSERT_EQ(sarsim({"plot", "scene.scr", "--kind", "pulse", "--recorded", "--csv", "script.csv"}).status, 0);
+  const Finished done = sarsim({"plot", "sim.h5", "--kind", "pulse", "--csv", "file.csv"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const auto script = numbers_of(text_of(folder_ / "script.csv"));
+  const auto file = numbers_of(text_of(folder_ / "file.csv"));
+  EXPECT_EQ(heading_of(text_of(folder_ / "file.csv")), heading_of(text_of(folder_ / "script.csv")));
+  ASSERT_EQ(script.size(), file.size());
+  ASSERT_GT(script.size(), 10U);
+  double largest = 0.0;
+  for (const auto& row : script) largest = std::max(largest, row[3]);
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    EXPECT_NEAR(script[i][0], file[i][0], 1e-6);
+    EXPECT_NEAR(script[i][1], file[i][1], 1e-6 * largest);
+    EXPECT_NEAR(script[i][2], file[i][2], 1e-6 * largest);
+  }
+}
+
+TEST_F(PlotTable, OfARadarViewIsTheSameOfScriptAndFile) {
+  SceneText scene;
+  scene.noise_k = "0";
+  write_scene(scene);
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  for (const char* kind : {"profile", "doppler", "spectrum", "phase"}) {
+    ASSERT_EQ(sarsim({"plot", "scene.scr", "--kind", kind, "--csv", "script.csv", "--force"}).status, 0);
+    const Finished done = sarsim({"plot", "sim.h5", "--kind", kind, "--csv", "file.csv", "--force"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto script = numbers_of(text_of(folder_ / "script.csv"));
+    const auto file = numbers_of(text_of(folder_ / "file.csv"));
+    EXPECT_EQ(heading_of(text_of(folder_ / "file.csv")), heading_of(text_of(folder_ / "script.csv"))) << kind;
+    ASSERT_EQ(script.size(), file.size()) << kind;
+    ASSERT_GT(script.size(), 10U) << kind;
+    double low = script[0][1];
+    double high = low;
+    for (const auto& row : script) low = std::min(low, row[1]), high = std::max(high, row[1]);
+    // Far below the largest the 24 bits of the file show.
+    for (std::size_t i = 0; i < script.size(); ++i) {
+      const double tolerance = script[i][1] > high - 0.5 * (high - low) ? 1e-2 : 1.0;
+      EXPECT_NEAR(script[i][1], file[i][1], tolerance * (high - low)) << kind;
+    }
+  }
+}
+
+TEST_F(PlotTable, TakesTimesAndRangesOfABareFileFromItsScript) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  const Finished bare =
+      sarsim({"plot", "sim.bin", "--columns", "100", "--bits", "8", "--kind", "phase", "--csv", "a.csv"});
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("--script"), std::string::npos) << bare.err;
+  const Finished done = sarsim({"plot", "sim.bin", "--script", "scene.scr", "--kind", "phase", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "Azimuth time [s],Unwrapped phase [deg]");
+}
+
+TEST_F(PlotTable, OfABareFileGoesByNumbersInCounts) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "csv", "--quiet"}).status, 0);
+  const Finished done = sarsim({"plot", "sim.csv", "--kind", "pulse", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "sample,I [counts],Q [counts],magnitude [counts],phase [deg]");
+}
+
+TEST_F(PlotTable, TakesAsManyPulsesAsAreWantedAboutATime) {
+  write_scene({});
+  ASSERT_EQ(
+      sarsim({"plot", "scene.scr", "--kind", "phase", "--pulses", "5", "--at-time", "0", "--csv", "a.csv"}).status, 0);
+  const auto first = numbers_of(text_of(folder_ / "a.csv"));
+  ASSERT_EQ(first.size(), 5U);
+  EXPECT_EQ(first[0][0], 0.0);
+}
+
+TEST_F(PlotTable, OfTheSamplingFrequencyThatIsAskedFor) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"plot", "scene.scr", "--kind", "pulse", "--recorded", "--rate", "1e9", "--csv", "a.csv"}).status,
+            0);
+  const auto rows = numbers_of(text_of(folder_ / "a.csv"));
+  ASSERT_GT(rows.size(), 2U);
+  EXPECT_NEAR(rows[1][0] - rows[0][0], 0.149896, 1e-6);
+}
+
+TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
+  ASSERT_EQ(sarsim({"focus", scene, "--out", "r.img", "--quiet"}).status, 0);
+  // One target stands at the origin, nearest to the aircraft at azimuth 0, sqrt(10000^2 + 2000^2) m away.
+  const Finished done =
+      sarsim({"plot", "r.img", "--kind", "pulse", "--at-azimuth", "0", "--range", "10190", "10205", "--csv", "a.csv"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "slant range [m],I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_NEAR(strongest_place(numbers_of(text_of(folder_ / "a.csv"))), 10198.04, 0.07);
+  // c/(2 x 100 MHz) times 0.886, to a sample of a sixteenth of a metre.
+  EXPECT_NEAR(half_power_width(numbers_of(text_of(folder_ / "a.csv"))), 1.328, 0.065);
+  const Finished column = sarsim(
+      {"plot", "r.img", "--kind", "range", "--at-range", "10198.04", "--azimuth", "-30", "30", "--csv", "b.csv"});
+  ASSERT_EQ(column.status, 0) << column.err;
+  const auto rows = numbers_of(text_of(folder_ / "b.csv"));
+  EXPECT_EQ(heading_of(text_of(folder_ / "b.csv")), "azimuth [m],I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_GE(rows.front()[0], -30.0);
+  EXPECT_LE(rows.back()[0], 30.0);
+  EXPECT_NEAR(strongest_place(rows), 0.0, 0.03);
+  EXPECT_NEAR(half_power_width(rows), 0.65, 0.02);
+  const Finished pixels = sarsim({"plot", "r.img", "--kind", "range", "--at-range", "10198.04", "--azimuth", "-30",
+                                  "30", "--recorded", "--csv", "c.csv"});
+  ASSERT_EQ(pixels.status, 0) << pixels.err;
+  const auto coarse = numbers_of(text_of(folder_ / "c.csv"));
+  ASSERT_EQ(rows.size(), (coarse.size() - 1) * 16 + 1);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_NEAR(rows[16 * i][0], coarse[i][0], 1e-9);
+    EXPECT_NEAR(rows[16 * i][1], coarse[i][1], 1e-15);
+  }
+}
+
+TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/thesis_figure_4_12.scr";
+  ASSERT_EQ(
+      sarsim({"plot", scene, "--kind", "function", "--function", "mover:traj", "--compare", "--csv", "a.csv"}).status,
+      0);
+  EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "Time [s],linear [m],cubic splines [m],low-pass filter [m]");
+}
+
 using PlotArguments = CommandTest;
+
+TEST_F(PlotArguments, ThatNameNothingToWriteAreRefused) {
+  write_scene({});
+  const Finished done = sarsim({"plot", "scene.scr"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find("-o"), std::string::npos) << done.err;
+}
+
+TEST_F(PlotArguments, NamingAFunctionThatIsNotThereSayWhichAre) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/thesis_figure_4_12.scr";
+  const Finished done = sarsim({"plot", scene, "--kind", "function", "--function", "Mover:rotation", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find("Mover:trajectory_m"), std::string::npos) << done.err;
+  const Finished none =
+      sarsim({"plot", SARSIM_SOURCE_DIR "/examples/thesis_a2.scr", "--kind", "function", "--csv", "a.csv"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("no user-defined function"), std::string::npos) << none.err;
+}
+
+TEST_F(PlotArguments, WantingWhatAKindDoesNotShowAreRefused) {
+  write_scene({});
+  for (const auto& [kind, show] : {std::pair{"profile", "phase"}, std::pair{"doppler", "real"},
+                                   std::pair{"phase", "db"}, std::pair{"antenna", "imaginary"}}) {
+    const Finished done = sarsim({"plot", "scene.scr", "--kind", kind, "--show", show, "--csv", "a.csv"});
+    EXPECT_EQ(done.status, 2) << kind;
+    EXPECT_NE(done.err.find("--show"), std::string::npos) << done.err;
+  }
+}
+
+TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
+  write_scene({});
+  const Finished done =
+      sarsim({"plot", "scene.scr", "--kind", "pulse", "--angles", "0", "1", "--padding", "2", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find("--angles means nothing for --kind pulse"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("it is for antenna"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("--padding"), std::string::npos) << done.err;
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
+}
+
+TEST_F(PlotArguments, WantingAPlaceThatIsNotSeenSayWhatIs) {
+  write_scene({});
+  const Finished range = sarsim({"plot", "scene.scr", "--kind", "range", "--at-range", "5000", "--csv", "a.csv"});
+  EXPECT_EQ(range.status, 2);
+  EXPECT_NE(range.err.find("from 900 to"), std::string::npos) << range.err;
+  const Finished time = sarsim({"plot", "scene.scr", "--kind", "pulse", "--at-time", "-1", "--csv", "a.csv"});
+  EXPECT_EQ(time.status, 2);
+  EXPECT_NE(time.err.find("Azimuth time -1 s"), std::string::npos) << time.err;
+}
+
+TEST_F(PlotArguments, WantingAnAntennaOfAFileAreRefused) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
+  const Finished done = sarsim({"plot", "sim.npy", "--kind", "antenna", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find(".scr"), std::string::npos) << done.err;
+}
+
+TEST_F(PlotArguments, MixingUpTimeAndAzimuthAreRefused) {
+  write_scene({});
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--azimuth", "0", "1", "--csv", "a.csv"}).status, 2);
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  const Finished azimuth = sarsim({"plot", "sim.h5", "--kind", "range", "--azimuth", "0", "1", "--csv", "a.csv"});
+  EXPECT_EQ(azimuth.status, 2);
+  EXPECT_NE(azimuth.err.find("focused image"), std::string::npos) << azimuth.err;
+  const Finished nothing = sarsim({"plot", "sim.h5", "--kind", "range", "--time", "50", "60", "--csv", "a.csv"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("nothing between"), std::string::npos) << nothing.err;
+}
+
+TEST_F(PlotArguments, WantingTheTableOfAPictureOfAFileAreRefused) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
+  const Finished done = sarsim({"plot", "sim.npy", "--csv", "a.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.err.find("sarsim convert"), std::string::npos) << done.err;
+}
 
 TEST_F(PlotArguments, OfAnotherKindOfPictureAreRefused) {
   write_scene({});

@@ -72,6 +72,20 @@ class FigurePlotTest : public QObject {
     QCOMPARE(rect->axis(QCPAxis::atLeft)->label(), QString("Time (s)"));
   }
 
+  void a_legend_has_the_curves_of_its_panel_alone() {
+    Figure figure = four_cells();
+    figure.panels[0].curves.push_back({"I", Role::curve, false, {1000, 3000}, {0, 2}});
+    figure.panels.push_back(figure.panels[0]);
+    figure.panels[1].curves.push_back({"", Role::curve_2, false, {1000, 3000}, {2, 0}});
+    FigurePlot plot;
+    plot.set_figure(figure);
+    for (std::size_t panel = 0; panel < 2; ++panel) {
+      const auto* names = qobject_cast<QCPLegend*>(plot.panel(panel)->insetLayout()->elementAt(0));
+      QVERIFY(names != nullptr);
+      QCOMPARE(names->itemCount(), 1);
+    }
+  }
+
   void curves_with_names_are_in_the_legend_and_others_are_not() {
     Figure figure = four_cells();
     figure.panels[0].curves.push_back({"In phase", Role::curve, false, {1000, 3000}, {0, 2}});

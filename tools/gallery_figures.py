@@ -1,0 +1,515 @@
+"""The figures of the gallery: their commands, what to look at and their numbers. Read by tools/gallery."""
+
+import collections
+import json
+import math
+
+# A number of a figure: what it is, its unit, what it has to be and who says so ("thesis", or a formula of the page), how
+# far off it may be, how it is written, and how it is measured: a function of a Lab.
+Number = collections.namedtuple("Number", "what unit expected source tolerance form measure")
+# A figure: its number in the thesis or, without a point in it, a name; a title, the commands that make its pictures, what
+# to look at, its numbers.
+Figure = collections.namedtuple("Figure", "name title commands look numbers")
+
+
+# ---- Measuring ------------------------------------------------------------------------------------------------------
+
+
+def strongest(table):
+    """Number of the row with the largest magnitude."""
+    return max(range(len(table["magnitude"])), key=table["magnitude"].__getitem__)
+
+
+def at_strongest(name, arguments, scale=1.0):
+    def measure(lab):
+        table = lab.table(arguments)
+        return scale * table[name][strongest(table)]
+
+    return measure
+
+
+def inside(table, share=0.5):
+    """First and last row whose magnitude is at least a share of the largest, and the spacing of the rows."""
+    level = share * max(table["magnitude"])
+    rows = [i for i, value in enumerate(table["magnitude"]) if value >= level]
+    place = next(name for name in table if name in ("slant range", "azimuth time"))
+    places = table[place]
+    return places[rows[0]], places[rows[-1]], places[1] - places[0]
+
+
+def begins(arguments):
+    return lambda lab: inside(lab.table(arguments))[0]
+
+
+def length(arguments, share=0.5):
+    """From the first to behind the last sample of at least a share of the largest magnitude."""
+
+    def measure(lab):
+        first, last, spacing = inside(lab.table(arguments), share)
+        return last - first + spacing
+
+    return measure
+
+
+def rows_of(arguments):
+    return lambda lab: len(lab.table(arguments)["I"])
+
+
+def step_of(name, arguments):
+    return lambda lab: lab.table(arguments)[name][1] - lab.table(arguments)[name][0]
+
+
+def peak_between(arguments, low, high):
+    """Place of the largest magnitude between two ranges, by the parabola through three samples."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        x, y = table["slant range"], table["magnitude"]
+        i = max((k for k in range(1, len(x) - 1) if low <= x[k] <= high), key=y.__getitem__)
+        bend = y[i - 1] - 2 * y[i] + y[i + 1]
+        return x[i] + 0.5 * (y[i - 1] - y[i + 1]) / bend * (x[i + 1] - x[i])
+
+    return measure
+
+
+def width_at(arguments, low, high, share):
+    """Width of the highest peak between two ranges at a share of its magnitude, straight lines between samples."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        x, y = table["slant range"], table["magnitude"]
+        peak = max((k for k in range(len(x)) if low <= x[k] <= high), key=y.__getitem__)
+        level = share * y[peak]
+
+        def crossing(direction):
+            i = peak
+            while y[i + direction] >= level:
+                i += direction
+            return x[i] + (y[i] - level) / (y[i] - y[i + direction]) * (x[i + direction] - x[i])
+
+        return crossing(1) - crossing(-1)
+
+    return measure
+
+
+def counts(name, arguments, lsb_v):
+    def measure(lab):
+        table = lab.table(arguments)
+        return round(table[name][strongest(table)] / lsb_v)
+
+    return measure
+
+
+def ratio(name, above, below, combine):
+    return lambda lab: combine(at_strongest(name, above)(lab), at_strongest(name, below)(lab))
+
+
+def half_power(arguments):
+    """Offset at which an antenna's amplitude falls below 1/sqrt(2)."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        offset = table["Offset from the beam's middle"]
+        (gain,) = (values for name, values in table.items() if name != "Offset from the beam's middle")
+        middle = max(range(len(gain)), key=gain.__getitem__)
+        level = gain[middle] / math.sqrt(2.0)
+        i = middle
+        while gain[i + 1] >= level:
+            i += 1
+        return offset[i] + (gain[i] - level) / (gain[i] - gain[i + 1]) * (offset[i + 1] - offset[i])
+
+    return measure
+
+
+def first_side_lobe_db(arguments):
+    """Of magnitudes over time, how far the first maximum behind the main lobe is below it."""
+
+    def measure(lab):
+        level = lab.table(arguments)["magnitude"]
+        i = peak = max(range(len(level)), key=level.__getitem__)
+        while level[i + 1] < level[i]:
+            i += 1
+        return 20.0 * math.log10(max(level[i:]) / level[peak])
+
+    return measure
+
+
+def mean_step_rad(arguments):
+    """Mean turn of the unwrapped phase from pulse to pulse."""
+
+    def measure(lab):
+        phase = lab.table(arguments)["Unwrapped phase"]
+        return math.radians(phase[-1] - phase[0]) / (len(phase) - 1)
+
+    return measure
+
+
+def worst_knot(arguments):
+    """Largest distance of the three interpolations from the five points of figure 4.12."""
+    knots = {0: 0.0, 1: 1.5, 2: 0.0, 3: -5.0, 4: -3.5}
+
+    def measure(lab):
+        table = lab.table(arguments)
+        time = table["Time"]
+        rows = {at: min(range(len(time)), key=lambda i, at=at: abs(time[i] - at)) for at in knots}
+        methods = ("linear", "cubic splines", "low-pass filter")
+        return max(abs(table[method][rows[at]] - value) for method in methods for at, value in knots.items())
+
+    return measure
+
+
+def value_at(arguments, name, place_name, place):
+    def measure(lab):
+        table = lab.table(arguments)
+        places = table[place_name]
+        return table[name][min(range(len(places)), key=lambda i: abs(places[i] - place))]
+
+    return measure
+
+
+def steady_doppler_hz(arguments):
+    """Of the spectrum of one range cell, where its peak is, by the parabola through three levels in decibels."""
+
+    def measure(lab):
+        cut = lab.panels(arguments)[-1]
+        f, level = cut["Doppler frequency"], cut["Level above 1 V"]
+        i = max(range(1, len(f) - 1), key=level.__getitem__)
+        bend = level[i - 1] - 2 * level[i] + level[i + 1]
+        return f[i] + 0.5 * (level[i - 1] - level[i + 1]) / bend * (f[i + 1] - f[i])
+
+    return measure
+
+
+def band_hz(arguments, level_db):
+    """Width of a sent pulse's spectrum at a level below its largest."""
+
+    def measure(lab):
+        spectrum = lab.panels(arguments)[1]
+        inside = [f for f, level in zip(*spectrum.values()) if level >= level_db]
+        return inside[-1] - inside[0]
+
+    return measure
+
+
+def moved(arguments, time):
+    """Change of range from the first pulse to the one nearest to a time, by the phase."""
+
+    def measure(lab):
+        history = lab.panels(arguments)[1]
+        times = history["Azimuth time"]
+        return history["Change of range"][min(range(len(times)), key=lambda i: abs(times[i] - time))]
+
+    return measure
+
+
+def worst_width(axis):
+    """Of all points of the focused R, the largest share by which a width differs from theory."""
+
+    def measure(lab):
+        return max(
+            abs(target["found"][axis]["width_m"] / target["theory"][axis]["width_m"] - 1.0)
+            for target in measured_targets(lab)
+        )
+
+    return measure
+
+
+def measured_targets(lab):
+    lab.once("sarsim focus examples/sar_r.scr --out sar_r.img --quiet")
+    return json.loads(lab.once("sarsim measure sar_r.img --json"))["targets"]
+
+
+def found_targets(lab):
+    return sum(target["found"] is not None for target in measured_targets(lab))
+
+
+def worst_place(lab):
+    """Largest distance of a found target from where it has to be, in metres."""
+    return max(
+        math.hypot(t["found"]["azimuth_m"] - t["theory"]["azimuth_m"], t["found"]["range_m"] - t["theory"]["range_m"])
+        for t in measured_targets(lab)
+    )
+
+
+# ---- The figures ----------------------------------------------------------------------------------------------------
+
+PASS = "examples/thesis_figure_2_3.scr"
+FIRST = "examples/thesis_chapter3.scr"
+KNOTS = "examples/thesis_figure_4_12.scr"
+SAR = "examples/sar_r.scr"
+SAR_1998 = "examples/sar_r_1998.scr"
+A2 = "examples/thesis_a2.scr"
+A3 = "examples/thesis_a3.scr"
+A4 = "examples/thesis_a4.scr"
+BEAM = "examples/thesis_figure_a14.scr"
+MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
+
+SIZE = "--size 800 500"
+CLASSIC_COLOURS = "--colours classic_red_blue"
+
+FIGURES = [
+    Figure(
+        "2.3",
+        "A target passes the radar",
+        [f"sarsim plot {PASS} {CLASSIC_COLOURS} {SIZE} -o figure_2_3.png"],
+        "The echo comes nearest at time 0 and weakens with distance. Along range the bands are a chirp whose bandwidth, as in"
+        " the thesis, is unrealistically low; over time they are the phase of the changing distance.",
+        [
+            Number("strongest, and so nearest, at", "s", 0.0, "thesis", 1e-6, ".3f",
+                   at_strongest("azimuth time", f"{PASS} --kind range --at-range 2300 --recorded")),
+            Number("amplitude 15 s later, relative", "1", (2000.0**2 / (2000.0**2 + 3000.0**2)), "(2000 m/3606 m)²", 1e-4,
+                   ".4f", ratio("magnitude", f"{PASS} --kind pulse --at-time 15", f"{PASS} --kind pulse --at-time 0",
+                                lambda a, b: a / b)),
+        ],
+    ),
+    Figure(
+        "3.5",
+        "A point target at 3000 m",
+        [f"sarsim plot {FIRST} --radar Radar1 --time 0 0.01 --screen --draw pixels {CLASSIC_COLOURS} {SIZE}"
+         " -o figure_3_5.png"],
+        "One sample for each pixel of the screen, too few for a chirp of 50 MHz: the pattern is aliasing, as the thesis"
+        " says, and goes away when one looks closer (figure 3.6).",
+        [
+            Number("highest magnitude", "mV", 4.095e-5, "thesis", 1e-8, ".4e",
+                   at_strongest("magnitude", f"{FIRST} --kind pulse", 1e3)),
+            Number("the echo begins at", "m", 3000.0, "thesis", 0.2, ".1f",
+                   begins(f"{FIRST} --kind pulse --range 2990 3010 --rate 1e9 --recorded")),
+        ],
+    ),
+    Figure(
+        "3.6",
+        "The same, closer",
+        [f"sarsim plot {FIRST} --time -0.0005 0.0035 {SIZE} -o figure_3_6.png"],
+        "Pulses at least 20 pixels apart are drawn as curves, here of the real part. Each chirp swings slowly in its middle"
+        " and fast at its ends.",
+        [
+            Number("from pulse to pulse", "s", 0.001, "thesis", 1e-9, ".4f",
+                   step_of("azimuth time", f"{FIRST} --kind range --at-range 3300 --recorded")),
+            Number("length of the echo", "m", 749.48, "5 µs · c/2", 0.2, ".1f",
+                   length(f"{FIRST} --kind pulse --rate 1e9 --recorded")),
+        ],
+    ),
+    Figure(
+        "4.12",
+        "The three interpolations of a function",
+        [f"sarsim plot {KNOTS} --kind function --compare {SIZE} -o figure_4_12.png"],
+        "All three go through the five points, which are at equal intervals, and differ between them and beyond.",
+        [
+            Number("farthest from a point", "m", 0.0, "thesis", 1e-9, ".6f",
+                   worst_knot(f"{KNOTS} --kind function --compare")),
+            Number("straight line after half a second", "m", 0.75, "half of 1.5 m", 1e-9, ".3f",
+                   value_at(f"{KNOTS} --kind function --compare", "linear", "Time", 0.5)),
+            Number("moved after 3 s, as the radar sees it", "m", -5.0, "fourth point", 1e-3, ".3f",
+                   moved(f"{KNOTS} --kind phase --at-range 1100", 3.0)),
+        ],
+    ),
+    Figure(
+        "4.14",
+        "A recording, as slices",
+        [
+            f"sarsim run {SAR} --quiet",
+            f"sarsim plot sar_r.h5 --draw ranges --show real --range 10096 10126 --time 0.4 0.6 {SIZE} -o figure_4_14.png",
+            "sarsim-gui sar_r.h5 --window viewer --size 900 620 --screenshot figure_4_14_window.png",
+        ],
+        "The thesis shows the image viewer's window with slices in azimuth. The first picture is the slices, made from the"
+        " file of a recording; the second is the viewer of the workbench with the same file.",
+        [
+            Number("pulses in the file", "1", 1240, "620 Hz for 2 s", 0, "d",
+                   lambda lab: (lab.once(f"sarsim run {SAR} --quiet"), rows_of("sar_r.h5 --kind range")(lab))[1]),
+        ],
+    ),
+    Figure(
+        "7.2",
+        "The letter R, focused",
+        [
+            f"sarsim focus {SAR} --out sar_r.img --quiet",
+            "sarsim plot sar_r.img --show db --span 40 --peak --range 10090 10310 --azimuth -210 210 --colours ember"
+            " --size 560 860 -o figure_7_2.png",
+        ],
+        "Figure 7.2 is the arrangement of the 24 points; 7.4 the image that the thesis made of it by chirp scaling. This one"
+        " is made by omega-k from the example with enough pulses per second, without the artifacts of the thesis' figure.",
+        [
+            Number("points found", "1", 24, "thesis", 0, "d", found_targets),
+            Number("farthest from its place", "m", 0.0, "theory", 0.03, ".3f", worst_place),
+        ],
+    ),
+    Figure(
+        "7.3",
+        "What the radar of the letter R receives",
+        [f"sarsim plot {SAR_1998} {SIZE} -o figure_7_3.png"],
+        "The echoes of 24 points on top of each other; the R cannot be seen. The window and its 600 pulses are those of"
+        " figures 7.3 and 7.5.",
+        [
+            Number("pulses", "1", 600, "thesis", 0, "d", rows_of(f"{SAR_1998} --kind range")),
+            Number("samples of a pulse", "1", 500, "500 m · 2 · 150 MHz/c", 0, "d",
+                   rows_of(f"{SAR_1998} --kind pulse --recorded")),
+        ],
+    ),
+    Figure(
+        "A.1",
+        "Two pulses of a raw return",
+        [f"sarsim plot {A2} --time -0.0003 0.0015 {SIZE} -o figure_a1.png"],
+        "The target stands still: each pulse is the same rectangle, here its real part, which is negative. Below are the 53"
+        " samples of the worksheet, figure A.2, and their counts.",
+        [
+            Number("samples", "1", 53, "thesis", 0, "d", rows_of(f"{A2} --kind pulse --recorded")),
+            Number("their distance", "m", 37.47, "thesis", 0.01, ".2f",
+                   step_of("slant range", f"{A2} --kind pulse --recorded")),
+            Number("count I, classic profile", "1", -25, "thesis", 0, "d",
+                   counts("I", f"{A2} --kind pulse --recorded --profile classic", 1.67572e-9)),
+            Number("count Q, classic profile", "1", -125, "thesis", 0, "d",
+                   counts("Q", f"{A2} --kind pulse --recorded --profile classic", 1.67572e-9)),
+        ],
+    ),
+    Figure(
+        "A.7",
+        "Magnitude of the raw return",
+        [f"sarsim plot {A2} --show magnitude {SIZE} -o figure_a7.png"],
+        "The echo begins at the target's distance and is half as long in range as in the air.",
+        [
+            Number("the echo begins at", "m", 1000.0, "thesis", 0.3, ".1f",
+                   begins(f"{A2} --kind pulse --rate 1e9 --recorded")),
+            Number("its length", "m", 750.0, "thesis", 0.7, ".1f", length(f"{A2} --kind pulse --rate 1e9 --recorded")),
+            Number("from pulse to pulse", "ms", 1.0, "thesis", 1e-9, ".3f",
+                   lambda lab: 1e3 * step_of("azimuth time", f"{A2} --kind range --at-range 1300 --recorded")(lab)),
+            Number("magnitude", "mV", 2.1282e-4, "thesis", 1e-8, ".4e",
+                   at_strongest("magnitude", f"{A2} --kind pulse --recorded", 1e3)),
+            Number("phase, classic profile", "deg", -101.15, "thesis", 0.005, ".2f",
+                   at_strongest("phase", f"{A2} --kind pulse --recorded --profile classic")),
+        ],
+    ),
+    Figure(
+        "A.8",
+        "Magnitude after range compression",
+        [f"sarsim plot {A2} --simulation 2 --show magnitude {SIZE} -o figure_a8.png"],
+        "A rectangle correlated with itself is a triangle. Its peak keeps magnitude and phase of the raw echo.",
+        [
+            Number("peak at", "m", 1000.0, "thesis", 1.0, ".1f",
+                   at_strongest("slant range", f"{A2} --simulation 2 --kind pulse --rate 4e8 --recorded")),
+            Number("peak over raw magnitude", "1", 1.0, "thesis", 1e-3, ".4f",
+                   ratio("magnitude", f"{A2} --simulation 2 --kind pulse --rate 4e8 --recorded",
+                         f"{A2} --kind pulse --recorded", lambda a, b: a / b)),
+            Number("turn of the phase", "deg", 0.0, "thesis", 1e-3, ".4f",
+                   ratio("phase", f"{A2} --simulation 2 --kind pulse --rate 4e8 --recorded",
+                         f"{A2} --kind pulse --recorded", lambda a, b: a - b)),
+        ],
+    ),
+    Figure(
+        "A.11",
+        "Two targets 8 m apart, raw",
+        [f"sarsim plot {A3} --kind pulse --at-time 0 {SIZE} -o figure_a11.png"],
+        "The real part of one pulse. The two echoes, each 375 m long, interfere: slow and fast beats, but no sign of two"
+        " targets.",
+        [
+            Number("length of both together", "m", 382.74, "2.5 µs · c/2 + 8 m", 0.8, ".1f",
+                   length(f"{A3} --kind pulse --at-time 0 --rate 4e8 --recorded", 0.25)),
+        ],
+    ),
+    Figure(
+        "A.12",
+        "The same, compressed",
+        [f"sarsim plot {A3} --simulation 2 --kind pulse --at-time 0 --show magnitude --mark-peaks 2 {SIZE} -o figure_a12.png"],
+        "Two peaks, at the places of the two targets. Their sidelobes overlap, which shifts each by a few centimetres.",
+        [
+            Number("first peak", "m", 300.0, "thesis", 0.1, ".2f",
+                   peak_between(f"{A3} --simulation 2 --kind pulse --at-time 0 --recorded", 296.0, 304.0)),
+            Number("second peak", "m", 308.0, "thesis", 0.1, ".2f",
+                   peak_between(f"{A3} --simulation 2 --kind pulse --at-time 0 --recorded", 304.0, 312.0)),
+            Number("width 3.92 dB below the peak", "m", 1.5, "thesis", 0.1, ".2f",
+                   width_at(f"{A3} --simulation 2 --kind pulse --at-time 0 --recorded", 296.0, 304.0, 2.0 / math.pi)),
+        ],
+    ),
+    Figure(
+        "A.13",
+        "Phase from pulse to pulse",
+        [f"sarsim plot {A3} --simulation 2 --kind phase --at-range 300 --size 800 640 -o figure_a13.png"],
+        "The first target moves away by 5 cm from pulse to pulse and its phase falls evenly. The lower panel is the same as"
+        " a distance. The thesis' value belongs to c = 3e8 m/s; the other target's sidelobes add half a percent.",
+        [
+            Number("pulses", "1", 9, "thesis", 0, "d",
+                   lambda lab: len(lab.table(f"{A3} --simulation 2 --kind phase --at-range 300")["Unwrapped phase"])),
+            Number("step of the phase", "rad", -1.0472, "thesis", 0.008, ".3f",
+                   mean_step_rad(f"{A3} --simulation 2 --kind phase --at-range 300")),
+        ],
+    ),
+    Figure(
+        "A.14",
+        "Antenna pattern with a beam of 10 degrees",
+        [f"sarsim plot {BEAM} --kind antenna --angles -45 45 {SIZE} -o figure_a14.png"],
+        "The amplitude of one way. The crosses are the half-power points, half a beam's width off the middle.",
+        [
+            Number("half the power at", "deg", 5.0, "thesis", 0.05, ".2f",
+                   half_power(f"{BEAM} --kind antenna --angles -45 45")),
+        ],
+    ),
+    Figure(
+        "A.16",
+        "A beam passes a target",
+        [f"sarsim plot {A4} --kind range --at-range 2000 --show magnitude --profile classic {SIZE} -o figure_a16.png"],
+        "Each pulse is one point: the passage draws the pattern with its sidelobes. As in the thesis sin(x)/x is the pattern"
+        " of both ways together, which is what the classic profile has.",
+        [
+            Number("strongest at", "s", 1.875, "45°/(24°/s)", 1e-6, ".3f",
+                   at_strongest("azimuth time", f"{A4} --kind range --at-range 2000 --recorded --profile classic")),
+            Number("magnitude there", "mV", 7.9833e-5, "thesis", 1e-8, ".4e",
+                   at_strongest("magnitude", f"{A4} --kind range --at-range 2000 --recorded --profile classic", 1e3)),
+            Number("phase there", "deg", 180.0, "thesis", 0.1, ".1f",
+                   at_strongest("phase", f"{A4} --kind range --at-range 2000 --recorded --profile classic")),
+        ],
+    ),
+    Figure(
+        "A.17",
+        "The same after range compression",
+        [f"sarsim plot {A4} --simulation 2 --kind range --at-range 1632.7 --show db --span 40 --profile classic {SIZE}"
+         " -o figure_a17.png"],
+        "In decibels the sidelobes can be read off. Compression changes nothing over slow time; in range it makes the"
+        " rectangle of the raw echo a triangle (figure A.8), as wide at half its height as the echo is long.",
+        [
+            Number("first sidelobe", "dB", -13.5, "thesis", 0.3, ".2f",
+                   first_side_lobe_db(f"{A4} --simulation 2 --kind range --at-range 1632.7 --recorded --profile classic")),
+            Number("width in range", "m", 749.5, "thesis", 3.0, ".1f",
+                   length(f"{A4} --simulation 2 --kind pulse --at-time 1.875 --range 600 2600 --rate 1e8 --recorded")),
+        ],
+    ),
+    Figure(
+        "point",
+        "Beyond the thesis: a point of the focused R",
+        [
+            f"sarsim focus {SAR} --out sar_r.img --quiet",
+            "sarsim plot sar_r.img --kind range --at-range 10198.04 --azimuth -12 12 --show db --span 50 --mark-peaks 3"
+            f" {SIZE} -o point.png",
+        ],
+        "A cut along the track through the point in the origin: its sidelobes are those of sin(x)/x. `sarsim measure` holds"
+        " every point of an image against theory.",
+        [
+            Number("widths along the track differ from theory by", "1", 0.0, "theory", 0.01, ".4f", worst_width("azimuth")),
+            Number("widths in range differ from theory by", "1", 0.0, "theory", 0.01, ".4f", worst_width("range")),
+        ],
+    ),
+    Figure(
+        "doppler",
+        "Beyond the thesis: range-Doppler map",
+        [f"sarsim plot {MOVING} --kind doppler --at-range 300 --size 800 640 -o doppler.png"],
+        "The two targets of example A.3 over 32 pulses: two ranges, one speed. They recede, so the Doppler frequency is"
+        " negative; the scale to the right says the speed.",
+        [
+            Number("Doppler frequency", "Hz", -166.78, "-2 · 50 m/s · 0.5 GHz/c", 1.0, ".1f",
+                   steady_doppler_hz(f"{MOVING} --kind doppler --at-range 300")),
+        ],
+    ),
+    Figure(
+        "sent",
+        "Beyond the thesis: the pulse that is sent",
+        [f"sarsim plot {A3} --kind sent --span 40 --size 800 640 -o sent.png"],
+        "The chirp of example A.3 and its spectrum, flat over the swept bandwidth but for Fresnel's ripples.",
+        [
+            Number("width 6 dB below the largest", "MHz", 100.0, "bandwidth of the sweep", 3.0, ".1f",
+                   lambda lab: 1e-6 * band_hz(f"{A3} --kind sent --span 40", -6.0)(lab)),
+        ],
+    ),
+]
+
+# Examples that no figure of the thesis belongs to.
+OTHERS = {
+    "stepped_srp.scr": "synthetic range profiles from stepped frequencies",
+}
