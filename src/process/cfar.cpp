@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace sarsim {
 
@@ -10,21 +12,6 @@ namespace {
 
 void expect(bool right, const char* what) {
   if (!right) throw std::invalid_argument(what);
-}
-
-std::size_t rank_of(std::size_t cells, double share) {
-  const double rank = std::ceil(share * static_cast<double>(cells) - 1e-9);
-  return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, cells);
-}
-
-// Factors for every number of reference cells that may occur.
-std::vector<double> factors_up_to(std::size_t cells, const CfarOptions& options) {
-  std::vector<double> factors(cells + 1);
-  for (std::size_t n = 1; n <= cells; ++n)
-    factors[n] = options.kind == CfarOptions::Kind::cell_averaging
-                     ? cell_averaging_factor(n, options.false_alarm)
-                     : ordered_statistic_factor(n, rank_of(n, options.rank_share), options.false_alarm);
-  return factors;
 }
 
 struct Range {
@@ -35,6 +22,40 @@ Range around(std::size_t at, std::size_t reach, std::size_t count) {
   return {at > reach ? at - reach : 0, std::min(count, at + reach + 1)};
 }
 
+// Numbers of cells in reach and of those in the guard, each pair once, that places along one side of a map meet.
+std::set<std::pair<std::size_t, std::size_t>> numbers_along(std::size_t count, std::size_t reach, std::size_t guard) {
+  std::set<std::pair<std::size_t, std::size_t>> numbers;
+  const auto meet = [&](std::size_t at) {
+    const Range all = around(at, reach, count);
+    const Range guarded = around(at, std::min(guard, reach), count);
+    numbers.insert({all.end - all.begin, guarded.end - guarded.begin});
+  };
+  for (std::size_t from_end = 0; from_end <= std::min(reach, count - 1); ++from_end) {
+    meet(from_end);
+    meet(count - 1 - from_end);
+  }
+  return numbers;
+}
+
+double factor_for(std::size_t cells, const CfarOptions& options) {
+  return options.kind == CfarOptions::Kind::cell_averaging
+             ? cell_averaging_factor(cells, options.false_alarm)
+             : ordered_statistic_factor(cells, cfar_rank(cells, options.rank_share), options.false_alarm);
+}
+
+// Factors for the numbers of reference cells that occur; the search for one of an ordered statistic takes its time.
+std::vector<double> factors_of(std::size_t rows, std::size_t columns, const CfarOptions& options) {
+  std::vector<double> factors(1, 0.0);
+  const auto along_columns = numbers_along(columns, options.reference_columns, options.guard_columns);
+  for (const auto& [all_rows, guard_rows] : numbers_along(rows, options.reference_rows, options.guard_rows))
+    for (const auto& [all_columns, guard_columns] : along_columns) {
+      const std::size_t cells = all_rows * all_columns - guard_rows * guard_columns;
+      if (cells >= factors.size()) factors.resize(cells + 1, 0.0);
+      if (cells > 0 && factors[cells] == 0.0) factors[cells] = factor_for(cells, options);
+    }
+  return factors;
+}
+
 // The reference cells of one cell.
 void gather(std::span<const float> power, std::size_t columns, std::size_t row, std::size_t column,
             const CfarOptions& options, std::vector<float>& cells) {
@@ -42,8 +63,8 @@ void gather(std::span<const float> power, std::size_t columns, std::size_t row, 
   const std::size_t rows = power.size() / columns;
   const Range all_rows = around(row, options.reference_rows, rows);
   const Range all_columns = around(column, options.reference_columns, columns);
-  const Range guard_rows = around(row, options.guard_rows, rows);
-  const Range guard_columns = around(column, options.guard_columns, columns);
+  const Range guard_rows = around(row, std::min(options.guard_rows, options.reference_rows), rows);
+  const Range guard_columns = around(column, std::min(options.guard_columns, options.reference_columns), columns);
   for (std::size_t r = all_rows.begin; r < all_rows.end; ++r) {
     const auto line = power.subspan(r * columns, columns);
     const bool guarded = r >= guard_rows.begin && r < guard_rows.end;
@@ -60,12 +81,34 @@ double noise_of(std::vector<float>& cells, const CfarOptions& options) {
     for (const float p : cells) sum += static_cast<double>(p);
     return sum / static_cast<double>(cells.size());
   }
-  const auto at = cells.begin() + static_cast<std::ptrdiff_t>(rank_of(cells.size(), options.rank_share)) - 1;
+  const auto at = cells.begin() + static_cast<std::ptrdiff_t>(cfar_rank(cells.size(), options.rank_share)) - 1;
   std::nth_element(cells.begin(), at, cells.end());
   return static_cast<double>(*at);
 }
 
 }  // namespace
+
+std::size_t cfar_rank(std::size_t cells, double share) {
+  const double rank = std::ceil(share * static_cast<double>(cells) - 1e-9);
+  return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, cells);
+}
+
+std::size_t reference_cells(const CfarOptions& options, std::size_t rows) {
+  const auto along = [](std::size_t reach) { return 2 * reach + 1; };
+  const auto within = [rows, along](std::size_t reach) { return std::min(rows, along(reach)); };
+  const std::size_t guard_rows = std::min(options.guard_rows, options.reference_rows);
+  const std::size_t guard_columns = std::min(options.guard_columns, options.reference_columns);
+  return within(options.reference_rows) * along(options.reference_columns) - within(guard_rows) * along(guard_columns);
+}
+
+double noise_power(const CfarDetection& detection, const CfarOptions& options) {
+  if (options.kind == CfarOptions::Kind::cell_averaging) return detection.noise;
+  const std::size_t cells = detection.reference_cells;
+  double expected = 0.0;
+  for (std::size_t i = 0; i < cfar_rank(cells, options.rank_share); ++i)
+    expected += 1.0 / static_cast<double>(cells - i);
+  return detection.noise / expected;
+}
 
 double cell_averaging_factor(std::size_t cells, double false_alarm) {
   const auto n = static_cast<double>(cells);
@@ -103,9 +146,8 @@ std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t
   expect(options.rank_share > 0.0 && options.rank_share <= 1.0,
          "detection: the rank is not within the reference cells");
   const std::size_t rows = power.size() / columns;
-  const std::size_t most =
-      (2 * std::min(options.reference_rows, rows) + 1) * (2 * std::min(options.reference_columns, columns) + 1);
-  const std::vector<double> factors = factors_up_to(most, options);
+  if (rows == 0) return {};
+  const std::vector<double> factors = factors_of(rows, columns, options);
   std::vector<std::vector<CfarDetection>> found(rows);
   parallel_ranges(rows, 4, control, [&](std::size_t begin, std::size_t end) {
     std::vector<float> cells;
@@ -116,7 +158,7 @@ std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t
         const double factor = factors[cells.size()];
         const double noise = noise_of(cells, options);
         const auto here = static_cast<double>(power[row * columns + column]);
-        if (here > factor * noise) found[row].push_back({row, column, here, noise, factor * noise});
+        if (here > factor * noise) found[row].push_back({row, column, here, noise, factor * noise, cells.size()});
       }
   });
   std::vector<CfarDetection> all;

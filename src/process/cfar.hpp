@@ -35,7 +35,18 @@ struct CfarDetection {
   double power = 0.0;
   double noise = 0.0;      ///< Mean, or statistic, of the reference cells.
   double threshold = 0.0;  ///< Factor times `noise`.
+  std::size_t reference_cells = 0;
 };
+
+/// Mean power of the noise by a cell's reference: the mean itself, or the statistic over what it is on the average in
+/// noise of power 1, the sum over i = 0 ... rank - 1 of 1/(N - i).
+[[nodiscard]] double noise_power(const CfarDetection& detection, const CfarOptions& options);
+
+/// Rank that `CfarOptions::rank_share` means among so many cells.
+[[nodiscard]] std::size_t cfar_rank(std::size_t cells, double share);
+
+/// Reference cells of a cell far from the edges of a map of `rows` rows.
+[[nodiscard]] std::size_t reference_cells(const CfarOptions& options, std::size_t rows);
 
 /// Looks at every cell of a map; at its edges the cells that there are count, with the factor for their number. Cells
 /// without reference cells are passed over.
