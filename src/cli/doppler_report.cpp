@@ -53,7 +53,7 @@ std::string decibel_text(double ratio) {
 std::string finding_text(const TargetFinding& finding, bool doppler) {
   const TargetSight& sight = finding.sight;
   std::string text = fmt::format("target {:<4}", finding.target + 1);
-  if (!(sight.amplitude_v > 0.0)) return text + " not in the recorded ranges, or without an echo\n";
+  if (!sight.in_window) return text + " is never within the recorded ranges\n";
   text += fmt::format(" azimuth {:.2f} deg, range {:.1f} m", bearing_deg(sight.azimuth_rad), sight.range_m);
   if (doppler) {
     text += fmt::format(", Doppler {:.1f} Hz", sight.doppler_hz);
@@ -125,7 +125,7 @@ void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bo
   json.begin_array();
   for (const TargetFinding& finding : findings) {
     json.begin_object().member("target", finding.target + 1).key("expected");
-    if (finding.sight.amplitude_v > 0.0)
+    if (finding.sight.in_window)
       write_sight(json, finding, doppler);
     else
       json.null();

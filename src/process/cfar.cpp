@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/constants.hpp"
+#include "math/fft.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -37,12 +40,6 @@ std::set<std::pair<std::size_t, std::size_t>> numbers_along(std::size_t count, s
   return numbers;
 }
 
-double factor_for(std::size_t cells, const CfarOptions& options) {
-  return options.kind == CfarOptions::Kind::cell_averaging
-             ? cell_averaging_factor(cells, options.false_alarm)
-             : ordered_statistic_factor(cells, cfar_rank(cells, options.rank_share), options.false_alarm);
-}
-
 // Factors for the numbers of reference cells that occur; the search for one of an ordered statistic takes its time.
 std::vector<double> factors_of(std::size_t rows, std::size_t columns, const CfarOptions& options) {
   std::vector<double> factors(1, 0.0);
@@ -51,7 +48,7 @@ std::vector<double> factors_of(std::size_t rows, std::size_t columns, const Cfar
     for (const auto& [all_columns, guard_columns] : along_columns) {
       const std::size_t cells = all_rows * all_columns - guard_rows * guard_columns;
       if (cells >= factors.size()) factors.resize(cells + 1, 0.0);
-      if (cells > 0 && factors[cells] == 0.0) factors[cells] = factor_for(cells, options);
+      if (cells > 0 && factors[cells] == 0.0) factors[cells] = cfar_factor(cells, options);
     }
   return factors;
 }
@@ -86,7 +83,101 @@ double noise_of(std::vector<float>& cells, const CfarOptions& options) {
   return static_cast<double>(*at);
 }
 
+// ln of the gamma function at x >= 1, by Stirling's series beyond 12 (Abramowitz and Stegun 6.1.40), to 1e-12.
+// (std::lgamma writes a global variable: not to be called from several threads.)
+double log_gamma(double x) {
+  double product = 1.0;
+  for (; x < 12.0; x += 1.0) product *= x;
+  const double square = 1.0 / (x * x);
+  const double series = (1.0 / 12.0 - square * (1.0 / 360.0 - square * (1.0 / 1260.0 - square / 1680.0))) / x;
+  return (x - 0.5) * std::log(x) - x + 0.5 * std::log(2.0 * pi) + series - std::log(product);
+}
+
+double averaging_factor(double cells, double false_alarm) { return cells * std::expm1(-std::log(false_alarm) / cells); }
+
+// ln of the probability of an ordered statistic, for numbers of cells and ranks between the whole ones:
+// Gamma(N + 1) Gamma(N - k + 1 + a)/(Gamma(N - k + 1) Gamma(N + 1 + a)).
+double log_statistic_probability(double cells, double rank, double factor) {
+  const double rest = cells - rank + 1.0;
+  return log_gamma(cells + 1.0) - log_gamma(rest) + log_gamma(rest + factor) - log_gamma(cells + 1.0 + factor);
+}
+
+// The factor at which a probability that falls from 1 towards 0 is so small: doubling finds an upper end, halving it.
+template <class LogProbability>
+double factor_where(const LogProbability& log_probability, double log_false_alarm) {
+  double high = 1.0;
+  while (log_probability(high) > log_false_alarm) high *= 2.0;
+  double low = 0.0;
+  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (log_probability(middle) > log_false_alarm ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Correlation of two numbers' exceeding the same value, the numbers being powers of correlated noise.
+double exceedance_correlation(double power_correlation, double value) {
+  double before = 1.0;
+  double polynomial = 1.0 - value;
+  double power = power_correlation;
+  double sum = 0.0;
+  for (int n = 1; n < 100 && power > 1e-9; ++n, power *= power_correlation) {
+    sum += power * (polynomial - before) * (polynomial - before);
+    const double next = ((2.0 * n + 1.0 - value) * polynomial - n * before) / (n + 1.0);
+    before = polynomial;
+    polynomial = next;
+  }
+  return sum * std::exp(-value) / -std::expm1(-value);
+}
+
 }  // namespace
+
+double cfar_factor(std::size_t cells, const CfarOptions& options) {
+  const bool mean = options.kind == CfarOptions::Kind::cell_averaging;
+  const std::size_t rank = cfar_rank(cells, options.rank_share);
+  if (options.independence == 1.0)
+    return mean ? cell_averaging_factor(cells, options.false_alarm)
+                : ordered_statistic_factor(cells, rank, options.false_alarm);
+  const double worth = std::max(1.0, options.independence * static_cast<double>(cells));
+  if (mean) return averaging_factor(worth, options.false_alarm);
+  // The middle of the cells' rank keeps its place among fewer.
+  const double among = 0.5 + worth * (static_cast<double>(rank) - 0.5) / static_cast<double>(cells);
+  return factor_where([&](double factor) { return log_statistic_probability(worth, among, factor); },
+                      std::log(options.false_alarm));
+}
+
+std::vector<double> power_correlation(std::span<const std::complex<double>> filter) {
+  double energy = 0.0;
+  for (const std::complex<double>& tap : filter) energy += std::norm(tap);
+  if (!(energy > 0.0)) return {1.0};
+  const Fft fft(good_fft_size(2 * filter.size()));
+  std::vector<std::complex<double>> values(filter.begin(), filter.end());
+  values.resize(fft.size());
+  fft.forward(values);
+  for (std::complex<double>& value : values) value = std::norm(value);
+  fft.inverse(values);
+  std::vector<double> correlation(filter.size());
+  const double scale = 1.0 / (energy * static_cast<double>(fft.size()));
+  for (std::size_t m = 0; m < correlation.size(); ++m) correlation[m] = std::norm(scale * values[m]);
+  correlation[0] = 1.0;
+  return correlation;
+}
+
+double independence(std::span<const double> along_columns, std::span<const double> along_rows,
+                    const CfarOptions& options) {
+  constexpr double negligible = 1e-4;
+  const double quantile = -std::log1p(-std::min(options.rank_share, 0.99));
+  const bool mean = options.kind == CfarOptions::Kind::cell_averaging;
+  double sum = 0.0;
+  for (std::size_t m = 0; m < along_columns.size(); ++m)
+    for (const double row : along_rows) {
+      const double power = along_columns[m] * row;
+      if (power < negligible) continue;
+      const double correlation = mean || power > 0.9999 ? power : exceedance_correlation(power, quantile);
+      sum += m == 0 ? correlation : 2.0 * correlation;
+    }
+  return std::min(1.0, 1.0 / sum);
+}
 
 std::size_t cfar_rank(std::size_t cells, double share) {
   const double rank = std::ceil(share * static_cast<double>(cells) - 1e-9);
@@ -111,8 +202,7 @@ double noise_power(const CfarDetection& detection, const CfarOptions& options) {
 }
 
 double cell_averaging_factor(std::size_t cells, double false_alarm) {
-  const auto n = static_cast<double>(cells);
-  return n * std::expm1(-std::log(false_alarm) / n);
+  return averaging_factor(static_cast<double>(cells), false_alarm);
 }
 
 double cell_averaging_probability(std::size_t cells, double factor, double snr) {
@@ -127,15 +217,8 @@ double ordered_statistic_probability(std::size_t cells, std::size_t rank, double
 }
 
 double ordered_statistic_factor(std::size_t cells, std::size_t rank, double false_alarm) {
-  // The probability falls from 1 towards 0: doubling finds an upper end, halving the factor.
-  double high = 1.0;
-  while (ordered_statistic_probability(cells, rank, high, 0.0) > false_alarm) high *= 2.0;
-  double low = 0.0;
-  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (ordered_statistic_probability(cells, rank, middle, 0.0) > false_alarm ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return factor_where([&](double factor) { return std::log(ordered_statistic_probability(cells, rank, factor, 0.0)); },
+                      std::log(false_alarm));
 }
 
 std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t columns, const CfarOptions& options,
@@ -145,6 +228,8 @@ std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t
          "detection: the probability of false alarm is not between 0 and 1");
   expect(options.rank_share > 0.0 && options.rank_share <= 1.0,
          "detection: the rank is not within the reference cells");
+  expect(options.independence > 0.0 && options.independence <= 1.0,
+         "detection: a reference cell is worth more than one, or nothing");
   const std::size_t rows = power.size() / columns;
   if (rows == 0) return {};
   const std::vector<double> factors = factors_of(rows, columns, options);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "process/cfar.hpp"
 #include "simulate/derived.hpp"
 #include "simulate/worker_pool.hpp"
 
@@ -41,6 +42,7 @@ PulseRows compressed_rows(std::shared_ptr<const Plan> plan) {
   const bool keeps_peak = plan->scene->conventions.compression == Conventions::Compression::keeps_peak;
   rows.peak_gain = keeps_peak ? 1.0 : processing_gain(*plan);
   rows.noise_w = noise_of(*plan, plan->compressor->filter());
+  rows.noise_correlation = power_correlation(plan->compressor->filter().taps);
   rows.plan = std::move(plan);
   return rows;
 }
@@ -62,6 +64,7 @@ PulseRows rows_of_raw_recording(std::shared_ptr<const Plan> plan, RecordedRows r
   for (std::size_t i = 0; i < plan->columns; ++i)
     rows.range_m.push_back(half_c_mps * (plan->raw_grid.time_s(i) + plan->pulse.lead_s));
   rows.noise_w = noise_of(*plan, compressor->filter());
+  rows.noise_correlation = power_correlation(compressor->filter().taps);
   const auto pool = std::make_shared<WorkerPool<RecordingWorker>>([] { return std::make_unique<RecordingWorker>(); });
   rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](RecordingWorker& worker) {

@@ -19,6 +19,7 @@ struct PulseRows {
   std::vector<double> range_m;  ///< One way, of each sample.
   double peak_gain = 1.0;       ///< Height of a compressed echo of amplitude 1.
   double noise_w = 0.0;         ///< Mean square magnitude of the receiver's noise in a sample, without STC.
+  std::vector<double> noise_correlation{1.0};  ///< Of samples 0, 1 ... apart, squared magnitude (process/cfar.hpp).
   /// Copies the compressed echo of a pulse; called from many threads at once.
   std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "math/fft.hpp"
 #include "process/canceller.hpp"
 #include "process/detection_peaks.hpp"
 #include "simulate/pulse_geometry.hpp"
@@ -34,6 +35,7 @@ class IntervalGroups {
         geometry_(*rows.plan->scene, rows.plan->radar),
         interval_(coherent_interval(options)),
         weights_(pulse_weights(interval_)),
+        cfar_(detector_of(rows, options)),
         prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
     interval_.step = options.step_pulses();
   }
@@ -109,7 +111,7 @@ class IntervalGroups {
   void detect_in(SearchInterval& interval, std::span<const std::complex<float>> moving,
                  const WorkControl& control) const {
     const std::vector<float> power = power_of(interval.map);
-    std::vector<CfarDetection> found = detect_cfar(power, rows_.samples(), options_.cfar, control);
+    std::vector<CfarDetection> found = detect_cfar(power, rows_.samples(), cfar_, control);
     if (!options_.all_cells) found = peaks_of(found, power, rows_.samples());
     for (const CfarDetection& cell : found) interval.detections.push_back(detection_of(interval, cell, moving));
   }
@@ -124,7 +126,7 @@ class IntervalGroups {
     detection.azimuth_rad = azimuth_rad(interval.beam_world);
     detection.magnitude_v = std::sqrt(cell.power);
     detection.threshold_v = std::sqrt(cell.threshold);
-    const double noise_w = noise_power(cell, options_.cfar);
+    const double noise_w = noise_power(cell, cfar_);
     detection.snr = noise_w > 0.0 ? cell.power / noise_w : std::numeric_limits<double>::infinity();
     refine(interval, moving, detection);
     return detection;
@@ -167,6 +169,7 @@ class IntervalGroups {
   PulseGeometry geometry_;
   CoherentInterval interval_;
   std::vector<double> weights_;
+  CfarOptions cfar_;
   double prf_hz_;
   std::size_t first_held_ = 0;
   std::vector<std::complex<float>> pulses_;  // from first_held_ on
@@ -191,6 +194,21 @@ CoherentInterval coherent_interval(const SearchOptions& options) {
       return weight((x - 0.5) * (n - 1.0) / n);
     };
   return interval;
+}
+
+CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options) {
+  CfarOptions cfar = options.cfar;
+  std::vector<double> along_rows{1.0};
+  if (cfar.reference_rows > 0) {
+    // The rows of a map are a transform: their correlation is that of the squared weights.
+    std::vector<std::complex<double>> weights(options.rows());
+    std::ranges::transform(pulse_weights(coherent_interval(options)), weights.begin(), [](double w) { return w * w; });
+    Fft(weights.size()).forward(weights);
+    along_rows.resize(weights.size());
+    for (std::size_t m = 0; m < weights.size(); ++m) along_rows[m] = std::norm(weights[m] / weights[0]);
+  }
+  cfar.independence = independence(rows.noise_correlation, along_rows, cfar);
+  return cfar;
 }
 
 void each_interval(const PulseRows& rows, const SearchOptions& options, const WorkControl& control,

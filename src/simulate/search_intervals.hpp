@@ -38,6 +38,10 @@ struct SearchOptions {
 /// The interval as range_doppler_maps takes it.
 [[nodiscard]] CoherentInterval coherent_interval(const SearchOptions& options);
 
+/// The detector for maps of those pulses: `options.cfar` with what a reference cell is worth. Samples of range are
+/// correlated by the matched filter, Doppler rows, where the reference has more than one, by window and zeros.
+[[nodiscard]] CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options);
+
 /// Something that stands out of the noise.
 struct SearchDetection {
   std::size_t interval = 0;

@@ -140,6 +140,7 @@ TEST(SearchIntervals, MeasureTheRatioToTheNoise) {
     SearchOptions options;
     options.pulses = 64;
     options.cfar.kind = kind;
+    options.cfar.false_alarm = 1e-3;
     options.cfar.guard_columns = 4;
     options.cfar.reference_columns = 20;
     double mean = 0.0;

@@ -16,13 +16,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The ratio at which a steady target is found in half of all cases.
-double even_snr(const SearchOptions& options) {
+double even_snr(const CfarOptions& cfar, std::size_t rows) {
   double low = 0.0;
   double high = 1.0;
-  while (high < 1e5 && steady_probability(options, high) < 0.5) high *= 2.0;
+  while (high < 1e5 && steady_probability(cfar, rows, high) < 0.5) high *= 2.0;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
-    (steady_probability(options, middle) < 0.5 ? low : high) = middle;
+    (steady_probability(cfar, rows, middle) < 0.5 ? low : high) = middle;
   }
   return high;
 }
@@ -54,14 +54,16 @@ double noise_gain(const std::vector<double>& weights, std::size_t canceller, dou
 
 }  // namespace
 
-double steady_probability(const SearchOptions& options, double snr) {
-  const std::size_t cells = reference_cells(options.cfar, options.rows());
-  if (cells == 0) return 0.0;
-  const double false_alarm = options.cfar.false_alarm;
-  if (options.cfar.kind == CfarOptions::Kind::cell_averaging)
-    return cell_averaging_steady_probability(cells, cell_averaging_factor(cells, false_alarm), snr);
-  const std::size_t rank = cfar_rank(cells, options.cfar.rank_share);
-  return ordered_statistic_steady_probability(cells, rank, ordered_statistic_factor(cells, rank, false_alarm), snr);
+double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr) {
+  const std::size_t all = reference_cells(cfar, rows);
+  if (all == 0) return 0.0;
+  const double worth = std::round(cfar.independence * static_cast<double>(all));
+  const std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
+  if (cfar.kind == CfarOptions::Kind::cell_averaging)
+    return cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr);
+  const std::size_t rank = cfar_rank(cells, cfar.rank_share);
+  return ordered_statistic_steady_probability(cells, rank, ordered_statistic_factor(cells, rank, cfar.false_alarm),
+                                              snr);
 }
 
 SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options)
@@ -77,7 +79,7 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
         (static_cast<double>(row) - static_cast<double>(options.rows() / 2)) / static_cast<double>(options.rows());
     noise_w_.push_back(rows.noise_w * noise_gain(weights_, options.canceller, cycles));
   }
-  if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(options);
+  if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(detector_of(rows, options), options.rows());
   targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
 }
@@ -166,8 +168,9 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
   const std::vector<TargetSight> seen_now = sights(interval);
   for (TargetFinding& finding : targets_) {
     const TargetSight& seen = seen_now[finding.target];
-    if (!seen.in_window || !(seen.amplitude_v > 0.0)) continue;
-    if (seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
+    if (!seen.in_window) continue;
+    if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
+    if (!(seen.amplitude_v > 0.0)) continue;
     if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
     for (std::size_t d = 0; d < of.size(); ++d) {
       const double away = distance(interval.detections[d], seen);
@@ -191,9 +194,10 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
 
 std::vector<TargetFinding> SearchTargets::findings() const {
   std::vector<TargetFinding> findings = targets_;
+  const CfarOptions cfar = detector_of(rows_, options_);
   for (TargetFinding& finding : findings)
-    if (certain_snr_ > 0.0 && finding.sight.amplitude_v > 0.0)
-      finding.probability = steady_probability(options_, finding.sight.snr);
+    if (certain_snr_ > 0.0 && finding.sight.in_window)
+      finding.probability = steady_probability(cfar, options_.rows(), finding.sight.snr);
   return findings;
 }
 

@@ -66,7 +66,8 @@ class SearchTargets {
   std::vector<TargetFinding> targets_;
 };
 
-/// Probability of detecting a steady target of that ratio in a cell far from the map's edges.
-[[nodiscard]] double steady_probability(const SearchOptions& options, double snr);
+/// Probability of detecting a steady target of that ratio in a cell far from the edges of a map of `rows` rows; of
+/// correlated reference cells as many count as they are worth, a whole number.
+[[nodiscard]] double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr);
 
 }  // namespace sarsim

@@ -146,17 +146,38 @@ TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
 }
 
 TEST(SteadyProbability, IsThatOfTheDetectorChosen) {
-  SearchOptions options;
-  options.pulses = 8;
-  options.cfar.reference_columns = 10;
-  const double ca = steady_probability(options, 20.0);
+  CfarOptions cfar;
+  cfar.reference_columns = 10;
+  const double ca = steady_probability(cfar, 8, 20.0);
   EXPECT_EQ(ca, cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-6), 20.0));
-  options.cfar.kind = CfarOptions::Kind::ordered_statistic;
-  EXPECT_EQ(steady_probability(options, 20.0),
+  cfar.kind = CfarOptions::Kind::ordered_statistic;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
             ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-6), 20.0));
-  EXPECT_LT(steady_probability(options, 20.0), ca);
-  options.cfar.reference_columns = options.cfar.guard_columns;
-  EXPECT_EQ(steady_probability(options, 20.0), 0.0);
+  EXPECT_LT(steady_probability(cfar, 8, 20.0), ca);
+  cfar.independence = 0.5;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
+            ordered_statistic_steady_probability(8, 6, ordered_statistic_factor(8, 6, 1e-6), 20.0));
+  cfar.reference_columns = cfar.guard_columns;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0), 0.0);
+}
+
+TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {
+  const PulseRows rows = pulse_rows_of(pulse_scene(0.0, 64));
+  SearchOptions options;
+  options.pulses = 64;
+  // Hamming's weights, which are worth 1/1.36 of the band in noise, squared in power: about half of the samples.
+  const double alone = detector_of(rows, options).independence;
+  EXPECT_GT(alone, 0.35);
+  EXPECT_LT(alone, 0.6);
+  options.cfar.reference_rows = 2;
+  EXPECT_NEAR(detector_of(rows, options).independence, alone, 1e-3);
+  // Twice as many rows as pulses are worth half as much.
+  options.frequencies = 128;
+  EXPECT_NEAR(detector_of(rows, options).independence, 0.5 * alone, 2e-3);
+  options.frequencies = 0;
+  options.window.kind = SarWindow::Kind::hann;
+  // Neighbours of Hann's rows are correlated by 2/3, the next by 1/6.
+  EXPECT_NEAR(detector_of(rows, options).independence, alone / (1.0 + 8.0 / 9.0 + 2.0 / 36.0), 3e-3);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,7 @@ inline std::vector<SearchInterval> intervals_of(const PulseRows& rows, const Sea
 }
 
 inline const SearchDetection& strongest(const SearchInterval& interval) {
+  if (interval.detections.empty()) throw std::runtime_error("nothing was detected");
   return *std::ranges::max_element(interval.detections, {}, &SearchDetection::magnitude_v);
 }
 
