@@ -11,10 +11,10 @@ namespace sarsim::cli {
 
 /// Part of the ground that a picture shows.
 struct PictureArguments {
-  std::optional<double> pixel_m;
-  std::optional<double> extent_m;
-  std::optional<double> height_m;   ///< World z of the plane that ranges are projected to; default 0.
-  std::optional<std::size_t> scan;  ///< Turn of the antenna, from 0; default: all.
+  std::optional<double> pixel_m{};
+  std::optional<double> extent_m{};
+  std::optional<double> height_m{};   ///< World z of the plane that ranges are projected to; default 0.
+  std::optional<std::size_t> scan{};  ///< Turn of the antenna, from 0; default: all.
 };
 
 /// Distance on a plane `height_m` below the antenna of what lies at a slant range; 0 for what is nearer than the plane.

@@ -81,6 +81,26 @@ TEST(CfarFactor, BetweenWholeNumbersOfCellsGoesOnAsTheFormulasDo) {
   EXPECT_EQ(cfar_factor(32, options), few);
 }
 
+TEST(DetectCfar, HasNoMoreFalseAlarmsAtTheEdgesOfAMap) {
+  constexpr std::size_t columns = 20, rows = 40000;
+  const std::vector<float> map = noise_map(columns * rows, 16);
+  for (const Kind kind : {Kind::cell_averaging, Kind::ordered_statistic}) {
+    CfarOptions options;
+    options.kind = kind;
+    options.false_alarm = 1e-3;
+    options.reference_columns = 8;
+    options.guard_columns = 1;
+    double found = 0.0;
+    for (const CfarDetection& d : detect_cfar(map, columns, options, one)) {
+      const bool edge = d.column < 2 || d.column >= columns - 2;
+      EXPECT_EQ(d.reference_cells == 7u, edge);
+      found += edge ? 1.0 : 0.0;
+    }
+    // Pairs of neighbours share most of their reference cells.
+    EXPECT_NEAR(found, 4e-3 * rows, 5.0 * std::sqrt(2.0 * 4e-3 * rows));
+  }
+}
+
 using Filter = std::vector<std::complex<double>>;
 
 TEST(PowerCorrelation, IsThatOfFilteredNoise) {

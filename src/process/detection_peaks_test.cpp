@@ -35,11 +35,13 @@ TEST(DetectionPeaks, KeepOneCellOfEachResponse) {
 }
 
 TEST(DetectionPeaks, TakeTheFirstDopplerRowForANeighbourOfTheLast) {
-  std::vector<float> map(8 * 4, 0.0F);
-  map[0 * 4 + 2] = 6.0F;
-  map[7 * 4 + 2] = 5.0F;
-  map[7 * 4 + 0] = 4.0F;
-  EXPECT_EQ(places(peaks_of(all_cells_of(map, 4, 1.0F), map, 4)), (Places{{0, 2}, {7, 0}}));
+  std::vector<float> map(8 * 9, 0.0F);
+  map[0 * 9 + 2] = 6.0F;
+  map[7 * 9 + 2] = 5.0F;
+  map[7 * 9 + 0] = 4.0F;
+  map[0 * 9 + 6] = 5.0F;
+  map[7 * 9 + 7] = 6.0F;
+  EXPECT_EQ(places(peaks_of(all_cells_of(map, 9, 1.0F), map, 9)), (Places{{0, 2}, {7, 0}, {7, 7}}));
 }
 
 TEST(DetectionPeaks, KeepTheFirstOfEqualNeighbours) {
