@@ -1,6 +1,7 @@
 #include "cli/doppler_report.hpp"
 
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -116,8 +117,10 @@ void DetectionTable::finish() {
 }
 
 std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler) {
+  constexpr std::size_t most = 20;
   std::string text;
-  for (const TargetFinding& finding : findings) text += finding_text(finding, doppler);
+  for (const TargetFinding& finding : findings | std::views::take(most)) text += finding_text(finding, doppler);
+  if (findings.size() > most) text += fmt::format("and {} more targets; --json lists them\n", findings.size() - most);
   return text;
 }
 

@@ -41,7 +41,7 @@ class DetectionTable {
   std::size_t count_ = 0;
 };
 
-/// The targets of a script and what became of them: a line of names, then one for each.
+/// The first targets of a script and what became of them, a line or two for each.
 [[nodiscard]] std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler);
 
 void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bool doppler);

@@ -200,6 +200,9 @@ Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
   if (options.frequencies > 0 && options.frequencies < options.pulses)
     refuse("a map has fewer Doppler frequencies than an interval has pulses", fmt::format("{}", options.frequencies),
            fmt::format("at least {}", options.pulses), "give --frequencies more");
+  if (options.pulses == 1 && options.frequencies > 1)
+    refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
+           "give --interval more, or leave out --frequencies");
   if (options.detect && reference_cells(options.cfar, options.rows()) == 0)
     refuse("no reference cells are left outside the guard",
            fmt::format("--train {} --guard {}", options.cfar.reference_columns, options.cfar.guard_columns),

@@ -7,7 +7,7 @@ namespace sarsim {
 
 /// What keeps the pulses of a plan from being worked on so, all at once: synthetic range profiles; intervals or a
 /// canceller over pulses that are not evenly spaced or change their carrier; more pulses than there are; fewer
-/// frequencies than pulses; no reference cells.
+/// frequencies than pulses, or more of single pulses; no reference cells.
 [[nodiscard]] Problems problems_of_search(const Plan& plan, const SearchOptions& options);
 
 /// What a user should know before, without errors: targets beyond the unambiguous Doppler frequencies and ranges, at

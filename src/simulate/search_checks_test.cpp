@@ -63,6 +63,8 @@ TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
   options.detect = false;
   options.frequencies = 64;
   EXPECT_TRUE(problems_of_search(plan, options).empty());
+  options.pulses = 1;
+  EXPECT_TRUE(mentions(problems_of_search(plan, options), Severity::error, "a single pulse has no Doppler"));
 }
 
 TEST(RemarksOnSearch, SayWhatFoldsAndWhatIsBlind) {
