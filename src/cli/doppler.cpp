@@ -46,7 +46,8 @@ class DopplerRun {
   [[nodiscard]] double doppler_step_hz() const { return prf_hz() / static_cast<double>(work_.options().rows()); }
   [[nodiscard]] double prf_hz() const { return 1.0 / work_.plan().radar.repetition.mean_interval_s(); }
   [[nodiscard]] double first_doppler_hz() const {
-    return -static_cast<double>(work_.options().rows() / 2) * doppler_step_hz();
+    const std::size_t rows_below_0 = work_.options().rows() / 2;
+    return -static_cast<double>(rows_below_0) * doppler_step_hz();
   }
   [[nodiscard]] double carrier_hz() const { return work_.plan().radar.carrier.carrier_hz(work_.plan().pulses.first); }
   [[nodiscard]] double speed_of(double doppler_hz) const {

@@ -87,7 +87,7 @@ double noise_of(std::vector<float>& cells, const CfarOptions& options) {
 // (std::lgamma writes a global variable: not to be called from several threads.)
 double log_gamma(double x) {
   double product = 1.0;
-  for (; x < 12.0; x += 1.0) product *= x;
+  while (x < 12.0) product *= x++;
   const double square = 1.0 / (x * x);
   const double series = (1.0 / 12.0 - square * (1.0 / 360.0 - square * (1.0 / 1260.0 - square / 1680.0))) / x;
   return (x - 0.5) * std::log(x) - x + 0.5 * std::log(2.0 * pi) + series - std::log(product);

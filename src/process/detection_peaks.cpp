@@ -94,7 +94,7 @@ double peak_frequency(std::span<const std::complex<double>> values, double near,
 }
 
 double peak_place(std::span<const std::complex<float>> line, std::size_t near) {
-  const double middle = static_cast<double>(near);
+  const auto middle = static_cast<double>(near);
   constexpr double reach = 0.6;  // Farther away lies the next sidelobe.
   const double low = std::max(0.0, middle - reach);
   const double high = std::min(middle + reach, static_cast<double>(line.size()) - 1.0);

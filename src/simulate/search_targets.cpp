@@ -74,9 +74,10 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
   const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
   cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
+  const std::size_t rows_below_0 = options.rows() / 2;
   for (std::size_t row = 0; row < options.rows(); ++row) {
     const double cycles =
-        (static_cast<double>(row) - static_cast<double>(options.rows() / 2)) / static_cast<double>(options.rows());
+        (static_cast<double>(row) - static_cast<double>(rows_below_0)) / static_cast<double>(options.rows());
     noise_w_.push_back(rows.noise_w * noise_gain(weights_, options.canceller, cycles));
   }
   if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(detector_of(rows, options), options.rows());
