@@ -69,21 +69,22 @@ PulseInput of_scene(const PulseInputArguments& arguments, const WorkControl& con
   return input;
 }
 
-// Of a file that carries its script, or of the one in --script.
-Scene scene_of_file(const PulseInputArguments& arguments, const SampleFileInfo* info, Problems& problems) {
-  if (!arguments.script.empty()) {
-    SceneInput input = read_scene(arguments.script, {}, Scrutiny::values);
-    expect_usable(input);
-    take(problems, std::move(input.problems));
-    return std::move(input.scene);
-  }
+Scene scene_of_script(const std::string& path, Problems& problems) {
+  SceneInput input = read_scene(path, {}, Scrutiny::values);
+  expect_usable(input);
+  take(problems, std::move(input.problems));
+  return std::move(input.scene);
+}
+
+// Of a file that carries its script.
+Scene scene_in_file(const std::string& path, const SampleFileInfo& info) {
   const auto script =
-      std::ranges::find(info->attributes, "script", [](const auto& attribute) { return attribute.first; });
-  if (script == info->attributes.end() || script->second.empty())
-    throw BadInput(fmt::format("'{}' does not say how it was recorded", arguments.path),
+      std::ranges::find(info.attributes, "script", [](const auto& attribute) { return attribute.first; });
+  if (script == info.attributes.end() || script->second.empty())
+    throw BadInput(fmt::format("'{}' does not say how it was recorded", path),
                    "give the script that wrote it with --script");
-  ScriptReading reading = read_script(script->second, arguments.path + " (its script)",
-                                      disk_loader(fs::path(arguments.path).parent_path()));
+  ScriptReading reading =
+      read_script(script->second, path + " (its script)", disk_loader(fs::path(path).parent_path()));
   if (!has_errors(reading.problems)) take(reading.problems, check(reading.scene));
   if (has_errors(reading.problems)) throw BadInput(ranked(std::move(reading.problems)));
   return std::move(reading.scene);
@@ -122,7 +123,8 @@ PulseInput of_file(const PulseInputArguments& arguments) {
   PulseInput input;
   std::optional<SampleFile> file;
   if (arguments.script.empty()) file = opened(arguments.path, {}, input.problems);
-  const Scene scene = scene_of_file(arguments, file ? &file->info() : nullptr, input.problems);
+  const Scene scene =
+      file ? scene_in_file(arguments.path, file->info()) : scene_of_script(arguments.script, input.problems);
   input.simulation = simulation_of_file(scene, arguments.path, arguments.simulation);
   expect_pulses(scene.simulations[input.simulation]);
   const auto plan = std::make_shared<const Plan>(make_plan(scene, input.simulation));
