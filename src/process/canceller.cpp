@@ -7,10 +7,7 @@
 
 namespace sarsim {
 
-namespace {
-
-// The coefficients of (z - 1)^order, those of the later pulses first in size of power.
-std::vector<double> binomial_weights(std::size_t order) {
+std::vector<double> canceller_weights(std::size_t order) {
   std::vector<double> weights{1.0};
   for (std::size_t n = 0; n < order; ++n) {
     weights.push_back(0.0);
@@ -20,15 +17,13 @@ std::vector<double> binomial_weights(std::size_t order) {
   return weights;
 }
 
-}  // namespace
-
 std::vector<std::complex<float>> cancelled(std::span<const std::complex<float>> volts, std::size_t samples,
                                            std::size_t order) {
   if (samples == 0 || volts.size() % samples != 0)
     throw std::invalid_argument("canceller: the samples are not a whole number of pulses");
   const std::size_t pulses = volts.size() / samples;
   if (pulses <= order) return {};
-  const std::vector<double> weights = binomial_weights(order);
+  const std::vector<double> weights = canceller_weights(order);
   std::vector<std::complex<float>> out((pulses - order) * samples);
   for (std::size_t i = 0; i < out.size(); ++i) {
     std::complex<double> sum;
@@ -44,7 +39,7 @@ double canceller_gain(std::size_t order, double doppler_hz, double prf_hz) {
 
 double canceller_noise_gain(std::size_t order) {
   double sum = 0.0;
-  for (const double w : binomial_weights(order)) sum += w * w;
+  for (const double w : canceller_weights(order)) sum += w * w;
   return sum;
 }
 

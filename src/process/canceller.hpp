@@ -17,6 +17,9 @@ namespace sarsim {
 [[nodiscard]] std::vector<std::complex<float>> cancelled(std::span<const std::complex<float>> volts,
                                                          std::size_t samples, std::size_t order);
 
+/// Its weights, those of the earliest pulse first: the coefficients of (z - 1)^order.
+[[nodiscard]] std::vector<double> canceller_weights(std::size_t order);
+
 /// Power gain of the canceller for a Doppler frequency: (2 sin(pi f/PRF))^(2 order).
 [[nodiscard]] double canceller_gain(std::size_t order, double doppler_hz, double prf_hz);
 

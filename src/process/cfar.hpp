@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,6 +27,10 @@ struct CfarOptions {
   std::size_t guard_rows = 0;
   std::size_t guard_columns = 2;
   double rank_share = 0.75;  ///< Kind::ordered_statistic: the rank over the number of reference cells, rounded up.
+  /// Independent cells that a reference cell is worth, above 0: 1 in white noise, less where neighbours are correlated
+  /// (see `independence`). The factors are then those for so many cells fewer: exact no more, but a mean's variance is
+  /// right.
+  double independence = 1.0;
 };
 
 /// A cell that stands out.
@@ -35,7 +40,37 @@ struct CfarDetection {
   double power = 0.0;
   double noise = 0.0;      ///< Mean, or statistic, of the reference cells.
   double threshold = 0.0;  ///< Factor times `noise`.
+  std::size_t reference_cells = 0;
 };
+
+/// Mean power of the noise by a cell's reference: the mean itself, or the statistic over what it is on the average in
+/// noise of power 1, the sum over i = 0 ... rank - 1 of 1/(N - i).
+[[nodiscard]] double noise_power(const CfarDetection& detection, const CfarOptions& options);
+
+/// Rank that `CfarOptions::rank_share` means among so many cells.
+[[nodiscard]] std::size_t cfar_rank(std::size_t cells, double share);
+
+/// Reference cells of a cell far from the edges of a map of `rows` rows.
+[[nodiscard]] std::size_t reference_cells(const CfarOptions& options, std::size_t rows);
+
+/// Factor on the noise for a cell with so many reference cells.
+[[nodiscard]] double cfar_factor(std::size_t cells, const CfarOptions& options);
+
+/// |rho[m]|^2, m = 0, 1 ..., rho being the correlation of white noise that passed a filter.
+[[nodiscard]] std::vector<double> power_correlation(std::span<const std::complex<double>> filter);
+
+/// Independent cells that one of many is worth for the noise that a detector finds, by the correlation of their complex
+/// numbers; for `CfarOptions::independence`. It is 1 over the sum of the correlations of what is averaged: of powers,
+/// |rho|^2, for the mean; for the statistic of whether they exceed its quantile, q = -ln(1 - share) in noise of power
+/// 1,
+///
+///     sum over n >= 1 of |rho|^2n (L[n](q) - L[n - 1](q))^2 exp(-q)/(1 - exp(-q)),
+///
+/// L being Laguerre's polynomials (the bivariate exponential distribution: W. F. Kibble, Sankhya 5, 1941).
+/// @param along_columns  |rho|^2 at distances 0, 1 ... to either side
+/// @param along_rows     at distances 0, 1 ... all the way round; 1 alone for references in the cell's own row
+[[nodiscard]] double independence(std::span<const double> along_columns, std::span<const double> along_rows,
+                                  const CfarOptions& options);
 
 /// Looks at every cell of a map; at its edges the cells that there are count, with the factor for their number. Cells
 /// without reference cells are passed over.

@@ -59,6 +59,122 @@ TEST(DetectCfar, HasTheFalseAlarmsItPromises) {
     }
 }
 
+TEST(CfarFactor, BetweenWholeNumbersOfCellsGoesOnAsTheFormulasDo) {
+  CfarOptions options;
+  options.false_alarm = 1e-5;
+  const double whole = cfar_factor(16, options);
+  options.independence = 0.5;
+  EXPECT_NEAR(cfar_factor(32, options), whole, 1e-9 * whole);
+  options.independence = 0.52;
+  EXPECT_LT(cfar_factor(32, options), whole);
+  options.kind = Kind::ordered_statistic;
+  // The middle of rank 24 of 32 is as far up as that of rank 12.25 of 16.
+  options.independence = 0.5;
+  EXPECT_LT(cfar_factor(32, options), ordered_statistic_factor(16, 12, 1e-5));
+  EXPECT_GT(cfar_factor(32, options), ordered_statistic_factor(16, 13, 1e-5));
+  options.independence = 1.0 - 1e-12;
+  EXPECT_NEAR(cfar_factor(32, options), ordered_statistic_factor(32, 24, 1e-5), 1e-6);
+  // However little a cell is worth, they are worth one.
+  options.independence = 1e-6;
+  const double few = cfar_factor(32, options);
+  options.independence = 1.0 / 32.0;
+  EXPECT_EQ(cfar_factor(32, options), few);
+}
+
+TEST(DetectCfar, HasNoMoreFalseAlarmsAtTheEdgesOfAMap) {
+  constexpr std::size_t columns = 20, rows = 40000;
+  const std::vector<float> map = noise_map(columns * rows, 16);
+  for (const Kind kind : {Kind::cell_averaging, Kind::ordered_statistic}) {
+    CfarOptions options;
+    options.kind = kind;
+    options.false_alarm = 1e-3;
+    options.reference_columns = 8;
+    options.guard_columns = 1;
+    double found = 0.0;
+    for (const CfarDetection& d : detect_cfar(map, columns, options, one)) {
+      const bool edge = d.column < 2 || d.column >= columns - 2;
+      EXPECT_EQ(d.reference_cells == 7u, edge);
+      found += edge ? 1.0 : 0.0;
+    }
+    // Pairs of neighbours share most of their reference cells.
+    EXPECT_NEAR(found, 4e-3 * rows, 5.0 * std::sqrt(2.0 * 4e-3 * rows));
+  }
+}
+
+using Filter = std::vector<std::complex<double>>;
+
+TEST(PowerCorrelation, IsThatOfFilteredNoise) {
+  EXPECT_EQ(power_correlation(Filter{{0.0, 2.0}}), std::vector<double>{1.0});
+  EXPECT_EQ(power_correlation({}), std::vector<double>{1.0});
+  const auto turned = power_correlation(Filter{1.0, {0.0, 2.0}, 1.0});
+  ASSERT_EQ(turned.size(), 3u);
+  // (1 2j + 2 1)... of an energy of 6: |2j - 2j|^2 = 0 beside it, 1/36 two apart.
+  EXPECT_NEAR(turned[1], 0.0, 1e-15);
+  EXPECT_NEAR(turned[2], 1.0 / 36.0, 1e-15);
+}
+
+TEST(Independence, OfAMeanIsThatOfItsVariance) {
+  const CfarOptions options;
+  const std::vector<double> alone{1.0}, pair{1.0, 0.25};
+  EXPECT_EQ(independence(alone, alone, options), 1.0);
+  EXPECT_NEAR(independence(pair, alone, options), 1.0 / 1.5, 1e-12);
+  // Three rows, all the way round.
+  EXPECT_NEAR(independence(pair, std::vector<double>{1.0, 0.1, 0.1}, options), 1.0 / (1.5 * 1.2), 1e-12);
+}
+
+TEST(Independence, OfAStatisticIsThatOfExceedingIt) {
+  CfarOptions options;
+  options.kind = Kind::ordered_statistic;
+  const std::vector<double> alone{1.0};
+  // Pairs of correlated powers, counted where both exceed the quantile.
+  std::mt19937_64 random(15);
+  std::normal_distribution<double> normal(0.0, std::sqrt(0.5));
+  for (const double power : {0.1, 0.5, 0.9}) {
+    const double quantile = -std::log(0.25);
+    constexpr int pairs = 400000;
+    double both = 0.0;
+    for (int i = 0; i < pairs; ++i) {
+      const std::complex<double> a(normal(random), normal(random)), b(normal(random), normal(random));
+      const std::complex<double> c = std::sqrt(power) * a + std::sqrt(1.0 - power) * b;
+      both += std::norm(a) > quantile && std::norm(c) > quantile ? 1.0 : 0.0;
+    }
+    const double correlation = (both / pairs - 0.0625) / 0.1875;
+    // The share of pairs has a standard deviation of at most 0.5/632.
+    EXPECT_NEAR(1.0 / independence(std::vector<double>{1.0, power}, alone, options), 1.0 + 2.0 * correlation, 0.042)
+        << power;
+  }
+}
+
+TEST(DetectCfar, KeepsItsFalseAlarmsWhereNeighboursAreCorrelated) {
+  std::mt19937_64 random(14);
+  std::normal_distribution<double> normal;
+  const Filter filter{0.5, {0.3, 0.9}, {0.2, 0.9}, {0.0, 0.4}};
+  const std::size_t columns = 1000, rows = 1000;
+  std::vector<float> map;
+  for (std::size_t r = 0; r < rows; ++r) {
+    std::vector<std::complex<double>> white(columns + filter.size());
+    for (auto& w : white) w = {normal(random), normal(random)};
+    for (std::size_t c = 0; c < columns; ++c) {
+      std::complex<double> sum;
+      for (std::size_t k = 0; k < filter.size(); ++k) sum += filter[k] * white[c + k];
+      map.push_back(static_cast<float>(std::norm(sum)));
+    }
+  }
+  for (const Kind kind : {Kind::cell_averaging, Kind::ordered_statistic}) {
+    CfarOptions options;
+    options.kind = kind;
+    options.false_alarm = 1e-3;
+    options.guard_columns = 4;
+    options.reference_columns = 14;
+    const double expected = 1e-3 * static_cast<double>(map.size());
+    // Neighbours raise the variance of the count, at most threefold.
+    const double spread = 5.0 * std::sqrt(3.0 * expected);
+    EXPECT_GT(static_cast<double>(detect_cfar(map, columns, options, one).size()), expected + spread);
+    options.independence = independence(power_correlation(filter), std::vector<double>{1.0}, options);
+    EXPECT_NEAR(static_cast<double>(detect_cfar(map, columns, options, one).size()), expected, spread);
+  }
+}
+
 TEST(DetectCfar, FindsFluctuatingTargetsAsOftenAsTheFormulasSay) {
   std::mt19937_64 random(12);
   std::exponential_distribution<double> power(1.0);
@@ -179,6 +295,9 @@ TEST(DetectCfar, RefusesWhatMakesNoSense) {
   refuses(10, 1.0, 0.5);
   refuses(10, 0.1, 0.0);
   refuses(10, 0.1, 1.1);
+  CfarOptions options;
+  options.independence = 0.0;
+  EXPECT_THROW((void)detect_cfar(map, 10, options, one), std::invalid_argument);
 }
 
 }  // namespace

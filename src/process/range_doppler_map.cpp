@@ -14,8 +14,9 @@ void expect(bool right, const char* what) {
   if (!right) throw std::invalid_argument(what);
 }
 
-// Weights over the pulses, sum 1.
-std::vector<double> weights_of(const CoherentInterval& interval) {
+}  // namespace
+
+std::vector<double> pulse_weights(const CoherentInterval& interval) {
   std::vector<double> weights(interval.pulses, 1.0);
   if (interval.window && interval.pulses > 1)
     for (std::size_t p = 0; p < interval.pulses; ++p)
@@ -26,8 +27,6 @@ std::vector<double> weights_of(const CoherentInterval& interval) {
   for (double& w : weights) w /= sum;
   return weights;
 }
-
-}  // namespace
 
 std::vector<RangeDopplerMap> range_doppler_maps(std::span<const std::complex<float>> volts, std::size_t samples,
                                                 double prf_hz, const CoherentInterval& interval,
@@ -40,7 +39,7 @@ std::vector<RangeDopplerMap> range_doppler_maps(std::span<const std::complex<flo
   const std::size_t pulses = volts.size() / samples;
   const std::size_t step = interval.step > 0 ? interval.step : interval.pulses;
   const std::size_t size = interval.frequencies > 0 ? interval.frequencies : interval.pulses;
-  const std::vector<double> weights = weights_of(interval);
+  const std::vector<double> weights = pulse_weights(interval);
   const Fft fft(size);
   std::vector<RangeDopplerMap> maps;
   for (std::size_t first = 0; first + interval.pulses <= pulses; first += step) {

@@ -18,6 +18,10 @@ struct CoherentInterval {
   WindowFunction window;        ///< Over the pulses, argument 0 at the first and 1 at the last; empty: none.
 };
 
+/// Weights of the pulses of an interval; their sum is 1.
+/// @throw  std::invalid_argument where the weights of the window cancel
+[[nodiscard]] std::vector<double> pulse_weights(const CoherentInterval& interval);
+
 /// One coherent interval. Row k is the Doppler frequency first_doppler_hz + k doppler_step_hz, from -PRF/2 on;
 /// approaching targets are positive. A target of constant speed in the middle of a cell keeps its amplitude: values are
 /// the weighted mean of the pulses, turned.

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/doppler_input.hpp"
+#include "simulate/search_intervals.hpp"
+
+namespace sarsim::cli {
+
+enum class Canceller { none, two, three };
+enum class Detector { cell_averaging, ordered_statistic, none };
+
+/// What the commands that work on pulses take alike.
+struct SearchArguments {
+  PulseInputArguments input;
+  std::string output;
+  std::string detections;
+  std::optional<std::int64_t> interval;
+  std::optional<std::int64_t> step;
+  std::optional<std::int64_t> frequencies;
+  std::string window;
+  std::optional<Canceller> canceller;
+  std::optional<Detector> detector;
+  std::string guard;
+  std::string train;
+  std::optional<double> false_alarm;
+  std::optional<double> rank;
+  std::optional<std::int64_t> threads;
+  bool all_cells = false;
+  bool no_map = false;
+  bool force = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Adds the input and all options that they share.
+/// @param output       what --out writes, for the help
+/// @param usual_pulses of an interval, for the help
+void add_search_arguments(CLI::App& app, SearchArguments& arguments, const std::string& output,
+                          const std::string& usual_pulses);
+
+/// The options of the work; throws BadInput with every mistake.
+/// @param usual_pulses  of an interval, where none are given
+[[nodiscard]] SearchOptions search_options(const SearchArguments& arguments, const PulseRows& rows,
+                                           std::size_t usual_pulses);
+
+[[nodiscard]] const char* word_of(Detector detector);
+
+}  // namespace sarsim::cli

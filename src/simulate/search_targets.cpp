@@ -1,0 +1,205 @@
+#include "simulate/search_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "base/constants.hpp"
+#include "process/canceller.hpp"
+#include "process/steady_target.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The ratio at which a steady target is found in half of all cases.
+double even_snr(const CfarOptions& cfar, std::size_t rows) {
+  double low = 0.0;
+  double high = 1.0;
+  while (high < 1e5 && steady_probability(cfar, rows, high) < 0.5) high *= 2.0;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (steady_probability(cfar, rows, middle) < 0.5 ? low : high) = middle;
+  }
+  return high;
+}
+
+// Within half a period of 0.
+double folded(double value, double period) { return value - period * std::floor(value / period + 0.5); }
+
+std::size_t nearest_index(const std::vector<double>& ascending, double value) {
+  const auto after = std::ranges::lower_bound(ascending, value);
+  if (after == ascending.begin()) return 0;
+  if (after == ascending.end()) return ascending.size() - 1;
+  const auto index = static_cast<std::size_t>(after - ascending.begin());
+  return value - ascending[index - 1] < ascending[index] - value ? index - 1 : index;
+}
+
+// Power of white noise of power 1 in a row of the map: the sum of the squares of what every pulse is multiplied with,
+// by the canceller and by the weights, turned.
+double noise_gain(const std::vector<double>& weights, std::size_t canceller, double cycles) {
+  const std::vector<double> differences = canceller_weights(canceller);
+  std::vector<std::complex<double>> filter(weights.size() + canceller);
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    const std::complex<double> turned = std::polar(weights[p], -2.0 * pi * cycles * static_cast<double>(p));
+    for (std::size_t k = 0; k < differences.size(); ++k) filter[p + k] += turned * differences[k];
+  }
+  double gain = 0.0;
+  for (const std::complex<double>& f : filter) gain += std::norm(f);
+  return gain;
+}
+
+}  // namespace
+
+double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr) {
+  const std::size_t all = reference_cells(cfar, rows);
+  if (all == 0) return 0.0;
+  const double worth = std::round(cfar.independence * static_cast<double>(all));
+  const std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
+  if (cfar.kind == CfarOptions::Kind::cell_averaging)
+    return cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr);
+  const std::size_t rank = cfar_rank(cells, cfar.rank_share);
+  return ordered_statistic_steady_probability(cells, rank, ordered_statistic_factor(cells, rank, cfar.false_alarm),
+                                              snr);
+}
+
+SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options)
+    : rows_(rows),
+      options_(options),
+      geometry_(*rows.plan->scene, rows.plan->radar),
+      weights_(pulse_weights(coherent_interval(options))),
+      prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
+  const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
+  cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
+  const std::size_t rows_below_0 = options.rows() / 2;
+  for (std::size_t row = 0; row < options.rows(); ++row) {
+    const double cycles =
+        (static_cast<double>(row) - static_cast<double>(rows_below_0)) / static_cast<double>(options.rows());
+    noise_w_.push_back(rows.noise_w * noise_gain(weights_, options.canceller, cycles));
+  }
+  if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(detector_of(rows, options), options.rows());
+  targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
+  for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
+}
+
+// Where the targets are in some pulses of an interval, taken together.
+std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
+  constexpr std::size_t most_looks = 5;
+  const std::size_t looks = std::min(most_looks, options_.recorded_pulses());
+  std::vector<TargetSight> sights(targets_.size());
+  for (std::size_t look = 0; look < looks; ++look) add_look(interval, look, looks, sights);
+  for (TargetSight& sight : sights) {
+    sight.interval = interval.number;
+    sight.time_s = interval.time_s;
+    sight.amplitude_v = std::abs(sight.amplitude_v) * rows_.peak_gain;
+    // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
+    const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
+    if (rate != 0.0) sight.range_m -= 0.5 * rows_.plan->scene->conventions.light_speed_mps * sight.doppler_hz / rate;
+    place(interval, sight);
+  }
+  return sights;
+}
+
+void SearchTargets::add_look(const SearchInterval& interval, std::size_t look, std::size_t looks,
+                             std::vector<TargetSight>& sights) {
+  const ResolvedScene& scene = *rows_.plan->scene;
+  const std::size_t pulse = looks > 1 ? look * (options_.recorded_pulses() - 1) / (looks - 1) : 0;
+  const double share = 1.0 / static_cast<double>(looks);
+  geometry_.set_pulse(rows_.number(interval.first_pulse + pulse));
+  const Pointing pointing = geometry_.pointing();
+  for (std::size_t t = 0; t < sights.size(); ++t) {
+    const ScattererView view = geometry_.view(t, pointing);
+    TargetSight& sight = sights[t];
+    sight.range_m += share * 0.5 * scene.conventions.light_speed_mps * view.delay_s;
+    sight.amplitude_v += share * view.amplitude_sqrt_w;
+    sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / scene.conventions.light_speed_mps;
+    if (look != looks / 2) continue;
+    const Scatterer& scatterer = scene.scatterers[t];
+    sight.azimuth_rad = azimuth_rad(world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
+                                    geometry_.radar_pose().position_world_m);
+  }
+}
+
+// The cell, and what of the echoes' amplitude and of the noise comes there.
+void SearchTargets::place(const SearchInterval& interval, TargetSight& sight) const {
+  const double step_m = rows_.samples() > 1 ? rows_.range_m[1] - rows_.range_m[0] : cell_m_;
+  sight.in_window =
+      sight.range_m > rows_.range_m.front() - 0.5 * step_m && sight.range_m < rows_.range_m.back() + 0.5 * step_m;
+  sight.column = nearest_index(rows_.range_m, sight.range_m);
+  double cell_hz = 0.0;
+  if (options_.pulses > 1) {
+    sight.seen_doppler_hz = folded(sight.doppler_hz, prf_hz_);
+    const auto rows = static_cast<double>(options_.rows());
+    const double row =
+        std::round((sight.seen_doppler_hz - interval.map.first_doppler_hz) / interval.map.doppler_step_hz);
+    sight.row = static_cast<std::size_t>(row - rows * std::floor(row / rows));
+    cell_hz = interval.map.doppler_hz(sight.row);
+  }
+  sight.amplitude_v *= response(sight.doppler_hz, cell_hz);
+  if (!(sight.amplitude_v > 0.0)) return;
+  const double noise_w = noise_w_[sight.row];
+  sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
+}
+
+// Of the pulses, cancelled and summed for one Doppler frequency, to another one.
+double SearchTargets::response(double doppler_hz, double cell_hz) const {
+  const std::complex<double> step = std::polar(1.0, 2.0 * pi * (doppler_hz - cell_hz) / prf_hz_);
+  std::complex<double> sum;
+  for (std::size_t p = weights_.size(); p-- > 0;) sum = sum * step + weights_[p];
+  return std::abs(sum) * std::sqrt(canceller_gain(options_.canceller, doppler_hz, prf_hz_));
+}
+
+// Of a detection from a target, in cells; no number where that is too far.
+double SearchTargets::distance(const SearchDetection& detection, const TargetSight& sight) const {
+  constexpr double reach = 1.5;
+  const double ranges = std::abs(detection.range_m - sight.range_m) / cell_m_;
+  double dopplers = 0.0;
+  if (options_.pulses > 1)
+    dopplers = std::abs(folded(detection.doppler_hz - sight.seen_doppler_hz, prf_hz_)) *
+               static_cast<double>(options_.pulses) / prf_hz_;
+  return ranges <= reach && dopplers <= reach ? std::hypot(ranges, dopplers) : infinity;
+}
+
+std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
+  std::vector<std::optional<std::size_t>> of(interval.detections.size());
+  std::vector<double> nearest(interval.detections.size(), infinity);
+  const std::vector<TargetSight> seen_now = sights(interval);
+  for (TargetFinding& finding : targets_) {
+    const TargetSight& seen = seen_now[finding.target];
+    if (!seen.in_window) continue;
+    if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
+    if (!(seen.amplitude_v > 0.0)) continue;
+    if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
+    for (std::size_t d = 0; d < of.size(); ++d) {
+      const double away = distance(interval.detections[d], seen);
+      if (!(away < nearest[d])) continue;
+      nearest[d] = away;
+      of[d] = finding.target;
+    }
+  }
+  for (TargetFinding& finding : targets_) {
+    bool found = false;
+    for (std::size_t d = 0; d < of.size(); ++d) {
+      if (of[d] != finding.target) continue;
+      found = true;
+      const SearchDetection& detection = interval.detections[d];
+      if (!finding.best || detection.magnitude_v > finding.best->magnitude_v) finding.best = detection;
+    }
+    if (found) ++finding.found;
+  }
+  return of;
+}
+
+std::vector<TargetFinding> SearchTargets::findings() const {
+  std::vector<TargetFinding> findings = targets_;
+  const CfarOptions cfar = detector_of(rows_, options_);
+  for (TargetFinding& finding : findings)
+    if (certain_snr_ > 0.0 && finding.sight.in_window)
+      finding.probability = steady_probability(cfar, options_.rows(), finding.sight.snr);
+  return findings;
+}
+
+}  // namespace sarsim

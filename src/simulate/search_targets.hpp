@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "simulate/search_intervals.hpp"
+
+namespace sarsim {
+
+/// A target as an interval should see it.
+struct TargetSight {
+  std::size_t interval = 0;
+  double time_s = 0.0;
+  double azimuth_rad = 0.0;      ///< Of the target, seen from the radar: from +y clockwise.
+  double range_m = 0.0;          ///< Where its compressed echo lies, range-Doppler coupling included.
+  double doppler_hz = 0.0;       ///< True one, positive approaching.
+  double seen_doppler_hz = 0.0;  ///< Within half the PRF.
+  std::size_t row = 0;           ///< Cell of the map.
+  std::size_t column = 0;
+  bool in_window = false;    ///< Its cell is among those recorded.
+  double amplitude_v = 0.0;  ///< In the map, at the middle of a range cell; Doppler between the cells taken off.
+  double snr = 0.0;          ///< Power over that of the receiver's noise there; infinite without noise.
+};
+
+/// What became of a target.
+struct TargetFinding {
+  std::size_t target = 0;             ///< Position in the scene's list, from 0.
+  TargetSight sight{};                ///< Of the interval that sees it strongest.
+  std::optional<double> probability;  ///< Of detection there, of a steady target; nothing without noise or detector.
+  std::size_t expected = 0;           ///< Intervals in which that is at least 1/2.
+  std::size_t found = 0;              ///< Intervals with a detection at its cell.
+  std::optional<SearchDetection> best{};  ///< The strongest of them.
+};
+
+/// Holds detections against the targets of the script, interval by interval. Of many targets the first 1000 are looked
+/// at.
+class SearchTargets {
+ public:
+  static constexpr std::size_t most = 1000;
+
+  /// Keeps references.
+  SearchTargets(const PulseRows& rows, const SearchOptions& options);
+
+  /// @return  for each detection of the interval the target it is of: the nearest of those whose cell is no farther
+  ///          than 1.5 cells away, a cell being what the waveform resolves or, where that is more, a sample; or nothing
+  std::vector<std::optional<std::size_t>> take(const SearchInterval& interval);
+
+  [[nodiscard]] std::vector<TargetFinding> findings() const;
+
+ private:
+  [[nodiscard]] std::vector<TargetSight> sights(const SearchInterval& interval);
+  void add_look(const SearchInterval& interval, std::size_t look, std::size_t looks, std::vector<TargetSight>& sights);
+  void place(const SearchInterval& interval, TargetSight& sight) const;
+  [[nodiscard]] double response(double doppler_hz, double cell_hz) const;
+  [[nodiscard]] double distance(const SearchDetection& detection, const TargetSight& sight) const;
+
+  const PulseRows& rows_;
+  const SearchOptions& options_;
+  PulseGeometry geometry_;
+  std::vector<double> weights_;
+  std::vector<double> noise_w_;  // of each row of a map
+  double prf_hz_;
+  double cell_m_;
+  double certain_snr_ = 0.0;  // Ratio at which a target is as often found as not; 0 where that means nothing.
+  std::vector<TargetFinding> targets_;
+};
+
+/// Probability of detecting a steady target of that ratio in a cell far from the edges of a map of `rows` rows; of
+/// correlated reference cells as many count as they are worth, a whole number.
+[[nodiscard]] double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr);
+
+}  // namespace sarsim

@@ -1,0 +1,184 @@
+#include "simulate/search_targets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "process/steady_target.hpp"
+#include "simulate/search_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+const double wavelength_m = exact_light_speed_mps / 10e9;
+
+std::vector<TargetFinding> findings_of(const PulseRows& rows, const SearchOptions& options) {
+  SearchTargets targets(rows, options);
+  for (const SearchInterval& interval : intervals_of(rows, options)) (void)targets.take(interval);
+  return targets.findings();
+}
+
+TEST(SearchTargets, KnowTheCellAndTheHeightOfATarget) {
+  for (const double speed_mps : {0.0, -12.4, 16.7, 95.0})
+    for (const std::size_t canceller : {0u, 1u, 2u})
+      for (const std::size_t frequencies : {0u, 150u}) {
+        if (speed_mps == 0.0 && canceller > 0) continue;
+        SearchOptions options;
+        options.pulses = 64;
+        options.canceller = canceller;
+        options.frequencies = frequencies;
+        options.window.kind = SarWindow::Kind::hamming;
+        const PulseRows rows = pulse_rows_of(pulse_scene(speed_mps, 66));
+        const TargetFinding finding = findings_of(rows, options).at(0);
+        ASSERT_TRUE(finding.best) << speed_mps << " " << canceller;
+        EXPECT_EQ(finding.best->row, finding.sight.row) << speed_mps;
+        EXPECT_EQ(finding.best->column, finding.sight.column) << speed_mps;
+        EXPECT_NEAR(finding.sight.doppler_hz, -2.0 * speed_mps / wavelength_m, 0.1);
+        EXPECT_NEAR(finding.best->doppler_hz, finding.sight.seen_doppler_hz, 1.0);
+        EXPECT_NEAR(finding.best->range_m, finding.sight.range_m, 0.5);
+        // A range cell's edge takes up to 1 dB of a Hamming-weighted chirp at 1.25 samples a cell.
+        EXPECT_LE(finding.best->magnitude_v, 1.001 * finding.sight.amplitude_v);
+        EXPECT_GE(finding.best->magnitude_v, 0.88 * finding.sight.amplitude_v);
+        EXPECT_TRUE(std::isinf(finding.sight.snr));
+        EXPECT_FALSE(finding.probability);
+        EXPECT_EQ(finding.found, 1u);
+      }
+}
+
+TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
+  Scene scene = noise_scene(2000, 100);
+  // A target that is no more than a place to look at.
+  scene.platforms.push_back(moving("Car", {0.0, 20e3, 0.0}, {0.0, -10.0, 0.0}));
+  scene.targets.push_back(target_on("Car", {}, 1e-9));
+  const PulseRows rows = pulse_rows_of(scene);
+  for (const std::size_t canceller : {0u, 2u}) {
+    SearchOptions options;
+    options.pulses = 16;
+    options.canceller = canceller;
+    options.window.kind = SarWindow::Kind::hamming;
+    const TargetFinding finding = findings_of(rows, options).at(0);
+    const double noise_w = finding.sight.amplitude_v * finding.sight.amplitude_v / finding.sight.snr;
+    double power = 0.0;
+    double count = 0.0;
+    for (const SearchInterval& interval : intervals_of(rows, options))
+      for (std::size_t n = 0; n < 100; ++n) {
+        power += static_cast<double>(std::norm(interval.map.values[finding.sight.row * 100 + n]));
+        count += 1.0;
+      }
+    EXPECT_NEAR(power / count / noise_w, 1.0, 5.0 / std::sqrt(count)) << canceller;
+  }
+}
+
+TEST(SearchTargets, PredictHowOftenTheyAreFound) {
+  constexpr int pulses = 4000;
+  Scene scene = noise_scene(pulses, 60);
+  const double step_m = 0.5 * exact_light_speed_mps / 1e6;
+  const double range_m = scene.simulations[0].range_start_m + 29.5 * step_m;
+  scene.targets.push_back(target_on("Earth", {0.0, range_m, 0.0}, 1e3));
+  const double echo_v = equation_amplitude(range_m, 1e3, wavelength_m);
+  scene.radars[0].noise_temperature_k = echo_v * echo_v / (9.0 * boltzmann_j_per_k * 1e6);
+  SearchOptions options;
+  options.cfar.false_alarm = 1e-4;
+  options.all_cells = true;
+  const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_NEAR(finding.sight.snr, 9.0, 1e-6);
+  const double wanted = cell_averaging_steady_probability(28, cell_averaging_factor(28, 1e-4), 9.0);
+  ASSERT_TRUE(finding.probability);
+  EXPECT_NEAR(*finding.probability, wanted, 1e-9);
+  EXPECT_EQ(finding.expected, wanted >= 0.5 ? std::size_t{pulses} : 0u);
+  // Detections in the cells beside it count as its own, too: false alarms, at most two cells' worth.
+  EXPECT_NEAR(static_cast<double>(finding.found) / pulses, wanted, 5.0 * std::sqrt(wanted * (1.0 - wanted) / pulses));
+}
+
+TEST(SearchTargets, GiveEachDetectionToTheNearest) {
+  Scene scene = pulse_scene(10.0, 64);
+  scene.targets.push_back(target_on("Earth", {0.0, 5150.0, 0.0}, 2.0));
+  SearchOptions options;
+  options.pulses = 64;
+  options.window.kind = SarWindow::Kind::hamming;
+  options.cfar.false_alarm = 1e-9;
+  const PulseRows rows = pulse_rows_of(scene);
+  SearchTargets targets(rows, options);
+  const SearchInterval interval = intervals_of(rows, options).at(0);
+  const auto of = targets.take(interval);
+  ASSERT_EQ(of.size(), interval.detections.size());
+  for (std::size_t d = 0; d < of.size(); ++d) {
+    const SearchDetection& detection = interval.detections[d];
+    const bool car = std::abs(detection.range_m - 5000.0) < 22.5 && std::abs(detection.speed_mps - 10.0) < 1.4;
+    const bool house = std::abs(detection.range_m - 5150.0) < 22.5 && std::abs(detection.speed_mps) < 1.4;
+    const auto wanted = car ? std::optional<std::size_t>(0) : house ? std::optional<std::size_t>(1) : std::nullopt;
+    EXPECT_EQ(of[d], wanted) << detection.range_m << " " << detection.speed_mps;
+  }
+  const auto findings = targets.findings();
+  EXPECT_EQ(findings.at(0).found, 1u);
+  EXPECT_EQ(findings.at(1).found, 1u);
+}
+
+TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
+  Scene scene = pulse_scene(0.0, 64);
+  scene.targets[0].position_m.y = 3000.0;
+  SearchOptions options;
+  options.pulses = 64;
+  const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_EQ(finding.sight.amplitude_v, 0.0);
+  EXPECT_EQ(finding.found, 0u);
+  EXPECT_FALSE(finding.best);
+}
+
+TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
+  // A long pulse of little bandwidth: 240 m/s shift its peak by 16 kHz/(1 MHz/100 us) = 1.6 us, 240 m.
+  for (const double bandwidth_hz : {1e6, -1e6}) {
+    Scene scene = pulse_scene(-240.0, 64);
+    scene.radars[0].bandwidth_hz = bandwidth_hz;
+    scene.radars[0].pulse_width_s = 100e-6;
+    scene.simulations[0].range_start_m = 3000.0;
+    scene.simulations[0].range_end_m = 7000.0;
+    scene.simulations[0].sample_rate_hz = 2e6;
+    SearchOptions options;
+    options.pulses = 32;
+    options.cfar.guard_columns = 4;
+    const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+    const double shift_m = finding.sight.range_m - (5000.0 - 240.0 * finding.sight.time_s);
+    EXPECT_NEAR(shift_m, bandwidth_hz > 0.0 ? -240.0 : 240.0, 2.0);
+    ASSERT_TRUE(finding.best);
+    EXPECT_NEAR(finding.best->range_m, finding.sight.range_m, 15.0);
+  }
+}
+
+TEST(SteadyProbability, IsThatOfTheDetectorChosen) {
+  CfarOptions cfar;
+  cfar.reference_columns = 10;
+  const double ca = steady_probability(cfar, 8, 20.0);
+  EXPECT_EQ(ca, cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-6), 20.0));
+  cfar.kind = CfarOptions::Kind::ordered_statistic;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
+            ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-6), 20.0));
+  EXPECT_LT(steady_probability(cfar, 8, 20.0), ca);
+  cfar.independence = 0.5;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
+            ordered_statistic_steady_probability(8, 6, ordered_statistic_factor(8, 6, 1e-6), 20.0));
+  cfar.reference_columns = cfar.guard_columns;
+  EXPECT_EQ(steady_probability(cfar, 8, 20.0), 0.0);
+}
+
+TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {
+  const PulseRows rows = pulse_rows_of(pulse_scene(0.0, 64));
+  SearchOptions options;
+  options.pulses = 64;
+  // Hamming's weights, which are worth 1/1.36 of the band in noise, squared in power: about half of the samples.
+  const double alone = detector_of(rows, options).independence;
+  EXPECT_GT(alone, 0.35);
+  EXPECT_LT(alone, 0.6);
+  options.cfar.reference_rows = 2;
+  EXPECT_NEAR(detector_of(rows, options).independence, alone, 1e-3);
+  // Twice as many rows as pulses are worth half as much.
+  options.frequencies = 128;
+  EXPECT_NEAR(detector_of(rows, options).independence, 0.5 * alone, 2e-3);
+  options.frequencies = 0;
+  options.window.kind = SarWindow::Kind::hann;
+  // Neighbours of Hann's rows are correlated by 2/3, the next by 1/6.
+  EXPECT_NEAR(detector_of(rows, options).independence, alone / (1.0 + 8.0 / 9.0 + 2.0 / 36.0), 3e-3);
+}
+
+}  // namespace
+}  // namespace sarsim
