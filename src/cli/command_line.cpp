@@ -38,6 +38,7 @@ struct Program {
     app.get_formatter()->column_width(34);
     app.allow_extras();
     add("run", "simulate: everything that a script asks for, or some of it", add_run);
+    add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);

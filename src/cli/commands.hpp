@@ -13,6 +13,7 @@ namespace sarsim::cli {
 using Action = std::function<ExitStatus(Streams&)>;
 
 [[nodiscard]] Action add_run(CLI::App& app);
+[[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);
 [[nodiscard]] Action add_format_command(CLI::App& app);
 [[nodiscard]] Action add_info(CLI::App& app);
