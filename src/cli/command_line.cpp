@@ -47,6 +47,7 @@ struct Program {
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
     add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
+    add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
     add("completion", "print a completion script for a shell",
         [this](CLI::App& command) { return add_completion(command, app); });
     add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
