@@ -299,6 +299,7 @@ class Sweeper {
     ProgressDisplay display(streams_.err, style(), "sweep");
     std::mutex lock;
     std::size_t finished = 0;
+    const std::size_t samples = mean_samples();
     const auto told = [&](const SweepRow& row) {
       if (row.done) journal.add(row);
     };
@@ -306,7 +307,7 @@ class Sweeper {
       parallel_ranges(open_.size(), 1, {jobs, streams_.stop}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) make_variation(open_[i], told);
         const std::scoped_lock hold(lock);
-        display.update({++finished, open_.size(), mean_samples()});
+        display.update({++finished, open_.size(), samples});
       });
     } catch (const Interrupted&) {
       if (!arguments_.quiet)

@@ -108,7 +108,7 @@ TEST_F(SweepResume, RefusesPartsThatDoNotExist) {
 
 TEST_F(SweepResume, ControlCLeavesFinishedVariationsForTheNextTime) {
   SceneText scene;
-  scene.pulses = 3000;
+  scene.pulses = 1500;
   scene.lsb_mv = "1e-6";
   write_scene(scene);
   Start start;
@@ -135,7 +135,7 @@ TEST_F(SweepResume, ControlCLeavesFinishedVariationsForTheNextTime) {
 
 TEST_F(SweepResume, SuddenDeathLosesNoFinishedVariation) {
   SceneText scene;
-  scene.pulses = 3000;
+  scene.pulses = 1500;
   scene.lsb_mv = "1e-6";
   write_scene(scene);
   Start start;
