@@ -10,6 +10,7 @@ Record verify_all(const Rules& rules) {
   record.group("Numbers of the thesis", measure_thesis);
   record.group("Engines", measure_engines);
   record.group("Statistics", measure_statistics);
+  record.group("Focusing", measure_focusing);
   if (!rules.quick) record.group("Speed", measure_speed);
   return record;
 }

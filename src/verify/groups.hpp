@@ -18,6 +18,9 @@ void measure_engines(Record& record);
 /// Moments, spectrum and independence of noise and jitter, within five standard deviations of what they must be.
 void measure_statistics(Record& record);
 
+/// A point focused to an image by synthetic aperture: place, phase, amplitude, widths and side lobes.
+void measure_focusing(Record& record);
+
 /// The time of the engines against that of a textbook's loop on one thread.
 void measure_speed(Record& record);
 
