@@ -65,8 +65,10 @@ std::string journal_line(const SweepRow& row) {
   std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, format_number(row.bytes),
                                  format_number(row.seconds), row.engine, row.lsb_estimated ? 1 : 0);
   line += fmt::format("\t{}\t{}", run.rows, run.columns);
-  for (const double value : {run.maximum_v, run.lsb_v, run.best_lsb_v, run.range_used})
-    line += "\t" + format_number(value);
+  for (const double value : {run.maximum_v, run.lsb_v, run.best_lsb_v, run.range_used}) {
+    line += '\t';
+    append_number(line, value);
+  }
   return line + fmt::format("\t{}\t{}\t.", run.saturated, run.zero);
 }
 

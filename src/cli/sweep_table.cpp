@@ -30,7 +30,7 @@ std::string product_name(const SweepFrame& frame, const SweepRow& row) {
 std::string heading(const SweepFrame& frame) {
   std::string line = "variation";
   for (const SweepAxis& axis : frame.sweep->axes())
-    line += "," + cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit()));
+    line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
   return line +
          ",product,file,status,rows,columns,bytes,maximum_v,lsb_v,lsb_estimated,best_lsb_v,range_used,saturated,zero,"
          "engine,seconds\n";
@@ -39,7 +39,7 @@ std::string heading(const SweepFrame& frame) {
 std::string line_of(const SweepFrame& frame, const SweepRow& row) {
   std::string line = std::to_string(row.variation + 1);
   for (std::size_t i = 0; i < frame.sweep->axes().size(); ++i)
-    line += "," + cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i)));
+    line += fmt::format(",{}", cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
   line += fmt::format(",{},{},{}", product_name(frame, row), cell(row.file), status_of(row));
   if (!row.done) return line + std::string(12, ',') + "\n";
   if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", format_number(row.bytes), row.seconds);
