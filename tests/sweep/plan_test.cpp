@@ -47,6 +47,22 @@ TEST_F(PlanCommand, SaysTheSameAsJson) {
   EXPECT_GE(member(plan.out, "trial_rows"), 1.0);
 }
 
+TEST_F(PlanCommand, TakesOtherValuesThanTheScripts) {
+  write_scene({});
+  const Finished plan = sarsim({"info", "scene.scr", "--plan", "--json", "--set", "Simulation1.sample_rate=200MHz",
+                                "--set", "Simulation1.time_end=39ms"});
+  EXPECT_EQ(plan.status, 0) << plan.err;
+  EXPECT_EQ(member(plan.out, "rows"), 40.0);
+  EXPECT_EQ(member(plan.out, "columns"), 667.0);
+  EXPECT_THAT(sarsim({"info", "scene.scr", "--set", "seed=17"}).out, HasSubstr("seed 17"));
+  const Finished wrong =
+      sarsim({"info", "scene.scr", "--set", "seed", "--set", "Radar1.bandwith=1", "--set", "Simulation1.bits=0"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("there is no '='"));
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean bandwidth?"));
+  EXPECT_THAT(wrong.err, HasSubstr("--set Simulation1.bits=0: "));
+}
+
 TEST_F(PlanCommand, RefusesWhatItCannotPlan) {
   write_scene({});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy"}).status, 0);
