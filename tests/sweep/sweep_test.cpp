@@ -213,6 +213,31 @@ TEST_F(SweepCommand, RefusesExistingFilesOnceForAll) {
   EXPECT_EQ(sarsim(words).status, 2);  // The table stands in the way, too.
 }
 
+// The target jumps to the radar for one pulse of 901, which is none of the 64 that the check looks at.
+TEST_F(SweepCommand, MakesTheOtherVariationsWhereOneMeetsAnImpossibleEcho) {
+  std::string text = SceneText{}.text();
+  const std::string path = "2 0, 0 1, 20 1 0, 1000 1 0, 0";
+  ASSERT_NE(text.find(path), std::string::npos);
+  text.replace(text.find(path), path.size(), "6 0 1000 0.7765 1000 0.7766 0 0.7774 0 0.7775 1000 2 1000, 1 0 0, 1 0 0");
+  text.replace(text.find("900 1400 0 0.019"), 16, "900 1400 0 0.9");
+  write_text(folder_ / "scene.scr", text);
+  const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "Target1.x=0,1,2", "--json"});
+  EXPECT_EQ(sweep.status, 2);
+  EXPECT_THAT(sweep.err, HasSubstr("error: Target1.x=0: the target stands at the position of radar"));
+  EXPECT_THAT(sweep.err, HasSubstr("pulse 777"));
+  EXPECT_THAT(sweep.out, HasSubstr("\"status\": \"failed\""));
+  const auto rows = read_csv(text_of(folder_ / "sweep.csv"));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].at("status"), "failed");
+  EXPECT_EQ(rows[1].at("status"), "done");
+  EXPECT_FALSE(fs::exists(folder_ / "sim_Target1.x=0.bin"));
+  EXPECT_TRUE(fs::exists(folder_ / "sim_Target1.x=2.bin"));
+  // Only what failed is tried again.
+  const Finished again = sarsim({"sweep", "scene.scr", "--set", "Target1.x=0,1,2", "--resume"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("2 done before, 1 to run"));
+}
+
 TEST_F(SweepCommand, ListsTheFieldsThatCanBeSet) {
   write_scene({});
   const Finished fields = sarsim({"sweep", "scene.scr", "--fields"});
