@@ -57,6 +57,7 @@ class Causes {
                                     : fmt::format("in {} of {} variations, first with {}", cause->variations,
                                                   variations, sweep.label(cause->first));
       std::string& hint = problems.back().hint;
+      if (hint.ends_with('.')) hint.pop_back();
       hint += hint.empty() ? where : "; " + where;
     }
     return problems;
