@@ -38,6 +38,7 @@ struct Program {
     app.get_formatter()->column_width(34);
     app.allow_extras();
     add("run", "simulate: everything that a script asks for, or some of it", add_run);
+    add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
@@ -48,6 +49,7 @@ struct Program {
     add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
     add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
+    add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
     add("completion", "print a completion script for a shell",
         [this](CLI::App& command) { return add_completion(command, app); });
     add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},

@@ -13,6 +13,7 @@ namespace sarsim::cli {
 using Action = std::function<ExitStatus(Streams&)>;
 
 [[nodiscard]] Action add_run(CLI::App& app);
+[[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);
 [[nodiscard]] Action add_format_command(CLI::App& app);
 [[nodiscard]] Action add_info(CLI::App& app);
@@ -23,6 +24,7 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_measure(CLI::App& app);
 [[nodiscard]] Action add_doppler(CLI::App& app);
 [[nodiscard]] Action add_search(CLI::App& app);
+[[nodiscard]] Action add_verify(CLI::App& app);
 /// @param root  the application whose commands and options are completed
 [[nodiscard]] Action add_completion(CLI::App& app, const CLI::App& root);
 

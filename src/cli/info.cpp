@@ -2,10 +2,12 @@
 #include <cctype>
 #include <fstream>
 #include <memory>
+#include <optional>
 
 #include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/info_data.hpp"
+#include "cli/info_plan.hpp"
 #include "cli/info_scene.hpp"
 #include "cli/options.hpp"
 #include "data/formats.hpp"
@@ -20,6 +22,9 @@ struct InfoArguments {
   SceneOverrides overrides;
   bool json = false;
   bool all = false;
+  bool plan = false;
+  std::optional<std::int64_t> workers;
+  std::optional<std::int64_t> threads;
 };
 
 // Whether the beginning of a file holds a command of the script language at the start of a line.
@@ -46,6 +51,17 @@ bool is_script(const std::string& path) {
 }
 
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
+  if (!arguments.plan && (arguments.workers || arguments.threads))
+    throw BadInput("info: --workers and --threads belong to --plan", "add --plan");
+  if (arguments.plan) {
+    if (!is_script(arguments.path))
+      throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
+                     "leave --plan out to see what the file holds");
+    return print_plan(
+        {arguments.path, arguments.overrides, arguments.json, static_cast<unsigned>(arguments.workers.value_or(1)),
+         static_cast<unsigned>(arguments.threads.value_or(0))},
+        streams);
+  }
   if (is_script(arguments.path))
     return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
   return print_data_info({arguments.path, arguments.sample, arguments.json}, streams);
@@ -58,9 +74,15 @@ Action add_info(CLI::App& app) {
   add_text(app, "file", arguments->path, "FILE", "script, or file of samples")->required();
   app.add_flag("--json", arguments->json, "the same as JSON");
   app.add_flag("--all", arguments->all, "list every object and target of a script, not the first 20");
+  app.add_flag("--plan", arguments->plan, "samples, bytes, memory and time of a script's recordings, measured here");
+  add_integer(app, "--workers", arguments->workers, 1, 1000000, "of --plan: also the time of so many machines");
+  add_integer(app, "--threads", arguments->threads, 0, 4096,
+              "of --plan: threads of each; 0 for one per core (default)");
+  add_settings(app, arguments->overrides);
   add_scene_overrides(app, arguments->overrides);
   add_sample_arguments(app, arguments->sample);
   add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},
+                     {"sarsim info sar_r.scr --plan --workers 8", "what a run will take, and on eight machines"},
                      {"sarsim info sim1.h5", "shape and statistics of a file of samples"},
                      {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
                      {"sarsim info sim1.bin --script sar_r.scr", "or with what its script says"}});

@@ -8,6 +8,7 @@
 #include "scene/check.hpp"
 #include "script/reader.hpp"
 #include "simulate/survey.hpp"
+#include "view/field_names.hpp"
 
 namespace sarsim::cli {
 
@@ -64,6 +65,26 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
     for (Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
+// One field after the other, so that a later one may need what an earlier one chose.
+Problems problems_of_setting(const std::vector<std::string>& settings, Scene& scene) {
+  Problems problems;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = std::min(setting.find('='), setting.size());
+    const std::string name = setting.substr(0, equals);
+    const std::string value = equals < setting.size() ? setting.substr(equals + 1) : std::string();
+    const NamedField field = find_named_field(scene, name, value);
+    std::string failure = field.failure;
+    if (equals == setting.size())
+      failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
+    else if (field.field != nullptr)
+      failure = set_named_field(scene, field, value);
+    if (failure.empty()) continue;
+    problems.push_back({});
+    problems.back().message = "--set " + setting.substr(0, 80) + ": " + failure;
+  }
+  return problems;
+}
+
 void append(Problems& problems, Problems more) { std::ranges::move(more, std::back_inserter(problems)); }
 
 }  // namespace
@@ -79,6 +100,12 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
   add_integer(app, "--seed", overrides.seed, 0, std::numeric_limits<std::int64_t>::max(), "of the random numbers");
 }
 
+void add_settings(CLI::App& app, SceneOverrides& overrides) {
+  app.add_option("--set", overrides.settings, "a field of the script and its value, as Radar1.bandwidth=10MHz; repeat")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+}
+
 SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                       const WorkControl& control) {
   ScriptReading reading = read_script_file(path, {control});
@@ -86,6 +113,9 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
+  if (!overrides.settings.empty() && !has_errors(reading.problems))
+    if (Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
+      throw BadInput(std::move(mistakes));
   if (scrutiny != Scrutiny::reading) {
     Problems found = without_objects_of(check(input.scene, control), reading.problems, input.scene);
     drop_warnings_of(found, reading.problems);

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -21,11 +22,15 @@ struct SceneOverrides {
   std::optional<PulseDefinition> pulse;
   std::optional<double> tolerance;
   std::optional<std::int64_t> seed;
-  std::optional<FileFormat> format;  ///< Of every simulation.
+  std::optional<FileFormat> format;   ///< Of every simulation.
+  std::vector<std::string> settings;  ///< "FIELD=VALUE" (view/field_names.hpp), in this order, after the others.
 };
 
 /// Adds --profile, --pulse, --tolerance and --seed.
 void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
+
+/// Adds --set, which takes one value for a field.
+void add_settings(CLI::App& app, SceneOverrides& overrides);
 
 /// A script as understood, with everything that is wrong with it.
 struct SceneInput {
@@ -42,7 +47,8 @@ enum class Scrutiny {
   echoes,   ///< Also `survey`, where there is no error.
 };
 
-/// Reads and checks a script. Where the text holds errors, objects that have one are not checked further.
+/// Reads and checks a script. Settings that cannot be made are BadInput, all at once. Where the text holds errors,
+/// objects that have one are not checked further.
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                                     const WorkControl& control = {});
 

@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"run",   "check",   "info",   "geometry",   "convert", "plot",
-                                        "focus", "measure", "format", "completion", "doppler", "search"};
+const std::vector<std::string> commands{"run",   "sweep",   "check",   "info",   "geometry", "convert", "plot",
+                                        "focus", "measure", "doppler", "search", "format",   "verify",  "completion"};
 
 class Documentation : public CommandTest {
  protected:

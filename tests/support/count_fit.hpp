@@ -7,9 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "receiver/converter.hpp"
+#include "verify/counts.hpp"
 
 namespace sarsim::test {
+
+using namespace verify;
 
 /// LSBs for which every count lies within `slack` of v/LSB: an interval, empty where lowest > highest.
 struct LsbInterval {
@@ -54,18 +56,6 @@ inline double fitted_lsb_v(std::span<const std::complex<double>> volts, std::spa
   }
   const LsbInterval interval = lsb_interval(volts, counts, possible);
   return 0.5 * (interval.lowest + interval.highest);
-}
-
-/// Counts as complex numbers.
-inline std::vector<std::complex<double>> converted(std::span<const std::complex<double>> volts, int bits,
-                                                   double lsb_v) {
-  std::vector<std::int64_t> pairs(2 * volts.size());
-  ConversionTally tally;
-  Converter{bits, lsb_v}.convert(volts, pairs, tally);
-  std::vector<std::complex<double>> counts(volts.size());
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    counts[i] = {static_cast<double>(pairs[2 * i]), static_cast<double>(pairs[2 * i + 1])};
-  return counts;
 }
 
 /// Largest difference of two lists in I or in Q.

@@ -6,13 +6,20 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "thesis/numbers.hpp"
 #include "thesis/table.hpp"
+#include "verify/thesis_numbers.hpp"
 
-namespace sarsim::test {
+namespace sarsim::verify {
 
 // What a failure prints for the parameter; found by name lookup.
 void PrintTo(const ThesisNumber& number, std::ostream* out) { *out << number.name; }
+
+}  // namespace sarsim::verify
+
+namespace sarsim::test {
+
+using verify::thesis_numbers;
+using verify::ThesisNumber;
 
 namespace {
 
@@ -49,6 +56,15 @@ TEST(ThesisTable, HasARowForEveryNumberAndANumberForEveryRow) {
   for (const ThesisNumber& number : thesis_numbers()) numbers.push_back(number.name);
   std::ranges::sort(numbers);
   EXPECT_EQ(rows, numbers);
+}
+
+// What `sarsim verify` expects is what the page says.
+TEST_P(ThesisNumbers, AreExpectedAsTheTableSays) {
+  const TableRow& row = table().at(GetParam().name);
+  ASSERT_TRUE(row.classic && row.physical);
+  EXPECT_EQ(GetParam().classic, *row.classic);
+  EXPECT_EQ(GetParam().physical, *row.physical);
+  EXPECT_EQ(GetParam().tolerance, row.tolerance);
 }
 
 }  // namespace

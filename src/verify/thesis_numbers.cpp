@@ -1,15 +1,17 @@
-#include "thesis/numbers.hpp"
+#include "verify/thesis_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 
 #include "receiver/converter.hpp"
 #include "script/reader.hpp"
 #include "simulate/run.hpp"
-#include "support/count_fit.hpp"
-#include "support/scenes.hpp"
+#include "verify/counts.hpp"
+#include "verify/scenes.hpp"
 
-namespace sarsim::test {
+namespace sarsim::verify {
 
 namespace {
 
@@ -259,9 +261,16 @@ Plan figure_7_5(Profile profile) {
   return make_plan(reading.scene, 0);
 }
 
+ThesisNumber made(std::string name, std::function<double(Profile)> value) {
+  ThesisNumber number;
+  number.name = std::move(name);
+  number.value = std::move(value);
+  return number;
+}
+
 void add_chapters_3_and_4(std::vector<ThesisNumber>& numbers) {
   const auto add = [&](const char* name, std::function<double(Profile)> value) {
-    numbers.push_back({name, std::move(value)});
+    numbers.push_back(made(name, std::move(value)));
   };
   add("Chapter3Power", [](Profile p) { return std::pow(largest_v(chapter_3(p)), 2); });
   add("Chapter3Magnitude", [](Profile p) { return 1e3 * largest_v(chapter_3(p)); });
@@ -280,7 +289,7 @@ void add_chapters_3_and_4(std::vector<ThesisNumber>& numbers) {
 
 void add_appendix(std::vector<ThesisNumber>& numbers) {
   const auto add = [&](const char* name, std::function<double(Profile)> value) {
-    numbers.push_back({name, std::move(value)});
+    numbers.push_back(made(name, std::move(value)));
   };
   add("A1Samples", [](Profile p) { return static_cast<double>(recorded(appendix_a2(p)).report.columns); });
   add("A1Spacing", [](Profile p) {
@@ -307,15 +316,75 @@ void add_appendix(std::vector<ThesisNumber>& numbers) {
   add("A4Resolution", resolution_a4_m);
 }
 
+// What both profiles give, derived from the formulas of docs/theory/echo-model.md; docs/theory/thesis-numbers.md says
+// what the thesis prints. Bound by a test to that page.
+struct Row {
+  const char* name;
+  const char* what;
+  const char* unit;
+  double classic;
+  double physical;
+  double tolerance;
+};
+constexpr Row rows[] = {
+    {"Chapter3Power", "Chapter 3: received power, 3 m2 at 3 km", "W", 1.677445e-15, 1.677444e-15, 1e-21},
+    {"Chapter3Magnitude", "Chapter 3: amplitude", "mV", 4.09566e-5, 4.09566e-5, 1e-10},
+    {"Section44SignalPower", "4.4: received power", "W", 4.529100e-14, 4.529099e-14, 1e-20},
+    {"Section44NoisePower", "4.4: noise power N = kTB", "W", 1.38e-15, 1.380649e-15, 1e-21},
+    {"Section44NoiseVoltage", "4.4: noise voltage", "V", 3.71484e-8, 3.71571e-8, 1e-13},
+    {"Section44Snr", "4.4: signal to noise, power", "", 32.82, 32.80, 0.005},
+    {"Section44AmplitudeRatio", "4.4: signal to noise, amplitude", "", 5.729, 5.727, 0.0005},
+    {"Section451Samples", "4.5.1: samples of 1 us at 500 MHz", "", 500, 500, 0},
+    {"Section451Length", "4.5.1: their length on the range axis", "m", 149.896, 149.896, 0.001},
+    {"Section452Lsb", "4.5.2: LSB for a maximum of 6.39369e-5 mV, 8 bits", "mV", 5.0344e-7, 5.0344e-7, 5e-12},
+    {"Section452Code", "4.5.2: code written for 1.2e-5 mV", "", 151, 151, 0},
+    {"Figure49Samples", "Figure 4.9: samples of 1279 m at 120 MHz", "", 1024, 1024, 0},
+    {"Figure49Pulses", "Figure 4.9: pulses of 1.279 s at 400 Hz", "", 512, 512, 0},
+    {"Figure75Samples", "Figure 7.5: samples of 500 m at 150 MHz", "", 500, 500, 0},
+    {"Figure75Pulses", "Figure 7.5: pulses", "", 600, 600, 0},
+    {"A1Samples", "A.1: samples of 2 km", "", 53, 53, 0},
+    {"A1Spacing", "A.1: distance of samples", "m", 37.736, 37.474, 0.001},
+    {"A1CountI", "A.1: count I at an LSB of 1.67572e-6 mV", "", -25, -25, 0},
+    {"A1CountQ", "A.1: count Q", "", -125, -124, 0},
+    {"A2CountI", "A.2: count I", "", -24, -25, 0},
+    {"A2CountQ", "A.2: count Q", "", -121, -121, 0},
+    {"A2Power", "A.2: received power, 1 m2 at 1 km", "W", 4.529100e-14, 4.529099e-14, 1e-20},
+    {"A2Magnitude", "A.2: amplitude", "mV", 2.12817e-4, 2.12817e-4, 1e-9},
+    {"A2Phase", "A.2: phase", "deg", -101.149, -101.485, 0.0005},
+    {"A2CompressedGain", "A.2: compressed peak over raw amplitude", "", 2.5e-6, 1, 1e-9},
+    {"A2CompressedTurn", "A.2: turn of the phase by compression", "deg", 0, 0, 1e-6},
+    {"A3PhaseStep", "A.3: phase step per pulse", "rad", -1.04792, -1.04792, 1e-5},
+    {"A3Resolution", "A.3: range resolution, peak to first zero", "m", 1.505, 1.505, 0.008},
+    {"A3FirstPeak", "A.3: first peak", "m", 300, 300, 0.09},
+    {"A3SecondPeak", "A.3: second peak", "m", 308, 308, 0.09},
+    {"A4Power", "A.4: received power in the beam's middle", "W", 6.37292e-15, 6.37292e-15, 2e-20},
+    {"A4Magnitude", "A.4: amplitude in the beam's middle", "mV", 7.98306e-5, 7.98306e-5, 1e-10},
+    {"A4Phase", "A.4: phase", "deg", 179.94, 179.39, 0.005},
+    {"A4SideLobe", "A.4: first side lobe over slow time", "dB", -13.26, -26.5, 0.1},
+    {"A4Resolution", "A.4: resolution of a 5 us pulse", "m", 749.48, 749.48, 3},
+};
+
+ThesisNumber completed(ThesisNumber number) {
+  const auto* const row = std::ranges::find_if(rows, [&](const Row& r) { return number.name == r.name; });
+  if (row == std::end(rows)) throw std::logic_error("no value is expected of " + number.name);
+  number.what = row->what;
+  number.unit = row->unit;
+  number.classic = row->classic;
+  number.physical = row->physical;
+  number.tolerance = row->tolerance;
+  return number;
+}
+
 }  // namespace
 
 std::vector<ThesisNumber> thesis_numbers() {
   std::vector<ThesisNumber> numbers;
   add_chapters_3_and_4(numbers);
-  numbers.push_back({"Figure75Samples", [](Profile p) { return static_cast<double>(figure_7_5(p).columns); }});
-  numbers.push_back({"Figure75Pulses", [](Profile p) { return static_cast<double>(figure_7_5(p).rows); }});
+  numbers.push_back(made("Figure75Samples", [](Profile p) { return static_cast<double>(figure_7_5(p).columns); }));
+  numbers.push_back(made("Figure75Pulses", [](Profile p) { return static_cast<double>(figure_7_5(p).rows); }));
   add_appendix(numbers);
+  for (ThesisNumber& number : numbers) number = completed(std::move(number));
   return numbers;
 }
 
-}  // namespace sarsim::test
+}  // namespace sarsim::verify

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "cli/sweep_row.hpp"
+
+namespace sarsim::cli {
+
+/// A text file in which a sweep notes every product as soon as it is complete, so that a later run can leave it out. A
+/// line for each; a last line that was cut off is as good as none.
+class SweepJournal {
+ public:
+  /// Opens the journal for additions, or begins it anew.
+  /// @throws std::system_error "cannot write FILE"
+  SweepJournal(std::filesystem::path path, bool keep);
+
+  /// Notes a product; from any thread.
+  void add(const SweepRow& row);
+
+ private:
+  std::filesystem::path path_;
+  std::mutex lock_;
+  std::ofstream file_;
+};
+
+/// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
+/// `stem`-....journal in its folder. Of several lines about a product one with the latest is kept.
+[[nodiscard]] std::map<std::string, SweepRow> read_journals(const std::filesystem::path& folder,
+                                                            const std::string& stem);
+
+/// A line of a journal, without its end, and back; false where it is none.
+[[nodiscard]] std::string journal_line(const SweepRow& row);
+[[nodiscard]] bool read_journal_line(const std::string& line, SweepRow& row);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,70 @@
+#include <csignal>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class VerifyCommand : public CommandTest {};
+
+TEST_F(VerifyCommand, FindsThatEverythingHoldsHere) {
+  const Finished verify = sarsim({"verify", "--quick"});
+  EXPECT_EQ(verify.status, 0) << verify.out;
+  EXPECT_EQ(verify.err, "");
+  for (const char* group : {"Closed forms", "Numbers of the thesis", "Engines", "Statistics", "Focusing"})
+    EXPECT_THAT(verify.out, HasSubstr(group));
+  EXPECT_THAT(verify.out, Not(HasSubstr("FAILED")));
+  EXPECT_THAT(verify.out, HasSubstr("A.2: phase, classic"));
+}
+
+TEST_F(VerifyCommand, SaysOnlyTheCountWhereNothingIsWrongAndNothingElseIsWanted) {
+  const Finished verify = sarsim({"verify", "--quick", "--quiet"});
+  EXPECT_EQ(verify.status, 0);
+  EXPECT_THAT(verify.out, testing::MatchesRegex("[0-9]+ of [0-9]+ statements hold\n"));
+}
+
+TEST_F(VerifyCommand, SaysTheSameAsJson) {
+  const Finished verify = sarsim({"verify", "--quick", "--json"});
+  EXPECT_EQ(verify.status, 0);
+  EXPECT_TRUE(is_json(verify.out, folder_));
+  EXPECT_THAT(verify.out, HasSubstr("\"holds\": true"));
+  EXPECT_THAT(verify.out, Not(HasSubstr("\"holds\": false")));
+}
+
+TEST_F(VerifyCommand, MakesAPageThatNeedsNothingElse) {
+  ASSERT_EQ(sarsim({"verify", "--quick", "--html", "v.html"}).status, 0);
+  const std::string page = text_of(folder_ / "v.html");
+  EXPECT_THAT(page, HasSubstr("statements hold"));
+  for (const char* outside : {"src=", "href=", "@import", "url("}) EXPECT_THAT(page, Not(HasSubstr(outside)));
+  // Each chart is well-formed XML.
+  write_text(folder_ / "charts.py",
+             "import re, xml.etree.ElementTree as tree\n"
+             "charts = re.findall('<svg.*?</svg>', open('v.html').read(), re.S)\n"
+             "for chart in charts:\n"
+             "    root = tree.fromstring(chart)\n"
+             "    assert len(root.findall('polyline')) + len(root.findall('circle')) > 1\n"
+             "    assert 'nan' not in chart and 'inf' not in chart\n"
+             "assert len(charts) >= 3, len(charts)\n");
+  const std::string command = "cd '" + folder_.string() + "' && '" + SARSIM_PYTHON + "' charts.py > said 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << text_of(folder_ / "said");
+}
+
+TEST_F(VerifyCommand, ReplacesAPageOnlyWhenAsked) {
+  write_text(folder_ / "v.html", "precious");
+  const Finished verify = sarsim({"verify", "--quick", "--html", "v.html"});
+  EXPECT_EQ(verify.status, 2);
+  EXPECT_THAT(verify.err, HasSubstr("--force"));
+  EXPECT_EQ(text_of(folder_ / "v.html"), "precious");
+  EXPECT_EQ(sarsim({"verify", "--quick", "--quiet", "--html", "v.html", "--force"}).status, 0);
+  EXPECT_NE(text_of(folder_ / "v.html"), "precious");
+}
+
+}  // namespace
+}  // namespace sarsim::test
