@@ -45,6 +45,8 @@ struct Program {
     add("convert", "convert files of samples between formats", add_convert);
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
     add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
+    add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
+    add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
     add("completion", "print a completion script for a shell",
         [this](CLI::App& command) { return add_completion(command, app); });

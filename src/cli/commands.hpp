@@ -21,6 +21,8 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_convert(CLI::App& app);
 [[nodiscard]] Action add_focus(CLI::App& app);
 [[nodiscard]] Action add_measure(CLI::App& app);
+[[nodiscard]] Action add_profiles(CLI::App& app);
+[[nodiscard]] Action add_isar(CLI::App& app);
 /// @param root  the application whose commands and options are completed
 [[nodiscard]] Action add_completion(CLI::App& app, const CLI::App& root);
 

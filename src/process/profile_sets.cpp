@@ -1,0 +1,33 @@
+#include "process/profile_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sarsim {
+
+std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_share) {
+  std::vector<ProfileSet> scans;
+  const double largest = gain.empty() ? 0.0 : *std::ranges::max_element(gain);
+  if (!(largest > 0.0)) return scans;
+  for (std::size_t i = 0; i < gain.size(); ++i) {
+    if (gain[i] < least_share * largest) continue;
+    if (!scans.empty() && scans.back().last + 1 == i)
+      scans.back().last = i;
+    else
+      scans.push_back({i, i});
+  }
+  return scans;
+}
+
+std::vector<std::complex<double>> mean_profile(std::span<const std::complex<double>> profiles, std::size_t bins) {
+  std::vector<std::complex<double>> mean(bins);
+  const std::size_t rows = bins > 0 ? profiles.size() / bins : 0;
+  for (std::size_t k = 0; k < bins && rows > 0; ++k) {
+    double power = 0.0;
+    for (std::size_t r = 0; r < rows; ++r) power += std::norm(profiles[r * bins + k]);
+    mean[k] = std::sqrt(power / static_cast<double>(rows));
+  }
+  return mean;
+}
+
+}  // namespace sarsim
