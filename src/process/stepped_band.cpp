@@ -102,7 +102,11 @@ std::size_t SteppedBand::gate_of(double delay_s) const {
   const SteppedWaveform& w = waveform_;
   const double first = (delay_s - w.first_sample_s) * w.sample_rate_hz;
   const auto last_sample = static_cast<double>(w.samples) - 1.0;
-  if (w.subband_hz > 0.0) return first >= 0.0 && first <= last_sample ? 0 : gates_;
+  if (w.subband_hz > 0.0) {
+    // Of a raw echo half must be recorded, of a compressed one its peak.
+    const double half = w.filter.empty() ? 0.0 : 0.5 * w.pulse_width_s * w.sample_rate_hz;
+    return first >= -half && first <= last_sample - half ? 0 : gates_;
+  }
   const double from = std::max(0.0, std::ceil(first + w.seen_from_s * w.sample_rate_hz - 1e-6));
   const double to = std::min(last_sample, std::ceil(first + w.seen_to_s * w.sample_rate_hz - 1e-6) - 1.0);
   if (from > to) return gates_;

@@ -75,7 +75,7 @@ class SteppedBand {
   [[nodiscard]] double gap_share() const;
 
   /// The gate that shows a delay best: the sample in the middle of its echo, as far as that is recorded. `gates()`
-  /// where no sample holds it.
+  /// where no sample holds it; of modulated pulses, where less than half of the echo is recorded.
   [[nodiscard]] std::size_t gate_of(double delay_s) const;
 
   [[nodiscard]] std::size_t values_per_pulse() const { return gates_ * pulse_cells_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace sarsim {
@@ -50,19 +51,42 @@ struct Candidate {
   double entropy = 0.0;
 };
 
-// The best of evenly spaced speeds, moved to the top of the parabola through its neighbours.
-Candidate best_of(const Sharpness& cost, double from_mps, double step_mps, std::size_t count,
-                  const WorkControl& control, std::size_t most_bursts) {
-  std::vector<double> entropy(count);
-  parallel_ranges(count, 1, control, [&](std::size_t i, std::size_t) {
-    entropy[i] = cost.entropy(from_mps + static_cast<double>(i) * step_mps, most_bursts);
+constexpr std::size_t most_bursts = 16;
+constexpr std::size_t most_candidates = 8;
+
+// Evenly spaced speeds about a middle.
+std::vector<double> speeds_about(double middle_mps, double step_mps, int to_either_side) {
+  std::vector<double> speeds;
+  for (int i = -to_either_side; i <= to_either_side; ++i) speeds.push_back(middle_mps + i * step_mps);
+  return speeds;
+}
+
+std::vector<Candidate> judged(const Sharpness& cost, const std::vector<double>& speeds, const WorkControl& control) {
+  std::vector<Candidate> candidates(speeds.size());
+  parallel_ranges(speeds.size(), 1, control, [&](std::size_t i, std::size_t) {
+    candidates[i] = {speeds[i], cost.entropy(speeds[i], most_bursts)};
   });
-  const auto least = std::ranges::min_element(entropy);
-  const auto i = static_cast<std::size_t>(least - entropy.begin());
-  Candidate best{from_mps + static_cast<double>(i) * step_mps, *least};
-  if (i == 0 || i + 1 == count) return best;
-  const double bend = entropy[i - 1] - 2.0 * *least + entropy[i + 1];
-  if (bend > 0.0) best.speed_mps += step_mps * std::clamp(0.5 * (entropy[i - 1] - entropy[i + 1]) / bend, -0.5, 0.5);
+  return candidates;
+}
+
+// The sharpest of them, no two nearer than `apart_mps`, sharpest first.
+std::vector<Candidate> sharpest(std::vector<Candidate> all, double apart_mps) {
+  std::ranges::stable_sort(all, {}, &Candidate::entropy);
+  std::vector<Candidate> best;
+  for (const Candidate& candidate : all) {
+    if (best.size() == most_candidates) break;
+    const auto near = [&](const Candidate& b) { return std::abs(b.speed_mps - candidate.speed_mps) < apart_mps; };
+    if (std::ranges::none_of(best, near)) best.push_back(candidate);
+  }
+  return best;
+}
+
+// The sharpest speed within a step of another one, to a sixty-fourth of the step.
+Candidate refined(const Sharpness& cost, Candidate best, double step_mps, const WorkControl& control) {
+  for (int round = 0; round < 3; ++round) {
+    step_mps *= 0.25;
+    best = sharpest(judged(cost, speeds_about(best.speed_mps, step_mps, 4), control), 0.0).front();
+  }
   return best;
 }
 
@@ -81,31 +105,33 @@ double middle_of(std::span<const double> time_s) { return 0.5 * (time_s.front() 
 
 VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps, double to_mps,
                                    const WorkControl& control) {
-  constexpr std::size_t most_bursts = 16;
   const SteppedBand& band = maker.band();
   const std::size_t bursts = echoes.bursts(band);
   if (bursts == 0 || echoes.values.size() != bursts * band.values_per_burst())
     throw std::invalid_argument("velocity search: the echoes are not those of whole bursts");
   if (!(to_mps > from_mps)) throw std::invalid_argument("velocity search: the interval of speeds is empty");
   const double cell_m = 0.5 * band.waveform().light_speed_mps / band.band_hz();
-  std::size_t used = 1;
-  double low = from_mps, high = to_mps;
-  VelocityEstimate estimate;
-  for (;; used = std::min(2 * used, bursts)) {
+  std::vector<double> speeds;
+  double open_mps = 0.0;  // How far from each candidate of the round before the speed may be.
+  std::vector<Candidate> kept;
+  for (std::size_t used = 1;; used = std::min(2 * used, bursts)) {
     const Sharpness cost(maker, echoes, (bursts - used) / 2, used);
     // Half a cell: of smear, which goes with twice the time, or of walk.
-    const double resolved = 0.25 * cell_m / cost.span_s();
-    const double step = std::min(resolved, (high - low) / 8.0);
-    const auto count = static_cast<std::size_t>(std::ceil((high - low) / step)) + 1;
-    const double exact = (high - low) / static_cast<double>(count - 1);
-    Candidate best = best_of(cost, low, exact, count, control, most_bursts);
-    // Once more, finer, about it: the valley is narrower than what the parabola was laid through.
-    best = best_of(cost, best.speed_mps - exact, 0.25 * exact, 9, control, most_bursts);
-    estimate = {std::clamp(best.speed_mps, from_mps, to_mps), best.entropy, cost.entropy(0.0, most_bursts),
-                0.125 * exact};
-    if (used == bursts) return estimate;
-    low = std::max(low, best.speed_mps - 2.0 * resolved);
-    high = std::min(high, best.speed_mps + 2.0 * resolved);
+    const double step = std::min(0.25 * cell_m / cost.span_s(), (to_mps - from_mps) / 8.0);
+    speeds.clear();
+    if (kept.empty()) {
+      speeds = speeds_about(0.5 * (from_mps + to_mps), step, static_cast<int>(0.5 * (to_mps - from_mps) / step));
+    } else {
+      for (const Candidate& candidate : kept)
+        std::ranges::copy(speeds_about(candidate.speed_mps, step, static_cast<int>(std::ceil(open_mps / step))),
+                          std::back_inserter(speeds));
+      std::erase_if(speeds, [&](double v) { return v < from_mps || v > to_mps; });
+    }
+    kept = sharpest(judged(cost, speeds, control), step);
+    open_mps = 1.5 * step;
+    if (used < bursts) continue;
+    const Candidate best = refined(cost, kept.front(), step, control);
+    return {std::clamp(best.speed_mps, from_mps, to_mps), best.entropy, cost.entropy(0.0, most_bursts), step / 64.0};
   }
 }
 

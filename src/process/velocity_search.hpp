@@ -33,13 +33,13 @@ struct VelocityEstimate {
   double speed_mps = 0.0;
   double entropy = 0.0;          ///< Of the mean of the profiles' powers, their motion taken out.
   double entropy_at_rest = 0.0;  ///< The same for speed 0.
-  double uncertainty_mps = 0.0;  ///< Half the last spacing of the search.
+  double uncertainty_mps = 0.0;  ///< The last spacing of the search: what noise and a turning target add is not in it.
 };
 
 /// The one speed that makes profiles sharpest: the entropy of their mean power is least where the smear within bursts
 /// and the walk from burst to burst are both taken out. Searched in rounds, first in the middle burst alone over the
 /// whole interval at steps of half a cell's smear, then over more and more bursts at steps of half a cell's walk about
-/// what was best before. The same bytes for any number of threads.
+/// the eight that were best before. The same bytes for any number of threads.
 ///
 /// @param echoes  of one burst or more
 /// @throw  std::invalid_argument where the sizes contradict the band or the interval is empty; Interrupted

@@ -166,9 +166,11 @@ void lay_upon_image(IsarImage& made) {
   const auto strongest = std::ranges::max_element(made.points, {}, &HeldPoint::amplitude);
   if (largest == image.values.end() || strongest == made.points.end()) return;
   const auto index = static_cast<std::size_t>(largest - image.values.begin());
-  const double across_m =
-      image.azimuth.at(static_cast<double>(index / image.range.count)) - strongest->expected.azimuth_m;
-  const double along_m = image.range.at(static_cast<double>(index % image.range.count)) - strongest->expected.range_m;
+  ImagePlace place{image.azimuth.at(static_cast<double>(index / image.range.count)),
+                   image.range.at(static_cast<double>(index % image.range.count))};
+  if (const auto peak = measure_point(image, reader_of(image), place, image.range.step_m)) place = peak->place;
+  const double across_m = place.azimuth_m - strongest->expected.azimuth_m;
+  const double along_m = place.range_m - strongest->expected.range_m;
   for (HeldPoint& point : made.points) {
     point.expected.azimuth_m += across_m;
     point.expected.range_m += along_m;

@@ -123,13 +123,16 @@ Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan) 
   recorded.processing = Processing::raw;
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
-  const double more = std::ceil(last_s / interval_s) + 1.0;
-  recorded.range_end_m += 0.5 * plan.scene->conventions.light_speed_mps * more * interval_s;
+  const double sample_m = 0.5 * plan.scene->conventions.light_speed_mps * interval_s;
+  recorded.range_end_m += sample_m * (std::ceil(last_s / interval_s) + 1.0);
+  // The echo of a target at CENTRE begins half a pulse before its range.
+  recorded.range_start_m -= sample_m * std::ceil(plan.pulse.lead_s / interval_s);
   return recorded;
 }
 
 SteppedRows stepped_rows_of_scene(std::shared_ptr<const Plan> plan, const Plan& window) {
   SteppedRows rows = rows_without_reader(plan, false);
+  rows.from_m = window.simulation.range_start_m;
   rows.to_m = window.simulation.range_end_m;
   const auto makers = std::make_shared<Lending<RowMaker>>([plan] { return std::make_unique<RowMaker>(*plan); });
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);

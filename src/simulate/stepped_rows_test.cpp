@@ -96,7 +96,9 @@ TEST(ProfileSeries, ShowsTargetsWhereTheyAreForEveryKindOfPulse) {
         ASSERT_TRUE(target.found) << target.truth.target;
         EXPECT_NEAR(target.expected_m, target.truth.range_m, 1e-9);
         EXPECT_NEAR(target.found->range_m, target.expected_m, 0.05 * cell_of(rows));
-        EXPECT_NEAR(target.found->amplitude / target.truth.amplitude, 1.0, 0.06);
+        // Chips of 154 ns, sampled every 100 ns, are not the same at every delay.
+        EXPECT_NEAR(target.found->amplitude / target.truth.amplitude, 1.0, kind == Radar::Pulse::barker ? 0.1 : 0.05)
+            << static_cast<int>(kind) << static_cast<int>(position) << target.truth.target;
       }
     }
 }
