@@ -94,7 +94,8 @@ void SteppedBand::add_filter(double first_hz) {
 
 double SteppedBand::gap_share() const {
   std::size_t empty = 0;
-  for (std::size_t k = 0; k < cells_; ++k) if (!filled(k)) ++empty;
+  for (std::size_t k = 0; k < cells_; ++k)
+    if (!filled(k)) ++empty;
   return static_cast<double>(empty) / static_cast<double>(cells_);
 }
 
