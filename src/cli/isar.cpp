@@ -132,6 +132,9 @@ class IsarRun {
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }
     options_.platform = static_cast<std::size_t>(found - platforms.begin());
+    if (options_.platform == input_.rows.plan->radar.platform)
+      throw BadInput(fmt::format("--platform: '{}' carries the radar itself", found->name),
+                     "name the platform of the target");
   }
 
   // Bursts of each image.
@@ -178,8 +181,7 @@ class IsarRun {
     Problems& problems = input_.problems;
     for (const std::size_t first : firsts_)
       std::ranges::move(plan_isar_image(input_.rows, first, count_, options_).problems, std::back_inserter(problems));
-    const double speed_mps = mean_speed_mps(input_.rows, input_.rows.bursts / 2, 1);
-    std::ranges::move(remarks_on_stepped(input_.rows, speed_mps), std::back_inserter(problems));
+    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::isar, {}), std::back_inserter(problems));
     problems = ranked(std::move(problems));
     if (has_errors(problems)) throw BadInput(problems);
     if (!arguments_.quiet) print_problems(streams_, problems);

@@ -92,8 +92,10 @@ class ProfilesRun {
     const double decibels = arguments_.illumination_db.value_or(6.0);
     if (!(decibels >= 0.0)) throw BadInput("--illumination: decibels below the strongest burst are not negative");
     options_.illuminated_share = std::pow(10.0, -0.1 * decibels);
-    options_.align = arguments_.align;
-    if (options_.align && options_.velocity == SeriesOptions::Velocity::none)
+    const bool compensated = options_.velocity != SeriesOptions::Velocity::none;
+    // A mean of profiles in which the target is elsewhere would be of no use.
+    options_.align = arguments_.align || (set() != Set::bursts && compensated);
+    if (options_.align && !compensated)
       throw BadInput("--align moves profiles by the speed that is compensated, but there is none",
                      "give --velocity scene, estimated or a number");
   }
@@ -133,7 +135,8 @@ class ProfilesRun {
     if (options_.velocity == SeriesOptions::Velocity::given) speed = options_.speed_mps;
     if (options_.velocity == SeriesOptions::Velocity::scene || options_.velocity == SeriesOptions::Velocity::estimated)
       speed = mean_speed_mps(input_.rows, input_.rows.bursts / 2, 1);
-    std::ranges::move(remarks_on_stepped(input_.rows, speed), std::back_inserter(input_.problems));
+    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::profiles, speed),
+                      std::back_inserter(input_.problems));
     input_.problems = ranked(std::move(input_.problems));
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
   }
@@ -305,7 +308,8 @@ void add_profiles_options(CLI::App& app, ProfilesArguments& a) {
            "radial speed that is compensated: none (default), that of the scene's targets, the one that makes profiles "
            "sharpest, or given, positive receding");
   add_real(app, "--fastest", a.fastest_mps, "M/S", "speeds that --velocity estimated looks through (default: 500)");
-  app.add_flag("--align", a.align, "show targets where they are in the middle of their scan, not of each burst");
+  app.add_flag("--align", a.align,
+               "show targets where they are in the middle of their scan, not of each burst; means of sets always do");
   add_text(app, "--window", a.window, "WINDOW",
            "over the band: rectangular, hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]; default: the script's");
   add_real(app, "--from", a.from_m, "M", "first range (default: the script's)");

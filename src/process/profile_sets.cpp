@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "math/fft.hpp"
 
 namespace sarsim {
 
@@ -28,6 +31,24 @@ std::vector<std::complex<double>> mean_profile(std::span<const std::complex<doub
     mean[k] = std::sqrt(power / static_cast<double>(rows));
   }
   return mean;
+}
+
+std::ptrdiff_t shift_onto(std::span<const std::complex<double>> profile, std::span<const std::complex<double>> other) {
+  if (profile.size() != other.size()) throw std::invalid_argument("profiles of different lengths cannot be aligned");
+  if (profile.empty()) return 0;
+  const Fft fft(good_fft_size(2 * profile.size()));
+  std::vector<std::complex<double>> a(fft.size());
+  std::vector<std::complex<double>> b(fft.size());
+  for (std::size_t k = 0; k < profile.size(); ++k) a[k] = std::norm(profile[k]);
+  for (std::size_t k = 0; k < other.size(); ++k) b[k] = std::norm(other[k]);
+  fft.forward(a);
+  fft.forward(b);
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] = std::conj(a[k]) * b[k];
+  fft.inverse(a);
+  const auto largest = std::ranges::max_element(a, {}, [](const std::complex<double>& v) { return v.real(); });
+  const std::ptrdiff_t shift = largest - a.begin();
+  const auto size = static_cast<std::ptrdiff_t>(fft.size());
+  return 2 * shift > size ? shift - size : shift;
 }
 
 }  // namespace sarsim

@@ -26,4 +26,10 @@ struct ProfileSet {
 [[nodiscard]] std::vector<std::complex<double>> mean_profile(std::span<const std::complex<double>> profiles,
                                                              std::size_t bins);
 
+/// Bins by which a profile is to be moved, towards larger ranges, to lie upon another one: the largest correlation of
+/// their powers.
+/// @throw  std::invalid_argument where they have not the same length
+[[nodiscard]] std::ptrdiff_t shift_onto(std::span<const std::complex<double>> profile,
+                                        std::span<const std::complex<double>> other);
+
 }  // namespace sarsim

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/constants.hpp"
+#include "process/turns.hpp"
 #include "process/work_matrix.hpp"
 
 namespace sarsim {
@@ -89,7 +90,8 @@ Coupling coupling_of(const SteppedWaveform& w, double carrier_hz, double speed_m
   return {early_s, carrier_hz * early_s + 0.5 * doppler_hz * early_s};
 }
 
-// A pulse as a function of delay: sum over its cells of w value exp(2 pi j (nu - middle) t), tabulated.
+// A pulse as a function of delay: sum over its cells of w value exp(2 pi j (nu - middle) t), tabulated. The middle is a
+// cell, so that the table repeats after 1/cell_hz.
 class PulseTable {
  public:
   explicit PulseTable(const ProfileMaker& maker)
@@ -97,37 +99,35 @@ class PulseTable {
 
   void load(std::size_t pulse, std::span<const std::complex<double>> values) {
     const SteppedBand& band = maker_.band();
+    const std::size_t cells = band.pulse_cells();
+    const std::size_t first = band.first_cell(pulse);
     values_ = values;
-    first_ = band.first_cell(pulse);
-    middle_hz_ = band.frequency_hz(first_) + 0.5 * static_cast<double>(band.pulse_cells() - 1) * band.cell_hz();
-    if (band.pulse_cells() == 1) {
-      single_ = maker_.weights()[first_] * band.weight(first_);
+    middle_hz_ = band.frequency_hz(first + cells / 2);
+    if (cells == 1) {
+      single_ = maker_.weights()[first] * band.weight(first);
       return;
     }
     table_.assign(fft_.size(), {});
-    for (std::size_t k = 0; k < band.pulse_cells(); ++k)
-      table_[k] = maker_.weights()[first_ + k] * band.weight(first_ + k) * values[k];
+    for (std::size_t k = 0; k < cells; ++k) {
+      const std::size_t place = k >= cells / 2 ? k - cells / 2 : fft_.size() - cells / 2 + k;
+      table_[place] = maker_.weights()[first + k] * band.weight(first + k) * values[k];
+    }
     fft_.inverse(table_);
-    const double half = 0.5 * static_cast<double>(band.pulse_cells() - 1) / static_cast<double>(fft_.size());
-    for (std::size_t i = 0; i < table_.size(); ++i) table_[i] *= turned_by(-half * static_cast<double>(i));
+    table_.push_back(table_.front());
   }
 
-  // At a delay, turned by exp(2 pi j middle t).
-  [[nodiscard]] std::complex<double> at(double delay_s) const {
+  // At a delay, turned by exp(2 pi j (middle t + turns)).
+  [[nodiscard]] std::complex<double> at(double delay_s, double turns) const {
     const SteppedBand& band = maker_.band();
     const std::size_t gate = band.gate_of(delay_s);
     if (gate == band.gates()) return 0.0;
-    const std::complex<double> turn = turned_by(middle_hz_ * delay_s);
+    const auto turn = std::complex<double>(turned(turns + middle_hz_ * delay_s));
     if (band.pulse_cells() == 1) return times(times(single_, values_[gate]), turn);
-    // The table repeats after 1/cell_hz, up to the turn of half a period for an even number of cells.
-    const double place = delay_s * band.cell_hz();
-    const double periods = std::floor(place);
-    const double index = (place - periods) * static_cast<double>(table_.size());
-    const auto i = std::min(static_cast<std::size_t>(index), table_.size() - 1);
-    const double wraps = -0.5 * static_cast<double>(band.pulse_cells() - 1);
-    const std::complex<double> next = i + 1 < table_.size() ? table_[i + 1] : table_[0] * turned_by(wraps);
+    const double periods = delay_s * band.cell_hz();
+    const double index = (periods - std::floor(periods)) * static_cast<double>(table_.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(index), table_.size() - 2);
     const double share = index - static_cast<double>(i);
-    return times((1.0 - share) * table_[i] + share * next, times(turned_by(wraps * periods), turn));
+    return times((1.0 - share) * table_[i] + share * table_[i + 1], turn);
   }
 
  private:
@@ -138,7 +138,6 @@ class PulseTable {
   std::span<const std::complex<double>> values_;
   std::vector<std::complex<double>> table_;
   std::complex<double> single_;  // What weighs the only cell of a pulse.
-  std::size_t first_ = 0;
   double middle_hz_ = 0.0;
 };
 
@@ -219,7 +218,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
   const std::size_t columns = image.range.count;
   WorkCounter counter(progress, image.values.size(), columns);
   const TrackPoint& middle = seen[seen.size() / 2];
-  constexpr std::size_t rows_at_once = 8;
+  constexpr std::size_t rows_at_once = 32;  // A pulse's table is made for each of them.
   parallel_ranges(cross_range.count, rows_at_once, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<double>> sums((end - begin) * columns);
     std::vector<Vec3> points(sums.size());
@@ -235,8 +234,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
       for (std::size_t i = 0; i < points.size(); ++i) {
         const PulseMotion echo = echo_of(seen[p], points[i], w.light_speed_mps);
         const Coupling coupling = coupling_of(w, carrier_hz, echo.speed_mps);
-        const std::complex<double> value = table.at(echo.delay_s - coupling.early_s);
-        sums[i] += weights[p / w.burst_pulses()] * (coupling.turns == 0.0 ? value : value * turned_by(coupling.turns));
+        sums[i] += weights[p / w.burst_pulses()] * table.at(echo.delay_s - coupling.early_s, coupling.turns);
       }
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -97,5 +97,18 @@ TEST(MeanProfile, IsTheRootMeanSquareOfTheMagnitudes) {
   EXPECT_EQ(mean_profile({}, 3), std::vector<std::complex<double>>(3));
 }
 
+TEST(ShiftOnto, IsByHowManyBinsAProfileIsEarlier) {
+  std::vector<std::complex<double>> here(50), there(50);
+  for (const auto& [bin, value] : {std::pair{10, 1.0}, {13, 0.4}, {19, -0.7}}) {
+    here[static_cast<std::size_t>(bin)] = {0.0, value};
+    there[static_cast<std::size_t>(bin) + 17] = 3.0 * value;
+  }
+  EXPECT_EQ(shift_onto(here, there), 17);
+  EXPECT_EQ(shift_onto(there, here), -17);
+  EXPECT_EQ(shift_onto(here, here), 0);
+  EXPECT_EQ(shift_onto({}, {}), 0);
+  EXPECT_THROW((void)shift_onto(here, {}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace sarsim

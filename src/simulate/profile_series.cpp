@@ -85,6 +85,12 @@ ProfileSeries without_rows(const ProfileSeries& series) {
   return empty;
 }
 
+double energy_of(std::span<const std::complex<double>> profile) {
+  double energy = 0.0;
+  for (const auto& value : profile) energy += std::norm(value);
+  return energy;
+}
+
 // Half way to the nearest other target, from 3/4 of a cell to two cells and what the peak may be smeared over.
 double search_around(const std::vector<HeldTarget>& targets, std::size_t index, double cell_m) {
   double nearest_m = 2.0 * cell_m * (2.0 + targets[index].smear_cells);
@@ -133,9 +139,23 @@ ProfileSeries mean_of_scans(const ProfileSeries& series) {
 }
 
 ProfileSeries mean_of_encounter(const ProfileSeries& series) {
-  ProfileSeries means = without_rows(series);
-  if (!series.rows.empty()) append_mean(means, series, 0, series.rows.size() - 1, 0);
-  return means;
+  const ProfileSeries scans = mean_of_scans(series);
+  ProfileSeries mean = without_rows(series);
+  if (scans.rows.empty()) return mean;
+  std::size_t strongest = 0;
+  for (std::size_t i = 1; i < scans.rows.size(); ++i)
+    if (energy_of(scans.row(i)) > energy_of(scans.row(strongest))) strongest = i;
+  const auto bins = static_cast<std::ptrdiff_t>(series.axis.count);
+  std::vector<double> power(series.axis.count);
+  for (std::size_t i = 0; i < scans.rows.size(); ++i) {
+    const std::ptrdiff_t shift = shift_onto(scans.row(i), scans.row(strongest));
+    const auto bursts = static_cast<double>(series.scans[scans.rows[i].scan].bursts.count());
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, -shift); k < bins - std::max<std::ptrdiff_t>(0, shift); ++k)
+      power[static_cast<std::size_t>(k + shift)] += bursts * std::norm(scans.row(i)[static_cast<std::size_t>(k)]);
+  }
+  for (const double p : power) mean.values.emplace_back(std::sqrt(p / static_cast<double>(series.rows.size())));
+  mean.rows.push_back(scans.rows[strongest]);
+  return mean;
 }
 
 std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const ProfileSeries& series,
@@ -167,12 +187,9 @@ std::size_t typical_row(const ProfileSeries& series) {
     const ProfileSet& bursts = series.scans[s].bursts;
     for (std::size_t i = 0; i < series.rows.size(); ++i) {
       if (series.rows[i].scan != s || series.rows[i].burst != bursts.first + bursts.count() / 2) continue;
-      double energy = 0.0;
-      for (const auto& value : series.row(i)) energy += std::norm(value);
-      if (energy > strongest) {
-        strongest = energy;
-        typical = i;
-      }
+      if (!(energy_of(series.row(i)) > strongest)) continue;
+      strongest = energy_of(series.row(i));
+      typical = i;
     }
   }
   return typical;

@@ -69,8 +69,11 @@ struct ProfileSeries {
 [[nodiscard]] ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options,
                                           const WorkControl& control, const ProgressReport& progress = {});
 
-/// A series of which each scan, or the whole encounter, has become one profile: the root mean square over its bursts.
+/// A series of which each scan has become one profile: the root mean square over its bursts.
 [[nodiscard]] ProfileSeries mean_of_scans(const ProfileSeries& series);
+
+/// A series of which the whole encounter has become one profile: that of all bursts, where the means of the scans are
+/// first laid upon the strongest of them, by the largest correlation of their powers.
 [[nodiscard]] ProfileSeries mean_of_encounter(const ProfileSeries& series);
 
 /// A target of the scene in a profile.

@@ -150,13 +150,14 @@ Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded) {
   return problems;
 }
 
-Problems remarks_on_stepped(const SteppedRows& rows, std::optional<double> speed_mps) {
+Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
   Problems problems;
   const SteppedLimits limits = limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
   remark_on_band(problems, *rows.band, limits);
   remark_on_gates(problems, *rows.band);
   remark_on_targets(problems, rows, limits);
-  if (rows.band->waveform().steps > 1) remark_on_speed(problems, rows, limits, speed_mps);
+  // Images take the motion of each pulse out.
+  if (use == SteppedUse::profiles) remark_on_speed(problems, rows, limits, speed_mps);
   if (rows.dropped_pulses > 0)
     problems.push_back(stepped_problem(Severity::note, "pulses of incomplete bursts at the ends are left out",
                                        fmt::format("{}", rows.dropped_pulses), "", ""));

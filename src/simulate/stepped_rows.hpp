@@ -52,9 +52,9 @@ enum class SteppedUse {
 [[nodiscard]] Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded);
 
 /// What makes profiles ambiguous, lost or blurred (warnings): steps wider than the pulse's band, gates that leave out
-/// echoes, targets that fold onto each other, targets whose speed shifts and smears them.
+/// echoes, targets that fold onto each other, and of profiles targets whose speed shifts and smears them.
 /// @param speed_mps  that is compensated; nothing: none
-[[nodiscard]] Problems remarks_on_stepped(const SteppedRows& rows, std::optional<double> speed_mps);
+[[nodiscard]] Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps);
 
 /// The simulation as it is wanted recorded: raw, and longer by a pulse at its end. For one sample of each pulse also
 /// the sampling frequency stays the script's.

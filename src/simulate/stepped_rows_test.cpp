@@ -191,6 +191,33 @@ TEST(ProfileSeries, HasAScanForEachSweepOfTheBeam) {
   EXPECT_NEAR(std::norm(encounter.row(0)[bin]), power / static_cast<double>(series.rows.size()), 1e-9 * power);
 }
 
+// 0.8 m from burst to burst, and 100 m between the scans: aligned, neither widens the mean.
+TEST(ProfileSeries, OfAnEncounterLaysItsScansUponEachOther) {
+  Scene scene = stepped_scene(2.0);
+  Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(12.0);
+  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(30.0);
+  radar.beam = Radar::Beam::rotating;
+  radar.beam_rate = Angle::from_deg(360.0);
+  scene.simulations[0].range_start_m = 2900.0;
+  scene.simulations[0].range_end_m = 3200.0;
+  scene.platforms.push_back(moving("Jet", {3150.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}));
+  scene.targets.push_back(target_on("Jet", {0.0, 0.0, 0.0}));
+  scene.targets.push_back(target_on("Jet", {8.0, 0.0, 0.0}));
+  const SteppedRows rows = rows_of(scene);
+  SeriesOptions options;
+  options.velocity = SeriesOptions::Velocity::scene;
+  options.align = true;
+  const ProfileSeries series = make_profiles(rows, options, one);
+  ASSERT_EQ(series.scans.size(), 2u);
+  const ProfileSeries mean = mean_of_encounter(series);
+  const auto peaks = highest_peaks(mean.row(0), mean.axis, 2, 2.0, 0.3);
+  ASSERT_EQ(peaks.size(), 2u);
+  EXPECT_NEAR(std::abs(peaks[0].range_m - peaks[1].range_m), 8.0, 0.1);
+  for (const ProfilePeak& peak : peaks) EXPECT_NEAR(peak.width_m, 0.886 * cell_of(rows), 0.15 * cell_of(rows));
+}
+
 TEST(ProfileSeries, DoesNotDependOnTheNumberOfThreads) {
   Scene scene = stepped_scene(0.05);
   make_chirped(scene);
@@ -241,7 +268,7 @@ TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
 
 TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
   const auto remarks = [](const Scene& scene, std::optional<double> speed = {}) {
-    return text_of(remarks_on_stepped(rows_of(scene), speed));
+    return text_of(remarks_on_stepped(rows_of(scene), SteppedUse::profiles, speed));
   };
   Scene scene = stepped_scene(0.064 - 1.0 / 4000.0);
   scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));

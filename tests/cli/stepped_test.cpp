@@ -222,7 +222,7 @@ TEST_F(Isar, SaysWhatIsWrongWithItsArguments) {
   };
   refused({"--window", "hammond"}, "'hammond' is no window");
   refused({"--platform", "Shop"}, "did you mean 'Ship'?");
-  refused({"--platform", "Earth"}, "does not turn");
+  refused({"--platform", "Earth"}, "carries the radar itself");
   refused({"--turn-rate", "0"}, "without turning");
   refused({"--algorithm", "back-projection", "--motion", "estimated"}, "back-projection needs the path");
   refused({"--bursts", "5000"}, "bursts");
@@ -235,7 +235,7 @@ TEST_F(Isar, SaysWhatIsWrongWithItsArguments) {
 }
 
 TEST_F(Isar, IsInterruptedWithoutLeavingAnything) {
-  Program program({"isar", examples + "turning_ship.scr", "--algorithm", "back-projection", "--oversampling", "16"},
+  Program program({"isar", examples + "turning_ship.scr", "--algorithm", "back-projection", "--oversampling", "6"},
                   {folder_, "", 0});
   ASSERT_TRUE(program.wait_for("10 %", 60.0)) << program.err();
   program.send(SIGINT);
