@@ -105,6 +105,21 @@ TEST(SteppedBand, TakesTheSpeedOutOfChirps) {
   }
 }
 
+// 6 km/s: the Doppler shift turns a compressed chirp by pi fd^2/K = 0.34 rad.
+TEST(SteppedBand, TakesTheTurnOfTheDopplerShiftOut) {
+  const Stitched s;
+  const double v = 6000.0;
+  const BurstEchoes echoes = burst_echoes(s.band, &s.pulse, {moving_point(2950.0, v)}, 0.0, interval_s);
+  const double middle_s = middle_of(echoes.time_s);
+  ProfileAxis axis;
+  const Row row = profile_of(s.band, echoes, motion_of_speed(echoes.time_s, middle_s, v, c), 2930.0, 2970.0, axis);
+  const double expected_m = (2950.0 + v * middle_s) / (1.0 - v / c);
+  const auto peak = peak_near(row, axis, expected_m, 1.0);
+  ASSERT_TRUE(peak);
+  const double phase = -2.0 * pi * std::remainder(s.band.centre_hz() * 2.0 * expected_m / c, 1.0);
+  EXPECT_NEAR(std::remainder(peak->phase_rad - phase, 2.0 * pi), 0.0, 0.1);
+}
+
 TEST(SteppedBand, HasGapsWhereStepsAreWiderThanTheChirps) {
   const Pulse pulse = test::chirp_of(8e6, 10e-6);
   const SteppedBand band(test::chirped_waveform(pulse, 9e9, 10e6, 8, 20e6, 2900.0, 64));

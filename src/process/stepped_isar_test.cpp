@@ -179,7 +179,10 @@ TEST(IsarBackProjection, IsExactForLargeAngles) {
 TEST(IsarBackProjection, AgreesWithRangeAndDopplerForSmallAnglesAndChirps) {
   const Pulse pulse = test::chirp_of(12e6, 5e-6);
   const SteppedBand band(test::chirped_waveform(pulse, 9.4e9, 10e6, 8, 20e6, 4950.0, 16));
-  const Scene scene(band, &pulse, 60);
+  // 200 m/s: the Doppler shift moves compressed chirps by 0.8 m.
+  Turning fast;
+  fast.velocity_mps = {6.0, 200.0, 0.0};
+  const Scene scene(band, &pulse, 60, fast);
   const IsarPlane plane = plane_of(scene.seen);
   const ProfileMaker maker(band, {}, 4990.0, 5010.0, 2);
   const auto motion = motion_of_origin(scene.seen, c);

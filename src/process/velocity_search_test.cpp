@@ -50,6 +50,18 @@ TEST(EstimateVelocity, FindsTheSpeedOfManyBurstsByTheirWalk) {
   EXPECT_EQ(again.speed_mps, estimate.speed_mps);
 }
 
+// Twelve steps last 2.75 ms: their smear tells 227 m/s apart at best, and more than one speed looks sharp at first.
+TEST(EstimateVelocity, FindsTheSpeedWhereOneBurstDoesNotTellIt) {
+  SteppedWaveform w = test::sampled_waveform(2940.0, 12);
+  w.steps = 12;
+  const SteppedBand band(w);
+  const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
+  for (const double v : {-153.7, 12.0, 333.0, 421.0}) {
+    const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 40);
+    EXPECT_NEAR(estimate_velocity(maker, echoes, -500.0, 500.0, one).speed_mps, v, 2.0) << v;
+  }
+}
+
 TEST(EstimateVelocity, EndsAtTheEdgeOfItsInterval) {
   const SteppedBand band(test::sampled_waveform(2940.0, 12));
   const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
@@ -77,13 +89,13 @@ TEST(EstimateVelocity, EndsWhenAskedTo) {
 }
 
 TEST(ScansOf, AreRunsOfIlluminatedBursts) {
-  const auto scans = scans_of(std::vector<double>{0.1, 0.3, 1.0, 0.25, 0.2, 0.0, 0.9, 0.24}, 0.25);
+  const auto scans = scans_of(std::vector<double>{0.1, 0.3, 1.0, 0.25, 0.2, 0.9, 0.24}, 0.25);
   ASSERT_EQ(scans.size(), 2u);
   EXPECT_EQ(scans[0].first, 1u);
   EXPECT_EQ(scans[0].last, 3u);
   EXPECT_EQ(scans[0].count(), 3u);
-  EXPECT_EQ(scans[1].first, 6u);
-  EXPECT_EQ(scans[1].last, 6u);
+  EXPECT_EQ(scans[1].first, 5u);
+  EXPECT_EQ(scans[1].last, 5u);
   EXPECT_TRUE(scans_of(std::vector<double>(3), 0.5).empty());
   EXPECT_TRUE(scans_of({}, 0.5).empty());
   EXPECT_EQ(scans_of(std::vector<double>(5, 2.0), 1.0).size(), 1u);

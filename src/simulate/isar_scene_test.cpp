@@ -85,6 +85,19 @@ TEST(IsarImage, OfStepsOfChirpsAndOfChirpsOnOneCarrierHasItsPointsInPlace) {
   }
 }
 
+// A wave is a sphere: in the image of range and Doppler a point 12 m aside is x^2/(2 R) = 14 mm farther.
+TEST(IsarImage, ExpectsPointsOnTheSphereOfTheWaveOrInThePlane) {
+  const SteppedRows rows = rows_of(ship_scene(true));
+  IsarOptions options = options_for(rows);
+  const IsarImage sphere = plan_isar_image(rows, 0, rows.bursts, options);
+  options.algorithm = IsarOptions::Algorithm::back_projection;
+  const IsarImage plane = plan_isar_image(rows, 0, rows.bursts, options);
+  const double x = plane.points.at(1).expected.azimuth_m;
+  const double bend_m = x * x / (2.0 * plane.range_m);
+  EXPECT_GT(bend_m, 0.012);
+  EXPECT_NEAR(sphere.points.at(1).expected.range_m - plane.points[1].expected.range_m, bend_m, 0.004);
+}
+
 TEST(IsarImage, OfBackProjectionHasItsPointsInPlace) {
   const SteppedRows rows = rows_of(ship_scene(true));
   IsarOptions options = options_for(rows);

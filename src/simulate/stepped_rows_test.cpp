@@ -212,7 +212,7 @@ TEST(ProfileSeries, OfAnEncounterLaysItsScansUponEachOther) {
   const ProfileSeries series = make_profiles(rows, options, one);
   ASSERT_EQ(series.scans.size(), 2u);
   const ProfileSeries mean = mean_of_encounter(series);
-  const auto peaks = highest_peaks(mean.row(0), mean.axis, 2, 2.0, 0.3);
+  const auto peaks = highest_peaks(mean.row(0), mean.axis, 10, 2.0, 0.4);
   ASSERT_EQ(peaks.size(), 2u);
   EXPECT_NEAR(std::abs(peaks[0].range_m - peaks[1].range_m), 8.0, 0.1);
   for (const ProfilePeak& peak : peaks) EXPECT_NEAR(peak.width_m, 0.886 * cell_of(rows), 0.15 * cell_of(rows));
@@ -296,6 +296,20 @@ TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
   EXPECT_THAT(remarks(fast, 50.0), HasSubstr("beyond the speed that is compensated"));
   scene.simulations[0].time_end_s = 0.06;
   EXPECT_THAT(remarks(scene), HasSubstr("incomplete bursts"));
+}
+
+TEST(SeenFromPlatform, HasVelocitiesThatAreTheDerivativesOfItsPositions) {
+  Scene scene = stepped_scene(0.03);
+  scene.platforms.push_back(moving("Ship", {3000.0, 50.0, 20.0}, {30.0, -8.0, 2.0}));
+  scene.platforms.back().rotation_rate = {Angle::from_deg(2.0), Angle::from_deg(-3.0), Angle::from_deg(5.0)};
+  scene.targets.push_back(target_on("Ship", {}));
+  const SteppedRows rows = rows_of(scene);
+  const auto seen = seen_from_platform(rows, 1, 0, 3);
+  ASSERT_EQ(seen.size(), 96u);
+  const double interval_s = seen[41].time_s - seen[39].time_s;
+  const Vec3 slope = (1.0 / interval_s) * (seen[41].position_m - seen[39].position_m);
+  EXPECT_LT(norm(slope - seen[40].velocity_mps), 1e-3);
+  EXPECT_GT(norm(seen[40].velocity_mps), 200.0);  // 5 degrees a second, 3 km away.
 }
 
 TEST(PlatformOfTargets, CarriesTheStrongestAndIsNotTheRadars) {
