@@ -101,11 +101,26 @@ void ProfileMaker::add_power(std::span<const std::complex<double>> values, std::
   std::vector<std::complex<double>> joined(band_.gates() * band_.cells());
   band_.join(values, motion, joined);
   std::vector<std::complex<double>> work;
-  for (std::size_t i = 0; i < gate_.size(); ++i) {
-    if (gate_[i] == band_.gates() || (i > 0 && gate_[i] == gate_[i - 1])) continue;
-    transform_gate(joined, gate_[i], work);
+  for (const std::size_t gate : strong_gates(values)) {
+    transform_gate(joined, gate, work);
     for (std::size_t k = 0; k < work.size(); ++k) power[k] += std::norm(work[k]);
   }
+}
+
+// Of the gates in use, those with a tenth of the strongest one's energy: the same whatever the speed.
+std::vector<std::size_t> ProfileMaker::strong_gates(std::span<const std::complex<double>> values) const {
+  std::vector<double> energy(band_.gates());
+  const std::size_t cells = band_.pulse_cells();
+  for (std::size_t i = 0; i < values.size(); ++i) energy[i / cells % band_.gates()] += std::norm(values[i]);
+  std::vector<std::size_t> gates;
+  double strongest = 0.0;
+  for (const std::size_t gate : gate_) {
+    if (gate == band_.gates() || (!gates.empty() && gates.back() == gate)) continue;
+    gates.push_back(gate);
+    strongest = std::max(strongest, energy[gate]);
+  }
+  std::erase_if(gates, [&](std::size_t gate) { return energy[gate] < 0.1 * strongest; });
+  return gates;
 }
 
 // Bin i is the range axis_.at(i), but for the turn by the band's centre; beyond the period it repeats.
@@ -168,12 +183,12 @@ std::vector<ProfilePeak> highest_peaks(std::span<const std::complex<double>> pro
 
 double entropy_of(std::span<const double> power) {
   double energy = 0.0;
-  double sum = 0.0;
+  double squares = 0.0;
   for (const double p : power) {
     energy += p;
-    if (p > 0.0) sum += p * std::log(p);
+    squares += p * p;
   }
-  return energy > 0.0 ? std::log(energy) - sum / energy : 0.0;
+  return squares > 0.0 ? 2.0 * std::log(energy) - std::log(squares) : 0.0;
 }
 
 }  // namespace sarsim

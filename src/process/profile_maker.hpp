@@ -48,8 +48,9 @@ class ProfileMaker {
   /// @param[out] out axis().count bins
   void make(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
             std::span<std::complex<double>> out) const;
-  /// Adds the power of the burst over one whole period of ranges, c/(2 cell_hz): of all gates, each target in the bin
-  /// of its range modulo the period, whichever gates see it. What a speed that is not compensated moves stays inside.
+  /// Adds the power of the burst over one whole period of ranges, c/(2 cell_hz): of the gates that are not much weaker
+  /// than the strongest, each target in the bin of its range modulo the period, whichever gates see it. What a speed
+  /// that is not compensated moves stays inside.
   /// @param[in,out] power  period() bins
   void add_power(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
                  std::span<double> power) const;
@@ -58,6 +59,7 @@ class ProfileMaker {
   void transform(std::span<const std::complex<double>> joined, std::span<std::complex<double>> out) const;
 
  private:
+  [[nodiscard]] std::vector<std::size_t> strong_gates(std::span<const std::complex<double>> values) const;
   void transform_gate(std::span<const std::complex<double>> joined, std::size_t gate,
                       std::vector<std::complex<double>>& work) const;
 
@@ -86,7 +88,8 @@ struct ProfilePeak {
                                                      const ProfileAxis& axis, std::size_t most, double apart_m,
                                                      double least);
 
-/// -sum of p ln p, p the share of each bin in the energy of a profile: the smaller, the sharper. 0 without energy.
+/// -ln of the sum of q^2, q the share of each bin in the energy of a profile (Renyi's entropy of order 2): the smaller,
+/// the sharper. Strong peaks decide, so that noise in many bins hides little. 0 without energy.
 [[nodiscard]] double entropy_of(std::span<const double> power);
 
 }  // namespace sarsim

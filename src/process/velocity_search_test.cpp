@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <stdexcept>
 
 #include "math/window.hpp"
@@ -60,6 +61,18 @@ TEST(EstimateVelocity, FindsTheSpeedWhereOneBurstDoesNotTellIt) {
     const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 40);
     EXPECT_NEAR(estimate_velocity(maker, echoes, -500.0, 500.0, one).speed_mps, v, 2.0) << v;
   }
+}
+
+// Noise as strong as the weakest part in every sample of every gate, also of those that hold nothing else.
+TEST(EstimateVelocity, WorksInNoise) {
+  const SteppedBand band(test::sampled_waveform(2500.0, 60));
+  const ProfileMaker maker(band, hamming_window, 2510.0, 3390.0, 4);
+  const double v = -153.7;
+  BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 12);
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0.0, 0.4 / std::sqrt(2.0));
+  for (auto& value : echoes.values) value += std::complex<double>(normal(random), normal(random));
+  EXPECT_NEAR(estimate_velocity(maker, echoes, -400.0, 400.0, one).speed_mps, v, 0.5);
 }
 
 TEST(EstimateVelocity, EndsAtTheEdgeOfItsInterval) {
