@@ -34,7 +34,10 @@ EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   header.description = fmt::format("Synthetic range profiles by sarsim {}: lines are {}, samples are slant ranges",
                                    program_version, origin.set);
   std::string times;
-  for (const ProfileRow& row : series.rows) times += (times.empty() ? "" : ", ") + format_number(row.time_s);
+  for (const ProfileRow& row : series.rows) {
+    if (!times.empty()) times += ", ";
+    append_number(times, row.time_s);
+  }
   header.fields = {{"range first m", format_number(series.axis.first_m)},
                    {"range step m", format_number(series.axis.step_m)},
                    {"time s", times},
@@ -72,7 +75,10 @@ void write_csv(const ProfileSeries& series, const ProfileOrigin& origin, const f
   OutputFile file(path, replace);
   const auto put = [&file](const std::string& text) { file.write(std::as_bytes(std::span(text))); };
   std::string line = "range_m";
-  for (const ProfileRow& row : series.rows) line += "," + column_name(row, origin.set);
+  for (const ProfileRow& row : series.rows) {
+    line += ',';
+    line += column_name(row, origin.set);
+  }
   put(line + "\n");
   for (std::size_t k = 0; k < series.axis.count; ++k) {
     look_at(stop);
