@@ -126,6 +126,7 @@ class IsarRun {
         platforms, [&](const ResolvedPlatform& p) { return equal_ignoring_case(p.name, arguments_.platform); });
     if (found == platforms.end()) {
       std::vector<std::string> names;
+      names.reserve(platforms.size());
       for (const ResolvedPlatform& platform : platforms) names.push_back(platform.name);
       const std::string_view near = nearest_word(arguments_.platform, names);
       throw BadInput(fmt::format("--platform: the script has no platform '{}'", arguments_.platform),
@@ -155,7 +156,7 @@ class IsarRun {
 
   // NAME.img, or NAME-1.img, NAME-2.img ... of several images.
   [[nodiscard]] fs::path output(std::size_t index) const {
-    const fs::path path = output();
+    fs::path path = output();
     if (firsts_.size() == 1) return path;
     return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string());
   }

@@ -153,14 +153,14 @@ void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::
 
 std::optional<ProfilePeak> peak_near(std::span<const std::complex<double>> profile, const ProfileAxis& axis,
                                      double range_m, double search_m) {
+  // Places far outside are brought to the ends before they become indices.
   const auto last = static_cast<double>(profile.size()) - 2.0;
-  const double from = std::max(1.0, std::ceil(axis.index_of(range_m - search_m)));
-  const double to = std::min(last, std::floor(axis.index_of(range_m + search_m)));
+  if (last < 1.0) return std::nullopt;
+  const auto from = static_cast<std::size_t>(std::clamp(std::ceil(axis.index_of(range_m - search_m)), 1.0, last + 1.0));
+  const auto to = static_cast<std::size_t>(std::clamp(std::floor(axis.index_of(range_m + search_m)), 0.0, last));
   std::size_t best = 0;
-  for (double i = from; i <= to; i += 1.0) {
-    const auto bin = static_cast<std::size_t>(i);
-    if (tops(profile, bin) && (best == 0 || std::norm(profile[bin]) > std::norm(profile[best]))) best = bin;
-  }
+  for (std::size_t i = from; i <= to; ++i)
+    if (tops(profile, i) && (best == 0 || std::norm(profile[i]) > std::norm(profile[best]))) best = i;
   if (best == 0) return std::nullopt;
   return peak_at(profile, axis, best);
 }

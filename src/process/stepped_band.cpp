@@ -139,7 +139,7 @@ void SteppedBand::place(std::size_t pulse, std::span<const std::complex<double>>
 }
 
 std::complex<double> SteppedBand::weight(std::size_t cell) const {
-  const double pulses = static_cast<double>(waveform_.pulses_per_step);
+  const auto pulses = static_cast<double>(waveform_.pulses_per_step);
   return share_.empty() ? 1.0 / pulses : share_[cell] / pulses;
 }
 

@@ -222,9 +222,12 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
   parallel_ranges(cross_range.count, rows_at_once, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<double>> sums((end - begin) * columns);
     std::vector<Vec3> points(sums.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] = cross_range.at(static_cast<double>(begin + i / columns)) * plane.cross_range +
-                  image.range.at(static_cast<double>(i % columns)) * plane.range;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t row = begin + i / columns;
+      const std::size_t column = i % columns;
+      points[i] = cross_range.at(static_cast<double>(row)) * plane.cross_range +
+                  image.range.at(static_cast<double>(column)) * plane.range;
+    }
     PulseTable table(maker);
     for (std::size_t p = 0; p < seen.size(); ++p) {
       if (control.stop != nullptr && control.stop->requested()) throw Interrupted();

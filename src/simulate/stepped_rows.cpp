@@ -130,7 +130,7 @@ Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan) 
   return recorded;
 }
 
-SteppedRows stepped_rows_of_scene(std::shared_ptr<const Plan> plan, const Plan& window) {
+SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window) {
   SteppedRows rows = rows_without_reader(plan, false);
   rows.from_m = window.simulation.range_start_m;
   rows.to_m = window.simulation.range_end_m;
@@ -142,7 +142,7 @@ SteppedRows stepped_rows_of_scene(std::shared_ptr<const Plan> plan, const Plan& 
   return rows;
 }
 
-SteppedRows stepped_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
+SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read) {
   SteppedRows rows = rows_without_reader(plan, plan->simulation.processing == Processing::matched_filter);
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
   rows.read = [skipped, read = std::move(read)](std::size_t pulse, std::span<std::complex<double>> out) {

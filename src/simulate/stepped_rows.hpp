@@ -62,10 +62,10 @@ enum class SteppedUse {
 
 /// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
 /// @param window  the plan of the script's own window
-[[nodiscard]] SteppedRows stepped_rows_of_scene(std::shared_ptr<const Plan> plan, const Plan& window);
+[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window);
 
 /// Rows of a recording, raw or compressed, that a plan describes.
-[[nodiscard]] SteppedRows stepped_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read);
+[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read);
 
 /// Reads bursts [first, first + count), their pulses placed in the band.
 [[nodiscard]] BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
