@@ -48,6 +48,8 @@ struct Program {
     add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
     add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
     add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
+    add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
+    add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
     add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
     add("completion", "print a completion script for a shell",

@@ -25,6 +25,8 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_doppler(CLI::App& app);
 [[nodiscard]] Action add_search(CLI::App& app);
 [[nodiscard]] Action add_verify(CLI::App& app);
+[[nodiscard]] Action add_profiles(CLI::App& app);
+[[nodiscard]] Action add_isar(CLI::App& app);
 /// @param root  the application whose commands and options are completed
 [[nodiscard]] Action add_completion(CLI::App& app, const CLI::App& root);
 

@@ -10,8 +10,9 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"run",   "sweep",   "check",   "info",   "geometry", "convert", "plot",
-                                        "focus", "measure", "doppler", "search", "format",   "verify",  "completion"};
+const std::vector<std::string> commands{"run",    "sweep",      "check",    "info",    "geometry", "convert",
+                                        "plot",   "focus",      "measure",  "doppler", "search",   "format",
+                                        "verify", "completion", "profiles", "isar"};
 
 class Documentation : public CommandTest {
  protected:

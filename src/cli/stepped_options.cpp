@@ -1,0 +1,37 @@
+#include "cli/stepped_options.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "process/sar_window.hpp"
+
+namespace sarsim::cli {
+
+VelocityChoice velocity_choice(const std::string& text) {
+  using Velocity = SeriesOptions::Velocity;
+  if (equal_ignoring_case(text, "none")) return {};
+  if (equal_ignoring_case(text, "scene")) return {Velocity::scene, 0.0};
+  if (equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0};
+  const auto number = parse_number(text);
+  if (number && std::abs(*number) < 1e6) return {Velocity::given, *number};
+  throw BadInput(fmt::format("--velocity: '{}' is none", text),
+                 "none, scene, estimated or a number of m/s, positive receding");
+}
+
+WindowFunction window_function(const std::string& option, const std::string& text) {
+  if (text.empty()) return {};
+  const auto window = window_from_text(text);
+  if (!window)
+    throw BadInput(fmt::format("{}: '{}' is no window", option, text),
+                   "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
+  return [weight = weight_of(*window)](double x) { return weight(x - 0.5); };
+}
+
+ProgressDisplay::Style display_style(const Streams& streams, bool quiet) {
+  if (quiet) return ProgressDisplay::Style::none;
+  return streams.terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
+}
+
+}  // namespace sarsim::cli

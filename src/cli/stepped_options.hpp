@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "cli/context.hpp"
+#include "cli/progress_display.hpp"
+#include "simulate/profile_series.hpp"
+
+namespace sarsim::cli {
+
+/// What --velocity says.
+struct VelocityChoice {
+  SeriesOptions::Velocity velocity = SeriesOptions::Velocity::none;
+  double speed_mps = 0.0;
+};
+
+/// none, scene, estimated or a number of m/s; throws BadInput for anything else.
+[[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
+
+/// The window that a text names, over 0 to 1, 1 where none is named; throws BadInput for another text.
+[[nodiscard]] WindowFunction window_function(const std::string& option, const std::string& text);
+
+/// How progress is shown.
+[[nodiscard]] ProgressDisplay::Style display_style(const Streams& streams, bool quiet);
+
+}  // namespace sarsim::cli
