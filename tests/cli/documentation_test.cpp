@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"run",  "check", "info",    "geometry", "convert",
-                                        "plot", "focus", "measure", "format",   "completion"};
+const std::vector<std::string> commands{"run",   "check",   "info",   "geometry",   "convert", "plot",
+                                        "focus", "measure", "format", "completion", "merge"};
 
 class Documentation : public CommandTest {
  protected:
