@@ -33,6 +33,7 @@ const std::string version_text =
 struct Program {
   CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
   std::vector<std::pair<CLI::App*, Action>> commands;
+  bool begun = false;  // A command was understood and is carried out.
 
   Program() {
     prepare();
@@ -153,6 +154,7 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
     write_out(streams, program.app.help());
     return exit_done;
   }
+  program.begun = true;
   return chosen->second(streams);
 }
 
@@ -225,13 +227,15 @@ int team_program(int argc, const char* const* argv, Team* team) {
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
   Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};
-  if (team->leads()) return guarded(program, words, own);
   std::ostringstream unread;
   std::ostringstream messages;
-  Streams streams{unread, messages, false, &stop};
-  const int status = guarded(program, words, streams);
-  if (status != exit_done && (!team->failure_is_known() || team->speaks()) && received_signal() == 0)
-    std::cerr << team->name() + ": " + messages.str() << std::flush;
+  Streams others{unread, messages, false, &stop};
+  const int status = guarded(program, words, team->leads() ? own : others);
+  if (status == exit_done) return status;
+  // Words that one of them does not understand are understood by none.
+  if (!program.begun) static_cast<void>(team->all_well(false));
+  const bool tells = !team->leads() && (!team->failure_is_known() || team->speaks()) && received_signal() == 0;
+  if (tells) std::cerr << team->name() + ": " + messages.str() << std::flush;
   return status;
 }
 

@@ -85,7 +85,7 @@ def main():
         workers = [Worker(k, folder, arguments.format) for k in range(1, PARTS + 1)]
         kills = 0
         while kills < arguments.kills:
-            time.sleep(chance.uniform(0.02, 0.2))
+            time.sleep(chance.uniform(0.05, 0.4))
             busy = [w for w in workers if w.busy()]
             if not busy:
                 break
