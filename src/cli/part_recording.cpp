@@ -55,6 +55,7 @@ class PartMaker {
       });
       compute();
       together([&] { result_.journal_seconds = part_->writer().settling_s(); });
+      result_.journal_entries = part_->writer().claims().size();
       together([&] {
         if (leads()) finish();
       });
@@ -111,6 +112,8 @@ class PartMaker {
   void find_finished() {
     std::error_code ignored;
     if (!std::filesystem::exists(job_.output, ignored)) return;
+    if (!std::filesystem::is_regular_file(job_.output, ignored))
+      throw BadInput({problem("parts can only become a file", "run without --part, --pulses and --resume")});
     const auto receipt = read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {
       if (job_.force) return;
@@ -278,7 +281,8 @@ void write_json(JsonWriter& json, const PartJob& job, const PartResult& result) 
   json.member("first_row", result.range.first).member("part_rows", result.range.count);
   json.member("computed_rows", result.made).member("rejected_rows", result.rejected);
   json.member("rows_there", result.there).member("complete", result.whole.has_value() || result.elsewhere);
-  json.member("seconds", result.seconds).member("journal_seconds", result.journal_seconds).end_object();
+  json.member("seconds", result.seconds).member("journal_seconds", result.journal_seconds);
+  json.member("journal_entries", result.journal_entries).end_object();
 }
 
 }  // namespace sarsim::cli

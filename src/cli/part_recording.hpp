@@ -41,7 +41,8 @@ struct PartResult {
   bool elsewhere = false;          ///< The recording is complete; another process has seen to it.
   std::optional<RunReport> whole;  ///< The recording is complete: its report.
   double seconds = 0.0;
-  double journal_seconds = 0.0;  ///< Spent on bringing rows and journal to the disk.
+  std::size_t journal_entries = 0;  ///< Written by this process.
+  double journal_seconds = 0.0;     ///< Spent on bringing rows and journal to the disk.
 };
 
 /// Makes a share of a recording in the folder OUTPUT.parts, and completes the recording where it was the last.

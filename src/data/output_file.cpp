@@ -205,8 +205,10 @@ void sync_folder_of(const fs::path& path) noexcept {
 void publish_file(const fs::path& complete, const fs::path& output, bool replace) {
   const fs::path target = end_of_links(output);
   struct stat status {};
-  if (replace && ::stat(target.c_str(), &status) == 0 && S_ISREG(status.st_mode))
-    ::chmod(complete.c_str(), status.st_mode & 07777U);  // As near to the old file's as we may.
+  if (::stat(target.c_str(), &status) == 0) {
+    if (!S_ISREG(status.st_mode)) throw_error(ENOTSUP, "cannot replace what is no file: " + output.string());
+    if (replace) ::chmod(complete.c_str(), status.st_mode & 07777U);  // As near to the old file's as we may.
+  }
   const int error = replace ? (std::rename(complete.c_str(), target.c_str()) == 0 ? 0 : errno)
                             : rename_without_replacing(complete, target);
   if (error != 0) throw_error(error, fmt::format("cannot complete {}", output.string()));

@@ -84,6 +84,23 @@ TEST_F(PartsOfScenes, MayBeGivenAsPulses) {
   expect_same_bytes("whole/sim.bin", "parts/sim.bin");
 }
 
+// Compressed pulses, and bursts of a stepped carrier: a row of these is made of several pulses.
+TEST_F(PartsOfScenes, MayBeOfAnyProcessing) {
+  for (const char* example : {"thesis_a3.scr", "stepped_srp.scr"}) {
+    write_text(folder_ / "scene.scr", text_of(fs::path(SARSIM_SOURCE_DIR "/examples") / example));
+    const std::string out = example;
+    ASSERT_EQ(run({"--out", out + "-whole", "--quiet"}).status, 0) << example;
+    for (const char* part : {"3/3", "1/3", "2/3"})
+      ASSERT_EQ(run({"--out", out, "--part", part, "--quiet"}).status, 0) << example;
+    std::size_t files = 0;
+    for (const std::string& file : entries(out + "-whole")) {
+      expect_same_bytes(out + "-whole/" + file, out + "/" + file);
+      ++files;
+    }
+    EXPECT_GT(files, 0U);
+  }
+}
+
 TEST_F(PartsOfScenes, MayBeMoreThanThereArePulses) {
   write_shaking_scene(3, "3e-5");
   ASSERT_EQ(run({"--out", "whole"}).status, 0);

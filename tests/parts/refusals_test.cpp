@@ -145,6 +145,12 @@ TEST_F(PartRefusals, AFinishedFileOfAnotherRun) {
   expect_refusal(run({"--resume"}), "the output exists already");
 }
 
+TEST_F(PartRefusals, DevicesInPlaceOfTheFile) {
+  fs::create_symlink("/dev/null", folder_ / "sim.bin");
+  expect_refusal(run({"--part", "1/1", "--force"}), "parts can only become a file");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
 TEST_F(PartRefusals, FoldersThatHoldNoParts) {
   expect_refusal(sarsim({"merge", "nowhere.parts"}), "there is no folder 'nowhere.parts'");
   fs::create_directory(folder_ / "empty.parts");
