@@ -60,6 +60,13 @@ std::string journal_text(const Journal& journal) {
   return text;
 }
 
+// Who is dealt rows must find the journal of the one who deals them.
+Problem not_shared(const fs::path& folder) {
+  Problem problem = file_problem(folder.string(), "this process does not see what the first one has begun");
+  problem.hint = "name a folder with --out that all machines share";
+  return problem;
+}
+
 Journal read_again(const Journal& journal) {
   auto read = read_journal(journal.path);
   if (auto* problem = std::get_if<Problem>(&read)) throw UnfitParts({std::move(*problem)});
@@ -95,6 +102,7 @@ void PartRun::enter() {
   if (task_.anew && !task_.resume) forget_own(journals_);
   expect_same_run(journals_);
   const bool first = journals_.empty();
+  if (task_.dealt && first) throw UnfitParts({not_shared(folder_)});
   std::erase_if(journals_,
                 [&](const Journal& journal) { return journal.path != journal_path() && !meets(journal, task_.range); });
   for (const Journal& journal : journals_) expect_free(journal);

@@ -121,6 +121,22 @@ TEST(PartRun, IsRefusedWhileItsRowsAreBeingMade) {
   EXPECT_NO_THROW(PartRun(task, {}));
 }
 
+TEST(PartRun, ThatIsDealtRowsNeedsTheJournalOfWhoDealsThem) {
+  const TestFolder folder;
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartTask dealt = task_for(folder / "out", stored, "rank-1", {});
+  dealt.dealt = true;
+  EXPECT_THROW(PartRun(dealt, {}), UnfitParts);
+  PartRun leader(task_for(folder / "out", stored, "all", {0, rows}), {});
+  PartRun follower(dealt, {});
+  EXPECT_TRUE(follower.missing().empty());
+  follower.writer().take(encoded(stored, {3, 4}));
+  follower.writer().settle();
+  leader.writer().take(encoded(stored, {0, 3}));
+  leader.writer().take(encoded(stored, {7, 5}));
+  EXPECT_TRUE(leader.finish(false, {}).joined.has_value());
+}
+
 TEST(PartRun, ThatComesLateFindsTheRecordingComplete) {
   const TestFolder folder;
   const StoredProduct stored = stored_as(FileFormat::binary);
