@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/signals.hpp"
+#include "cli/team.hpp"
 
 namespace sarsim::cli {
 
@@ -31,18 +33,18 @@ const std::string version_text =
 struct Program {
   CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
   std::vector<std::pair<CLI::App*, Action>> commands;
+  bool begun = false;  // A command was understood and is carried out.
 
   Program() {
-    app.set_help_flag("-h,--help", "this help");
-    app.set_version_flag("--version", version_text, "version and licence");
-    app.get_formatter()->column_width(34);
-    app.allow_extras();
-    add("run", "simulate: everything that a script asks for, or some of it", add_run);
+    prepare();
+    add("run", "simulate: everything that a script asks for, or some of it",
+        [](CLI::App& command) { return add_run(command); });
     add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
     add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);
+    add("merge", "join the parts of recordings that were made apart", add_merge);
     add("convert", "convert files of samples between formats", add_convert);
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
     add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
@@ -58,8 +60,24 @@ struct Program {
                        {"sarsim check scene.scr", "before computing anything"},
                        {"sarsim run --help", "options and examples of a command"}});
   }
+  // For processes that run together.
+  explicit Program(Team& team) {
+    app.name("sarsim-mpi");
+    app.description("Carries out sarsim run by the processes of an MPI job together.");
+    prepare();
+    add("run", "simulate: everything that a script asks for, or some of it",
+        [&team](CLI::App& command) { return add_run(command, &team); });
+    add_examples(app, {{"mpirun -n 8 sarsim-mpi run scene.scr", "eight processes, each with its share of the cores"}});
+  }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
+
+  void prepare() {
+    app.set_help_flag("-h,--help", "this help");
+    app.set_version_flag("--version", version_text, "version and licence");
+    app.get_formatter()->column_width(34);
+    app.allow_extras();
+  }
 
   template <class Add>
   void add(const char* name, const char* description, const Add& add_arguments) {
@@ -142,6 +160,7 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
     write_out(streams, program.app.help());
     return exit_done;
   }
+  program.begun = true;
   return chosen->second(streams);
 }
 
@@ -172,9 +191,13 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return exit_bad_input;
   } catch (const OutputClosed&) {
     return exit_failed;
-  } catch (const Interrupted&) {
+  } catch (const Interrupted& interrupted) {
     const int number = received_signal();
-    streams.err << "sarsim: interrupted; nothing unfinished was left behind\n";
+    const auto* kept = dynamic_cast<const KeptInterruption*>(&interrupted);
+    streams.err << "sarsim: interrupted; "
+                << (kept == nullptr ? "nothing unfinished was left behind"
+                                    : "what is done is kept in " + kept->kept_in + "; go on with --resume")
+                << '\n';
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
     say("not enough memory", "record less at once, or with fewer --threads");
@@ -198,6 +221,28 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 int main_program(int argc, const char* const* argv) {
   const StopFlag& stop = handle_signals();
   return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
+}
+
+int team_program(int argc, const char* const* argv, Team* team) {
+  if (team == nullptr) {
+    std::cerr << "sarsim-mpi: error: this program was not started by MPI\n"
+                 "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";
+    return exit_bad_input;
+  }
+  const StopFlag& stop = handle_signals();
+  const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
+  Program program(*team);
+  Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};
+  std::ostringstream unread;
+  std::ostringstream messages;
+  Streams others{unread, messages, false, &stop};
+  const int status = guarded(program, words, team->leads() ? own : others);
+  if (status == exit_done) return status;
+  // Words that one of them does not understand are understood by none.
+  if (!program.begun) static_cast<void>(team->all_well(false));
+  const bool tells = !team->leads() && (!team->failure_is_known() || team->speaks()) && received_signal() == 0;
+  if (tells) std::cerr << team->name() + ": " + messages.str() << std::flush;
+  return status;
 }
 
 }  // namespace sarsim::cli

@@ -12,7 +12,11 @@ namespace sarsim::cli {
 
 using Action = std::function<ExitStatus(Streams&)>;
 
-[[nodiscard]] Action add_run(CLI::App& app);
+class Team;
+
+/// @param team  processes that run together; none: this one alone
+[[nodiscard]] Action add_run(CLI::App& app, Team* team = nullptr);
+[[nodiscard]] Action add_merge(CLI::App& app);
 [[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);
 [[nodiscard]] Action add_format_command(CLI::App& app);

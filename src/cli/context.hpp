@@ -39,6 +39,12 @@ struct BadInput : std::runtime_error {
   Problems problems;
 };
 
+/// Thrown where a command that was asked to stop has kept what it had done.
+struct KeptInterruption : Interrupted {
+  explicit KeptInterruption(std::string where) : kept_in(std::move(where)) {}
+  std::string kept_in;  ///< A folder.
+};
+
 /// Thrown where nobody reads standard output any more; ends the command without a message.
 struct OutputClosed : std::runtime_error {
   OutputClosed() : std::runtime_error("nobody reads the output") {}

@@ -16,6 +16,9 @@
 #include "cli/json.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
+#include "cli/part_identity.hpp"
+#include "cli/part_options.hpp"
+#include "cli/part_recording.hpp"
 #include "cli/products.hpp"
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
@@ -51,6 +54,7 @@ struct RunArguments {
   bool counts = false;
   bool header = false;
   bool discard = false;
+  PartChoice part;
 };
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -62,15 +66,20 @@ std::string expected_time(double seconds) {
 // One run of a script, from its text to its products.
 class Runner {
  public:
-  Runner(const RunArguments& arguments, Streams& streams) : arguments_(arguments), streams_(streams) {
+  Runner(const RunArguments& arguments, Streams& streams, Team* team)
+      : arguments_(arguments),
+        streams_(streams),
+        team_(team),
+        journaled_(team != nullptr || arguments.part.journaled()) {
     threads_ = thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
+    if (team != nullptr && arguments.threads.value_or(0) == 0)
+      threads_ = std::max(threads_ / team->processes_here(), 1U);
   }
 
   ExitStatus run() {
-    choose_simd();
     try {
-      prepare();
-      for (const ProductJob& job : jobs_) job.table ? make_table(job) : make_recording(job);
+      prepare_together();
+      for (const ProductJob& job : jobs_) make(job);
     } catch (const BadInput& error) {
       finish_json("bad input", error.problems);
       throw;
@@ -90,12 +99,44 @@ class Runner {
   }
 
  private:
+  // Where processes run together, all of them are ready, or none goes on.
+  void prepare_together() {
+    try {
+      choose_simd();
+      expect_partable();
+      prepare();
+    } catch (...) {
+      if (team_ != nullptr) static_cast<void>(team_->all_well(false));
+      throw;
+    }
+    if (team_ != nullptr && !team_->all_well(true)) throw BadInput(Problems());
+  }
+
   // Same bytes on different processors: everybody takes the same instruction set.
   void choose_simd() const {
     if (arguments_.simd.empty() || use_simd_level(arguments_.simd)) return;
     std::string levels;
     for (const std::string& level : simd_levels()) levels += (levels.empty() ? "" : ", ") + level;
     throw BadInput("--simd: this processor has no '" + arguments_.simd + "'", "choose among " + levels);
+  }
+
+  void expect_partable() const {
+    const PartChoice& part = arguments_.part;
+    if (team_ != nullptr && (part.share || part.span || part.own_file))
+      throw BadInput("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
+    if (journaled_ && arguments_.discard)
+      throw BadInput("--discard writes nothing: there is nothing to share, keep or resume",
+                     "leave out --discard, or --part, --pulses and --resume");
+    if (!journaled_ && (part.own_file || part.save_every_s))
+      throw BadInput("--part-file and --save-every concern parts and runs that can be resumed",
+                     "give --part, --pulses or --resume as well");
+  }
+
+  void make(const ProductJob& job) {
+    if (journaled_)
+      job.table ? make_table_of_part(job) : make_part_of(job);
+    else
+      job.table ? make_table(job) : make_recording(job);
   }
 
   [[nodiscard]] Plan planned(std::size_t simulation) {
@@ -164,8 +205,12 @@ class Runner {
 
   void expect_free_outputs() {
     Problems problems;
-    for (const ProductJob& job : jobs_)
-      std::ranges::move(problems_of_output(job.path, arguments_.scene, arguments_.force), std::back_inserter(problems));
+    // Whether a recording that is made in parts is finished is looked at when its turn comes.
+    for (const ProductJob& job : jobs_) {
+      const bool later = journaled_ && (!job.table || arguments_.part.resume || !makes_tables());
+      std::ranges::move(problems_of_output(job.path, arguments_.scene, arguments_.force || later),
+                        std::back_inserter(problems));
+    }
     if (fs::exists(arguments_.folder) && !fs::is_directory(arguments_.folder)) {
       problems = {};
       throw BadInput("'" + arguments_.folder + "' is not a folder",
@@ -184,11 +229,7 @@ class Runner {
       }
       Plan plan = planned(job.index);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
-      // The size of text is an estimate from above.
-      bytes_wanted += plan.simulation.format == FileFormat::binary || plan.simulation.format == FileFormat::npy ||
-                              plan.simulation.format == FileFormat::hdf5
-                          ? bytes
-                          : 0.4 * bytes;
+      bytes_wanted += room_bytes(job, plan, bytes);
       if (!arguments_.quiet) announce(job, plan, bytes);
       // The first recording comes first; the plans of all of them could be too much to keep.
       if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
@@ -196,9 +237,28 @@ class Runner {
     if (!arguments_.discard) expect_room(bytes_wanted);
   }
 
+  // What a recording needs on the disk at least.
+  [[nodiscard]] double room_bytes(const ProductJob& job, const Plan& plan, double bytes) const {
+    const FileFormat format = plan.simulation.format;
+    const bool text = format != FileFormat::binary && format != FileFormat::npy && format != FileFormat::hdf5;
+    // The size of text is an estimate from above.
+    const double least = text ? 0.4 * bytes : bytes;
+    if (!journaled_) return least;
+    if (fs::exists(parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
+    const double rows = static_cast<double>(plan.rows);
+    const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count);
+    if (estimates_lsb(plan.simulation)) return 16.0 * made * static_cast<double>(plan.columns);
+    return text || arguments_.part.own_file ? least * made / rows : least;
+  }
+
+  [[nodiscard]] bool estimates_lsb(const Simulation& simulation) const {
+    return simulation.lsb_v <= 0.0 && holds_counts(simulation);
+  }
+
   void announce(const ProductJob& job, const Plan& plan, double bytes) const {
-    const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation);
-    const double seconds = estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
+    const bool twice = estimates_lsb(plan.simulation) && !journaled_;
+    const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count) / static_cast<double>(plan.rows);
+    const double seconds = made * estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
     streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
                                 plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
                                 bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
@@ -261,15 +321,9 @@ class Runner {
     const double begin_s = now_s();
     const Plan plan = planned(job.index);
     const bool with_script = plan.simulation.format == FileFormat::hdf5;
-    const WorkControl work{threads_, streams_.stop};
-    const Product product = product_of(plan, with_script ? write_script(input_.scene, work) : std::string());
+    const Product product = product_of(plan, with_script ? script() : std::string());
     const std::unique_ptr<Sink> sink = sink_of(job, product, plan.simulation);
-    RecordingReport report;
-    report.simulation = plan.simulation;
-    report.simulation.radar = plan.radar.name;
-    report.options = input_.scene.options;
-    report.engine = product.engine;
-    report.engine_reason = plan.engine.reason;
+    RecordingReport report = report_on(job, plan, product);
     report.counts = sink->wants_counts();
     const double lsb = lsb_v(plan, *sink, job.path.string());
     {
@@ -279,12 +333,62 @@ class Runner {
     report.bytes = expected_bytes(product, sink_options(plan.simulation));
     if (!arguments_.discard) take_file(job.path, report.file, report.bytes);
     report.seconds = now_s() - begin_s;
+    tell(report);
+  }
+
+  // What a report says before anything was computed.
+  [[nodiscard]] RecordingReport report_on(const ProductJob& job, const Plan& plan, const Product& product) const {
+    RecordingReport report;
+    report.simulation = plan.simulation;
+    report.simulation.radar = plan.radar.name;
+    report.options = input_.scene.options;
+    report.engine = product.engine;
+    report.engine_reason = plan.engine.reason;
     std::ranges::copy_if(input_.problems, std::back_inserter(report.warnings), [&](const Problem& p) {
       return p.severity == Severity::warning && (p.subject.kind != "simulation" || concerns(p, job));
     });
+    return report;
+  }
+
+  void tell(const RecordingReport& report) {
     if (!arguments_.quiet) streams_.err << report_text(report);
     write_json(products_, report);
   }
+
+  // The text of the scene as understood, made when it is first needed.
+  const std::string& script() {
+    if (script_.empty()) script_ = write_script(input_.scene, {threads_, streams_.stop});
+    return script_;
+  }
+
+  void make_part_of(const ProductJob& job) {
+    const double begin_s = now_s();
+    const Plan plan = planned(job.index);
+    StoredProduct stored;
+    stored.product = product_of(plan, plan.simulation.format == FileFormat::hdf5 ? script() : std::string());
+    stored.options = sink_options(plan.simulation);
+    stored.estimate_lsb = estimates_lsb(plan.simulation);
+    stored.engine_reason = plan.engine.reason;
+    const Identity identity = identity_of(input_.scene, job.index, script(), stored);
+    const PartJob part{plan, job.path, stored, identity, arguments_.part, arguments_.force};
+    const PartResult result = make_part(part, {streams_, style(), threads_, team_});
+    if (!arguments_.quiet) streams_.err << part_text(part, result);
+    write_json(products_, part, result);
+    if (!result.whole) return;
+    RecordingReport report = report_on(job, plan, stored.product);
+    report.counts = stored.estimate_lsb || holds_counts(plan.simulation);
+    report.run = *result.whole;
+    take_file(job.path, report.file, report.bytes);
+    report.seconds = result.finished_before ? result.whole->seconds : now_s() - begin_s;
+    tell(report);
+  }
+
+  // Tables take no time: the share that holds the first pulse makes them, anew where it resumes.
+  void make_table_of_part(const ProductJob& job) {
+    if (makes_tables()) make_table(job);
+  }
+
+  [[nodiscard]] bool makes_tables() const { return arguments_.part.first() && (team_ == nullptr || team_->leads()); }
 
   void make_table(const ProductJob& job) {
     const double begin_s = now_s();
@@ -296,7 +400,7 @@ class Runner {
       write_geometry_text(input_.scene, table, count, streams_.stop);
     } else {
       if (job.path.has_parent_path()) fs::create_directories(job.path.parent_path());
-      OutputFile file(job.path, arguments_.force);
+      OutputFile file(job.path, arguments_.force || arguments_.part.resume);
       const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
       write_geometry_text(input_.scene, table, write, streams_.stop);
       file.commit();
@@ -334,7 +438,10 @@ class Runner {
 
   const RunArguments& arguments_;
   Streams& streams_;
+  Team* team_;
+  bool journaled_;
   unsigned threads_ = 1;
+  std::string script_;
   SceneInput input_;
   std::vector<ProductJob> jobs_;
   std::optional<std::pair<std::size_t, Plan>> kept_plan_;  // of a simulation; made to be announced, run afterwards
@@ -362,22 +469,26 @@ void add_run_options(CLI::App& app, RunArguments& a) {
   app.add_flag("--strict", a.strict, "warnings end the run before it begins (status 2)");
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
   app.add_flag("--discard", a.discard, "compute and encode everything, write nothing");
+  add_part_options(app, a.part);
 }
 
 }  // namespace
 
-Action add_run(CLI::App& app) {
+Action add_run(CLI::App& app, Team* team) {
   auto arguments = std::make_shared<RunArguments>();
   add_text(app, "scene", arguments->scene, "SCENE", "script to simulate")->required();
   app.add_option("products", arguments->products,
                  "which products: numbers of simulations from 1, or output names (default: all)")
       ->type_name("NUMBER|NAME");
   add_run_options(app, *arguments);
-  add_examples(app, {{"sarsim run sar_r.scr", "everything that the script asks for"},
-                     {"sarsim run sar_r.scr 2 --out results", "its second simulation, into another folder"},
-                     {"sarsim run sar_r.scr --format hdf5 --force", "volts as HDF5, replacing older files"},
-                     {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"}});
-  return [arguments](Streams& streams) { return Runner(*arguments, streams).run(); };
+  add_examples(app,
+               {{"sarsim run sar_r.scr", "everything that the script asks for"},
+                {"sarsim run sar_r.scr 2 --out results", "its second simulation, into another folder"},
+                {"sarsim run sar_r.scr --format hdf5 --force", "volts as HDF5, replacing older files"},
+                {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"},
+                {"sarsim run sar_r.scr --part 3/8", "the third of eight shares, on any machine that sees the folder"},
+                {"sarsim run sar_r.scr --resume", "with a journal; the same again goes on where it ended"}});
+  return [arguments, team](Streams& streams) { return Runner(*arguments, streams, team).run(); };
 }
 
 }  // namespace sarsim::cli

@@ -187,6 +187,20 @@ void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, s
   order_.take(rows);
 }
 
+void Hdf5Sink::append_axes(std::size_t first_row, std::size_t rows) {
+  order_.expect(first_row, rows);
+  const QuietHdf5 quiet;
+  write_row_axes(first_row, rows);
+  order_.take(rows);
+}
+
+std::uint64_t Hdf5Sink::samples_offset() const {
+  const QuietHdf5 quiet;
+  const haddr_t offset = H5Dget_offset(samples_.get());
+  expect(offset != HADDR_UNDEF);
+  return offset;
+}
+
 void Hdf5Sink::finish(const RunReport& report) {
   order_.expect_all();
   const QuietHdf5 quiet;

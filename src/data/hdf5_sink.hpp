@@ -24,7 +24,12 @@ class Hdf5Sink final : public Sink {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override;
+  /// Instead of `append`, for rows whose samples somebody else writes: only their axes.
+  void append_axes(std::size_t first_row, std::size_t rows);
   void finish(const RunReport& report) override;
+
+  /// Where the samples begin in the file.
+  [[nodiscard]] std::uint64_t samples_offset() const;
 
  private:
   void expect(bool done) const;

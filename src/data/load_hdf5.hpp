@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "data/encoder.hpp"
+#include "data/row_places.hpp"
 #include "data/sample_reader.hpp"
 #include "simulate/sink.hpp"
 
@@ -18,6 +19,11 @@ struct Hdf5Module {
   /// Begins a file, see Hdf5Sink.
   std::unique_ptr<Sink> (*make_sink)(const std::filesystem::path& path, const Product& product,
                                      const Encoding& encoding, bool replace);
+  /// Where the samples of such a file stand. `scratch` names a file that is begun and thrown away.
+  RowPlaces (*row_places)(const std::filesystem::path& scratch, const Product& product, const Encoding& encoding);
+  /// Makes a whole file but for its samples, which are left as a hole.
+  void (*write_frame)(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+                      const RunReport& report);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.

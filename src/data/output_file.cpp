@@ -59,15 +59,6 @@ int rename_without_replacing(const fs::path& from, const fs::path& to) {
   return error;
 }
 
-// Makes a rename last over a loss of power, where the file system can; the content is already safe.
-void sync_folder_of(const fs::path& path) noexcept {
-  const fs::path folder = path.parent_path();
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
-
 fs::path temporary_name(const fs::path& target) {
   static std::atomic<unsigned> serial{0};
   const std::string tail = fmt::format(".partial-{}-{}", ::getpid(), serial.fetch_add(1));
@@ -201,6 +192,27 @@ void OutputFile::discard() noexcept {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   if (!direct_ && !working_path_.empty()) ::unlink(working_path_.c_str());
   working_path_.clear();
+}
+
+void sync_folder_of(const fs::path& path) noexcept {
+  const fs::path folder = path.parent_path();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void publish_file(const fs::path& complete, const fs::path& output, bool replace) {
+  const fs::path target = end_of_links(output);
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) {
+    if (!S_ISREG(status.st_mode)) throw_error(ENOTSUP, "cannot replace what is no file: " + output.string());
+    if (replace) ::chmod(complete.c_str(), status.st_mode & 07777U);  // As near to the old file's as we may.
+  }
+  const int error = replace ? (std::rename(complete.c_str(), target.c_str()) == 0 ? 0 : errno)
+                            : rename_without_replacing(complete, target);
+  if (error != 0) throw_error(error, fmt::format("cannot complete {}", output.string()));
+  sync_folder_of(target);
 }
 
 }  // namespace sarsim

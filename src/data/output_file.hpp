@@ -60,4 +60,13 @@ class OutputFile {
   bool failed_ = false;
 };
 
+/// Makes changes of names in a file's folder last over a loss of power, where the file system can.
+void sync_folder_of(const std::filesystem::path& path) noexcept;
+
+/// Gives a complete file, which is on the disk already, the name of an output: what `OutputFile::commit` does last.
+/// Both must be on one file system. The same rules for existing files, links and permissions; devices and pipes are
+/// refused.
+/// @throws std::system_error; the complete file then keeps its name
+void publish_file(const std::filesystem::path& complete, const std::filesystem::path& output, bool replace);
+
 }  // namespace sarsim

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -117,6 +118,44 @@ double hdf5_overhead_bytes(const Product& product) {
          8.0 * static_cast<double>(product.columns);
 }
 
+// A whole HDF5 file but for its samples, for as long as it is needed.
+class Hdf5Frame {
+ public:
+  Hdf5Frame(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+            const RunReport& report)
+      : path_(path), places_(hdf5_module(path).row_places(path, product, encoding)), rows_(product.rows) {
+    hdf5_module(path).write_frame(path, product, encoding, report);
+  }
+  Hdf5Frame(const Hdf5Frame&) = delete;
+  Hdf5Frame& operator=(const Hdf5Frame&) = delete;
+  ~Hdf5Frame() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+
+  void copy_to(RawFile& file) const {
+    const RawFile frame(path_, RawFile::Mode::read);
+    file.resize(frame.size());
+    copy(frame, file, 0, places_.first_byte);
+    copy(frame, file, places_.of(rows_), frame.size());
+  }
+
+ private:
+  static void copy(const RawFile& from, RawFile& to, std::uint64_t begin, std::uint64_t end) {
+    std::vector<std::byte> bytes;
+    while (begin < end) {
+      bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(end - begin, std::uint64_t{1} << 20U)));
+      if (!from.read_at(begin, bytes)) throw std::runtime_error("cannot read " + from.path().string());
+      to.write_at(begin, bytes);
+      begin += bytes.size();
+    }
+  }
+
+  std::filesystem::path path_;
+  RowPlaces places_;
+  std::size_t rows_;
+};
+
 }  // namespace
 
 std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product, const SinkOptions& options) {
@@ -143,6 +182,28 @@ double expected_bytes(const Product& product, const SinkOptions& options) {
 
 std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options) {
   return std::make_unique<DiscardingSink>(product, options);
+}
+
+std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const Product& product,
+                                    const SinkOptions& options) {
+  const Encoding encoding = encoding_of(product, options);
+  if (options.format == FileFormat::hdf5) return hdf5_module(scratch).row_places(scratch, product, encoding);
+  const std::size_t component = component_bytes(encoding);
+  if (component == 0) return std::nullopt;
+  return RowPlaces{preamble(product, encoding, options.header).size(), 2 * product.columns * component};
+}
+
+void write_frame(RawFile& file, const std::filesystem::path& scratch, const Product& product,
+                 const SinkOptions& options, const RunReport& report) {
+  const Encoding encoding = encoding_of(product, options);
+  if (options.format != FileFormat::hdf5) {
+    const std::string begin = preamble(product, encoding, options.header);
+    file.write_at(0, std::as_bytes(std::span(begin)));
+    file.resize(row_places(scratch, product, options).value().of(product.rows));
+    return;
+  }
+  const Hdf5Frame frame(scratch, product, encoding, report);
+  frame.copy_to(file);
 }
 
 }  // namespace sarsim

@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "data/raw_file.hpp"
+#include "data/row_places.hpp"
 #include "simulate/sink.hpp"
 
 namespace sarsim {
@@ -31,5 +34,16 @@ struct SinkOptions {
 
 /// A sink that encodes like the file's and throws the bytes away, for measuring. Same rules for the order of rows.
 [[nodiscard]] std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options);
+
+/// Where each row of a product stands in its file; nothing for text, whose rows have no size of their own.
+/// @param scratch  name of a file that may be made for a moment; HDF5 only
+[[nodiscard]] std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const Product& product,
+                                                  const SinkOptions& options);
+
+/// Completes a file whose rows somebody has written at their places: writes what stands before and behind them. The
+/// bytes are then those that `make_sink` gives.
+/// @param scratch  name of a file that is made for a moment; HDF5 only
+void write_frame(RawFile& file, const std::filesystem::path& scratch, const Product& product,
+                 const SinkOptions& options, const RunReport& report);
 
 }  // namespace sarsim

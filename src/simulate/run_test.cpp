@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <complex>
 #include <cstring>
+#include <span>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "base/constants.hpp"
@@ -180,6 +182,55 @@ TEST(Run, PassesOnWhatGoesWrongInARow) {
   Scene scene = one_target(1000.0);
   scene.targets.push_back(Target());
   EXPECT_THROW((void)record(make_plan(scene, 0), one_thread()), std::runtime_error);
+}
+
+// A recording with noise, of several pulses.
+Scene noisy_scene() {
+  Scene scene = one_target(1000.0);
+  scene.radars[0].noise_temperature_k = 300.0;
+  scene.simulations[0].time_end_s = 0.02;
+  return scene;
+}
+
+TEST(RunRows, OfAnyDivisionAreTheRowsOfAWholeRun) {
+  const Plan plan = make_plan(noisy_scene(), 0);
+  ASSERT_EQ(plan.rows, 21U);
+  const Recording whole = record(plan, {1, nullptr, {}});
+  for (const std::size_t cut : {1U, 8U, 20U}) {
+    Recording parts;
+    MemorySink sink(parts);
+    ConversionTally tally;
+    const auto take = [&](const EncodedRows& block) {
+      EXPECT_EQ(block.bytes.size(), block.rows.count * plan.columns * sizeof(std::complex<double>));
+      sink.append(block.bytes, block.rows.first, block.rows.count);
+      tally.add(block.tally);
+    };
+    run_rows(plan, {0, cut}, 0.0, sink, {1, nullptr, {}}, take);
+    run_rows(plan, {cut, plan.rows - cut}, 0.0, sink, {3, nullptr, {}}, take);
+    EXPECT_EQ(parts.samples, whole.samples);
+    EXPECT_EQ(report_of({plan.rows, plan.columns, 8}, 0.0, tally).maximum_v, whole.report.maximum_v);
+  }
+}
+
+TEST(RunStored, ConvertsRowsAsTheRunThatComputesThem) {
+  const Plan plan = make_plan(noisy_scene(), 0);
+  const Recording whole = record(plan);
+  const auto reader = [&] {
+    return [&](std::size_t row, std::span<std::complex<double>> volts) {
+      std::copy_n(whole.samples.begin() + static_cast<std::ptrdiff_t>(row * plan.columns), plan.columns, volts.begin());
+    };
+  };
+  const double lsb_v = resolved_lsb_v(plan, {});
+  EXPECT_EQ(lsb_v, lsb_of_maximum_v(whole.report.maximum_v, plan.simulation.bits));
+  Recording computed;
+  Recording stored;
+  MemorySink computed_sink(computed);
+  MemorySink stored_sink(stored);
+  const RunReport a = run(plan, lsb_v, computed_sink, {});
+  const RunReport b = run_stored({plan.rows, plan.columns, plan.simulation.bits}, reader, lsb_v, stored_sink, {});
+  EXPECT_EQ(stored.samples, computed.samples);
+  EXPECT_EQ(std::tie(a.maximum_v, a.lsb_v, a.range_used, a.saturated, a.zero),
+            std::tie(b.maximum_v, b.lsb_v, b.range_used, b.saturated, b.zero));
 }
 
 }  // namespace

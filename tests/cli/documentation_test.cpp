@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 const std::vector<std::string> commands{"run",    "sweep",      "check",    "info",    "geometry", "convert",
                                         "plot",   "focus",      "measure",  "doppler", "search",   "format",
-                                        "verify", "completion", "profiles", "isar"};
+                                        "verify", "completion", "profiles", "isar",    "merge"};
 
 class Documentation : public CommandTest {
  protected:

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "data/journal.hpp"
+#include "data/stored_product.hpp"
+#include "scene/scene.hpp"
+
+namespace sarsim::cli {
+
+/// Everything that decides the bytes of a recording: what parts that belong together have in common.
+/// @param simulation  its number in the scene, from 0
+/// @param script      the scene as text (write_script)
+[[nodiscard]] Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
+                                   const StoredProduct& stored);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace sarsim {
+
+/// An open file whose bytes are read and written by their place. Unlike OutputFile it is there under its name from the
+/// beginning: for what several processes, or one after the other, work on. Every failure is a std::system_error that
+/// names the action and the file. Moved-from and default ones are closed.
+class RawFile {
+ public:
+  enum class Mode {
+    read,
+    write,      ///< Read and write; made where it is missing.
+    write_new,  ///< The same; refused where it exists.
+  };
+
+  RawFile() = default;
+  RawFile(std::filesystem::path path, Mode mode);
+  RawFile(RawFile&& other) noexcept;
+  RawFile& operator=(RawFile&& other) noexcept;
+  ~RawFile();
+
+  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::uint64_t size() const;
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+  /// Reads what stands at a place; false where the file ends before.
+  [[nodiscard]] bool read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
+  /// Makes the file at least so long, with room on the disk where the file system can promise it.
+  void allocate(std::uint64_t bytes);
+  void resize(std::uint64_t bytes);
+  /// Returns when everything written is on the disk.
+  void sync();
+
+  /// Takes the file for this process until it is closed, however it ends; false where another one has it. On file
+  /// systems without locks everybody succeeds.
+  [[nodiscard]] bool try_lock();
+  /// The same, waiting for the other.
+  void lock();
+  /// Whether the path still leads to this very file.
+  [[nodiscard]] bool still_there() const;
+  /// Gives the file another name in its folder, replacing what had it; locks stay.
+  void rename_to(const std::filesystem::path& path);
+  /// Removes the name, so that it cannot be found any more.
+  void unlink() noexcept;
+
+ private:
+  [[noreturn]] void fail(const char* action) const;
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file under another name, brings it to the disk and then gives it its name, replacing what was there.
+/// @returns the file, locked
+RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+}  // namespace sarsim
