@@ -70,10 +70,12 @@ ImagePlace place_in_plane(const IsarPlan& plan, const IsarOptions& options, cons
 // Half of the size of the picture that holds all points of the target, with some room.
 ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, const IsarOptions& options, double cell_x_m,
                      double cell_y_m) {
-  ImagePlace half{12.0 * cell_x_m, 12.0 * cell_y_m};
+  // Where the target is across the line of sight is not known without its path.
+  const double aside_m = (options.motion == IsarOptions::Motion::estimated ? 36.0 : 12.0) * cell_x_m;
+  ImagePlace half{aside_m, 12.0 * cell_y_m};
   const ResolvedScene& scene = *rows.plan->scene;
   const auto include = [&](const Vec3& point_m) {
-    half.azimuth_m = std::max(half.azimuth_m, std::abs(dot(point_m, plan.plane.cross_range)) + 12.0 * cell_x_m);
+    half.azimuth_m = std::max(half.azimuth_m, std::abs(dot(point_m, plan.plane.cross_range)) + aside_m);
     half.range_m = std::max(half.range_m, std::abs(dot(point_m, plan.plane.range)) + 12.0 * cell_y_m);
   };
   for (const Scatterer& s : scene.scatterers)
@@ -138,7 +140,9 @@ IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, 
   // Each burst stands for its part of the turning.
   made.cross_range_resolution_m = 0.5 * wavelength_m / (plan.plane.turn_rad * bursts / std::max(1.0, bursts - 1.0));
   made.unambiguous_cross_range_m = made.cross_range_resolution_m * bursts;
-  const ImagePlace half = half_size(rows, plan, options, made.cross_range_resolution_m, made.range_resolution_m);
+  ImagePlace half = half_size(rows, plan, options, made.cross_range_resolution_m, made.range_resolution_m);
+  if (options.motion == IsarOptions::Motion::estimated && !options.cross_range_m)
+    half.azimuth_m = std::min(half.azimuth_m, 0.5 * made.unambiguous_cross_range_m);
   add_remarks(made, plan, options, half, wavelength_m);
   if (has_errors(made.problems)) return plan;
   const double pixel_m = made.cross_range_resolution_m / static_cast<double>(options.oversampling);

@@ -237,7 +237,7 @@ TEST_F(Isar, SaysWhatIsWrongWithItsArguments) {
 TEST_F(Isar, IsInterruptedWithoutLeavingAnything) {
   Program program({"isar", examples + "turning_ship.scr", "--algorithm", "back-projection", "--oversampling", "6"},
                   {folder_, "", 0});
-  ASSERT_TRUE(program.wait_for("10 %", 60.0)) << program.err();
+  ASSERT_TRUE(program.wait_for("0 %", 60.0)) << program.err();
   program.send(SIGINT);
   EXPECT_EQ(program.finish().status, 130);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "turning_ship-isar.img"));
