@@ -461,6 +461,7 @@ void add_run_options(CLI::App& app, RunArguments& a) {
            "instruction set to use (avx512, avx2, sse4, ...), for the same bytes on other processors");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
   add_scene_overrides(app, a.overrides);
+  add_settings(app, a.overrides);
   app.add_flag("--force", a.force, "replace files that exist");
   app.add_flag("--keep-paths", a.keep_paths, "keep the folders of output names");
   app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5 and NPY");

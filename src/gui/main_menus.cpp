@@ -32,6 +32,7 @@
 #include "gui/main_window.hpp"
 #include "gui/object_tree.hpp"
 #include "gui/open_image_dialog.hpp"
+#include "gui/product_window.hpp"
 #include "gui/radar_view_window.hpp"
 #include "gui/save_data_dialog.hpp"
 #include "gui/save_queue.hpp"
@@ -230,6 +231,9 @@ void MainWindow::make_simulation_menu() {
   add_action(
       display, tr("Simulation &Output…"), "display_output", QKeySequence("Ctrl+Shift+O"),
       [this] { image_viewers_->ask_file(); }, tr("Look into a file of samples, of any size, or a picture"));
+  add_action(
+      display, tr("&Make an Image…"), "display_products", QKeySequence("Ctrl+Shift+M"), [this] { show_products(); },
+      tr("Focus the echoes, or make range profiles, Doppler maps or a search picture of them"));
   add_action(display, tr("&Script File"), "display_script", QKeySequence("Ctrl+E"), [this] {
     docks_["script"]->show();
     docks_["script"]->raise();
@@ -396,11 +400,20 @@ void MainWindow::show_about() {
                          .arg(program_version));
 }
 
+QWidget* MainWindow::show_products() {
+  commit_typed();
+  if (products_ == nullptr) products_ = new ProductWindow(session_, *image_viewers_, this);
+  products_->show();
+  products_->raise();
+  products_->activateWindow();
+  return products_;
+}
+
 QStringList MainWindow::window_names() {
-  return {"main",          "objects",       "properties", "script",       "simulations", "log",
-          "geometry",      "simulation",    "compressed", "targets",      "function",    "commands",
-          "help",          "import",        "viewer",     "output",       "save_data",   "saving",
-          "range_profile", "range_doppler", "spectrum",   "phase_history"};
+  return {"main",          "objects",       "properties", "script",        "simulations", "log",
+          "geometry",      "simulation",    "compressed", "targets",       "function",    "commands",
+          "help",          "import",        "viewer",     "output",        "save_data",   "saving",
+          "range_profile", "range_doppler", "spectrum",   "phase_history", "products"};
 }
 
 // Windows that belong to one of raw echoes, which is opened with them.
@@ -438,6 +451,7 @@ QWidget* MainWindow::window_named(const QString& name) {
     return viewers.empty() ? image_viewers_->open_empty() : viewers.front();
   }
   if (name == "output") return image_viewers_->ask_file();
+  if (name == "products") return show_products();
   if (QWidget* of_simulation = simulation_part(name)) return of_simulation;
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");

@@ -21,6 +21,7 @@ class GeometryWindow;
 struct HelpPlace;
 class ImageViewers;
 class ObjectTree;
+class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
@@ -46,8 +47,9 @@ class MainWindow : public QMainWindow {
   /// what is wrong with samples is told in the viewer.
   bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
-  /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, viewer, output,
-  /// targets, function, commands, help, import. Null for another name; some need a scene that has what they show.
+  /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, products,
+  /// viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that has what
+  /// they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
@@ -87,6 +89,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
   void show_targets();
+  QWidget* show_products();
   void show_focus();
   void show_commands();
   void show_help(const HelpPlace& place);
@@ -107,6 +110,7 @@ class MainWindow : public QMainWindow {
   DataSaver* saver_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
+  ProductWindow* products_ = nullptr;
   QMenu* recent_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
   QByteArray first_layout_;

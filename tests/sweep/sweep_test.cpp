@@ -52,6 +52,17 @@ TEST_F(SweepCommand, MakesTheBytesThatARunOfTheChangedScriptMakes) {
   EXPECT_NE(text_of(folder_ / "sim_seed=5_Radar1.noise_temperature=600.bin"), text_of(folder_ / "r/sim.bin"));
 }
 
+TEST_F(SweepCommand, RunWithOneValueMakesTheSameBytes) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"sweep", "scene.scr", "--set", "seed=6", "--set", "Radar1.noise_temperature=600"}).status, 0);
+  ASSERT_EQ(
+      sarsim({"run", "scene.scr", "--set", "seed=6", "--set", "Radar1.noise_temperature=600", "--out", "r"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "sim_seed=6_Radar1.noise_temperature=600.bin"), text_of(folder_ / "r/sim.bin"));
+  const Finished many = sarsim({"run", "scene.scr", "--set", "seed=1..3", "--out", "m"});
+  EXPECT_EQ(many.status, 2);
+  EXPECT_THAT(many.err, HasSubstr("sweep"));
+}
+
 TEST_F(SweepCommand, SaysTheSameWhateverRunsBesideWhat) {
   write_scene({});
   const std::vector<std::string> set{"--set", "seed=1..7", "--set", "Target1.rcs=1,4", "--format", "npy"};

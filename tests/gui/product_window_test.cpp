@@ -1,0 +1,153 @@
+#include <QtTest>
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "gui/document_keeper.hpp"
+#include "gui/image_viewer.hpp"
+#include "gui/image_viewers.hpp"
+#include "gui/main_window.hpp"
+#include "gui/problem_line.hpp"
+#include "gui/product_window.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int patience_ms = 60'000;
+
+struct Bench {
+  explicit Bench(const char* example) {
+    main.documents().open_file(QString(SARSIM_SOURCE_DIR "/examples/") + example);
+    window = qobject_cast<ProductWindow*>(main.window_named("products"));
+  }
+  void choose(const char* box, const QString& words) const {
+    auto* const found = window->findChild<QComboBox*>(box);
+    for (int i = 0; i < found->count(); ++i)
+      if (found->itemText(i).contains(words)) return found->setCurrentIndex(i);
+    qFatal("no %s", qPrintable(words));
+  }
+  [[nodiscard]] bool make() const {
+    QSignalSpy ended(window, &ProductWindow::ended);
+    window->findChild<QPushButton*>("products_make")->click();
+    if (ended.isEmpty() && !ended.wait(patience_ms)) qFatal("the command did not end");
+    return ended.front().front().toBool();
+  }
+  [[nodiscard]] QString problems() const { return window->findChild<ProblemLine*>("products_problems")->text(); }
+
+  MainWindow main;
+  ProductWindow* window = nullptr;
+};
+
+}  // namespace
+
+class ProductWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("sarsim");
+    QCoreApplication::setApplicationName("product_window_test");
+    qputenv("PATH", QFileInfo(SARSIM_PROGRAM).absolutePath().toUtf8() + ":" + qgetenv("PATH"));
+  }
+
+  void shows_the_command_that_does_the_same() {
+    Bench bench("sar_r.scr");
+    QCOMPARE(bench.window->command(),
+             QString("sarsim focus sar_r.scr --algorithm omega-k --window rectangular --out sar_r_focus.npy"));
+    bench.choose("products_kind", "Doppler");
+    bench.choose("products_choice", "two");
+    bench.choose("products_window", "hann");
+    bench.window->findChild<QLineEdit*>("products_more")->setText("--pfa 1e-4 --detections 'my hits.csv'");
+    QCOMPARE(bench.window->command(),
+             QString("sarsim doppler sar_r.scr --canceller two --window hann --pfa 1e-4 --detections 'my hits.csv' "
+                     "--out sar_r_doppler.npy"));
+    QCOMPARE(bench.window->findChild<QLineEdit*>("products_command")->text(), bench.window->command());
+  }
+
+  void makes_products_and_opens_them_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<QString>("kind");
+    QTest::newRow("focused") << "sar_r.scr"
+                             << "Focused";
+    QTest::newRow("profiles") << "stepped_srp.scr"
+                              << "profiles";
+    QTest::newRow("turning") << "turning_ship.scr"
+                             << "turning";
+    QTest::newRow("maps") << "mti.scr"
+                          << "Doppler";
+    QTest::newRow("search") << "search_radar.scr"
+                            << "PPI";
+  }
+
+  void makes_products_and_opens_them() {
+    QFETCH(QString, example);
+    QFETCH(QString, kind);
+    Bench bench(qPrintable(example));
+    bench.choose("products_kind", kind);
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    QCOMPARE(bench.problems(), QString());
+    QVERIFY(!bench.window->findChild<QPlainTextEdit*>("products_report")->toPlainText().isEmpty());
+    const auto viewers = bench.main.image_viewers().viewers();
+    QCOMPARE(viewers.size(), std::size_t{1});
+    ImageViewer& viewer = *viewers.front();
+    QVERIFY(QTest::qWaitFor([&] { return viewer.source() != nullptr; }, patience_ms));
+    QVERIFY(viewer.source()->rows() > 0 && viewer.source()->columns() > 10);
+    const QString file = QString::fromStdString(viewer.path().string());
+    QVERIFY(QFileInfo::exists(file));
+    delete &viewer;
+    QVERIFY2(!QFileInfo::exists(file), "the file goes with its viewer");
+  }
+
+  // What is on screen counts, not what is on disk.
+  void takes_the_scene_as_it_is_now() {
+    Bench bench("sar_r.scr");
+    std::string text = bench.main.session().document().text();
+    bench.main.session().type_text(text + "\n$TARGET Earth nonsense\n");
+    QVERIFY(!bench.make());
+    QVERIFY2(bench.problems().contains("nonsense"), qPrintable(bench.problems()));
+    QVERIFY(bench.main.image_viewers().viewers().empty());
+  }
+
+  void says_what_the_scene_lacks() {
+    Bench bench("sar_r.scr");
+    bench.choose("products_kind", "profiles");
+    QVERIFY(!bench.make());
+    QVERIFY2(bench.problems().contains("step", Qt::CaseInsensitive), qPrintable(bench.problems()));
+    QVERIFY(bench.window->findChild<QPushButton*>("products_make")->isEnabled());
+  }
+
+  void stops_at_once() {
+    Bench bench("sar_r.scr");
+    bench.choose("products_choice", "back-projection");
+    QSignalSpy ended(bench.window, &ProductWindow::ended);
+    bench.window->make();
+    QVERIFY(bench.window->busy());
+    bench.window->findChild<QPushButton*>("products_stop")->click();
+    QVERIFY(ended.wait(patience_ms));
+    QCOMPARE(ended.front().front().toBool(), false);
+    QVERIFY(!bench.window->busy() && bench.problems().isEmpty());
+    QVERIFY(bench.main.image_viewers().viewers().empty());
+  }
+
+  void ends_its_command_when_the_workbench_closes() {
+    Bench bench("sar_r.scr");
+    bench.choose("products_choice", "back-projection");
+    bench.window->make();
+    QElapsedTimer timer;
+    timer.start();
+    delete bench.window;
+    QVERIFY(timer.elapsed() < 3000);
+  }
+};
+
+}  // namespace sarsim
+
+using sarsim::ProductWindowTest;
+QTEST_MAIN(ProductWindowTest)
+#include "product_window_test.moc"
