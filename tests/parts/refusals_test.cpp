@@ -127,7 +127,7 @@ TEST_F(PartRefusals, TwoRunsOnOneFileAtOnce) {
   write_scene(scene);
   Start start;
   start.folder = folder_;
-  Program busy({"run", "scene.scr", "--part", "1/2"}, start);
+  Program busy({"run", "scene.scr", "--part", "1/2", "--threads", "1"}, start);
   ASSERT_TRUE(busy.wait_for("10 %", 60.0)) << busy.err();
   expect_refusal(run({"--part", "1/2", "--resume"}), "part 1/2 is being made by another process");
   expect_refusal(run({"--part", "1/2", "--force"}), "part 1/2 is being made by another process");

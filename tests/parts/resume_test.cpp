@@ -32,7 +32,7 @@ class Resume : public PartsTest {
   }
 
   void interrupt(int signal, int status) const {
-    Program program({"run", "scene.scr", "--out", "out", "--resume", "--save-every", "0.05"}, here());
+    Program program({"run", "scene.scr", "--out", "out", "--resume", "--save-every", "0.05", "--threads", "1"}, here());
     ASSERT_TRUE(program.wait_for("sim.bin: 20 %", 60.0)) << program.err();
     program.send(signal);
     const Finished end = program.finish();
