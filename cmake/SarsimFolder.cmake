@@ -37,9 +37,9 @@ if(SARSIM_SANITIZE)
   target_link_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE})
 endif()
 
-# Half of the time that a test or a window takes to compile is spent on headers of others. Off by default, so that a
+# Half of the time that a test, a window or a command takes to compile is spent on headers of others. Off by default, so that a
 # build without them finds a forgotten #include.
-option(SARSIM_PRECOMPILED_HEADERS "Compile the headers of GoogleTest and Qt once for all" OFF)
+option(SARSIM_PRECOMPILED_HEADERS "Compile the headers of GoogleTest, Qt and CLI11 once for all" OFF)
 if(SARSIM_PRECOMPILED_HEADERS AND SARSIM_TESTS)
   file(WRITE ${CMAKE_BINARY_DIR}/generated/test_headers.cpp "")
   add_library(sarsim_test_headers OBJECT ${CMAKE_BINARY_DIR}/generated/test_headers.cpp)

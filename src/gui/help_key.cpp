@@ -24,6 +24,7 @@ constexpr NamedPlace places[] = {
     {"function_editor", workbench, "Functions"},
     {"simulation_window", workbench, "Simulation windows"},
     {"stored_simulations", workbench, "Stored simulations"},
+    {"products", workbench, "Images from echoes"},
     {"target_table_dialog", workbench, "Many targets"},
     {"import_dialog", workbench, "Many targets"},
     {"script_editor", "formats/script.md", ""},

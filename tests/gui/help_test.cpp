@@ -80,6 +80,7 @@ class HelpTest : public QObject {
     QTest::newRow("properties") << "properties" << workbench << "Values";
     QTest::newRow("simulations") << "simulations" << workbench << "Stored simulations";
     QTest::newRow("simulation") << "simulation" << workbench << "Simulation windows";
+    QTest::newRow("products") << "products" << workbench << "Images from echoes";
     QTest::newRow("script") << "script"
                             << "formats/script.md"
                             << "";

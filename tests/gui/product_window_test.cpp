@@ -148,6 +148,5 @@ class ProductWindowTest : public QObject {
 
 }  // namespace sarsim
 
-using sarsim::ProductWindowTest;
-QTEST_MAIN(ProductWindowTest)
+QTEST_MAIN(sarsim::ProductWindowTest)
 #include "product_window_test.moc"
