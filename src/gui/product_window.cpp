@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "gui/image_viewer.hpp"
 #include "gui/image_viewers.hpp"
@@ -137,7 +138,7 @@ void ProductWindow::make_controls(QFormLayout* form) {
                      tr("Weighting of range and azimuth, or of the pulses: lower sidelobes for wider peaks"));
   for (const char* name : weightings) weighting_->addItem(name);
   more_ = named(new QLineEdit(this), "products_more", tr("More options"),
-                tr("As on the command line, for instance: --memory 2G"));
+                tr("As on the command line, for instance: --memory 2G; double quotes around words with spaces"));
   more_->setPlaceholderText(tr("as on the command line"));
   command_ =
       named(new QLineEdit(this), "products_command", tr("Command"), tr("Does the same from a terminal or a script"));
@@ -280,7 +281,7 @@ void ProductWindow::take_end(int status, QProcess::ExitStatus how) {
   ImageViewer* const viewer = viewers_.open_file(made_.toStdString());
   viewer->setWindowTitle(product_->currentText());
   // The files go when the viewer does.
-  connect(viewer, &QObject::destroyed, this, [folder = folder_] {});
+  connect(viewer, &QObject::destroyed, this, [folder = std::move(folder_)] {});
   emit ended(true);
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-
 namespace sarsim::script {
 
 /// Makes room for `more` elements at the end of a list that grows to a size known only by estimate: lists of millions

@@ -63,7 +63,7 @@ class ProductWindowTest : public QObject {
     bench.choose("products_kind", "Doppler");
     bench.choose("products_choice", "two");
     bench.choose("products_window", "hann");
-    bench.window->findChild<QLineEdit*>("products_more")->setText("--pfa 1e-4 --detections 'my hits.csv'");
+    bench.window->findChild<QLineEdit*>("products_more")->setText("--pfa 1e-4 --detections \"my hits.csv\"");
     QCOMPARE(bench.window->command(),
              QString("sarsim doppler sar_r.scr --canceller two --window hann --pfa 1e-4 --detections 'my hits.csv' "
                      "--out sar_r_doppler.npy"));
