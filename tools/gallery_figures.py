@@ -498,6 +498,49 @@ FIGURES = [
         ],
     ),
     Figure(
+        "turning_ship",
+        "Beyond the thesis: a turning ship",
+        [
+            "sarsim isar examples/turning_ship.scr --out ship.img --quiet",
+            "sarsim plot ship.img --show db --span 40 --size 800 640 -o turning_ship.png",
+        ],
+        "Ten points of a ship that turns on the sea, imaged from stepped frequencies. `sarsim isar` prints where each was"
+        " found and where it is.",
+        [],
+    ),
+    Figure(
+        "search",
+        "Beyond the thesis: the picture of a search radar",
+        [
+            "sarsim search examples/search_radar.scr --out ppi.img --quiet",
+            "sarsim plot ppi.img --show db --span 40 --size 760 680 -o search.png",
+        ],
+        "Two aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
+        " is written beside the picture.",
+        [],
+    ),
+    Figure(
+        "moving",
+        "Beyond the thesis: moving targets in clutter",
+        [
+            "sarsim doppler examples/mti.scr --interval 256 --out mti.img --quiet",
+            "sarsim plot mti.img --show db --span 60 --size 800 640 -o moving.png",
+        ],
+        "What rests is on the line of no Doppler frequency, the car above it at the same range as a house that is"
+        " much stronger.",
+        [],
+    ),
+    Figure(
+        "aircraft",
+        "Beyond the thesis: range profiles of an aircraft",
+        [
+            "sarsim profiles examples/stepped_aircraft.scr --velocity estimated --set scans --out aircraft.img --quiet",
+            "sarsim plot aircraft.img --show db --span 50 --size 800 640 -o aircraft.png",
+        ],
+        "Three turns of the antenna see the aircraft come nearer; its speed is found in the echoes.",
+        [],
+    ),
+    Figure(
         "sent",
         "Beyond the thesis: the pulse that is sent",
         [f"sarsim plot {A3} --kind sent --span 40 --size 800 640 -o sent.png"],

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/constants.hpp"
+#include "base/number_text.hpp"
 #include "cli/image_fields.hpp"
 #include "cli/plot_arguments.hpp"
 #include "cli/plot_samples.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// An image of `sarsim focus`: rows along the track instead of pulses.
+// An image that a command of ours made: rows along the track, bursts, northings ... instead of pulses.
 struct FocusedPlaces {
   ImagePlaces azimuth;
   ImagePlaces range;
@@ -55,7 +56,29 @@ RawLayout layout_of(const EnviHeader& header) {
   return layout;
 }
 
+// Where the header says the places of an axis, or the numbers of its rows or columns.
+ImagePlaces places_said(const EnviHeader& header, const ImagePlaces& wanted, const std::string& key,
+                        const std::string& otherwise) {
+  const auto first = parse_number(header.field(key + " first " + wanted.unit).value_or(""));
+  const auto step = parse_number(header.field(key + " step " + wanted.unit).value_or(""));
+  if (!first || !step || *step == 0.0) return {otherwise, ""};
+  return {wanted.label, wanted.unit, *first, *step};
+}
+
+// Search pictures, range-Doppler maps and range profiles.
+FocusedPlaces places_of_product(const EnviHeader& header) {
+  if (header.field("map") == "ppi")
+    return {places_said(header, {"North", "m"}, "y", "Row"), places_said(header, {"East", "m"}, "x", "Column")};
+  const ImagePlaces range = places_said(header, {"Slant range", "m"}, "range", "Column");
+  if (!header.field("map")) return {{"Profile", "", 1.0}, range};
+  if (header.field("intervals") != "1") return {{"Row of all maps", "", 1.0}, range};
+  ImagePlaces doppler = places_said(header, {"Doppler frequency", "hz"}, "doppler", "Row");
+  if (doppler.unit == "hz") doppler.unit = "Hz";
+  return {doppler, range};
+}
+
 FocusedPlaces places_of(const EnviHeader& header, const std::string& path) {
+  if (!header.field("image plane")) return places_of_product(header);
   FocusedImage image;
   ImageOrigin origin;
   read_header(header, envi_header_of(path).string(), image, origin);
@@ -144,8 +167,8 @@ void name_places(const Input& input, PlotSamples& samples) {
   if (input.focused) {
     samples.row_place = even_places(input.focused->azimuth, rows);
     samples.column_place = even_places(input.focused->range, columns);
-    samples.look.rows = {"Azimuth", "m"};
-    samples.look.columns = {input.focused->range.label, "m"};
+    samples.look.rows = {input.focused->azimuth.label, input.focused->azimuth.unit};
+    samples.look.columns = {input.focused->range.label, input.focused->range.unit};
   } else if (input.axes) {
     samples.row_place.assign(input.axes->row_time_s.begin(),
                              input.axes->row_time_s.begin() + static_cast<std::ptrdiff_t>(rows));

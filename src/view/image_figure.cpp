@@ -139,6 +139,19 @@ void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, con
                                      seen.limits.low, seen.limits.high, colours};
 }
 
+// Larger places above: the first row of a map is its northern one.
+void turn_upright(FigurePanel& panel) {
+  if (panel.y.first <= panel.y.last) return;
+  std::swap(panel.y.first, panel.y.last);
+  if (!panel.image) return;
+  FigureImage& image = *panel.image;
+  std::swap(image.y_first, image.y_last);
+  for (std::size_t low = 0, high = image.height - 1; low < high; ++low, --high)
+    std::swap_ranges(image.cells.begin() + static_cast<std::ptrdiff_t>(low * image.width),
+                     image.cells.begin() + static_cast<std::ptrdiff_t>((low + 1) * image.width),
+                     image.cells.begin() + static_cast<std::ptrdiff_t>(high * image.width));
+}
+
 // How far a curve reaches from its base for a value, as a share of the distance to the next: positive and negative
 // together take three quarters of it, decibels nine tenths from their lower limit on.
 std::function<double(double)> reach_of(const Shown& seen, DisplayQuantity quantity) {
@@ -205,6 +218,7 @@ Figure image_figure(const ImageSource& source, const ImageLook& wanted, const Pl
     add_curves(panel, seen, across, up, columns, rows, look);
   else
     add_pixels(panel, seen, across, up, look, unit);
+  turn_upright(panel);
   return figure;
 }
 

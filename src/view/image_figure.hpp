@@ -43,7 +43,8 @@ struct ImageLook {
 };
 
 /// A picture of a file of any size: where it has more samples than pixels, a subset of them or the largest of each
-/// pixel. Axes are pulses and samples, or, where the file or the look says them, slant range and time.
+/// pixel. Axes are pulses and samples, or, where the file or the look says them, slant range and time; the larger place
+/// is above, also where the step of the rows is negative.
 /// @param size  device pixels at most
 /// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
 [[nodiscard]] Figure image_figure(const ImageSource& source, const ImageLook& look, const PlotSize& size,

@@ -56,6 +56,21 @@ TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {
   EXPECT_TRUE(shown.colour_bar);
 }
 
+// A map's first row is its northern one.
+TEST_F(ImageFigure, HasTheLargerPlacesAboveWhereTheStepIsNegative) {
+  ImageLook look;
+  look.row_places = ImagePlaces{"North", "m", 500.0, -100.0};
+  const FigurePanel shown = panel(look);
+  EXPECT_EQ(shown.y.first, -50.0);
+  EXPECT_EQ(shown.y.last, 550.0);
+  const FigureImage& image = shown.image.value();
+  EXPECT_EQ(image.y_first, -50.0);
+  EXPECT_EQ(image.y_last, 550.0);
+  // The point of row 3 is at 200 m, in the third cell from below.
+  EXPECT_EQ(image.cells.at(2 * columns + 2), shown.colour_bar->colours.back());
+  EXPECT_NE(image.cells.at(3 * columns + 2), shown.colour_bar->colours.back());
+}
+
 TEST_F(ImageFigure, LosesAPointBetweenPixelsUnlessThePeakOfEachIsShown) {
   ImageLook look;
   EXPECT_NE(image_figure(*source_, look, {2, 3}).note, "Highest magnitude: 100");
