@@ -139,6 +139,16 @@ void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, con
                                      seen.limits.low, seen.limits.high, colours};
 }
 
+// Decibels of the outermost curve may reach beyond half of the distance to the next one.
+void make_room_above(FigurePanel& panel) {
+  for (const FigureCurve& curve : panel.curves)
+    for (const double y : curve.y) panel.y.last = std::max(panel.y.last, y);
+}
+void make_room_aside(FigurePanel& panel) {
+  for (const FigureCurve& curve : panel.curves)
+    for (const double x : curve.x) panel.x.last = std::max(panel.x.last, x);
+}
+
 // Larger places above: the first row of a map is its northern one.
 void turn_upright(FigurePanel& panel) {
   if (panel.y.first <= panel.y.last) return;
@@ -219,6 +229,8 @@ Figure image_figure(const ImageSource& source, const ImageLook& wanted, const Pl
   else
     add_pixels(panel, seen, across, up, look, unit);
   turn_upright(panel);
+  if (per_row) make_room_above(panel);
+  if (per_column) make_room_aside(panel);
   return figure;
 }
 
