@@ -27,7 +27,7 @@ double raw_component(const std::byte* bytes) {
 
 /// The nearest float; what is beyond all floats becomes infinite.
 inline float as_float(double value) {
-  constexpr double most = std::numeric_limits<float>::max();
+  constexpr double most = static_cast<double>(std::numeric_limits<float>::max());
   if (std::abs(value) <= most || !std::isfinite(value)) return static_cast<float>(value);
   return std::copysign(std::numeric_limits<float>::infinity(), value < 0.0 ? -1.0F : 1.0F);
 }
