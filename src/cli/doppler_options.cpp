@@ -107,7 +107,7 @@ void add_search_arguments(CLI::App& app, SearchArguments& a, const std::string& 
   add_real(app, "--rank", a.rank, "SHARE", "which of the ordered cells, as a share of them (os; default: 0.75)");
   app.add_flag("--all-cells", a.all_cells, "every cell above its threshold, not only peaks");
   app.add_flag("--no-map", a.no_map, "detections and report only");
-  add_pulse_input_arguments(app, a.input);
+  add_recording_arguments(app, a.input);
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
   app.add_flag("--force", a.force, "replace files that exist");
   app.add_flag("--json", a.json, "a report as JSON on standard output");

@@ -15,7 +15,7 @@ enum class Detector { cell_averaging, ordered_statistic, none };
 
 /// What the commands that work on pulses take alike.
 struct SearchArguments {
-  PulseInputArguments input;
+  RecordingArguments input;
   std::string output;
   std::string detections;
   std::optional<std::int64_t> interval;

@@ -30,7 +30,7 @@ namespace {
 enum class Algorithm { range_doppler, chirp_scaling, omega_k, back_projection };
 
 struct FocusArguments {
-  FocusInputArguments input;
+  RecordingArguments input;
   std::string output;
   std::optional<Algorithm> algorithm;
   std::string window;
@@ -252,7 +252,7 @@ void add_focus_options(CLI::App& app, FocusArguments& a) {
   add_text(app, "--doppler-centroid", a.centroid, "geometry|measured|HZ",
            "the middle of the Doppler band, as the geometry has it (default), measured, or given");
   add_real(app, "--doppler-bandwidth", a.bandwidth_hz, "HZ", "band to keep about the centroid (default: all)");
-  add_focus_input_arguments(app, a.input);
+  add_recording_arguments(app, a.input);
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
   add_text(app, "--memory", a.memory, "SIZE",
            "memory to work in, as 800M or 4G (default: half of what is free); more goes to disk");

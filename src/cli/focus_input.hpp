@@ -1,27 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <string>
 
-#include <CLI/CLI.hpp>
-
-#include "cli/context.hpp"
-#include "cli/scene_input.hpp"
+#include "cli/recording_input.hpp"
 #include "process/focusing.hpp"
 #include "simulate/plan.hpp"
 
 namespace sarsim::cli {
-
-/// What is to be focused: a script, or a file of samples and the script that wrote it.
-struct FocusInputArguments {
-  std::string path;
-  std::string script;  ///< For a file that does not carry its script.
-  std::optional<std::int64_t> simulation;
-};
-
-/// Adds --script and --simulation.
-void add_focus_input_arguments(CLI::App& app, FocusInputArguments& arguments);
 
 /// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
 struct FocusInput {
@@ -32,6 +17,6 @@ struct FocusInput {
 };
 
 /// Opens what the arguments name; throws BadInput with all problems where it cannot be focused.
-[[nodiscard]] FocusInput open_focus_input(const FocusInputArguments& arguments, const WorkControl& control);
+[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const WorkControl& control);
 
 }  // namespace sarsim::cli

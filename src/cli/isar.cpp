@@ -30,7 +30,7 @@ using Algorithm = IsarOptions::Algorithm;
 using Motion = IsarOptions::Motion;
 
 struct IsarArguments {
-  SteppedInputArguments input;
+  RecordingArguments input;
   std::string output;
   std::optional<Algorithm> algorithm;
   std::optional<Motion> motion;

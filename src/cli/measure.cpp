@@ -21,7 +21,7 @@ namespace {
 
 struct MeasureArguments {
   std::string image;
-  FocusInputArguments input;
+  RecordingArguments input;
   std::optional<double> search_m;
   std::optional<std::int64_t> threads;
   bool json = false;
@@ -50,8 +50,8 @@ OpenedImage opened_image(const std::string& path) {
 }
 
 // What was focused, as the header says, unless the command line says otherwise.
-FocusInputArguments input_of(const MeasureArguments& arguments, const ImageOrigin& origin) {
-  FocusInputArguments input = arguments.input;
+RecordingArguments input_of(const MeasureArguments& arguments, const ImageOrigin& origin) {
+  RecordingArguments input = arguments.input;
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
   input.path = origin.source;
   if (input.script.empty()) {
@@ -193,7 +193,7 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
 Action add_measure(CLI::App& app) {
   auto arguments = std::make_shared<MeasureArguments>();
   add_text(app, "image", arguments->image, "IMAGE", "complex image that sarsim focus wrote as ENVI or NPY")->required();
-  add_focus_input_arguments(app, arguments->input);
+  add_recording_arguments(app, arguments->input);
   add_real(app, "--search", arguments->search_m, "M",
            "how far from its place a target's peak may be (default: 3 cells, or half way to the next target)");
   add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");

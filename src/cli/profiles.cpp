@@ -27,7 +27,7 @@ namespace {
 enum class Set { bursts, scans, encounter };
 
 struct ProfilesArguments {
-  SteppedInputArguments input;
+  RecordingArguments input;
   std::string output;
   std::optional<Set> set;
   std::string velocity = "none";

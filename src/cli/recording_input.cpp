@@ -1,0 +1,161 @@
+#include "cli/recording_input.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "cli/options.hpp"
+#include "cli/output_names.hpp"
+#include "data/sample_file.hpp"
+#include "scene/check.hpp"
+#include "script/reader.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void take(Problems& all, Problems more) { std::ranges::move(more, std::back_inserter(all)); }
+
+void expect_sound(Problems problems) {
+  if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
+}
+
+// The simulation that is named, or else the first that suits, or else the first.
+std::size_t simulation_of_scene(const Scene& scene, std::optional<std::int64_t> wanted, const Suits& suits) {
+  if (scene.simulations.empty())
+    throw BadInput("the script has no $SIMULATION, which says what is recorded", "add one");
+  if (wanted) {
+    const auto number = static_cast<std::size_t>(*wanted);
+    if (number >= 1 && number <= scene.simulations.size()) return number - 1;
+    throw BadInput(fmt::format("--simulation: the script has no simulation {}", number),
+                   fmt::format("it has {}", scene.simulations.size()));
+  }
+  const auto first = std::ranges::find_if(scene.simulations, [&](const Simulation& s) { return suits(scene, s); });
+  return first == scene.simulations.end() ? 0 : static_cast<std::size_t>(first - scene.simulations.begin());
+}
+
+// The one that writes a file of that name, whatever its extension.
+std::size_t simulation_of_file(const Scene& scene, const RecordingArguments& arguments, const Suits& suits) {
+  if (!arguments.simulation) {
+    const fs::path file(arguments.path);
+    const auto names = output_names(scene, {}).simulations;
+    const auto found = std::ranges::find(names, file.stem(), [](const fs::path& p) { return p.stem(); });
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    if (scene.simulations.size() > 1)
+      throw BadInput(fmt::format("no simulation of the script writes '{}'", file.filename().string()),
+                     "say which one did with --simulation N");
+  }
+  return simulation_of_scene(scene, arguments.simulation, suits);
+}
+
+Scene scene_of_script(const RecordingArguments& arguments, Problems& problems) {
+  SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values);
+  expect_usable(input);
+  take(problems, std::move(input.problems));
+  return std::move(input.scene);
+}
+
+// Of a file that carries its script.
+Scene scene_in_file(const std::string& path, const SampleFileInfo& info) {
+  const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
+  if (script == info.attributes.end() || script->second.empty())
+    throw BadInput(fmt::format("'{}' does not say how it was recorded", path),
+                   "give the script that wrote it with --script");
+  ScriptReading reading =
+      read_script(script->second, path + " (its script)", disk_loader(fs::path(path).parent_path()));
+  expect_sound(std::move(reading.problems));
+  expect_sound(check(reading.scene));
+  return std::move(reading.scene);
+}
+
+SampleFile opened(const std::string& path, const SampleFileHints& hints, Problems& problems) {
+  OpenedSampleFile result = SampleFile::open(path, hints);
+  if (!result.file) throw BadInput(ranked(std::move(result.problems)));
+  take(problems, std::move(result.problems));
+  return std::move(*result.file);
+}
+
+SampleFileHints hints_of(const Plan& plan) {
+  SampleFileHints hints;
+  hints.columns = plan.columns;
+  hints.rows = plan.rows;
+  hints.bits = plan.simulation.bits;
+  hints.lsb_v = plan.simulation.lsb_v;
+  return hints;
+}
+
+void expect_shape(const SampleFileInfo& info, const Plan& plan, const std::string& path) {
+  if (info.rows == plan.rows && info.columns == plan.columns) return;
+  throw BadInput(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
+                             info.rows, info.columns, plan.rows, plan.columns),
+                 "name the script and the simulation that wrote it with --script and --simulation");
+}
+
+// Volts of a number of the file; 1 with a remark where counts have no known LSB.
+double scale_of(const SampleFileInfo& info, const Plan& plan, Problems& problems) {
+  if (!info.counts) return 1.0;
+  if (info.lsb_v && *info.lsb_v > 0.0) return *info.lsb_v;
+  if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
+  Problem problem;
+  problem.severity = Severity::warning;
+  problem.message = "the volts of a count are not known: amplitudes are in counts";
+  problem.hint = "give the LSB in the script";
+  problems.push_back(problem);
+  return 1.0;
+}
+
+RecordedRows rows_of(SampleFile file, double scale) {
+  const auto shared = std::make_shared<const SampleFile>(std::move(file));
+  return [shared, scale](std::size_t row, std::span<std::complex<double>> out) {
+    shared->read_rows(row, 1, out);
+    for (std::complex<double>& value : out) value *= scale;
+  };
+}
+
+}  // namespace
+
+void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const std::string& otherwise) {
+  add_text(app, "--script", arguments.script, "SCENE", "script that wrote the file of samples, where it carries none");
+  add_integer(app, "--simulation", arguments.simulation, 1, std::int64_t{1} << 40,
+              "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")");
+}
+
+bool names_script(const RecordingArguments& arguments) {
+  return equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
+}
+
+bool records_pulses(const Scene& /*scene*/, const Simulation& simulation) {
+  return simulation.processing != Processing::srp;
+}
+
+ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits, const WorkControl& control) {
+  if (!arguments.script.empty()) throw BadInput("--script is for files of samples", "a script needs no other script");
+  ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
+  expect_usable(recording.input);
+  recording.simulation = simulation_of_scene(recording.input.scene, arguments.simulation, suits);
+  return recording;
+}
+
+StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
+                               const std::function<Problems(const Plan&)>& problems_of) {
+  StoredRecording recording;
+  std::optional<SampleFile> file;
+  if (arguments.script.empty()) file = opened(arguments.path, {}, recording.problems);
+  const Scene scene =
+      file ? scene_in_file(arguments.path, file->info()) : scene_of_script(arguments, recording.problems);
+  recording.simulation = simulation_of_file(scene, arguments, suits);
+  recording.plan = std::make_shared<const Plan>(make_plan(scene, recording.simulation));
+  take(recording.problems, problems_of(*recording.plan));
+  expect_sound(recording.problems);
+  if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);
+  expect_shape(file->info(), *recording.plan, arguments.path);
+  const double scale = scale_of(file->info(), *recording.plan, recording.problems);
+  recording.read = rows_of(std::move(*file), scale);
+  return recording;
+}
+
+}  // namespace sarsim::cli
