@@ -12,7 +12,9 @@
 #include "cli/image_fields.hpp"
 #include "cli/options.hpp"
 #include "cli/report.hpp"
+#include "process/ground_grid.hpp"
 #include "process/image_quality.hpp"
+#include "process/sar_track.hpp"
 #include "simulate/sar_theory.hpp"
 
 namespace sarsim::cli {
@@ -144,10 +146,38 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
   return search_m;
 }
 
+// On a ground grid ranges are as far apart as the ground is seen flat.
+void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFrame& slant) {
+  const ImagePlace place = place_on_ground(grid, slant, theory.place);
+  const ImagePlace farther = place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  theory.place = place;
+  if (!theory.range) return;
+  theory.range->width *= farther.range_m - place.range_m;
+  theory.range->null *= farther.range_m - place.range_m;
+}
+
+std::vector<TargetTheory> theories_of(const OpenedImage& opened, const FocusInput& input) {
+  const bool time_domain = opened.origin.algorithm == "back-projection";
+  EchoRows echoes = input.echoes;
+  echoes.compensated = time_domain || opened.origin.motion != "none";
+  std::vector<TargetTheory> theories = theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain);
+  const StraightTrack track = fit_straight(echoes.track);
+  const ImageFrame& frame = opened.image.frame;
+  if (frame.plane == ImagePlane::slant_range) {
+    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+    for (TargetTheory& theory : theories) theory.place.azimuth_m -= dot(frame.origin_m - track.origin_m, track.along);
+    return theories;
+  }
+  const ImageFrame slant{
+      .plane = ImagePlane::slant_range, .origin_m = track.origin_m, .along = track.along, .speed_mps = track.speed_mps};
+  for (TargetTheory& theory : theories)
+    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
+  return theories;
+}
+
 std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
-  const std::vector<TargetTheory> theories =
-      theory_of_targets(*input.plan, input.echoes, opened.origin.options, opened.origin.algorithm == "back-projection");
+  const std::vector<TargetTheory> theories = theories_of(opened, input);
   const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };
