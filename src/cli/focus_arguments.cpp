@@ -91,7 +91,7 @@ void add_focus_arguments(CLI::App& app, FocusArguments& a) {
       "needs it");
   app.add_flag("--autofocus", a.autofocus, "take out phase errors that are left, found in the image itself");
   add_real(app, "--autofocus-piece", a.autofocus_piece_m, "M",
-           "length of the pieces it looks at one by one (default: 0.4 of the synthetic aperture)");
+           "length of the pieces it looks at one by one (default: a tenth of the synthetic aperture)");
   add_text(app, "--autofocus-phase", a.autofocus_phase, "FILE.csv", "write the phase that it found along the track");
   add_recording_arguments(app, a.input);
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");

@@ -10,8 +10,8 @@
 
 #include "base/number_text.hpp"
 #include "data/output_file.hpp"
-#include "process/sar_track.hpp"
 #include "process/autofocus.hpp"
+#include "process/sar_track.hpp"
 #include "simulate/sar_ghosts.hpp"
 
 namespace sarsim::cli {
@@ -57,7 +57,7 @@ FocusedImage in_memory(const FocusedRows& rows) {
 
 FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double piece_m, const FocusOptions& options,
                         const WorkControl& control, AutofocusFinding& finding) {
-  constexpr double share_of_aperture = 0.4;
+  constexpr double share_of_aperture = 0.1;
   constexpr double least_pixels = 16.0;
   const double length_m = static_cast<double>(rows.image.azimuth.count) * rows.image.azimuth.step_m;
   finding.piece_m = piece_m > 0.0 ? piece_m : std::min(share_of_aperture * aperture_m(input), length_m);

@@ -21,7 +21,7 @@ struct AutofocusFinding {
 
 /// Phase gradient autofocus of a strip (process/autofocus.hpp), in memory. BadInput where that is not enough, or the
 /// image too short.
-/// @param piece_m  length of the pieces that are looked at one by one; 0: 0.4 of the synthetic aperture that the
+/// @param piece_m  length of the pieces that are looked at one by one; 0: a tenth of the synthetic aperture that the
 ///                 targets have, or of the flight where there are none
 [[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double piece_m,
                                       const FocusOptions& options, const WorkControl& control,
