@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <ostream>
 
@@ -11,6 +10,8 @@
 #include "base/number_text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/focus_arguments.hpp"
+#include "cli/focus_autofocus.hpp"
 #include "cli/focus_back_projection.hpp"
 #include "cli/focus_input.hpp"
 #include "cli/image_output.hpp"
@@ -18,6 +19,7 @@
 #include "cli/output_names.hpp"
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
+#include "process/sar_track.hpp"
 #include "simulate/sar_ghosts.hpp"
 #include "simulate/sar_rows.hpp"
 
@@ -27,74 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Algorithm { range_doppler, chirp_scaling, omega_k, back_projection };
-
-struct FocusArguments {
-  RecordingArguments input;
-  std::string output;
-  std::optional<Algorithm> algorithm;
-  std::string window;
-  std::string range_window;
-  std::string azimuth_window;
-  std::string centroid = "geometry";
-  std::optional<double> bandwidth_hz;
-  std::optional<std::int64_t> threads;
-  std::string memory;
-  std::string scratch;
-  bool magnitude = false;
-  bool force = false;
-  bool json = false;
-  bool quiet = false;
-};
-
-const char* word_of(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::range_doppler: return "range-doppler";
-    case Algorithm::chirp_scaling: return "chirp-scaling";
-    case Algorithm::back_projection: return "back-projection";
-    case Algorithm::omega_k: break;
-  }
-  return "omega-k";
-}
-
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-SarWindow window_of(const std::string& option, const std::string& text) {
-  if (text.empty()) return {};
-  if (const auto window = window_from_text(text)) return *window;
-  throw BadInput(fmt::format("{}: '{}' is no window", option, text),
-                 "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
-}
-
-// Half of the memory that is free; 1 GiB where the system does not say.
-std::size_t half_of_free_memory() {
-  std::ifstream info("/proc/meminfo");
-  std::string name;
-  std::size_t kilobytes = 0;
-  std::string unit;
-  while (info >> name >> kilobytes) {
-    std::getline(info, unit);
-    if (name == "MemAvailable:") return kilobytes * 512;
-  }
-  return std::size_t{1} << 30;
-}
-
-// Bytes: a number with K, M, G or T (of 1024) behind it.
-std::size_t memory_of(const std::string& text) {
-  if (text.empty()) return half_of_free_memory();
-  static constexpr std::string_view units = "KMGT";
-  std::string number = text;
-  double scale = 1.0;
-  if (number.back() == 'B' || number.back() == 'b') number.pop_back();
-  const char unit = number.empty() ? '\0' : static_cast<char>(std::toupper(static_cast<unsigned char>(number.back())));
-  if (const std::size_t power = units.find(unit); unit != '\0' && power != std::string_view::npos) {
-    scale = std::pow(1024.0, static_cast<double>(power) + 1.0);
-    number.pop_back();
-  }
-  const auto value = parse_number(number);
-  if (value && *value * scale >= 1048576.0 && *value * scale < 0x1p60) return static_cast<std::size_t>(*value * scale);
-  throw BadInput(fmt::format("--memory: '{}' is no size", text), "give 1M or more, for instance 800M or 4G");
-}
 
 // One run of the command, from its input to the image's files.
 class FocusRun {
@@ -107,14 +42,18 @@ class FocusRun {
     const double begin_s = now_s();
     const std::size_t memory = memory_of(arguments_.memory);
     read_windows();
+    expect_sense();
     expect_free_outputs();
     input_ = open_focus_input(arguments_.input, control_);
     options_.memory_bytes = memory;
     options_.scratch_folder = arguments_.scratch;
     options_.doppler_bandwidth_hz = arguments_.bandwidth_hz.value_or(0.0);
+    compensate_track();
     options_.doppler_centroid_hz = centroid_hz();
     find_problems();
-    const FocusedRows image = focused();
+    FocusedRows image = focused();
+    if (arguments_.autofocus)
+      image = autofocused(image, input_, arguments_.autofocus_piece_m.value_or(0.0), options_, control_, autofocus_);
     write(image);
     report(image, now_s() - begin_s);
     return exit_done;
@@ -127,11 +66,11 @@ class FocusRun {
     if (!arguments_.range_window.empty()) options_.range_window = window_of("--range-window", arguments_.range_window);
     if (!arguments_.azimuth_window.empty())
       options_.azimuth_window = window_of("--azimuth-window", arguments_.azimuth_window);
-    if (algorithm() == Algorithm::range_doppler) options_.method = FocusMethod::range_doppler;
-    if (algorithm() == Algorithm::chirp_scaling) options_.method = FocusMethod::chirp_scaling;
+    if (algorithm() == FocusAlgorithm::range_doppler) options_.method = FocusMethod::range_doppler;
+    if (algorithm() == FocusAlgorithm::chirp_scaling) options_.method = FocusMethod::chirp_scaling;
   }
 
-  [[nodiscard]] Algorithm algorithm() const { return arguments_.algorithm.value_or(Algorithm::omega_k); }
+  [[nodiscard]] FocusAlgorithm algorithm() const { return arguments_.algorithm.value_or(FocusAlgorithm::omega_k); }
 
   [[nodiscard]] fs::path output() const {
     if (!arguments_.output.empty()) return arguments_.output;
@@ -141,7 +80,27 @@ class FocusRun {
   [[nodiscard]] std::vector<fs::path> outputs() const {
     std::vector<fs::path> paths = files_of_image(output());
     if (arguments_.magnitude) std::ranges::copy(files_of_image(magnitude_path(output())), std::back_inserter(paths));
+    if (!arguments_.autofocus_phase.empty()) paths.emplace_back(arguments_.autofocus_phase);
     return paths;
+  }
+
+  [[nodiscard]] bool on_ground() const { return arguments_.grid == FocusGrid::ground; }
+
+  void expect_sense() const {
+    const bool back_projection = algorithm() == FocusAlgorithm::back_projection;
+    if (!back_projection && on_ground())
+      throw BadInput("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
+    if (!back_projection && arguments_.start_stop)
+      throw BadInput("--start-stop is for back-projection", "add --algorithm back-projection");
+    if (back_projection && arguments_.motion.value_or(MotionOrder::none) != MotionOrder::none)
+      throw BadInput("back-projection takes the track as it is, and needs no motion compensation",
+                     "leave out --motion-compensation");
+    if (on_ground() && arguments_.autofocus)
+      throw BadInput("--autofocus needs an image of slant range", "leave out --grid ground");
+    if (!arguments_.autofocus && (arguments_.autofocus_piece_m || !arguments_.autofocus_phase.empty()))
+      throw BadInput("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+    if (arguments_.autofocus_piece_m && !(*arguments_.autofocus_piece_m > 0.0))
+      throw BadInput("--autofocus-piece must be above 0", "give metres along the track");
   }
 
   void expect_free_outputs() const {
@@ -152,6 +111,23 @@ class FocusRun {
       std::ranges::move(problems_of_output(path, arguments_.input.path, arguments_.force),
                         std::back_inserter(problems));
     if (!problems.empty()) throw BadInput(std::move(problems));
+  }
+
+  void compensate_track() {
+    if (algorithm() == FocusAlgorithm::back_projection || !has_speed()) return;
+    options_.doppler_centroid_hz = geometric_doppler_centroid_hz(*input_.plan);
+    motion_ = arguments_.motion.value_or(wants_compensation(input_.echoes, options_) ? MotionOrder::second
+                                                                                     : MotionOrder::none);
+    if (motion_ == MotionOrder::none) return;
+    strays_m_ = fit_straight(input_.echoes.track).worst_position_m;
+    ProgressDisplay display(streams_.err, style(), output().string() + ": motion compensation");
+    compensate(input_, motion_, arguments_.ground_m, options_, control_,
+               [&display](const Progress& p) { display.update(p); });
+  }
+
+  // Without it nothing can be focused, which `find_problems` says.
+  [[nodiscard]] bool has_speed() const {
+    return input_.echoes.track.size() >= 2 && fit_straight(input_.echoes.track).speed_mps > 0.0;
   }
 
   [[nodiscard]] double centroid_hz() const {
@@ -169,7 +145,7 @@ class FocusRun {
     Problems& problems = input_.problems;
     Problems found = problems_of_focusing(input_.echoes, options_);
     // Back projection takes any track: of evenness and straightness it needs neither.
-    if (algorithm() == Algorithm::back_projection)
+    if (algorithm() == FocusAlgorithm::back_projection)
       std::erase_if(found, [](const Problem& problem) { return problem.subject.field == track_field; });
     std::ranges::move(found, std::back_inserter(problems));
     if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
@@ -182,7 +158,10 @@ class FocusRun {
   [[nodiscard]] FocusedRows focused() {
     ProgressDisplay display(streams_.err, style(), output().string());
     const auto progress = [&display](const Progress& p) { display.update(p); };
-    if (algorithm() == Algorithm::back_projection) return back_projected(input_, options_, control_, progress);
+    if (algorithm() == FocusAlgorithm::back_projection) {
+      const BackProjectionChoice choice{on_ground(), arguments_.ground_m, arguments_.start_stop};
+      return back_projected(input_, choice, options_, control_, progress);
+    }
     return focus_rows(input_.echoes, options_, control_, progress);
   }
 
@@ -192,12 +171,14 @@ class FocusRun {
   }
 
   void write(const FocusedRows& image) const {
-    const ImageOrigin origin{arguments_.input.path, arguments_.input.script, input_.simulation, word_of(algorithm()),
-                             options_};
+    const ImageOrigin origin{
+        arguments_.input.path, arguments_.input.script, input_.simulation, word_of(algorithm()), options_,
+        to_string(motion_)};
     if (output().has_parent_path()) fs::create_directories(output().parent_path());
     write_image(image, origin, output(), arguments_.force, false, streams_.stop);
     if (arguments_.magnitude)
       write_image(image, origin, magnitude_path(output()), arguments_.force, true, streams_.stop);
+    if (!arguments_.autofocus_phase.empty()) write_phase(autofocus_, arguments_.autofocus_phase, arguments_.force);
   }
 
   void report(const FocusedRows& rows, double seconds) const {
@@ -208,8 +189,15 @@ class FocusRun {
           "{}: {} x {} samples by {}, azimuth {:.1f} to {:.1f} m, {} {:.1f} to {:.1f} m, Doppler centroid {:.1f} Hz, "
           "{}{}\n",
           output().string(), image.azimuth.count, image.range.count, word_of(algorithm()), image.azimuth.first_m,
-          last(image.azimuth), "slant range", image.range.first_m, last(image.range), options_.doppler_centroid_hz,
-          duration_text(seconds), rows.on_disk ? " (worked on disk)" : "");
+          last(image.azimuth), on_ground() ? "ground range" : "slant range", image.range.first_m, last(image.range),
+          options_.doppler_centroid_hz, duration_text(seconds), rows.on_disk ? " (worked on disk)" : "");
+    if (!arguments_.quiet && motion_ != MotionOrder::none)
+      streams_.err << fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
+                                  to_string(motion_), strays_m_);
+    if (!arguments_.quiet && arguments_.autofocus)
+      streams_.err << fmt::format(
+          "  autofocus took out {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after\n",
+          autofocus_.rms_rad, autofocus_.piece_m, autofocus_.entropy_before, autofocus_.entropy_after);
     if (!arguments_.json) return;
     JsonWriter json;
     json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
@@ -222,6 +210,8 @@ class FocusRun {
     json.member("doppler_centroid_hz", options_.doppler_centroid_hz);
     json.member("range_window", to_string(options_.range_window));
     json.member("azimuth_window", to_string(options_.azimuth_window));
+    json.member("motion_compensation", to_string(motion_)).key("autofocus");
+    write_autofocus(json);
     json.member("on_disk", rows.on_disk).member("seconds", seconds).key("problems");
     write_json(json, input_.problems);
     json.end_object();
@@ -229,39 +219,25 @@ class FocusRun {
     flush_out(streams_);
   }
 
+  void write_autofocus(JsonWriter& json) const {
+    if (!arguments_.autofocus) {
+      json.null();
+      return;
+    }
+    json.begin_object().member("piece_m", autofocus_.piece_m).member("rms_rad", autofocus_.rms_rad);
+    json.member("entropy_before", autofocus_.entropy_before).member("entropy_after", autofocus_.entropy_after);
+    json.end_object();
+  }
+
   const FocusArguments& arguments_;
   Streams& streams_;
   WorkControl control_;
   FocusInput input_;
   FocusOptions options_;
+  MotionOrder motion_ = MotionOrder::none;
+  double strays_m_ = 0.0;  // from the straight line, before compensation
+  AutofocusFinding autofocus_;
 };
-
-void add_focus_options(CLI::App& app, FocusArguments& a) {
-  add_text(app, "--out", a.output, "OUT",
-           "image to write: ENVI (.img, default), or .npy, .h5, .csv, .asc, .bin, .brk; default: the input's name");
-  add_choice<Algorithm>(app, "--algorithm", a.algorithm,
-                        {{"range-doppler", Algorithm::range_doppler},
-                         {"chirp-scaling", Algorithm::chirp_scaling},
-                         {"omega-k", Algorithm::omega_k},
-                         {"back-projection", Algorithm::back_projection}},
-                        "omega-k by default; back-projection for tracks that are not straight");
-  add_text(app, "--window", a.window, "WINDOW",
-           "over range and azimuth: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]");
-  add_text(app, "--range-window", a.range_window, "WINDOW", "over range alone");
-  add_text(app, "--azimuth-window", a.azimuth_window, "WINDOW", "over azimuth alone");
-  add_text(app, "--doppler-centroid", a.centroid, "geometry|measured|HZ",
-           "the middle of the Doppler band, as the geometry has it (default), measured, or given");
-  add_real(app, "--doppler-bandwidth", a.bandwidth_hz, "HZ", "band to keep about the centroid (default: all)");
-  add_recording_arguments(app, a.input);
-  add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
-  add_text(app, "--memory", a.memory, "SIZE",
-           "memory to work in, as 800M or 4G (default: half of what is free); more goes to disk");
-  add_text(app, "--scratch", a.scratch, "DIR", "where on disk (default: the system's folder for temporary files)");
-  app.add_flag("--magnitude", a.magnitude, "also an ENVI image of magnitudes, NAME-magnitude.img");
-  app.add_flag("--force", a.force, "replace files that exist");
-  app.add_flag("--json", a.json, "a report as JSON on standard output");
-  app.add_flag("--quiet", a.quiet, "only errors on standard error");
-}
 
 }  // namespace
 
@@ -269,10 +245,12 @@ Action add_focus(CLI::App& app) {
   auto arguments = std::make_shared<FocusArguments>();
   add_text(app, "input", arguments->input.path, "SCENE|DATA", "script to simulate and focus, or file of samples")
       ->required();
-  add_focus_options(app, *arguments);
+  add_focus_arguments(app, *arguments);
   add_examples(app, {{"sarsim focus sar_r.scr", "simulate and focus: sar_r.img with its header sar_r.hdr"},
                      {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
                      {"sarsim focus sim1.bin --script scene.scr --out image.npy", "a file that carries no script"},
+                     {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors taken out"},
+                     {"sarsim focus sar_r.scr --algorithm back-projection --grid ground", "onto level ground"},
                      {"sarsim focus big.h5 --memory 500M --scratch /data", "in less memory than the image"}});
   return [arguments](Streams& streams) { return FocusRun(*arguments, streams).run(); };
 }

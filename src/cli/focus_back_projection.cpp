@@ -7,6 +7,7 @@
 
 #include "base/number_text.hpp"
 #include "process/back_projection.hpp"
+#include "process/ground_grid.hpp"
 #include "process/sar_track.hpp"
 #include "simulate/sar_ghosts.hpp"
 #include "simulate/sar_rows.hpp"
@@ -15,18 +16,11 @@ namespace sarsim::cli {
 
 namespace {
 
-// Towards the scene, perpendicular to the track: the mean of the targets from the track's middle, or the beam's axis.
-Vec3 across_of(const Plan& plan, const StraightTrack& track) {
-  PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
-  Vec3 sum;
-  for (const Scatterer& scatterer : plan.scene->scatterers)
-    sum = sum + (world_position_m(geometry.pose(scatterer.platform), scatterer.position_m) - track.origin_m);
-  const auto perpendicular = [&](const Vec3& v) { return v - dot(v, track.along) * track.along; };
-  Vec3 across = perpendicular(sum);
-  if (!(norm(across) > 0.0)) across = perpendicular(geometry.pointing().axis_world());
-  if (!(norm(across) > 0.0)) across = {0.0, 0.0, -1.0};
-  return (1.0 / norm(across)) * across;
+// Towards the scene, perpendicular to the track.
+Vec3 across_of(const Vec3& scene_m, const ImageFrame& frame) {
+  const Vec3 to_scene = scene_m - frame.origin_m;
+  const Vec3 across = to_scene - dot(to_scene, frame.along) * frame.along;
+  return norm(across) > 0.0 ? (1.0 / norm(across)) * across : Vec3{0.0, 0.0, -1.0};
 }
 
 // The azimuth window over the record, as weights whose mean is 1.
@@ -45,7 +39,9 @@ void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
 // them nevertheless, and its image is to hold them.
 void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps) {
   double band_hz = 0.0;
-  for (const SarTarget& target : sar_targets(*input.plan, input.echoes)) {
+  EchoRows echoes = input.echoes;
+  echoes.compensated = true;  // The image's frequencies are those about the straight line.
+  for (const SarTarget& target : sar_targets(*input.plan, echoes)) {
     if (!(target.amplitude > 0.0)) continue;
     const double above_hz = target.highest_doppler_hz - options.doppler_centroid_hz;
     const double below_hz = options.doppler_centroid_hz - target.lowest_doppler_hz;
@@ -75,14 +71,32 @@ BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage
   return back;
 }
 
+// The frame of the points that are focused.
+void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
+  Vec3 scene_m = scene_middle_m(*input.plan);
+  if (choice.ground_m) scene_m.z = *choice.ground_m;
+  if (!choice.ground) {
+    axes.frame.across = across_of(scene_m, axes.frame);
+    return;
+  }
+  try {
+    axes = on_ground(axes, scene_m);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what(), "give the ground another --height, or leave out --grid ground");
+  }
+}
+
 }  // namespace
 
-FocusedRows back_projected(const FocusInput& input, const FocusOptions& options, const WorkControl& control,
-                           const ProgressReport& progress) {
+FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice, const FocusOptions& options,
+                           const WorkControl& control, const ProgressReport& progress) {
   FocusOptions plain = options;
   plain.method = FocusMethod::range_doppler;
   FocusedImage axes = image_of(input.echoes, plain);
   refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps);
+  BackProjectionOptions back = options_of(options, axes);
+  back.start_stop = choice.start_stop;
+  place_axes(axes, input, choice);
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.samples) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
@@ -92,9 +106,8 @@ FocusedRows back_projected(const FocusInput& input, const FocusOptions& options,
                    "allow more, or use another --algorithm");
   SarEchoes echoes = sar_echoes(input.echoes, control);
   if (options.doppler_bandwidth_hz <= 0.0) weigh_pulses(echoes, options.azimuth_window);
-  axes.frame.across = across_of(*input.plan, fit_straight(input.echoes.track));
   const auto image = std::make_shared<const FocusedImage>(
-      back_project(echoes, axes.frame, axes.azimuth, axes.range, options_of(options, axes), control, progress));
+      back_project(echoes, axes.frame, axes.azimuth, axes.range, back, control, progress));
   FocusedRows rows;
   rows.image = {.frame = image->frame,
                 .azimuth = axes.azimuth,

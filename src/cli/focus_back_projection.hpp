@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
 #include "cli/focus_input.hpp"
@@ -7,11 +9,20 @@
 
 namespace sarsim::cli {
 
+/// What back projection can do that the other methods cannot.
+struct BackProjectionChoice {
+  bool ground = false;             ///< Columns are places on level ground, not slant ranges.
+  std::optional<double> ground_m;  ///< Height of the ground, world; nothing: that of the middle of the scene.
+  bool start_stop = false;         ///< As if the antenna rested while a pulse travels.
+};
+
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
 /// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
 /// bandwidth keeps the pulses that see a point at such frequencies; the azimuth window is over them, or, where all are
-/// kept, over the record. Throws BadInput where the echoes need more memory than allowed.
-[[nodiscard]] FocusedRows back_projected(const FocusInput& input, const FocusOptions& options,
-                                         const WorkControl& control, const ProgressReport& progress);
+/// kept, over the record. Or to an image of level ground. Throws BadInput where the echoes need more memory than
+/// allowed or the ground is out of reach.
+[[nodiscard]] FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
+                                         const FocusOptions& options, const WorkControl& control,
+                                         const ProgressReport& progress);
 
 }  // namespace sarsim::cli

@@ -88,6 +88,7 @@ EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin) {
   fields.emplace_back("script", origin.script);
   fields.emplace_back("simulation", fmt::format("{}", origin.simulation + 1));
   fields.emplace_back("algorithm", origin.algorithm);
+  fields.emplace_back("motion compensation", origin.motion);
   fields.emplace_back("range window", to_string(origin.options.range_window));
   fields.emplace_back("azimuth window", to_string(origin.options.azimuth_window));
   fields.emplace_back("doppler centroid hz", fmt::format("{}", origin.options.doppler_centroid_hz));
@@ -108,6 +109,7 @@ void read_header(const EnviHeader& header, const std::string& file, FocusedImage
   origin.script = fields.text("script");
   origin.simulation = static_cast<std::size_t>(fields.number("simulation")) - 1;
   origin.algorithm = fields.text("algorithm");
+  origin.motion = header.field("motion compensation").value_or("none");
   origin.options.range_window = fields.window("range window");
   origin.options.azimuth_window = fields.window("azimuth window");
   origin.options.doppler_centroid_hz = fields.number("doppler centroid hz");

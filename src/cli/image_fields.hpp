@@ -17,6 +17,7 @@ struct ImageOrigin {
   std::size_t simulation = 0;
   std::string algorithm;
   FocusOptions options;
+  std::string motion = "none";  ///< Order to which the flight's departures from a straight line were compensated.
 };
 
 /// The header of a focused image (docs/formats/focused-images.md).

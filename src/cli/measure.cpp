@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <memory>
 #include <ostream>
 
@@ -10,12 +12,18 @@
 #include "cli/commands.hpp"
 #include "cli/focus_input.hpp"
 #include "cli/image_fields.hpp"
+#include "cli/measure_cuts.hpp"
 #include "cli/options.hpp"
+#include "cli/picture_program.hpp"
 #include "cli/report.hpp"
+#include "process/ground_grid.hpp"
 #include "process/image_quality.hpp"
+#include "process/sar_track.hpp"
 #include "simulate/sar_theory.hpp"
 
 namespace sarsim::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -23,7 +31,11 @@ struct MeasureArguments {
   std::string image;
   RecordingArguments input;
   std::optional<double> search_m;
+  std::optional<std::int64_t> target;
+  std::string cuts;
   std::optional<std::int64_t> threads;
+  bool dark = false;
+  bool force = false;
   bool json = false;
 };
 
@@ -31,6 +43,7 @@ struct MeasureArguments {
 struct Measured {
   TargetTheory theory;
   std::optional<PointResponse> found;
+  PointCuts cuts;  // where pictures of them are wanted
 };
 
 struct OpenedImage {
@@ -144,10 +157,42 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
   return search_m;
 }
 
+// On a ground grid ranges are as far apart as the ground is seen flat.
+void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFrame& slant) {
+  const ImagePlace place = place_on_ground(grid, slant, theory.place);
+  const ImagePlace farther = place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  theory.place = place;
+  if (!theory.range) return;
+  theory.range->width *= farther.range_m - place.range_m;
+  theory.range->null *= farther.range_m - place.range_m;
+}
+
+std::vector<TargetTheory> theories_of(const OpenedImage& opened, const FocusInput& input) {
+  const bool time_domain = opened.origin.algorithm == "back-projection";
+  EchoRows echoes = input.echoes;
+  echoes.compensated = time_domain || opened.origin.motion != "none";
+  std::vector<TargetTheory> theories = theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain);
+  const StraightTrack track = fit_straight(echoes.track);
+  const ImageFrame& frame = opened.image.frame;
+  if (frame.plane == ImagePlane::slant_range) {
+    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+    for (TargetTheory& theory : theories) theory.place.azimuth_m -= dot(frame.origin_m - track.origin_m, track.along);
+    return theories;
+  }
+  const ImageFrame slant{
+      .plane = ImagePlane::slant_range, .origin_m = track.origin_m, .along = track.along, .speed_mps = track.speed_mps};
+  for (TargetTheory& theory : theories)
+    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
+  return theories;
+}
+
+bool is_asked_for(const MeasureArguments& arguments, const TargetTheory& theory) {
+  return !arguments.target || static_cast<std::int64_t>(theory.target) + 1 == *arguments.target;
+}
+
 std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
-  const std::vector<TargetTheory> theories =
-      theory_of_targets(*input.plan, input.echoes, opened.origin.options, opened.origin.algorithm == "back-projection");
+  const std::vector<TargetTheory> theories = theories_of(opened, input);
   const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };
@@ -155,12 +200,38 @@ std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInp
   parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
-      if (!(theories[t].amplitude > 0.0)) continue;
+      if (!(theories[t].amplitude > 0.0) || !is_asked_for(arguments, theories[t])) continue;
       const double search_m = arguments.search_m.value_or(search_of(theories, theories[t]));
-      targets[t].found = measure_point(opened.image, reader, theories[t].place, search_m);
+      targets[t].found = measure_point(opened.image, reader, theories[t].place, search_m,
+                                       arguments.cuts.empty() ? nullptr : &targets[t].cuts);
     }
   });
+  std::erase_if(targets, [&](const Measured& target) { return !is_asked_for(arguments, target.theory); });
+  if (targets.empty())
+    throw BadInput(fmt::format("there is no target {}", arguments.target.value_or(0)),
+                   fmt::format("the script has {}", theories.size()));
   return targets;
+}
+
+fs::path picture_of(const MeasureArguments& arguments, const Measured& target) {
+  return fs::path(arguments.cuts) / fmt::format("target-{}.png", target.theory.target + 1);
+}
+
+// One picture for each target that was found.
+void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& targets, const StopFlag* stop) {
+  if (arguments.cuts.empty()) return;
+  for (const Measured& target : targets)
+    if (target.found && !arguments.force && fs::exists(picture_of(arguments, target)))
+      throw BadInput(fmt::format("'{}' exists", picture_of(arguments, target).string()),
+                     "name another folder, or --force");
+  fs::create_directories(arguments.cuts);
+  for (const Measured& target : targets) {
+    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (!target.found) continue;
+    Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
+    figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
+    draw_picture(figure, picture_of(arguments, target), {.width_px = 800, .height_px = 800, .dark = arguments.dark});
+  }
 }
 
 ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
@@ -185,6 +256,7 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
     write_out(streams, json.text());
   }
   flush_out(streams);
+  draw_cuts(arguments, targets, streams.stop);
   return exit_done;
 }
 
@@ -196,10 +268,16 @@ Action add_measure(CLI::App& app) {
   add_recording_arguments(app, arguments->input);
   add_real(app, "--search", arguments->search_m, "M",
            "how far from its place a target's peak may be (default: 3 cells, or half way to the next target)");
+  add_integer(app, "--target", arguments->target, 1, std::numeric_limits<std::int64_t>::max(),
+              "one target only, by its number in the script");
+  add_text(app, "--cuts", arguments->cuts, "DIR", "draw the cuts through each target: DIR/target-1.png and so on");
+  app.add_flag("--dark", arguments->dark, "the pictures in dark colours");
+  app.add_flag("--force", arguments->force, "replace pictures that exist");
   add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");
   app.add_flag("--json", arguments->json, "as JSON");
   add_examples(app, {{"sarsim measure sar_r.img", "the targets of the script that was focused"},
-                     {"sarsim measure sar_r.npy --json", "for programs"}});
+                     {"sarsim measure sar_r.npy --json", "for programs"},
+                     {"sarsim measure sar_r.img --target 5 --cuts pictures", "with a picture of the response"}});
   return [arguments](Streams& streams) { return measure(*arguments, streams); };
 }
 

@@ -254,13 +254,6 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& p
 
 }  // namespace
 
-EchoRows rows_of(const SarEchoes& echoes) {
-  const auto read = [&echoes](std::size_t pulse, std::span<std::complex<float>> out) {
-    std::copy_n(echoes.volts.data() + pulse * echoes.samples, out.size(), out.data());
-  };
-  return {echoes.waveform, echoes.track, echoes.samples, echoes.first_delay_s, read};
-}
-
 Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
   Problems problems;
   check_waveform(echoes.waveform, problems);

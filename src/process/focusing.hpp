@@ -23,19 +23,6 @@ enum class FocusMethod {
   omega_k,        ///< Exact for every aperture and squint: Stolt's interpolation.
 };
 
-/// Echoes that need not all be in memory.
-struct EchoRows {
-  SarWaveform waveform;
-  std::vector<TrackPoint> track;  ///< One for each pulse.
-  std::size_t samples = 0;
-  double first_delay_s = 0.0;
-  /// Copies the compressed echo of a pulse; called from many threads at once.
-  std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
-};
-
-/// Keeps a reference to the echoes.
-[[nodiscard]] EchoRows rows_of(const SarEchoes& echoes);
-
 struct FocusOptions {
   FocusMethod method = FocusMethod::omega_k;
   SarWindow range_window{};    ///< Over the pulse's band, the rest of which it sets to 0 unless it is rectangular.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/constants.hpp"
@@ -276,19 +277,22 @@ Directions directions_of(const FocusedImage& image) {
   return {azimuth / size, range / size};
 }
 
-// A cut along a direction given in metres, measured, with widths in metres.
-std::optional<ResponseFigures> cut(const FocusedImage& image, const Chip& chip, const Peak& peak, double azimuth,
-                                   double range) {
+// A cut along a direction given in metres.
+ResponseCut cut(const FocusedImage& image, const Chip& chip, const Peak& peak, double azimuth, double range) {
   constexpr double steps_per_sample = 32.0;
   const double u = azimuth / image.azimuth.step_m;
   const double v = range / image.range.step_m;
   const double step_m = 1.0 / (steps_per_sample * std::max(std::abs(u), std::abs(v)));
   const auto half = static_cast<std::ptrdiff_t>((static_cast<double>(chip.size()) / 2.0 - 2.0) * steps_per_sample);
-  const std::vector<Complex> values = chip.line(peak.u, peak.v, u * step_m, v * step_m, half);
-  auto figures = figures_of(values, static_cast<std::size_t>(half));
+  return {step_m, chip.line(peak.u, peak.v, u * step_m, v * step_m, half)};
+}
+
+// With widths in metres.
+std::optional<ResponseFigures> measured(const ResponseCut& cut) {
+  auto figures = figures_of(cut.values, cut.values.size() / 2);
   if (!figures) return std::nullopt;
-  figures->width *= step_m;
-  figures->null *= step_m;
+  figures->width *= cut.step_m;
+  figures->null *= cut.step_m;
   return figures;
 }
 
@@ -306,7 +310,7 @@ ImageReader reader_of(const FocusedImage& image) {
 }
 
 std::optional<PointResponse> measure_point(const FocusedImage& image, const ImageReader& reader,
-                                           const ImagePlace& expected, double search_m) {
+                                           const ImagePlace& expected, double search_m, PointCuts* cuts) {
   constexpr std::size_t largest_chip = 512;
   const auto middle = largest_sample(image, reader, expected, search_m);
   if (!middle) return std::nullopt;
@@ -314,8 +318,10 @@ std::optional<PointResponse> measure_point(const FocusedImage& image, const Imag
   for (std::size_t size = 64; size <= largest_chip; size *= 2) {
     const Chip chip(image, reader, *middle, size);
     const Peak peak = peak_of(chip);
-    const auto azimuth = cut(image, chip, peak, sight.along_sight_range, -sight.along_sight_azimuth);
-    const auto range = cut(image, chip, peak, sight.along_sight_azimuth, sight.along_sight_range);
+    ResponseCut azimuth_cut = cut(image, chip, peak, sight.along_sight_range, -sight.along_sight_azimuth);
+    ResponseCut range_cut = cut(image, chip, peak, sight.along_sight_azimuth, sight.along_sight_range);
+    const auto azimuth = measured(azimuth_cut);
+    const auto range = measured(range_cut);
     const double room = static_cast<double>(size) / 2.0 - 8.0;
     const bool last = size == largest_chip;
     if (!azimuth || !range) {
@@ -324,6 +330,7 @@ std::optional<PointResponse> measure_point(const FocusedImage& image, const Imag
     }
     const bool fits = reach_in_samples(*azimuth, image.azimuth) < room && reach_in_samples(*range, image.range) < room;
     if (!fits && !last) continue;
+    if (cuts != nullptr) *cuts = {std::move(azimuth_cut), std::move(range_cut)};
     const double row = static_cast<double>(middle->row) + peak.u;
     const double column = static_cast<double>(middle->column) + peak.v;
     return PointResponse{.place = {image.azimuth.at(row), image.range.at(column)},

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "process/response.hpp"
 #include "process/sar_image.hpp"
@@ -26,15 +27,29 @@ struct PointResponse {
   ResponseFigures range;
 };
 
+/// A response along a line through its peak, which is in the middle.
+struct ResponseCut {
+  double step_m = 0.0;
+  std::vector<std::complex<double>> values;  ///< An odd number.
+};
+
+/// The lines that the figures of a point were measured on.
+struct PointCuts {
+  ResponseCut azimuth;
+  ResponseCut range;
+};
+
 /// The largest peak near a place, between samples: a piece of the image about it is taken for one period of a
 /// band-limited function about the image's spectral centre (zero-padded Fourier transform), whose maximum is found by
 /// Newton's method.
 ///
 /// @param image     axes and frame; `values` may be empty
 /// @param expected  where to look, and `search_m` around it in both coordinates
+/// @param cuts      where not null, filled for a point that is found
 /// @return nothing where the place is outside the image, the image is 0 there, or the response runs out of it before
 ///         its first minimum
 [[nodiscard]] std::optional<PointResponse> measure_point(const FocusedImage& image, const ImageReader& reader,
-                                                         const ImagePlace& expected, double search_m);
+                                                         const ImagePlace& expected, double search_m,
+                                                         PointCuts* cuts = nullptr);
 
 }  // namespace sarsim

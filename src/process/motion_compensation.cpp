@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "base/constants.hpp"
 #include "math/fft.hpp"
 #include "math/window.hpp"
+#include "process/ground_sight.hpp"
 
 namespace sarsim {
 
@@ -28,65 +30,10 @@ double delay_of(const Vec3& point_m, const Vec3& antenna_m, const Vec3& velocity
   return 2.0 * d * d / (light_speed_mps * d + dot(r, velocity_mps));
 }
 
-// Directions of the reference track, and the points of the ground that the middle of the beam meets.
-class Sight {
- public:
-  Sight(const MotionCompensation& how)
-      : squint_sine_(std::sin(how.squint_rad)),
-        squint_cosine_(std::cos(how.squint_rad)),
-        ground_m_(how.scene_m.z),
-        reference_(how.reference) {
-    const double speed = norm(how.reference.velocity_mps);
-    expect(speed > 0.0, "motion compensation: the reference track is at rest");
-    expect(std::abs(how.squint_rad) < 0.5 * pi, "motion compensation: the squint is a right angle or more");
-    ahead_ = (1.0 / speed) * how.reference.velocity_mps;
-    const Vec3 from_line = foot_to(how.scene_m);
-    const double distance_m = norm(from_line);
-    expect(distance_m > 0.0, "motion compensation: the scene lies on the reference track");
-    range_m_ = distance_m / squint_cosine_;
-    side_ = cross(ahead_, {0.0, 0.0, 1.0});
-    // A vertical track has no level side: its plane is that of the scene.
-    if (norm(side_) < 1e-9) side_ = from_line;
-    side_ = (1.0 / norm(side_)) * side_;
-    if (dot(side_, from_line) < 0.0) side_ = -side_;
-    down_ = Vec3{0.0, 0.0, -1.0} - dot(Vec3{0.0, 0.0, -1.0}, ahead_) * ahead_;
-    if (norm(down_) > 1e-9) down_ = (1.0 / norm(down_)) * down_;
-  }
-
-  [[nodiscard]] const Vec3& ahead() const { return ahead_; }
-  [[nodiscard]] double range_m() const { return range_m_; }
-  [[nodiscard]] Vec3 foot_of(const Vec3& antenna_m) const { return antenna_m - foot_to(antenna_m); }
-
-  /// The point at a distance from a point of the track; straight below where the ground is farther away than that.
-  [[nodiscard]] Vec3 ground_point(const Vec3& from_m, double range_m) const {
-    const double along_m = range_m * squint_sine_;
-    const double across_m = range_m * squint_cosine_;
-    double sine = 0.0;
-    if (down_.z < 0.0) {
-      const double drop_m = from_m.z + along_m * ahead_.z - ground_m_;
-      sine = std::clamp(drop_m / (-down_.z * across_m), -1.0, 1.0);
-    }
-    return from_m + along_m * ahead_ + across_m * (std::sqrt(1.0 - sine * sine) * side_ + sine * down_);
-  }
-
- private:
-  [[nodiscard]] Vec3 foot_to(const Vec3& point_m) const {
-    const Vec3 r = point_m - reference_.position_m;
-    return r - dot(r, ahead_) * ahead_;
-  }
-
-  double squint_sine_;
-  double squint_cosine_;
-  double ground_m_;
-  ReferenceTrack reference_;
-  Vec3 ahead_, side_, down_;
-  double range_m_ = 0.0;
-};
-
 // One pulse's way from its antenna to the reference track.
 class PulseShift {
  public:
-  PulseShift(const Sight& sight, const TrackPoint& from, const ReferenceTrack& reference, double light_speed_mps)
+  PulseShift(const GroundSight& sight, const TrackPoint& from, const ReferenceTrack& reference, double light_speed_mps)
       : sight_(&sight),
         from_(&from),
         foot_m_(sight.foot_of(from.position_m)),
@@ -96,13 +43,13 @@ class PulseShift {
   [[nodiscard]] const Vec3& foot_m() const { return foot_m_; }
   /// By how much the echo from the ground at a distance from the foot comes later than it would there.
   [[nodiscard]] double late_s(double range_m) const {
-    const Vec3 point = sight_->ground_point(foot_m_, range_m);
+    const Vec3 point = sight_->point_at(foot_m_, range_m);
     return delay_of(point, from_->position_m, from_->velocity_mps, light_speed_mps_) -
            delay_of(point, foot_m_, velocity_mps_, light_speed_mps_);
   }
 
  private:
-  const Sight* sight_;
+  const GroundSight* sight_;
   const TrackPoint* from_;
   Vec3 foot_m_;
   Vec3 velocity_mps_;
@@ -122,9 +69,12 @@ void advance(std::span<std::complex<double>> row, const Fft& fft, double late_sa
   fft.inverse(row);
 }
 
-void expect_sound(const SarEchoes& echoes) {
+void expect_complete(const SarEchoes& echoes) {
   expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
          "motion compensation: the number of samples is not pulses times samples of a pulse");
+}
+
+void expect_sound(const EchoRows& echoes) {
   expect(echoes.waveform.sample_rate_hz > 0.0 && echoes.waveform.light_speed_mps > 0.0,
          "motion compensation: sampling rate and speed of light must be above 0");
 }
@@ -132,7 +82,7 @@ void expect_sound(const SarEchoes& echoes) {
 // The range-dependent turn is smooth: it is computed at every so many samples, and by parabolas between.
 constexpr std::size_t knot_spacing = 16;
 
-void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift, const SarEchoes& echoes,
+void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift, const EchoRows& echoes,
                    double common_s) {
   const SarWaveform& wave = echoes.waveform;
   const double spacing_m = 0.5 * wave.light_speed_mps / wave.sample_rate_hz;
@@ -154,30 +104,21 @@ void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift,
   }
 }
 
-// Places of pulses along a track, and the pulse, in between too, that stands at a given one.
-class PlacesAlong {
- public:
-  PlacesAlong(const std::vector<TrackPoint>& track, const ReferenceTrack& reference) {
-    const double speed = norm(reference.velocity_mps);
-    const Vec3 ahead = (1.0 / speed) * reference.velocity_mps;
-    for (const TrackPoint& point : track) places_m_.push_back(dot(point.position_m - reference.position_m, ahead));
-    for (std::size_t p = 1; p < places_m_.size(); ++p)
-      expect(places_m_[p] > places_m_[p - 1], "azimuth resampling: the pulses do not ascend along the track");
-  }
+// Where pulses are along a reference track, from its `position_m`.
+std::vector<double> places_along_m(const std::vector<TrackPoint>& track, const ReferenceTrack& reference) {
+  const Vec3 ahead = (1.0 / norm(reference.velocity_mps)) * reference.velocity_mps;
+  std::vector<double> places_m;
+  for (const TrackPoint& point : track) places_m.push_back(dot(point.position_m - reference.position_m, ahead));
+  return places_m;
+}
 
-  [[nodiscard]] const std::vector<double>& places_m() const { return places_m_; }
-
-  /// By straight lines: the acceleration a of an aircraft makes them wrong by a T^2/8 between pulses T apart, some
-  /// thousandths of a millimetre.
-  [[nodiscard]] double pulse_at(double place_m) const {
-    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(places_m_, place_m) - places_m_.begin());
-    const std::size_t left = std::clamp<std::size_t>(after, 1, places_m_.size() - 1) - 1;
-    return static_cast<double>(left) + (place_m - places_m_[left]) / (places_m_[left + 1] - places_m_[left]);
-  }
-
- private:
-  std::vector<double> places_m_;
-};
+// The pulse, in between too, that stands at a place. By straight lines: the acceleration a of an aircraft makes them
+// wrong by a T^2/8 between pulses T apart, some thousandths of a millimetre.
+double pulse_at(const std::vector<double>& places_m, double place_m) {
+  const auto after = static_cast<std::size_t>(std::ranges::upper_bound(places_m, place_m) - places_m.begin());
+  const std::size_t left = std::clamp<std::size_t>(after, 1, places_m.size() - 1) - 1;
+  return static_cast<double>(left) + (place_m - places_m[left]) / (places_m[left + 1] - places_m[left]);
+}
 
 constexpr long taps = 16;
 
@@ -192,73 +133,130 @@ std::array<double, taps> sinc_weights(double pulse, long first) {
   return weights;
 }
 
+// Compensates the pulses of some echoes, one at a time.
+class Compensator {
+ public:
+  Compensator(const EchoRows& echoes, const MotionCompensation& how)
+      : echoes_(echoes),
+        how_(how),
+        sight_(how.reference, how.scene_m, how.squint_rad),
+        fft_(good_fft_size(echoes.samples + guard_samples)) {}
+
+  /// In place.
+  void compensate(std::size_t pulse, std::span<std::complex<float>> samples) const {
+    const SarWaveform& wave = echoes_.waveform;
+    const PulseShift shift = shift_of(pulse);
+    const double common_s = shift.late_s(sight_.range_m());
+    std::vector<std::complex<double>> row(fft_.size());
+    std::ranges::copy(samples, row.begin());
+    advance(row, fft_, common_s * wave.sample_rate_hz);
+    const std::complex<double> turn = turn_by(wave.carrier_hz * common_s);
+    for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
+    if (how_.second_order) turn_by_range(row, shift, echoes_, common_s);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::complex<float>(row[i]);
+  }
+
+  /// Where the reference antenna is when it takes the place of the true one.
+  [[nodiscard]] TrackPoint place_of(std::size_t pulse) const {
+    const ReferenceTrack& reference = how_.reference;
+    const Vec3 foot_m = shift_of(pulse).foot_m();
+    const double speed2 = dot(reference.velocity_mps, reference.velocity_mps);
+    const double after_s = dot(foot_m - reference.position_m, reference.velocity_mps) / speed2;
+    return {reference.time_s + after_s, foot_m, reference.velocity_mps};
+  }
+
+ private:
+  [[nodiscard]] PulseShift shift_of(std::size_t pulse) const {
+    return {sight_, echoes_.track[pulse], how_.reference, echoes_.waveform.light_speed_mps};
+  }
+
+  const EchoRows& echoes_;
+  const MotionCompensation& how_;
+  GroundSight sight_;
+  Fft fft_;
+};
+
 }  // namespace
 
-SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& how, const WorkControl& control) {
+EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how, const WorkSpace& space,
+                           const WorkControl& control, const ProgressReport& progress) {
   expect_sound(echoes);
-  const Sight sight(how);
-  const SarWaveform& wave = echoes.waveform;
-  const double speed2 = dot(how.reference.velocity_mps, how.reference.velocity_mps);
-  SarEchoes out = echoes;
-  const Fft fft(good_fft_size(echoes.samples + guard_samples));
-  parallel_ranges(echoes.track.size(), 16, control, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::complex<double>> row(fft.size());
-    for (std::size_t p = begin; p < end; ++p) {
-      const PulseShift shift(sight, echoes.track[p], how.reference, wave.light_speed_mps);
-      const double common_s = shift.late_s(sight.range_m());
-      const auto samples = std::span(echoes.volts).subspan(p * echoes.samples, echoes.samples);
-      std::ranges::fill(row, 0.0);
-      std::ranges::copy(samples, row.begin());
-      advance(row, fft, common_s * wave.sample_rate_hz);
-      const std::complex<double> turn = turn_by(wave.carrier_hz * common_s);
-      for (std::size_t i = 0; i < echoes.samples; ++i) row[i] *= turn;
-      if (how.second_order) turn_by_range(row, shift, echoes, common_s);
-      for (std::size_t i = 0; i < echoes.samples; ++i) out.volts[p * echoes.samples + i] = std::complex<float>(row[i]);
-      const Vec3 from_reference = shift.foot_m() - how.reference.position_m;
-      out.track[p] = {how.reference.time_s + dot(from_reference, how.reference.velocity_mps) / speed2, shift.foot_m(),
-                      how.reference.velocity_mps};
-    }
+  const Compensator compensator(echoes, how);
+  const std::size_t pulses = echoes.track.size();
+  EchoRows out{echoes.waveform, {}, echoes.samples, echoes.first_delay_s, {}, true};
+  for (std::size_t p = 0; p < pulses; ++p) out.track.push_back(compensator.place_of(p));
+  const auto matrix = std::make_shared<WorkMatrix>(pulses, echoes.samples, space.memory_bytes, space.folder);
+  WorkCounter counter(progress, pulses * echoes.samples, echoes.samples);
+  matrix->each_row(0, pulses, control, counter, [&](std::size_t p, std::span<std::complex<float>> row) {
+    echoes.read(p, row);
+    compensator.compensate(p, row);
   });
-  return how.resample ? resample_azimuth(out, how.reference, how.squint_rad, control) : out;
+  out.read = [matrix](std::size_t pulse, std::span<std::complex<float>> row) { matrix->read_row(pulse, 0, row); };
+  return how.resample ? resample_azimuth(out, how.reference, how.squint_rad) : out;
 }
 
-SarEchoes resample_azimuth(const SarEchoes& echoes, const ReferenceTrack& reference, double squint_rad,
-                           const WorkControl& control) {
+SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& how, const WorkControl& control) {
+  expect_complete(echoes);
+  return sar_echoes(compensate_motion(rows_of(echoes), how, {}, control), control);
+}
+
+EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& reference, double squint_rad) {
   expect_sound(echoes);
   const double speed = norm(reference.velocity_mps);
   expect(speed > 0.0, "azimuth resampling: the reference track is at rest");
   const std::size_t pulses = echoes.track.size();
   if (pulses < 2) return echoes;
-  const PlacesAlong places(echoes.track, reference);
-  const double first_m = places.places_m().front();
-  const double step_m = (places.places_m().back() - first_m) / static_cast<double>(pulses - 1);
+  std::vector<double> places_m = places_along_m(echoes.track, reference);
+  for (std::size_t p = 1; p < pulses; ++p)
+    expect(places_m[p] > places_m[p - 1], "azimuth resampling: the pulses do not ascend along the track");
+  const double first_m = places_m.front();
+  const double step_m = (places_m.back() - first_m) / static_cast<double>(pulses - 1);
   const double turns_per_m = 2.0 * std::sin(squint_rad) * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
-  SarEchoes out = echoes;
-  parallel_ranges(pulses, 16, control, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::complex<double>> sum(echoes.samples);
-    for (std::size_t p = begin; p < end; ++p) {
-      const double place_m = first_m + static_cast<double>(p) * step_m;
-      const double pulse = places.pulse_at(place_m);
-      const long first = static_cast<long>(std::floor(pulse)) - taps / 2 + 1;
-      const auto weights = sinc_weights(pulse, first);
-      std::ranges::fill(sum, 0.0);
-      for (long k = 0; k < taps; ++k) {
-        const long from = first + k;
-        if (from < 0 || from >= static_cast<long>(pulses)) continue;
-        const auto source = static_cast<std::size_t>(from);
-        // The spectrum is interpolated about its middle: turned back there, and forth at the new place.
-        const std::complex<double> weight =
-            weights[static_cast<std::size_t>(k)] * turn_by(turns_per_m * (place_m - places.places_m()[source]));
-        for (std::size_t i = 0; i < echoes.samples; ++i)
-          sum[i] += weight * std::complex<double>(echoes.volts[source * echoes.samples + i]);
-      }
-      for (std::size_t i = 0; i < echoes.samples; ++i) out.volts[p * echoes.samples + i] = std::complex<float>(sum[i]);
-      const double from_reference_s = place_m / speed;
-      out.track[p] = {reference.time_s + from_reference_s,
-                      reference.position_m + from_reference_s * reference.velocity_mps, reference.velocity_mps};
+  EchoRows out = echoes;
+  for (std::size_t p = 0; p < pulses; ++p) {
+    const double after_s = (first_m + static_cast<double>(p) * step_m) / speed;
+    out.track[p] = {reference.time_s + after_s, reference.position_m + after_s * reference.velocity_mps,
+                    reference.velocity_mps};
+  }
+  out.read = [read = echoes.read, places_m = std::move(places_m), first_m, step_m, turns_per_m](
+                 std::size_t p, std::span<std::complex<float>> row) {
+    std::vector<std::complex<double>> sum(row.size());
+    std::vector<std::complex<float>> source(row.size());
+    const double place_m = first_m + static_cast<double>(p) * step_m;
+    const double pulse = pulse_at(places_m, place_m);
+    const long first = static_cast<long>(std::floor(pulse)) - taps / 2 + 1;
+    const auto weights = sinc_weights(pulse, first);
+    for (long k = 0; k < taps; ++k) {
+      const long from = first + k;
+      if (from < 0 || from >= static_cast<long>(places_m.size())) continue;
+      // The spectrum is interpolated about its middle: turned back there, and forth at the new place.
+      const std::complex<double> weight = weights[static_cast<std::size_t>(k)] *
+                                          turn_by(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
+      read(static_cast<std::size_t>(from), source);
+      for (std::size_t i = 0; i < row.size(); ++i) sum[i] += weight * std::complex<double>(source[i]);
     }
-  });
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::complex<float>(sum[i]);
+  };
   return out;
+}
+
+SarEchoes resample_azimuth(const SarEchoes& echoes, const ReferenceTrack& reference, double squint_rad,
+                           const WorkControl& control) {
+  expect_complete(echoes);
+  return sar_echoes(resample_azimuth(rows_of(echoes), reference, squint_rad), control);
+}
+
+double unevenness(const std::vector<TrackPoint>& track, const ReferenceTrack& reference) {
+  const std::vector<double> places_m = places_along_m(track, reference);
+  if (places_m.size() < 3) return 0.0;
+  const double mean_m = (places_m.back() - places_m.front()) / static_cast<double>(places_m.size() - 1);
+  double worst_m = 0.0;
+  for (std::size_t p = 1; p < places_m.size(); ++p) {
+    const double step_m = places_m[p] - places_m[p - 1];
+    if (!(step_m > 0.0)) return std::numeric_limits<double>::infinity();
+    if (p > 1) worst_m = std::max(worst_m, std::abs(step_m - (places_m[p - 1] - places_m[p - 2])));
+  }
+  return worst_m / mean_m;
 }
 
 }  // namespace sarsim

@@ -2,8 +2,12 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
+#include "base/progress.hpp"
 #include "math/vector.hpp"
 
 namespace sarsim {
@@ -36,5 +40,24 @@ struct SarEchoes {
   double first_delay_s = 0.0;
   std::vector<std::complex<float>> volts;  ///< track.size() rows of `samples`.
 };
+
+/// Echoes that need not all be in memory.
+struct EchoRows {
+  SarWaveform waveform;
+  std::vector<TrackPoint> track;  ///< One for each pulse.
+  std::size_t samples = 0;
+  double first_delay_s = 0.0;
+  /// Copies the compressed echo of a pulse; called from many threads at once.
+  std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
+  bool compensated = false;  ///< As if received on the straight line that fits the track.
+};
+
+/// Keeps a reference to the echoes.
+[[nodiscard]] EchoRows rows_of(const SarEchoes& echoes);
+
+/// All rows in memory.
+/// @throw  Interrupted
+[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control = {},
+                                   const ProgressReport& progress = {});
 
 }  // namespace sarsim

@@ -30,6 +30,12 @@ class WorkCounter {
   std::thread::id owner_;
 };
 
+/// Where large matrices may be worked on.
+struct WorkSpace {
+  std::size_t memory_bytes = 0;    ///< Beyond it they go to disk; 0: no limit.
+  std::filesystem::path folder{};  ///< On disk; empty: the system's folder for temporary files.
+};
+
 /// A complex matrix that is gone through by rows and by columns in turn, in memory or, where it would need more than it
 /// may, in a file without a name that is gone through piece by piece.
 class WorkMatrix {

@@ -9,7 +9,8 @@
 
 namespace sarsim {
 
-/// One pulse's sight of one target, as focusing takes it.
+/// One pulse's sight of one target, as focusing takes it: from where the antenna was, or, where its motion is
+/// compensated, from the nearest point of the straight line.
 struct SarLook {
   double time_s = 0.0;  ///< From the track's middle.
   double distance_m = 0.0;
@@ -22,7 +23,7 @@ struct SarLook {
 class SarLooks {
  public:
   /// Keeps a reference to the plan.
-  /// @param echoes  their track; no rows are read
+  /// @param echoes  their track, and whether they are compensated to its line; no rows are read
   SarLooks(const Plan& plan, const EchoRows& echoes);
 
   [[nodiscard]] std::size_t targets() const { return looks_.size(); }
@@ -35,6 +36,8 @@ class SarLooks {
   [[nodiscard]] ImagePlace place(const SarLook& look, double doppler_hz) const;
 
  private:
+  [[nodiscard]] SarLook from_line(SarLook look, const Pose& radar, const Pose& platform, const Vec3& point_m) const;
+
   const Plan& plan_;
   StraightTrack track_;
   std::size_t step_ = 1;

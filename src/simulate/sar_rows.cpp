@@ -172,19 +172,19 @@ EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows re
   return rows;
 }
 
-SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control, const ProgressReport& progress) {
-  constexpr std::size_t grain = 8;
-  SarEchoes echoes{rows.waveform, rows.track, rows.samples, rows.first_delay_s, {}};
-  echoes.volts.resize(rows.track.size() * rows.samples);
-  const std::thread::id owner = std::this_thread::get_id();
-  std::atomic<std::size_t> done{0};
-  parallel_ranges(rows.track.size(), grain, control, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      rows.read(p, std::span(echoes.volts).subspan(p * rows.samples, rows.samples));
-    const std::size_t sum = done.fetch_add(end - begin) + end - begin;
-    if (progress && std::this_thread::get_id() == owner) progress({sum, rows.track.size(), rows.samples});
-  });
-  return echoes;
+Vec3 scene_middle_m(const Plan& plan) {
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+  const Pose& radar = geometry.radar_pose();
+  Vec3 sum;
+  for (const Scatterer& target : plan.scene->scatterers)
+    sum = sum + world_position_m(geometry.pose(target.platform), target.position_m);
+  const auto count = static_cast<double>(plan.scene->scatterers.size());
+  const Vec3 to_targets = count > 0.0 ? (1.0 / count) * sum - radar.position_world_m : Vec3{};
+  if (norm(cross(to_targets, radar.velocity_world_mps)) > 1e-6 * norm(radar.velocity_world_mps))
+    return radar.position_world_m + to_targets;
+  const double range_m = 0.5 * (plan.column_range_m.front() + plan.column_range_m.back());
+  return radar.position_world_m + range_m * geometry.pointing().axis_world();
 }
 
 double geometric_doppler_centroid_hz(const Plan& plan) {

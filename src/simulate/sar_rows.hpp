@@ -38,9 +38,9 @@ using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<
 /// they are. Rows must be like those that the plan makes.
 [[nodiscard]] EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read);
 
-/// All rows in memory.
-[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control = {},
-                                   const ProgressReport& progress = {});
+/// A point in the middle of what is mapped, world: the mean of the targets at the middle of the recording; where there
+/// are none, or they lie on the flight's line, the point of the beam's axis in the middle of the recorded ranges.
+[[nodiscard]] Vec3 scene_middle_m(const Plan& plan);
 
 /// Doppler centroid as geometry has it: that of the echoes' power, over the targets and some pulses of the recording;
 /// that of the beam's axis at its middle where there are no targets.

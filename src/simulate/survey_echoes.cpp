@@ -90,13 +90,14 @@ class Look {
     const std::vector<std::int64_t> pulses = sampled_pulses(plan_.pulses, survey_.targets.size());
     survey_.pulses_sampled = pulses.size();
     survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan_.pulses.count();
+    if (survey_.targets.size() * pulses.size() <= most_views) looks_.resize(survey_.targets.size() * pulses.size());
     const std::size_t batch = std::min(pulses.size(), batch_pulses(plan_.scene->platforms.size()));
     std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
     for (std::size_t first = 0; first < pulses.size(); first += batch) {
       const std::size_t count = std::min(batch, pulses.size() - first);
       parallel_ranges(count, 1, control_,
                       [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
-      look_at_pulses(std::span(geometries).first(count));
+      look_at_pulses(std::span(geometries).first(count), first);
     }
     add_up();
     take_band();
@@ -110,14 +111,15 @@ class Look {
   }
   [[nodiscard]] std::size_t ranges() const { return (survey_.targets.size() + range_targets - 1) / range_targets; }
 
-  void look_at_pulses(std::span<const PulseGeometry> geometries) {
+  // @param first  the number of the first of them among the sampled pulses
+  void look_at_pulses(std::span<const PulseGeometry> geometries, std::size_t first) {
     for (const PulseGeometry& geometry : geometries)
       for (std::size_t i = 0; i < plan_.scene->sheets.size(); ++i)
         if (faces_radar(plan_.scene->sheets[i], geometry)) survey_.surface_faces_radar[i] = true;
     std::vector<double> sum_v(ranges() * geometries.size());
     over_targets([&](std::size_t begin, std::size_t end) {
       for (std::size_t p = 0; p < geometries.size(); ++p)
-        sum_v[begin / range_targets * geometries.size() + p] = look_at_targets(geometries[p], begin, end);
+        sum_v[begin / range_targets * geometries.size() + p] = look_at_targets(geometries[p], first + p, begin, end);
     });
     for (std::size_t p = 0; p < geometries.size(); ++p) {
       double sum = 0.0;
@@ -127,15 +129,16 @@ class Look {
   }
 
   // Returns the sum of the amplitudes in the window.
-  double look_at_targets(const PulseGeometry& geometry, std::size_t begin, std::size_t end) {
+  double look_at_targets(const PulseGeometry& geometry, std::size_t pulse, std::size_t begin, std::size_t end) {
     const Pointing pointing = geometry.pointing();
     double sum_v = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       const ScattererView view = geometry.view(i, pointing);
       const bool in_window = touches_window(view.delay_s);
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
-      take_in(survey_.targets[i], view, 0.5 * light_mps_ * view.delay_s,
-              -2.0 * view.speed_mps * geometry.carrier_hz() / light_mps_, in_window);
+      const double doppler_hz = -2.0 * view.speed_mps * geometry.carrier_hz() / light_mps_;
+      take_in(survey_.targets[i], view, 0.5 * light_mps_ * view.delay_s, doppler_hz, in_window);
+      if (!looks_.empty()) looks_[pulse * survey_.targets.size() + i] = {doppler_hz, std::abs(view.amplitude_sqrt_w)};
     }
     return sum_v;
   }
@@ -168,35 +171,52 @@ class Look {
     for (const SurveyTotals& more : totals) take_in(survey_.totals, more);
   }
 
-  // The Doppler band of the echoes that matter: those in the window and within 40 dB of the strongest one.
+  struct Band {
+    double lowest_hz = infinity;
+    double highest_hz = -infinity;
+
+    void take_in(double low_hz, double high_hz) {
+      lowest_hz = std::min(lowest_hz, low_hz);
+      highest_hz = std::max(highest_hz, high_hz);
+    }
+  };
+
+  // The Doppler band of the echoes that matter: those in the window and within 40 dB of the strongest one, while they
+  // are within 20 dB of their own strongest, that is while the beam rests on them. Of very many targets, always.
   void take_band() {
-    struct Band {
-      double lowest_hz = infinity;
-      double highest_hz = -infinity;
-    };
     std::vector<Band> bands(ranges());
     over_targets([&](std::size_t begin, std::size_t end) {
-      Band band;
       for (std::size_t i = begin; i < end; ++i) {
         const TargetSurvey& t = survey_.targets[i];
         if (!t.in_window || t.largest_amplitude_v < 0.01 * survey_.totals.strongest_v) continue;
-        band.lowest_hz = std::min(band.lowest_hz, t.lowest_doppler_hz);
-        band.highest_hz = std::max(band.highest_hz, t.highest_doppler_hz);
+        take_in_looks(bands[begin / range_targets], i);
       }
-      bands[begin / range_targets] = band;
     });
     Band all;
-    for (const Band& band : bands)
-      all = {std::min(all.lowest_hz, band.lowest_hz), std::max(all.highest_hz, band.highest_hz)};
+    for (const Band& band : bands) all.take_in(band.lowest_hz, band.highest_hz);
     if (all.lowest_hz > all.highest_hz) return;
     survey_.lowest_doppler_hz = all.lowest_hz;
     survey_.highest_doppler_hz = all.highest_hz;
   }
 
+  void take_in_looks(Band& band, std::size_t target) const {
+    const TargetSurvey& t = survey_.targets[target];
+    if (looks_.empty()) band.take_in(t.lowest_doppler_hz, t.highest_doppler_hz);
+    for (std::size_t at = target; at < looks_.size(); at += survey_.targets.size())
+      if (looks_[at].amplitude >= 0.1 * t.largest_amplitude_v)
+        band.take_in(looks_[at].doppler_hz, looks_[at].doppler_hz);
+  }
+
+  struct OneLook {
+    double doppler_hz = 0.0;
+    double amplitude = 0.0;
+  };
+
   const Plan& plan_;
   const WorkControl& control_;
   double light_mps_;
   EchoSurvey survey_;
+  std::vector<OneLook> looks_;  // all targets of the first pulse, of the second ...; none where they are too many
 };
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "cli/focus_input.hpp"
+#include "process/focusing.hpp"
+
+namespace sarsim::cli {
+
+/// What autofocus did to an image.
+struct AutofocusFinding {
+  double piece_m = 0.0;
+  std::vector<double> along_m;    ///< Places of the antenna, from the image's azimuth 0.
+  std::vector<double> phase_rad;  ///< That was taken out of the echoes received there.
+  double rms_rad = 0.0;           ///< Of phase_rad along the flight.
+  double entropy_before = 0.0;
+  double entropy_after = 0.0;
+};
+
+/// Phase gradient autofocus of a strip (process/autofocus.hpp), in memory. BadInput where that is not enough, or the
+/// image too short.
+/// @param piece_m  length of the pieces that are looked at one by one; 0: a tenth of the synthetic aperture that the
+///                 targets have, or of the flight where there are none
+[[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double piece_m,
+                                      const FocusOptions& options, const WorkControl& control,
+                                      AutofocusFinding& finding);
+
+/// Writes places and phases as CSV: along_m, phase_rad.
+void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace);
+
+}  // namespace sarsim::cli
