@@ -21,15 +21,17 @@ if(SARSIM_BENCH)
 endif()
 
 add_library(sarsim_flags INTERFACE)
-target_include_directories(sarsim_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
+target_include_directories(sarsim_flags INTERFACE
+  "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src;${CMAKE_BINARY_DIR}/generated>" $<INSTALL_INTERFACE:include/sarsim>)
 target_link_libraries(sarsim_flags INTERFACE Threads::Threads)
-target_compile_options(sarsim_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wdouble-promotion -Wformat=2
-  # A sum of products must not depend on which ones the compiler fuses: same input, same bytes.
-  -ffp-contract=off)
+target_compile_features(sarsim_flags INTERFACE cxx_std_20)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wdouble-promotion -Wformat=2)
+# A sum of products must not depend on which ones the compiler fuses: same input, same bytes. This holds for other programs
+# with our headers too, as the linker may take a function of a header from either.
+target_compile_options(sarsim_flags INTERFACE "$<BUILD_INTERFACE:${warnings}>" -ffp-contract=off)
 if(SARSIM_WARNINGS_AS_ERRORS)
-  target_compile_options(sarsim_flags INTERFACE -Werror)
+  target_compile_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(SARSIM_SANITIZE)
   target_compile_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE}
@@ -70,7 +72,7 @@ endif()
 set(SARSIM_MODULE_FOLDER lib/sarsim)
 set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/src)
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${SARSIM_MODULE_FOLDER}")
-target_link_options(sarsim_flags INTERFACE LINKER:--disable-new-dtags)
+target_link_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:LINKER:--disable-new-dtags>)
 
 function(sarsim_module name sources libraries)
   add_library(sarsim_${name} MODULE ${sources})
