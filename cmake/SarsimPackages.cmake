@@ -25,8 +25,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(same "(= ${SARSIM_VERSION_PACKAGE})")
 
-set(sentence "Sarsim computes what a pulse radar receives from targets and surfaces on moving
-platforms, as complex baseband samples, and makes images and profiles of it.")
+set(sentence "Sarsim computes what a pulse radar receives from targets and surfaces on
+moving platforms, as complex baseband samples, and makes images of it.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sarsim)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "radar echo simulator
 ${sentence}
@@ -38,8 +38,8 @@ set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME sarsim-gui)
 set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "radar echo simulator: workbench and pictures
 ${sentence}
 .
-This is the graphical program, which builds scenes on screen and draws the pictures
-of sarsim plot.")
+This is the graphical program, which builds scenes on screen and draws the
+pictures of sarsim plot.")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "sarsim ${same}")
 
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME sarsim-mpi)
