@@ -21,15 +21,17 @@ if(SARSIM_BENCH)
 endif()
 
 add_library(sarsim_flags INTERFACE)
-target_include_directories(sarsim_flags INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/generated)
+target_include_directories(sarsim_flags INTERFACE
+  "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src;${CMAKE_BINARY_DIR}/generated>" $<INSTALL_INTERFACE:include/sarsim>)
 target_link_libraries(sarsim_flags INTERFACE Threads::Threads)
-target_compile_options(sarsim_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
-  -Woverloaded-virtual -Wdouble-promotion -Wformat=2
-  # A sum of products must not depend on which ones the compiler fuses: same input, same bytes.
-  -ffp-contract=off)
+target_compile_features(sarsim_flags INTERFACE cxx_std_20)
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wdouble-promotion -Wformat=2)
+# A sum of products must not depend on which ones the compiler fuses: same input, same bytes. This holds for other programs
+# with our headers too, as the linker may take a function of a header from either.
+target_compile_options(sarsim_flags INTERFACE "$<BUILD_INTERFACE:${warnings}>" -ffp-contract=off)
 if(SARSIM_WARNINGS_AS_ERRORS)
-  target_compile_options(sarsim_flags INTERFACE -Werror)
+  target_compile_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(SARSIM_SANITIZE)
   target_compile_options(sarsim_flags INTERFACE -fsanitize=${SARSIM_SANITIZE}
@@ -70,14 +72,31 @@ endif()
 set(SARSIM_MODULE_FOLDER lib/sarsim)
 set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/src)
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${SARSIM_MODULE_FOLDER}")
-target_link_options(sarsim_flags INTERFACE LINKER:--disable-new-dtags)
+target_link_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:LINKER:--disable-new-dtags>)
+
+# Whether one of the libraries is in a folder that programs look into only when told. (Debian's HDF5 is not: what it has in a
+# folder of its own are links for compilers.)
+function(sarsim_has_library_apart result)
+  set(apart OFF)
+  foreach(library IN LISTS ARGN)
+    if(IS_ABSOLUTE "${library}" AND library MATCHES "\\.so")
+      file(REAL_PATH ${library} library)
+      get_filename_component(folder ${library} DIRECTORY)
+      if(NOT folder IN_LIST CMAKE_CXX_IMPLICIT_LINK_DIRECTORIES)
+        set(apart ON)
+      endif()
+    endif()
+  endforeach()
+  set(${result} ${apart} PARENT_SCOPE)
+endfunction()
 
 function(sarsim_module name sources libraries)
+  sarsim_has_library_apart(apart ${HDF5_C_LIBRARIES})
   add_library(sarsim_${name} MODULE ${sources})
   target_link_libraries(sarsim_${name} PRIVATE sarsim_flags ${libraries})
   set_target_properties(sarsim_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/src BUILD_RPATH "" INSTALL_RPATH ""
-                        INSTALL_RPATH_USE_LINK_PATH ON)
+                        INSTALL_RPATH_USE_LINK_PATH ${apart})
   if(NOT SARSIM_SANITIZE)
     target_link_options(sarsim_${name} PRIVATE LINKER:-z,defs)
   endif()

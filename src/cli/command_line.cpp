@@ -15,19 +15,21 @@
 
 #include <fmt/format.h>
 
+#include "base/build.hpp"
 #include "base/number_text.hpp"
-#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/signals.hpp"
 #include "cli/team.hpp"
+#include "view/version_text.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
-const std::string version_text =
-    fmt::format("sarsim {}\nLicence GPL-3.0-or-later: free software that comes without any warranty.", program_version);
+std::string about(const std::string& program) {
+  return version_text(program, this_build(), {{"CLI11", CLI11_VERSION}}) + "\n";
+}
 
 // The application with its commands and what carries each out.
 struct Program {
@@ -74,7 +76,7 @@ struct Program {
 
   void prepare() {
     app.set_help_flag("-h,--help", "this help");
-    app.set_version_flag("--version", version_text, "version and licence");
+    app.set_version_flag("--version", "", "version, build, libraries and licence");
     app.get_formatter()->column_width(34);
     app.allow_extras();
   }
@@ -147,7 +149,7 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
     write_out(streams, command != nullptr ? command->help("sarsim") : program.app.help());
     return exit_done;
   } catch (const CLI::CallForVersion&) {
-    write_out(streams, version_text + "\n");
+    write_out(streams, about(program.app.get_name()));
     return exit_done;
   } catch (const CLI::ParseError& error) {
     expect_no_extras(program, command);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QSettings>
 
+#include <qcustomplot.h>
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -11,11 +12,12 @@
 #include <string_view>
 #include <vector>
 
-#include "base/version.hpp"
+#include "base/build.hpp"
 #include "gui/document_keeper.hpp"
 #include "gui/draw_figure.hpp"
 #include "gui/main_window.hpp"
 #include "gui/pictures.hpp"
+#include "view/version_text.hpp"
 
 namespace {
 
@@ -34,10 +36,15 @@ struct Options {
   double time_s = 0.0;
 };
 
+std::string about() {
+  return sarsim::version_text("sarsim-gui", sarsim::this_build(),
+                              {{"CLI11", CLI11_VERSION}, {"Qt", qVersion()}, {"QCustomPlot", QCUSTOMPLOT_VERSION_STR}});
+}
+
 // Options are read before Qt starts: the scale of a picture has to be known by then.
 void read_options(CLI::App& app, Options& options) {
   app.description("Workbench of sarsim: builds a scene on screen. The same scripts as the command sarsim.");
-  app.set_version_flag("--version", std::string("sarsim-gui ") + sarsim::program_version);
+  app.set_version_flag("--version", about);
   app.add_option("file,--script", options.script, "script to open, or a file of samples to look at");
   app.add_flag("--dark", options.dark, "dark colours");
   app.add_flag("--light", options.light, "light colours");

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sarsim {
+
+/// Instruction sets that the fast kernels were compiled for, best first, under the names of `simd_levels`, whatever
+/// this processor has.
+[[nodiscard]] std::vector<std::string> compiled_simd_levels();
+
+/// Version of the Highway library that they were compiled with, such as "1.0.3".
+[[nodiscard]] std::string simd_library_version();
+
+}  // namespace sarsim
