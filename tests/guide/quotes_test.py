@@ -177,13 +177,28 @@ def check_windows(project):
     return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/main_menus.cpp"]
 
 
+def check_help_places(project):
+    """Every page and heading that F1 leads to is there."""
+    source = (project / "src/gui/help_key.cpp").read_text(encoding="utf-8")
+    constants = dict(re.findall(r'constexpr const char\* (\w+) = "([^"]+)";', source))
+    places = re.findall(r'^    \{"(\w+)", (\w+|"[^"]+"), "([^"]*)"\},$', source, re.MULTILINE)
+    wrong = [] if len(places) > 15 else ["the places of F1 were not found in src/gui/help_key.cpp"]
+    for widget, page, heading in places:
+        file = project / "docs" / (page.strip('"') if page.startswith('"') else constants[page])
+        if not file.exists():
+            wrong.append(f"F1 in {widget} leads to {file}, which does not exist")
+        elif heading and not re.search(rf"^#+ {re.escape(heading)}$", file.read_text(encoding="utf-8"), re.MULTILINE):
+            wrong.append(f"F1 in {widget} leads to '{heading}', which {file} does not have")
+    return wrong
+
+
 def main():
     if sys.argv[1:] == ["--self"]:
         unittest.main(argv=sys.argv[:1])
     project = pathlib.Path(sys.argv[1])
     wrong, quotes = check_messages(project)
-    wrong += check_guards(project) + check_windows(project)
-    print("\n".join(wrong) if wrong else f"{quotes} messages are quoted as they are, every guard and window is there")
+    wrong += check_guards(project) + check_windows(project) + check_help_places(project)
+    print("\n".join(wrong) if wrong else f"{quotes} messages are quoted as they are, every guard, window and page of F1 is there")
     sys.exit(1 if wrong else 0)
 
 
