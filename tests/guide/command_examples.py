@@ -33,7 +33,7 @@ $TARGET Earth  0, 3000, 0  0, 0, 0  1, 0  ISOTROPIC
 $TARGET Earth  0, 3100, 0  0, 0, 0  2, 0  ISOTROPIC
 $TARGET Earth  10, 3200, 0  0, 0, 0  1, 0  ISOTROPIC
 $RADAR Radar1 Earth  CHIRP 0.01 2000 RECT  CONSTANT 1000  SINGLE 3  1 0 300  ISOTROPIC SAME  FIXED 0 90  RECT  NO_STC
-$SIMULATION Radar1  1500, 3418.67  0, 0.003  8  0.02  3E-7  BINARY RAW sim1.bin BEGIN
+$SIMULATION Radar1  1500, 3418.67  0, 0.003  8  0.02  5E-6  BINARY RAW sim1.bin BEGIN
 $SIMULATION Radar1  1500, 3418.67  0, 0.003  8  0.02  0  HDF5 MATCHED_FILTER sim2.h5 BEGIN
 $GEOMETRY Radar1  0, 100000  0, 0.01  SPACE  255  geo1.txt
 """
@@ -159,7 +159,7 @@ def run(command, stage, folder, programs):
     shutil.rmtree(folder)
     if "--show" in sys.argv:
         print(f"{time.monotonic() - started:6.2f} s  {command}")
-    return "" if done.returncode == 0 else f"{command}: exit status {done.returncode}\n{done.stderr[-600:]}"
+    return "" if done.returncode == 0 else f"{command}: exit status {done.returncode}\n{(done.stdout + done.stderr)[-600:]}"
 
 
 def reason_elsewhere(command):
