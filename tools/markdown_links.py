@@ -1,4 +1,4 @@
-"""What tools/site and the link checker of tests/guide both know about Markdown: how forges name headings, and plain texts."""
+"""What tools/site and the link checker of tests/guide know about Markdown: how forges name headings, and plain texts."""
 
 import re
 

@@ -90,7 +90,13 @@ def vectors_joined(items):
                 at += 3
                 continue
         item = items[at]
-        out.append(item if isinstance(item, tuple) else ("optional", [("value", label_of(item))]) if item.optional else ("value", label_of(item)))
+        out.append(
+            item
+            if isinstance(item, tuple)
+            else ("optional", [("value", label_of(item))])
+            if item.optional
+            else ("value", label_of(item))
+        )
         at += 1
     return out
 
@@ -187,12 +193,19 @@ def block_picture():
     if railroad is None:
         return None
     terminal, value = railroad.Terminal, railroad.NonTerminal
-    kinds = railroad.OneOrMore(railroad.Choice(0, terminal("CUBIC"), terminal("MFILTER"), terminal("LINEAR")), railroad.Comment("for each function"))
+    kinds = railroad.OneOrMore(
+        railroad.Choice(0, terminal("CUBIC"), terminal("MFILTER"), terminal("LINEAR")),
+        railroad.Comment("for each function"),
+    )
     points = railroad.OneOrMore(
         railroad.Sequence(value("number of points"), railroad.ZeroOrMore(railroad.Sequence(value("x"), value("y")))),
         railroad.Comment("for each function"),
     )
-    source = railroad.Choice(0, railroad.Sequence(terminal("INLINE"), points), railroad.Sequence(terminal("FILE"), value("name of a data file")))
+    source = railroad.Choice(
+        0,
+        railroad.Sequence(terminal("INLINE"), points),
+        railroad.Sequence(terminal("FILE"), value("name of a data file")),
+    )
     return picture([kinds, source])
 
 

@@ -3,8 +3,9 @@
 
 usage: command_examples.py PROJECT BIN_FOLDER [--show]     --show prints how long each takes
 
-Commands are the lines that begin with "sarsim" in fences without a language. The files they name (scene.scr, sim1.h5 ...) are
-stand-ins, small ones of the kind that the section is about; a thousand seeds are twenty here. What needs a cluster is left out here, told, and tested in tests/parts.
+Commands are the lines that begin with "sarsim" in fences without a language. The files they name (scene.scr, sim1.h5
+...) are stand-ins, small ones of the kind that the section is about; a thousand seeds are twenty here. What needs a
+cluster is left out here, told, and tested in tests/parts.
 """
 
 import concurrent.futures
@@ -85,7 +86,13 @@ class Stage:
         for name in ("sar_r", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
             self.write(f"{name}.scr", self.example(name))
         self.write("old.scr", SCENE)
-        kinds = {"focus": "sar_r", "doppler": "mti", "search": "search_radar", "profiles": "stepped_aircraft", "isar": "turning_ship"}
+        kinds = {
+            "focus": "sar_r",
+            "doppler": "mti",
+            "search": "search_radar",
+            "profiles": "stepped_aircraft",
+            "isar": "turning_ship",
+        }
         if section in kinds:
             self.recordings(self.example(kinds[section]))
         else:
@@ -142,7 +149,9 @@ def run(command, stage, folder, programs):
     copy_named(command, stage, folder)
     started = time.monotonic()
     text = command.replace("/data", ".").replace("seed=1..1000 ", "seed=1..20 ")
-    environment = dict(os.environ, HOME=str(folder), PATH=f"{programs}:{os.environ['PATH']}", QT_QPA_PLATFORM="offscreen")
+    environment = dict(
+        os.environ, HOME=str(folder), PATH=f"{programs}:{os.environ['PATH']}", QT_QPA_PLATFORM="offscreen"
+    )
     try:
         done = subprocess.run(
             ["bash", "-euo", "pipefail", "-c", text],
@@ -159,7 +168,11 @@ def run(command, stage, folder, programs):
     shutil.rmtree(folder)
     if "--show" in sys.argv:
         print(f"{time.monotonic() - started:6.2f} s  {command}")
-    return "" if done.returncode == 0 else f"{command}: exit status {done.returncode}\n{(done.stdout + done.stderr)[-600:]}"
+    return (
+        ""
+        if done.returncode == 0
+        else f"{command}: exit status {done.returncode}\n{(done.stdout + done.stderr)[-600:]}"
+    )
 
 
 def reason_elsewhere(command):
@@ -184,7 +197,9 @@ def main():
             stages[section].mkdir()
             Stage(stages[section], project, programs).make(section)
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            jobs = [pool.submit(run, command, stages[s], root / f"run{i}", programs) for i, (s, command) in enumerate(work)]
+            jobs = [
+                pool.submit(run, command, stages[s], root / f"run{i}", programs) for i, (s, command) in enumerate(work)
+            ]
         faults = [job.result() for job in jobs if job.result()]
     print("\n".join(faults))
     print(f"{len(work)} commands run, {len(left_out)} need more than this machine or are tested elsewhere")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Every word and every field that the sources of the language name is in its diagrams.
 
-The diagrams come from asking the program (tools/railway); this looks from the other side, so that nothing the questions did not
-lead to is missing.
+The diagrams come from asking the program (tools/railway); this looks from the other side, so that nothing is missing
+that the questions did not lead to.
 
 usage: language_test.py PROJECT
 """
@@ -35,14 +35,21 @@ def main():
     grammar = read(project, ["scene_grammar.hpp", "radar_grammar.hpp"])
     words = WORD.findall(grammar)
     blocks = BLOCK.findall(read(project, ["function_block.hpp"]))
-    read_as_values = set(VALUE.findall(read(project, [file.name for file in (project / "src/script").glob("read_*.cpp")])))
+    read_as_values = set(
+        VALUE.findall(read(project, [file.name for file in (project / "src/script").glob("read_*.cpp")]))
+    )
     values = [words_of_field for name, words_of_field in FIELD.findall(grammar) if name in read_as_values]
     wrong = [f"word {word}" for word in words if word not in page or f">{word}<" not in pictures]
     wrong += [f"block {block}" for block in blocks if block not in page or block not in pictures]
     wrong += [f"field {field}" for field in values if field not in page or field not in pictures]
     if len(words) < 50 or len(values) < 40 or len(blocks) != 14:
-        wrong.append(f"only {len(words)} words, {len(values)} fields and {len(blocks)} blocks were found in the sources")
-    print("\n".join(f"not in the diagrams: {text}" for text in wrong) or f"{len(words)} words, {len(values)} fields, {len(blocks)} blocks")
+        wrong.append(
+            f"only {len(words)} words, {len(values)} fields and {len(blocks)} blocks were found in the sources"
+        )
+    print(
+        "\n".join(f"not in the diagrams: {text}" for text in wrong)
+        or f"{len(words)} words, {len(values)} fields, {len(blocks)} blocks"
+    )
     sys.exit(1 if wrong else 0)
 
 

@@ -146,13 +146,19 @@ class Checkers(unittest.TestCase):
         self.assertEqual(self.markdown({"one.md": "`[x](y)`\n\n    [x](y)\n\n```\n[x](y)\n```\n"}), [])
 
     def test_the_second_heading_of_a_name_is_numbered(self):
-        self.assertEqual(self.markdown({"one.md": "# A\n# A\n[x](#a-1) [y](#a-2)\n"}), ["one.md: #a-2: no such heading"])
+        self.assertEqual(
+            self.markdown({"one.md": "# A\n# A\n[x](#a-1) [y](#a-2)\n"}), ["one.md: #a-2: no such heading"]
+        )
 
     def test_what_a_page_of_the_site_loads_is_beside_it(self):
         page = '<link rel="stylesheet" href="s.css"><script src="https://example.org/x.js"></script><a href="#n">n</a>'
         self.assertEqual(
             self.site({"a.html": page}),
-            ["a.html: loads https://example.org/x.js from outside", "a.html: #n: no such place", "a.html: s.css is no file"],
+            [
+                "a.html: loads https://example.org/x.js from outside",
+                "a.html: #n: no such place",
+                "a.html: s.css is no file",
+            ],
         )
 
 

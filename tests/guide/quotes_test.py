@@ -37,7 +37,8 @@ MESSAGE = [
     r"Severity::(?:warning|error),\s*(?:\"[a-z_]*\",\s*)?(?:fmt::format\(\s*)?" + STRING,
     r"stepped_problem\(\s*Severity::\w+,\s*(?:fmt::format\(\s*)?" + STRING,
     r"\badd\((?:fmt::format\(\s*)?" + STRING,
-    r"(?:reporter_\.|reader\.)?(?:error|warning|structural_error|pass_over)\([^;\"{]*\{\s*(?:fmt::format\(\s*)?" + STRING,
+    r"(?:reporter_\.|reader\.)?(?:error|warning|structural_error|pass_over)\([^;\"{]*\{\s*(?:fmt::format\(\s*)?"
+    + STRING,
 ]
 SHORTEST = 18  # Shorter ones are parts of sentences.
 
@@ -116,7 +117,9 @@ class Checkers(unittest.TestCase):
 
     def test_a_guard_that_does_not_exist_is_found(self):
         tests = tests_of("TEST(Noise, IsWhite) {\nTEST_F(Delay, IsExact) {\n")
-        self.assertEqual(missing_guards("`Noise.IsWhite` `Delay.*` `Noise.IsBlack` `Range.*`", tests), ["Noise.IsBlack", "Range.*"])
+        self.assertEqual(
+            missing_guards("`Noise.IsWhite` `Delay.*` `Noise.IsBlack` `Range.*`", tests), ["Noise.IsBlack", "Range.*"]
+        )
 
 
 def check_messages(project):
@@ -125,10 +128,14 @@ def check_messages(project):
     for file in sorted((project / "src").rglob("*.[ch]pp")):
         if not file.name.endswith("_test.cpp"):
             strings += strings_of(file.read_text(encoding="utf-8"))
-    wrong = [f"troubleshooting.md quotes what the program does not say: {quote}" for quote in wrong_quotes(page, strings)]
+    wrong = [
+        f"troubleshooting.md quotes what the program does not say: {quote}" for quote in wrong_quotes(page, strings)
+    ]
     for name in EXPLAINED:
         messages = messages_of((project / "src" / name).read_text(encoding="utf-8"))
-        wrong += [f"troubleshooting.md does not explain: {message} (src/{name})" for message in unexplained(page, messages)]
+        wrong += [
+            f"troubleshooting.md does not explain: {message} (src/{name})" for message in unexplained(page, messages)
+        ]
     return wrong, len(quotes_of(page))
 
 
@@ -173,7 +180,9 @@ def check_windows(project):
     source = (project / "src/gui/main_menus.cpp").read_text(encoding="utf-8")
     page = (project / "docs/guide/windows.md").read_text(encoding="utf-8")
     names = re.findall(r'"(\w+)"', source.split("MainWindow::window_names()")[1].split("}")[0])
-    wrong = [f"a window of the program is not in windows.md: {name}" for name in names if WINDOWS.get(name, "\0") not in page]
+    wrong = [
+        f"a window of the program is not in windows.md: {name}" for name in names if WINDOWS.get(name, "\0") not in page
+    ]
     return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/main_menus.cpp"]
 
 
@@ -198,7 +207,11 @@ def main():
     project = pathlib.Path(sys.argv[1])
     wrong, quotes = check_messages(project)
     wrong += check_guards(project) + check_windows(project) + check_help_places(project)
-    print("\n".join(wrong) if wrong else f"{quotes} messages are quoted as they are, every guard, window and page of F1 is there")
+    print(
+        "\n".join(wrong)
+        if wrong
+        else f"{quotes} messages are quoted as they are, every guard, window and page of F1 is there"
+    )
     sys.exit(1 if wrong else 0)
 
 

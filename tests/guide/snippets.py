@@ -218,7 +218,10 @@ class Reading(unittest.TestCase):
             self.assertEqual(len(self.check(text.format(bad))[3]), 1, bad)
 
     def test_what_cannot_be_run_has_to_say_so(self):
-        self.assertEqual(self.check("```matlab\nx\n```\n")[3], ["line 1: a snippet in matlab without the words '" + MARK + "' above it"])
+        self.assertEqual(
+            self.check("```matlab\nx\n```\n")[3],
+            ["line 1: a snippet in matlab without the words '" + MARK + "' above it"],
+        )
         self.assertEqual(self.check(f"MATLAB ({MARK}):\n\n```matlab\nx\n```\n"), (0, 1, [], []))
         self.assertEqual(self.check(f"A ({MARK}).\n\nB:\n\n```sh\nfalse\n```\n")[3], ["line 5: exit status 1"])
 
@@ -240,7 +243,9 @@ def main():
         result = check_page(page.read_text(encoding="utf-8"), Machine(folder, find_programs()), "--show" in sys.argv)
     for fault in result.faults:
         print(f"{page}: {fault}")
-    missing = f", {len(result.missing)} left out without {', '.join(sorted(set(result.missing)))}" if result.missing else ""
+    missing = (
+        f", {len(result.missing)} left out without {', '.join(sorted(set(result.missing)))}" if result.missing else ""
+    )
     print(f"{page.name}: {result.run} snippets run, {result.marked} marked as not run{missing}")
     slow = sorted(result.seconds.items(), key=lambda item: -item[1])[:3]
     print("slowest: " + ", ".join(f"line {line} {seconds:.1f} s" for line, seconds in slow))
