@@ -20,7 +20,7 @@ import time
 
 PAGES = ["commands.md", "sweeps.md", "many-machines.md", "verify.md"]
 FEWEST = 75  # Commands on these pages.
-SECONDS = 120
+SECONDS = 300  # With sanitizers; a second or two otherwise.
 ELSEWHERE = {
     r"\$SLURM|mpirun|srun |ssh |parallel |rsync ": "needs other machines: tests/parts",
     r"^sarsim (SCENE|COMMAND)|^sarsim  ": "is no command but a form of one",

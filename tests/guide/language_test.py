@@ -40,6 +40,8 @@ def main():
     )
     values = [words_of_field for name, words_of_field in FIELD.findall(grammar) if name in read_as_values]
     wrong = [f"word {word}" for word in words if word not in page or f">{word}<" not in pictures]
+    reference = (folder / "script.md").read_text(encoding="utf-8")
+    wrong += [f"word {word} in script.md" for word in words if word not in reference]
     wrong += [f"block {block}" for block in blocks if block not in page or block not in pictures]
     wrong += [f"field {field}" for field in values if field not in page or field not in pictures]
     if len(words) < 50 or len(values) < 40 or len(blocks) != 14:

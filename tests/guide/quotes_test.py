@@ -121,6 +121,10 @@ class Checkers(unittest.TestCase):
             missing_guards("`Noise.IsWhite` `Delay.*` `Noise.IsBlack` `Range.*`", tests), ["Noise.IsBlack", "Range.*"]
         )
 
+    def test_a_number_that_the_table_has_not_is_found(self):
+        page = "## Thesis, classic and physical side by side\n| A.2 | x | −1.5° | 2e-4 mV |\n\n## More\n| 7 | 8 | 9 |\n"
+        self.assertEqual(strange_numbers(page, "| 0 | -1.5 | 2e-5 |"), ["2e-4"])
+
 
 def check_messages(project):
     page = (project / "docs/guide/troubleshooting.md").read_text(encoding="utf-8")
@@ -186,6 +190,25 @@ def check_windows(project):
     return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/main_menus.cpp"]
 
 
+def numbers_of(text):
+    return re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text.replace("−", "-"))
+
+
+def strange_numbers(page, table):
+    """Numbers in the thesis' comparison of a page that the tested table of numbers does not have."""
+    rows = page.split("## Thesis, classic and physical side by side", 1)[1].split("\n## ", 1)[0]
+    values = [cell for row in rows.splitlines() if row.startswith("|") for cell in row.split("|")[2:-1]]
+    known = set(numbers_of(table))
+    return [number for cell in values for number in numbers_of(cell) if number not in known]
+
+
+def check_numbers(project):
+    page = (project / "docs/guide/old-scripts.md").read_text(encoding="utf-8")
+    table = (project / "docs/theory/thesis-numbers.md").read_text(encoding="utf-8")
+    found = strange_numbers(page, table)
+    return [f"old-scripts.md has a number that thesis-numbers.md has not: {number}" for number in found]
+
+
 def check_help_places(project):
     """Every page and heading that F1 leads to is there."""
     source = (project / "src/gui/help_key.cpp").read_text(encoding="utf-8")
@@ -206,7 +229,7 @@ def main():
         unittest.main(argv=sys.argv[:1])
     project = pathlib.Path(sys.argv[1])
     wrong, quotes = check_messages(project)
-    wrong += check_guards(project) + check_windows(project) + check_help_places(project)
+    wrong += check_guards(project) + check_windows(project) + check_help_places(project) + check_numbers(project)
     print(
         "\n".join(wrong)
         if wrong

@@ -31,7 +31,7 @@ RUN = {"sh", "python", "octave", "gdl"}
 UNRUNNABLE = {"matlab", "idl", "vba", "powershell"}
 QUIET = {"", "text", "json", "csv", "make", "c"}
 DRAWS = re.compile(r"^sarsim plot .*-o |^sarsim-gui ", re.MULTILINE)  # with the graphical program
-SECONDS = 60
+SECONDS = 300  # With sanitizers; a second or two otherwise.
 
 
 class Fence:
