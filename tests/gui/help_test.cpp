@@ -162,7 +162,6 @@ class HelpTest : public QObject {
     Site site({"index.html", "guide/workbench.html"});
     Bench bench;
     bench.window.set_guide(site.guide(true));
-    bench.window.window_named("objects");
     QVERIFY(bench.help_in(&bench.window.scene().scene()) == nullptr);
     QCOMPARE(site.asked, site.address("guide/workbench.html", "mouse-and-keys-in-the-scene"));
     bench.window.findChild<QAction*>("help_contents")->trigger();
