@@ -13,20 +13,29 @@ except ImportError:
         os.execv(SYSTEM, [SYSTEM, *sys.argv])
 
 STYLE = """
-svg { background: #ffffff; }
 path { stroke-width: 1.5; stroke: #57606a; fill: none; }
 text { font: 14px "DejaVu Sans Mono", monospace; text-anchor: middle; white-space: pre; fill: #1b1f24; }
 rect { stroke-width: 1.5; stroke: #57606a; fill: #ffffff; }
+rect.paper { stroke: none; fill: #ffffff; }
+text.comment { font: italic 12px "DejaVu Sans", sans-serif; fill: #57606a; }
 g.terminal rect { fill: #dbe9fb; stroke: #2f6fbf; }
 g.terminal text { font-weight: bold; }
 @media (prefers-color-scheme: dark) {
-  svg { background: #16191d; }
   path { stroke: #a0a9b3; }
   text { fill: #e3e6ea; }
   rect { stroke: #a0a9b3; fill: #20252b; }
+  rect.paper { stroke: none; fill: #16191d; }
+  text.comment { fill: #a0a9b3; }
   g.terminal rect { fill: #1d3a5c; stroke: #84b9ff; }
 }
 """
+# The same for light pages as attributes, for programs that do not read style sheets; a style sheet goes before them.
+LINE = 'stroke-width="1.5" stroke="#57606a"'
+ATTRIBUTES = [
+    ("<path ", f'<path fill="none" {LINE} '),
+    ("<rect ", f'<rect fill="#ffffff" {LINE} '),
+    ("<text ", '<text text-anchor="middle" font-family="DejaVu Sans Mono, monospace" font-size="14" fill="#1b1f24" '),
+]
 WIDEST = 820  # Pixels of a row; longer ones are broken.
 
 if railroad is not None:
@@ -147,8 +156,16 @@ def drawn(item):
     if item[0] == "optional":
         return railroad.Optional(railroad.Sequence(*[drawn(inner) for inner in item[1]]))
     ways = [drawn_way(words, way) for words, way in item[1]]
-    choice = railroad.Choice(0, *ways)
+    choice = choice_of(ways)
     return railroad.OneOrMore(choice) if item[0] == "repeat" else choice
+
+
+def choice_of(ways):
+    """Ways below each other; the library forgets the height of the last one, where that has several rows."""
+    choice = railroad.Choice(0, *ways)
+    if len(ways) > 1:
+        choice.down += choice.items[-1].height
+    return choice
 
 
 def drawn_way(words, way):
@@ -186,7 +203,11 @@ def picture(items):
     diagram.attrs["xmlns"] = "http://www.w3.org/2000/svg"
     parts = []
     diagram.writeSvg(parts.append)
-    return "".join(parts).rstrip() + "\n"
+    text = "".join(parts).rstrip() + "\n"
+    for plain_start, start in ATTRIBUTES:
+        text = text.replace(plain_start, start)
+    size = f'width="{diagram.attrs["width"]}" height="{diagram.attrs["height"]}"'
+    return text.replace("</style>", f'</style><rect class="paper" fill="#ffffff" {size}/>', 1)
 
 
 def block_picture():
