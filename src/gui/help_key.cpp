@@ -14,6 +14,8 @@ struct NamedPlace {
 };
 
 constexpr const char* workbench = "guide/workbench.md";
+constexpr const char* echoes = "guide/simulation-window.md";
+constexpr const char* viewer = "guide/image-viewer.md";
 
 // The headings are tested against the pages.
 constexpr NamedPlace places[] = {
@@ -22,14 +24,20 @@ constexpr NamedPlace places[] = {
     {"object_tree_panel", workbench, "Objects"},
     {"property_panel", workbench, "Values"},
     {"function_editor", workbench, "Functions"},
-    {"simulation_window", workbench, "Simulation windows"},
+    {"simulation_window", echoes, ""},
+    {"radar_view", echoes, "Other views of the same samples"},
+    {"save_data_dialog", echoes, "Before saving"},
+    {"saving", echoes, "Before saving"},
+    {"image_viewer", viewer, ""},
+    {"open_image_dialog", viewer, "Which files"},
     {"stored_simulations", workbench, "Stored simulations"},
     {"products", workbench, "Images from echoes"},
     {"target_table_dialog", workbench, "Many targets"},
     {"import_dialog", workbench, "Many targets"},
     {"script_editor", "formats/script.md", ""},
     {"geometry_window", "formats/geometry-table.md", ""},
-    {"log_panel", "guide/bad-input.md", ""},
+    {"log_panel", "guide/troubleshooting.md", ""},
+    {"command_list", "guide/windows.md", ""},
 };
 
 }  // namespace

@@ -14,20 +14,11 @@
 #include <QTextTable>
 #include <QVBoxLayout>
 
+#include "gui/guide_site.hpp"
+
 namespace sarsim {
 
 namespace {
-
-// "Mouse and keys: a list" is linked to as #mouse-and-keys-a-list.
-QString anchor_of(const QString& heading) {
-  QString anchor;
-  for (const QChar c : heading.toLower())
-    if (c.isLetterOrNumber() || c == '-' || c == '_')
-      anchor += c;
-    else if (c == ' ')
-      anchor += '-';
-  return anchor;
-}
 
 bool is_heading(const QTextBlock& block) { return block.blockFormat().headingLevel() > 0; }
 
@@ -86,7 +77,10 @@ void HelpWindow::lay_out_tables() {
 
 void HelpWindow::show_page(const QString& page, const QString& heading) {
   if (folder().isEmpty()) {
-    browser_->setPlainText(tr("The documentation is not installed beside the program."));
+    browser_->setPlainText(
+        tr("The user guide is not installed beside the program. It is the folder docs of the sources, "
+           "where tools/site makes pages of it for a browser; installed, they are in "
+           "share/doc/sarsim/html."));
     return;
   }
   browser_->setSource(QUrl::fromLocalFile(folder() + "/" + page), QTextDocument::MarkdownResource);

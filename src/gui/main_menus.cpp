@@ -380,8 +380,12 @@ void MainWindow::show_focus() {
   scene_->focus_on({wanted[0], wanted[1], wanted[2]});
 }
 
-// A dialog that holds up the rest of the program must not hold up its own help.
 void MainWindow::show_help(const HelpPlace& place) {
+  if (!guide_.open(place)) show_help_window(place);
+}
+
+// A dialog that holds up the rest of the program must not hold up its own help.
+void MainWindow::show_help_window(const HelpPlace& place) {
   QWidget* parent = QApplication::activeModalWidget();
   if (parent == nullptr || qobject_cast<HelpWindow*>(parent) != nullptr) parent = this;
   auto* help = parent->findChild<HelpWindow*>("help_window", Qt::FindDirectChildrenOnly);
@@ -454,7 +458,7 @@ QWidget* MainWindow::window_named(const QString& name) {
   if (name == "products") return show_products();
   if (QWidget* of_simulation = simulation_part(name)) return of_simulation;
   if (name == "targets") return show_targets(), targets_;
-  if (name == "help") return show_help({"README.md", {}}), findChild<HelpWindow*>("help_window");
+  if (name == "help") return show_help_window({"README.md", {}}), findChild<HelpWindow*>("help_window");
   if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
   if (name == "import") return new ImportDialog(session_, this);
   if (name != "function") return nullptr;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/appearance.hpp"
+#include "gui/guide_site.hpp"
 #include "gui/session.hpp"
 #include "view/drawing.hpp"
 
@@ -53,6 +54,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* window_named(const QString& name);
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
+  /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
+  void set_guide(GuideSite guide) { guide_ = std::move(guide); }
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -93,6 +96,7 @@ class MainWindow : public QMainWindow {
   void show_focus();
   void show_commands();
   void show_help(const HelpPlace& place);
+  void show_help_window(const HelpPlace& place);
   void show_about();
   void size_docks();
   void restore_layout();
@@ -115,6 +119,7 @@ class MainWindow : public QMainWindow {
   std::map<QString, QDockWidget*> docks_;
   QByteArray first_layout_;
   bool sized_ = false;
+  GuideSite guide_;
 };
 
 }  // namespace sarsim

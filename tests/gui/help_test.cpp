@@ -5,11 +5,13 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QtTest>
 
 #include "gui/document_keeper.hpp"
+#include "gui/guide_site.hpp"
 #include "gui/help_key.hpp"
 #include "gui/help_window.hpp"
 #include "gui/main_window.hpp"
@@ -48,6 +50,30 @@ struct Bench {
   MainWindow window;
 };
 
+// A site of empty pages, and the address that its browser was asked for.
+struct Site {
+  explicit Site(const QStringList& pages) {
+    for (const QString& page : pages) {
+      QDir(folder.path()).mkpath(QFileInfo(page).path());
+      if (!QFile(folder.filePath(page)).open(QIODevice::WriteOnly)) qFatal("no page");
+    }
+  }
+  [[nodiscard]] GuideSite guide(bool shown) {
+    return {folder.path(), [this, shown](const QUrl& url) {
+              asked = url;
+              return shown;
+            }};
+  }
+  [[nodiscard]] QUrl address(const QString& page, const QString& fragment) const {
+    QUrl url = QUrl::fromLocalFile(folder.filePath(page));
+    if (!fragment.isEmpty()) url.setFragment(fragment);
+    return url;
+  }
+
+  QTemporaryDir folder;
+  QUrl asked;
+};
+
 }  // namespace
 
 class HelpTest : public QObject {
@@ -79,13 +105,18 @@ class HelpTest : public QObject {
     QTest::newRow("objects") << "objects" << workbench << "Objects";
     QTest::newRow("properties") << "properties" << workbench << "Values";
     QTest::newRow("simulations") << "simulations" << workbench << "Stored simulations";
-    QTest::newRow("simulation") << "simulation" << workbench << "Simulation windows";
+    const QString echoes = "guide/simulation-window.md";
+    QTest::newRow("simulation") << "simulation" << echoes << "";
+    QTest::newRow("range_doppler") << "range_doppler" << echoes << "Other views of the same samples";
+    QTest::newRow("viewer") << "viewer"
+                            << "guide/image-viewer.md"
+                            << "";
     QTest::newRow("products") << "products" << workbench << "Images from echoes";
     QTest::newRow("script") << "script"
                             << "formats/script.md"
                             << "";
     QTest::newRow("log") << "log"
-                         << "guide/bad-input.md"
+                         << "guide/troubleshooting.md"
                          << "";
     QTest::newRow("geometry") << "geometry"
                               << "formats/geometry-table.md"
@@ -93,7 +124,9 @@ class HelpTest : public QObject {
     QTest::newRow("targets") << "targets" << workbench << "Many targets";
     QTest::newRow("import") << "import" << workbench << "Many targets";
     QTest::newRow("function") << "function" << workbench << "Functions";
-    QTest::newRow("commands") << "commands" << workbench << "";
+    QTest::newRow("commands") << "commands"
+                              << "guide/windows.md"
+                              << "";
   }
 
   void f1_opens_the_page_of_the_window_that_has_the_keyboard() {
@@ -123,6 +156,43 @@ class HelpTest : public QObject {
     QCOMPARE(help->heading(), QString("Mouse and keys in the scene"));
     QVERIFY(bench.help_in(bench.window.scene().time_bar().findChild<QLineEdit*>("time_field")) == help);
     QCOMPARE(help->heading(), QString("Time"));
+  }
+
+  void f1_asks_the_browser_for_the_page_of_the_site_that_has_the_keyboard() {
+    Site site({"index.html", "guide/workbench.html"});
+    Bench bench;
+    bench.window.set_guide(site.guide(true));
+    QVERIFY(bench.help_in(&bench.window.scene().scene()) == nullptr);
+    QCOMPARE(site.asked, site.address("guide/workbench.html", "mouse-and-keys-in-the-scene"));
+    bench.window.findChild<QAction*>("help_contents")->trigger();
+    QCOMPARE(site.asked, site.address("index.html", ""));
+  }
+
+  void without_a_page_or_a_browser_f1_opens_a_window_of_the_program() {
+    Site site({"guide/workbench.html"});
+    Bench bench;
+    bench.window.set_guide(site.guide(false));
+    const HelpWindow* help = bench.help_in(&bench.window.scene().scene());
+    QVERIFY(help != nullptr);
+    QCOMPARE(site.asked, site.address("guide/workbench.html", "mouse-and-keys-in-the-scene"));
+    site.asked.clear();
+    bench.window.findChild<QAction*>("help_contents")->trigger();
+    QVERIFY2(site.asked.isEmpty(), "the site has no index.html");
+    QCOMPARE(Bench::page(*help), QString("README.md"));
+  }
+
+  void the_site_is_found_where_it_is_installed_and_where_it_is_built() {
+    const QTemporaryDir root;
+    const auto folder_with_index = [&](const QString& place) {
+      QDir(root.path()).mkpath(place);
+      QVERIFY(QFile(root.filePath(place + "/index.html")).open(QIODevice::WriteOnly));
+    };
+    QDir(root.path()).mkpath("bin");
+    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), QString());
+    folder_with_index("site");
+    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), root.filePath("site"));
+    folder_with_index("share/doc/sarsim/html");
+    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), root.filePath("share/doc/sarsim/html"));
   }
 
   // A modal dialog holds up all windows but its own.

@@ -1,0 +1,72 @@
+// Searches the headings and texts of all pages, whose list (search-index.js) is loaded when the field is first used. A script
+// and not a request, because pages that are opened from a disk may load no other files.
+(function () {
+  "use strict";
+  const root = document.body.dataset.root;
+  const field = document.getElementById("search");
+  const list = document.getElementById("found");
+  let asked = false;
+
+  function load() {
+    if (asked) return;
+    asked = true;
+    const script = document.createElement("script");
+    script.src = root + "site/search-index.js";
+    script.onload = show;
+    document.head.appendChild(script);
+  }
+
+  // A word in the heading counts more than one in the text; all words have to be somewhere.
+  function rank(entry, words) {
+    const title = (entry.page + " " + entry.heading).toLowerCase();
+    const text = entry.text.toLowerCase();
+    let sum = 0;
+    for (const word of words) {
+      if (title.includes(word)) sum += 10;
+      else if (text.includes(word)) sum += 1;
+      else return 0;
+    }
+    return sum;
+  }
+
+  function excerpt(text, word) {
+    const at = Math.max(0, text.toLowerCase().indexOf(word) - 40);
+    return (at > 0 ? "… " : "") + text.slice(at, at + 120);
+  }
+
+  function show() {
+    const words = field.value.toLowerCase().split(/\s+/).filter((word) => word.length > 1);
+    list.replaceChildren();
+    list.hidden = words.length === 0 || !window.sarsimPages;
+    if (list.hidden) return;
+    const hits = window.sarsimPages.map((entry) => [rank(entry, words), entry]).filter((hit) => hit[0] > 0);
+    hits.sort((a, b) => b[0] - a[0]);
+    for (const [, entry] of hits.slice(0, 20)) {
+      const line = document.createElement("a");
+      line.href = root + entry.link;
+      line.textContent = entry.heading === entry.page ? entry.page : entry.page + ": " + entry.heading;
+      const small = document.createElement("small");
+      small.textContent = excerpt(entry.text, words[0]);
+      line.appendChild(small);
+      const item = document.createElement("li");
+      item.appendChild(line);
+      list.appendChild(item);
+    }
+    if (hits.length === 0) list.textContent = "Nothing found";
+  }
+
+  field.addEventListener("focus", load);
+  field.addEventListener("input", show);
+  document.addEventListener("keydown", function (event) {
+    if (event.key === "Escape") list.hidden = true;
+    if (event.key === "/" && document.activeElement !== field) {
+      event.preventDefault();
+      field.focus();
+    }
+  });
+  document.addEventListener("click", function (event) {
+    if (!event.target.closest("form")) list.hidden = true;
+  });
+  const here = document.querySelector("nav [aria-current]");
+  if (here) here.scrollIntoView({ block: "nearest" });
+})();
