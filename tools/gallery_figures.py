@@ -92,6 +92,46 @@ def width_at(arguments, low, high, share):
     return measure
 
 
+def highest_between(arguments, low, high):
+    """Largest magnitude between two ranges."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        return max(y for x, y in zip(table["slant range"], table["magnitude"]) if low <= x <= high)
+
+    return measure
+
+
+def side_lobe_db(arguments, low, high):
+    """Between two ranges, the highest magnitude outside the main lobe, which ends where it first rises again."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        y = [level for x, level in zip(table["slant range"], table["magnitude"]) if low <= x <= high]
+        left = right = peak = max(range(len(y)), key=y.__getitem__)
+        while y[left - 1] < y[left]:
+            left -= 1
+        while y[right + 1] < y[right]:
+            right += 1
+        return 20.0 * math.log10(max(y[:left] + y[right + 1:]) / y[peak])
+
+    return measure
+
+
+def sinc(x):
+    return math.sin(math.pi * x) / (math.pi * x)
+
+
+def compressed_chirp(product):
+    """Highest sidelobe in dB, and half-power width times the bandwidth, of |sin(pi x (1 - x/n))/(pi x)|, n = B Tp."""
+    steps = 100_000
+    x = [(i + 1) * product / steps for i in range(steps - 1)]
+    y = [abs(math.sin(math.pi * a * (1.0 - a / product)) / (math.pi * a)) for a in x]
+    first_rise = next(i for i in range(len(y)) if y[i + 1] > y[i])
+    half_power = next(i for i in range(len(y)) if y[i] < math.sqrt(0.5))
+    return 20.0 * math.log10(max(y[first_rise:])), 2.0 * x[half_power]
+
+
 def counts(name, arguments, lsb_v):
     def measure(lab):
         table = lab.table(arguments)
@@ -242,9 +282,13 @@ A2 = "examples/thesis_a2.scr"
 A3 = "examples/thesis_a3.scr"
 A4 = "examples/thesis_a4.scr"
 BEAM = "examples/thesis_figure_a14.scr"
+BARKER = "examples/barker_chirp.scr"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
 SIZE = "--size 800 500"
+SHIP = "--kind pulse --range 28000 32000 --rate 2e8 --recorded"
+JET = "--kind pulse --range 34000 38000 --rate 2e8 --recorded"
+CELL_M = 149.8962  # c/2 for a microsecond
 CLASSIC_COLOURS = "--colours classic_red_blue"
 
 FIGURES = [
@@ -548,6 +592,41 @@ FIGURES = [
         [
             Number("width 6 dB below the largest", "MHz", 100.0, "bandwidth of the sweep", 3.0, ".1f",
                    lambda lab: 1e-6 * band_hz(f"{A3} --kind sent --span 40", -6.0)(lab)),
+        ],
+    ),
+    Figure(
+        "barker",
+        "Beyond the thesis: a Barker code and chirps",
+        [
+            f"sarsim plot {BARKER} --simulation {n} --kind pulse --show db --span 60 --range 27500 38500 --title '{title}'"
+            f" --size 800 320 -o {name}.png"
+            for n, title, name in (
+                (1, "Barker code of 13 chips", "barker"),
+                (2, "Chirp of the same band", "barker_chirp"),
+                (4, "Chirp of ten times the band, Hamming window", "barker_window"),
+            )
+        ],
+        "The same energy three times, compressed. Of the ship to the left the code has even sidelobes of 1/13, the chirp fewer"
+        " and higher ones, which a window lowers; chirps can be made finer at will. The aircraft to the right moves so fast that"
+        " the phase turns by half a turn within the pulse: the code falls apart, the chirps only shift.",
+        [
+            Number("highest sidelobe, code", "dB", -20.0 * math.log10(13.0), "1/13", 0.01, ".2f",
+                   side_lobe_db(f"{BARKER} {SHIP}", 28000.0, 32000.0)),
+            Number("highest sidelobe, chirp of B·Tp 13", "dB", compressed_chirp(13.0)[0], "sin(πx(1 - x/n))/(πx)", 0.05, ".2f",
+                   side_lobe_db(f"{BARKER} --simulation 2 {SHIP}", 28000.0, 32000.0)),
+            Number("highest sidelobe, chirp of B·Tp 130", "dB", compressed_chirp(130.0)[0], "the same", 0.05, ".2f",
+                   side_lobe_db(f"{BARKER} --simulation 3 {SHIP}", 28000.0, 32000.0)),
+            Number("width at half power, code", "m", (2.0 - math.sqrt(2.0)) * CELL_M, "triangle", 0.9, ".1f",
+                   width_at(f"{BARKER} {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("width at half power, chirp of B·Tp 13", "m", compressed_chirp(13.0)[1] * CELL_M, "sin(πx(1 - x/n))/(πx)", 0.5, ".1f",
+                   width_at(f"{BARKER} --simulation 2 {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("width at half power, chirp of B·Tp 130", "m", compressed_chirp(130.0)[1] * CELL_M / 10.0, "the same", 0.1, ".2f",
+                   width_at(f"{BARKER} --simulation 3 {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("aircraft over ship, code", "1", sinc(40027.7 * 13e-6), "sinc(fd·Tp)", 1e-3, ".4f",
+                   lambda lab: highest_between(f"{BARKER} {JET}", 35900.0, 36100.0)(lab)
+                   / highest_between(f"{BARKER} {SHIP}", 29900.0, 30100.0)(lab)),
+            Number("aircraft is shown at, B·Tp 130", "m", 36000.0 - 40027.7 * 13e-6 * CELL_M / 10.0, "-fd/K·c/2", 0.2, ".2f",
+                   peak_between(f"{BARKER} --simulation 3 {JET}", 35900.0, 36100.0)),
         ],
     ),
 ]
