@@ -1,6 +1,7 @@
 """The figures of the gallery: their commands, what to look at and their numbers. Read by tools/gallery."""
 
 import collections
+import functools
 import json
 import math
 
@@ -254,9 +255,32 @@ def worst_width(axis):
     return measure
 
 
-def measured_targets(lab):
-    lab.once("sarsim focus examples/sar_r.scr --out sar_r.img --quiet")
-    return json.loads(lab.once("sarsim measure sar_r.img --json"))["targets"]
+def measured_targets(lab, focus="sarsim focus examples/sar_r.scr --out sar_r.img --quiet"):
+    """What `sarsim measure` says of each target in the image that a command makes."""
+    lab.once(focus)
+    words = focus.split()
+    return json.loads(lab.once(f"sarsim measure {words[words.index('--out') + 1]} --json"))["targets"]
+
+
+def of_target(number, focus, *path):
+    """A figure that was found of one target, counted from 1."""
+
+    def measure(lab):
+        found = measured_targets(lab, focus)[number - 1]["found"]
+        return functools.reduce(lambda value, name: value[name], path, found)
+
+    return measure
+
+
+def peaks_above(focus, arguments, share):
+    """Number of maxima of a cut that reach a share of the largest."""
+
+    def measure(lab):
+        lab.once(focus)
+        y = lab.table(arguments)["magnitude"]
+        return sum(a < b >= c and b >= share * max(y) for a, b, c in zip(y, y[1:], y[2:]))
+
+    return measure
 
 
 def found_targets(lab):
@@ -283,6 +307,10 @@ A3 = "examples/thesis_a3.scr"
 A4 = "examples/thesis_a4.scr"
 BEAM = "examples/thesis_figure_a14.scr"
 BARKER = "examples/barker_chirp.scr"
+SPOT = "examples/spotlight.scr"
+FOCUS_SPOT = f"sarsim focus {SPOT} --out spotlight.img --quiet"
+FOCUS_STRIP = f"sarsim focus {SPOT} --simulation 2 --out strip.img --quiet"
+PAIR = "--kind range --at-range 8000 --azimuth -3 3"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
 SIZE = "--size 800 500"
@@ -627,6 +655,37 @@ FIGURES = [
                    / highest_between(f"{BARKER} {SHIP}", 29900.0, 30100.0)(lab)),
             Number("aircraft is shown at, B·Tp 130", "m", 36000.0 - 40027.7 * 13e-6 * CELL_M / 10.0, "-fd/K·c/2", 0.2, ".2f",
                    peak_between(f"{BARKER} --simulation 3 {JET}", 35900.0, 36100.0)),
+        ],
+    ),
+    Figure(
+        "spotlight",
+        "Beyond the thesis: spotlight",
+        [
+            FOCUS_SPOT,
+            "sarsim plot spotlight.img --show db --span 40 --peak --azimuth -26 26 --range 7974 8026 --colours ember"
+            " --size 520 560 -o spotlight.png",
+            f"sarsim plot spotlight.img {PAIR} --show db --span 40 --mark-peaks 2 --size 800 320 -o spotlight_pair.png",
+            FOCUS_STRIP,
+            f"sarsim plot strip.img {PAIR} --show db --span 40 --mark-peaks 1 --size 800 320 -o spotlight_strip.png",
+        ],
+        "A beam that is held on a place sees it for longer, and makes it finer than half the antenna's length. The cuts go"
+        " through the two points in the middle, half a metre apart: two peaks with the beam held, one with the same antenna"
+        " looking sideways. The sidelobes of each move the other's peak by 4 cm.",
+        [
+            Number("width along the track", "m", 0.8859 * 0.0299792458 * 8000.0 / (2.0 * 450.0), "0.886 λR/(2·450 m)", 0.003,
+                   ".3f", of_target(4, FOCUS_SPOT, "azimuth", "width_m")),
+            Number("width in range", "m", 0.8859 * 0.149896229 / 0.3, "0.886 c/2B", 0.003, ".3f",
+                   of_target(4, FOCUS_SPOT, "range", "width_m")),
+            Number("highest sidelobe along the track", "dB", -13.26, "sin(x)/x", 0.2, ".2f",
+                   of_target(10, FOCUS_SPOT, "azimuth", "pslr_db")),
+            Number("point 100 m off over that nearest in the ring", "dB",
+                   20.0 * math.log10((math.sin(1.3196) / 1.3196) ** 2), "pattern, out and back", 0.2, ".2f",
+                   lambda lab: 20.0 * math.log10(of_target(15, FOCUS_SPOT, "amplitude_v")(lab)
+                                                 / of_target(7, FOCUS_SPOT, "amplitude_v")(lab))),
+            Number("peaks of the pair", "1", 2, "half a metre apart", 0, "d",
+                   peaks_above(FOCUS_SPOT, f"spotlight.img {PAIR}", 0.5)),
+            Number("with the beam sideways", "1", 1, "half a metre apart", 0, "d",
+                   peaks_above(FOCUS_STRIP, f"strip.img {PAIR}", 0.5)),
         ],
     ),
 ]
