@@ -185,6 +185,16 @@ def mean_step_rad(arguments):
     return measure
 
 
+def phase_step_deg(arguments, pulse):
+    """Turn of the unwrapped phase from a pulse to the next, counted from 0."""
+
+    def measure(lab):
+        phase = lab.table(arguments)["Unwrapped phase"]
+        return phase[pulse + 1] - phase[pulse]
+
+    return measure
+
+
 def worst_knot(arguments):
     """Largest distance of the three interpolations from the five points of figure 4.12."""
     knots = {0: 0.0, 1: 1.5, 2: 0.0, 3: -5.0, 4: -3.5}
@@ -311,6 +321,9 @@ SPOT = "examples/spotlight.scr"
 FOCUS_SPOT = f"sarsim focus {SPOT} --out spotlight.img --quiet"
 FOCUS_STRIP = f"sarsim focus {SPOT} --simulation 2 --out strip.img --quiet"
 PAIR = "--kind range --at-range 8000 --azimuth -3 3"
+OWN = "examples/user_functions.scr"
+OWN_PULSE = f"{OWN} --kind pulse --at-time 0"
+OWN_PHASE = f"{OWN} --kind phase --at-range 20000"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
 SIZE = "--size 800 500"
@@ -686,6 +699,37 @@ FIGURES = [
                    peaks_above(FOCUS_SPOT, f"spotlight.img {PAIR}", 0.5)),
             Number("with the beam sideways", "1", 1, "half a metre apart", 0, "d",
                    peaks_above(FOCUS_STRIP, f"strip.img {PAIR}", 0.5)),
+        ],
+    ),
+    Figure(
+        "functions",
+        "Beyond the thesis: pulse, intervals and antenna of one's own",
+        [
+            f"sarsim plot {OWN_PULSE} --show db --span 50 --title 'Frank code, cosecant-squared antenna' --size 800 320"
+            " -o functions_own.png",
+            f"sarsim plot {OWN_PULSE} --simulation 2 --show db --span 50 --title 'Chirp, no antenna' --size 800 320"
+            " -o functions_plain.png",
+            f"sarsim plot {OWN_PHASE} --pulses 12 --wrapped --size 800 520 -o functions_phase.png",
+        ],
+        "Four targets at one height: an antenna that is given by points makes them equally strong, a code that is given by"
+        " points has its own sidelobes. The one 20 km away moves at a blind speed of 1 ms, where the phase is level;"
+        " the other two intervals, 1.2 and 1.1 ms, show that it moves.",
+        [
+            Number("farthest over nearest, own antenna", "1", 1.0, "sin²/sin² of one height", 0.002, ".4f",
+                   lambda lab: highest_between(f"{OWN_PULSE} --recorded", 39500.0, 40500.0)(lab)
+                   / highest_between(f"{OWN_PULSE} --recorded", 9500.0, 10500.0)(lab)),
+            Number("farthest over nearest, none", "1", 1.0 / 16.0, "1/R²", 1e-3, ".4f",
+                   lambda lab: highest_between(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 39500.0, 40500.0)(lab)
+                   / highest_between(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 9500.0, 10500.0)(lab)),
+            Number("highest sidelobe, code", "dB", 20.0 * math.log10(math.sqrt(2.0) / 16.0), "√2/16", 0.01, ".2f",
+                   side_lobe_db(f"{OWN_PULSE} --rate 1e8 --recorded", 26000.0, 34000.0)),
+            Number("highest sidelobe, chirp of B·Tp 16", "dB", compressed_chirp(16.0)[0], "sin(πx(1 - x/n))/(πx)", 0.05, ".2f",
+                   side_lobe_db(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 26000.0, 34000.0)),
+            *(
+                Number(f"turn of the phase in {milliseconds} ms", "deg", expected, "4πv·PRI/λ, less whole turns", 0.1, ".2f",
+                       phase_step_deg(OWN_PHASE, pulse))
+                for pulse, milliseconds, expected in ((0, "1", 0.0), (1, "1.2", 72.0), (2, "1.1", 36.0))
+            ),
         ],
     ),
 ]
