@@ -4,6 +4,7 @@ import collections
 import functools
 import json
 import math
+import statistics
 
 # A number of a figure: what it is, its unit, what it has to be and who says so ("thesis", or a formula of the page), how
 # far off it may be, how it is written, and how it is measured: a function of a Lab.
@@ -175,6 +176,44 @@ def first_side_lobe_db(arguments):
     return measure
 
 
+def first_null_s(arguments):
+    """Of magnitudes over time, how long after the largest they first rise again."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        level = table["magnitude"]
+        i = peak = max(range(len(level)), key=level.__getitem__)
+        while level[i + 1] < level[i]:
+            i += 1
+        return table["azimuth time"][i] - table["azimuth time"][peak]
+
+    return measure
+
+
+def strongest_between_s(arguments, low, high):
+    """When the magnitude is largest between two times, and how large."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        rows = zip(table["magnitude"], table["azimuth time"])
+        magnitude, time = max(row for row in rows if low <= row[1] <= high)
+        return time, magnitude
+
+    return measure
+
+
+def ends(arguments, low, high):
+    """Where the magnitude falls for good below half its median between two ranges."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        rows = list(zip(table["slant range"], table["magnitude"]))
+        level = 0.5 * statistics.median(y for x, y in rows if low <= x <= high)
+        return max(x for x, y in rows if y >= level)
+
+    return measure
+
+
 def mean_step_rad(arguments):
     """Mean turn of the unwrapped phase from pulse to pulse."""
 
@@ -324,6 +363,8 @@ PAIR = "--kind range --at-range 8000 --azimuth -3 3"
 OWN = "examples/user_functions.scr"
 OWN_PULSE = f"{OWN} --kind pulse --at-time 0"
 OWN_PHASE = f"{OWN} --kind phase --at-range 20000"
+SURFACE = "examples/surface.scr"
+PLATE = f"{SURFACE} --kind range --at-range 5060"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
 SIZE = "--size 800 500"
@@ -730,6 +771,37 @@ FIGURES = [
                        phase_step_deg(OWN_PHASE, pulse))
                 for pulse, milliseconds, expected in ((0, "1", 0.0), (1, "1.2", 72.0), (2, "1.1", 36.0))
             ),
+        ],
+    ),
+    Figure(
+        "surface",
+        "Beyond the thesis: surfaces, front and back",
+        [
+            f"sarsim plot {PLATE} --show db --span 60 --title 'Turning plate, wavelength 3 m' --size 800 320"
+            " -o surface_long.png",
+            f"sarsim plot {PLATE} --simulation 2 --time -2.5 2.5 --show db --span 40 --title 'The same, wavelength 0.5 m'"
+            " --size 800 320 -o surface_short.png",
+            f"sarsim plot {SURFACE} --simulation 3 --kind profile --title 'Ridge, from 45 degrees above' --size 800 320"
+            " -o surface_ridge.png",
+        ],
+        "A plate of 20 m by 20 m turns once in 10 s. Its front draws the pattern of an antenna of its size; its back is silent."
+        " At a shorter wavelength the points that a surface is made of show as a grating. The slopes of a ridge, as"
+        " long as each other, are bright and short where they face the radar, dim and long behind.",
+        [
+            Number("cross-section facing the radar", "dB above 1 m²", 20.0 * math.log10(400.0), "area² · 1/m²", 0.2, ".2f",
+                   lambda lab: 20.0 * math.log10(
+                       at_strongest("magnitude", f"{PLATE} --recorded")(lab)
+                       * (4.0 * math.pi) ** 1.5 * 5000.0**2 / (3.0 * math.sqrt(1000.0)))),
+            Number("first null after", "s", math.degrees(math.asin(3.0 / 40.0)) / 36.0, "asin(λ/2L)/36°/s", 0.003, ".3f",
+                   first_null_s(f"{PLATE} --recorded")),
+            Number("first sidelobe", "dB", -13.26, "sin(x)/x", 0.2, ".2f", first_side_lobe_db(f"{PLATE} --recorded")),
+            Number("largest echo of the back", "V", 0.0, "cosine law", 0.0, ".1f",
+                   lambda lab: strongest_between_s(f"{PLATE} --recorded", 2.501, 5.0)(lab)[1]),
+            Number("first grating lobe, wavelength 0.5 m, after", "s",
+                   math.degrees(math.asin(0.5 / (2.0 * 20.0 / 21.0))) / 36.0, "asin(λ/2d)/36°/s", 0.003, ".3f",
+                   lambda lab: strongest_between_s(f"{PLATE} --simulation 2 --recorded", 0.2, 0.6)(lab)[0]),
+            Number("ridge's echo ends, 60 m beside its middle", "m", math.sqrt(60.0**2 + 5040.0**2 + 5000.0**2), "distance",
+                   0.5, ".1f", ends(f"{SURFACE} --simulation 3 --kind pulse --at-time -0.6", 7060.0, 7090.0)),
         ],
     ),
 ]
