@@ -292,13 +292,13 @@ def moved(arguments, time):
     return measure
 
 
-def worst_width(axis):
-    """Of all points of the focused R, the largest share by which a width differs from theory."""
+def worst_width(axis, *focus):
+    """Of all points of a focused image, by default the R, the largest share by which a width differs from theory."""
 
     def measure(lab):
         return max(
             abs(target["found"][axis]["width_m"] / target["theory"][axis]["width_m"] - 1.0)
-            for target in measured_targets(lab)
+            for target in measured_targets(lab, *focus)
         )
 
     return measure
@@ -332,15 +332,15 @@ def peaks_above(focus, arguments, share):
     return measure
 
 
-def found_targets(lab):
-    return sum(target["found"] is not None for target in measured_targets(lab))
+def found_targets(lab, *focus):
+    return sum(target["found"] is not None for target in measured_targets(lab, *focus))
 
 
-def worst_place(lab):
+def worst_place(lab, *focus):
     """Largest distance of a found target from where it has to be, in metres."""
     return max(
         math.hypot(t["found"]["azimuth_m"] - t["theory"]["azimuth_m"], t["found"]["range_m"] - t["theory"]["range_m"])
-        for t in measured_targets(lab)
+        for t in measured_targets(lab, *focus)
     )
 
 
@@ -356,6 +356,9 @@ A3 = "examples/thesis_a3.scr"
 A4 = "examples/thesis_a4.scr"
 BEAM = "examples/thesis_figure_a14.scr"
 BARKER = "examples/barker_chirp.scr"
+STRIP = "examples/stripmap_motion.scr"
+FOCUS_MOTION = f"sarsim focus {STRIP} --out motion.img --quiet"
+STRIP_VIEW = "--show db --span 40 --peak --azimuth -250 280 --range 8420 8670 --colours ember --size 480 440"
 SPOT = "examples/spotlight.scr"
 FOCUS_SPOT = f"sarsim focus {SPOT} --out spotlight.img --quiet"
 FOCUS_STRIP = f"sarsim focus {SPOT} --simulation 2 --out strip.img --quiet"
@@ -709,6 +712,24 @@ FIGURES = [
                    / highest_between(f"{BARKER} {SHIP}", 29900.0, 30100.0)(lab)),
             Number("aircraft is shown at, B·Tp 130", "m", 36000.0 - 40027.7 * 13e-6 * CELL_M / 10.0, "-fd/K·c/2", 0.2, ".2f",
                    peak_between(f"{BARKER} --simulation 3 {JET}", 35900.0, 36100.0)),
+        ],
+    ),
+    Figure(
+        "motion",
+        "Beyond the thesis: an aircraft that the wind pushes about",
+        [
+            FOCUS_MOTION,
+            f"sarsim plot motion.img {STRIP_VIEW} --title 'Motion compensated' -o motion.png",
+            f"sarsim focus {STRIP} --motion-compensation none --out strayed.img --quiet",
+            f"sarsim plot strayed.img {STRIP_VIEW} --title 'Not compensated' -o motion_none.png",
+        ],
+        "Nine points of a strip, seen from an aircraft that leaves its line by a metre, which is 30 wavelengths. Where"
+        " that is not taken out of the echoes, the points are smeared along the track by up to 50 m.",
+        [
+            Number("points found", "1", 9, "script", 0, "d", lambda lab: found_targets(lab, FOCUS_MOTION)),
+            Number("farthest from its place", "m", 0.0, "theory", 0.02, ".3f", lambda lab: worst_place(lab, FOCUS_MOTION)),
+            Number("widths along the track differ from theory by", "1", 0.0, "theory", 0.01, ".4f",
+                   worst_width("azimuth", FOCUS_MOTION)),
         ],
     ),
     Figure(
