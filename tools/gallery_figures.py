@@ -321,6 +321,21 @@ def of_target(number, focus, *path):
     return measure
 
 
+def report(lab, command):
+    """What a command of the page says as JSON; its files get other names."""
+    return json.loads(lab.once(command.replace(".img", "-measured.img") + " --json"))
+
+
+def of_report(command, read):
+    return lambda lab: read(report(lab, command))
+
+
+def worst_place_of_ship(ship):
+    """Largest distance of a point of a turning target from where it has to be, in metres."""
+    errors = [target["found"] for target in ship["images"][0]["targets"]]
+    return max(math.hypot(error["cross_range_error_m"], error["range_error_m"]) for error in errors)
+
+
 def after(command, measure):
     """What is measured once a command has made its file."""
 
@@ -368,6 +383,10 @@ BEAM = "examples/thesis_figure_a14.scr"
 BARKER = "examples/barker_chirp.scr"
 STEPS = "sarsim profiles examples/stepped_srp.scr --out steps.img --quiet"
 STEPS_VIEW = "steps.img --kind pulse --range 2994 3014"
+SHIP_IMAGE = "sarsim isar examples/turning_ship.scr --out ship.img --quiet"
+SEARCH = "sarsim search examples/search_radar.scr --out ppi.img --quiet"
+MAPS = "sarsim doppler examples/mti.scr --interval 256 --out mti.img --quiet"
+PROFILES = "sarsim profiles examples/stepped_aircraft.scr --velocity estimated --set scans --out aircraft.img --quiet"
 STRIP = "examples/stripmap_motion.scr"
 FOCUS_MOTION = f"sarsim focus {STRIP} --out motion.img --quiet"
 STRIP_VIEW = "--show db --span 40 --peak --azimuth -250 280 --range 8420 8670 --colours ember --size 480 440"
@@ -642,44 +661,67 @@ FIGURES = [
         "turning_ship",
         "Beyond the thesis: a turning ship",
         [
-            "sarsim isar examples/turning_ship.scr --out ship.img --quiet",
+            SHIP_IMAGE,
             "sarsim plot ship.img --show db --span 40 --size 800 640 -o turning_ship.png",
         ],
         "Ten points of a ship that turns on the sea, imaged from stepped frequencies. `sarsim isar` prints where each was"
         " found and where it is.",
-        [],
+        [
+            Number("points found", "1", 10, "script", 0, "d",
+                   of_report(SHIP_IMAGE, lambda ship: sum(t["found"] is not None for t in ship["images"][0]["targets"]))),
+            Number("farthest from its place", "m", 0.0, "script", 0.05, ".3f", of_report(SHIP_IMAGE, worst_place_of_ship)),
+        ],
     ),
     Figure(
         "search",
         "Beyond the thesis: the picture of a search radar",
         [
-            "sarsim search examples/search_radar.scr --out ppi.img --quiet",
+            SEARCH,
             "sarsim plot ppi.img --show db --span 40 --size 760 680 -o search.png",
         ],
         "Two aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
         " is written beside the picture.",
-        [],
+        [
+            Number("ship's distance", "m", 10000.0, "script", 20.0, ".0f",
+                   of_report(SEARCH, lambda plan: plan["targets"][0]["strongest"]["range_m"])),
+            Number("aircraft's, after 1.8985 s", "m", 15000.0 - 240.0 * 1.8985 - 4803.2 * 10e-6 * CELL_M, "15 km - vt - fd/K·c/2",
+                   20.0, ".0f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["range_m"])),
+            Number("its azimuth", "deg", 323.13, "script", 1.0, ".1f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["azimuth_deg"])),
+            Number("its speed, folded", "m/s", -40.0, "-240 m/s + 2 λ·PRF/2", 2.0, ".1f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["speed_mps"])),
+        ],
     ),
     Figure(
         "moving",
         "Beyond the thesis: moving targets in clutter",
         [
-            "sarsim doppler examples/mti.scr --interval 256 --out mti.img --quiet",
+            MAPS,
             "sarsim plot mti.img --show db --span 60 --size 800 640 -o moving.png",
         ],
         "What rests is on the line of no Doppler frequency, the car above it at the same range as a house that is"
         " much stronger.",
-        [],
+        [
+            Number("car's Doppler frequency", "Hz", 1000.0, "2·15 m/s/λ", 2.0, ".1f",
+                   of_report(MAPS, lambda maps: maps["targets"][1]["strongest"]["doppler_hz"])),
+            Number("house over car", "dB", 10.0 * math.log10(1000.0 / 5.0), "cross-sections", 1.0, ".1f",
+                   of_report(MAPS, lambda maps: 20.0 * math.log10(maps["targets"][0]["strongest"]["magnitude_v"]
+                                                                  / maps["targets"][1]["strongest"]["magnitude_v"]))),
+        ],
     ),
     Figure(
         "aircraft",
         "Beyond the thesis: range profiles of an aircraft",
         [
-            "sarsim profiles examples/stepped_aircraft.scr --velocity estimated --set scans --out aircraft.img --quiet",
+            PROFILES,
             "sarsim plot aircraft.img --show db --span 50 --size 800 640 -o aircraft.png",
         ],
         "Three turns of the antenna see the aircraft come nearer; its speed is found in the echoes.",
-        [],
+        [
+            Number("speed found in the second scan", "m/s", -191.74, "script, a part of the aircraft", 0.3, ".2f",
+                   of_report(PROFILES, lambda profiles: profiles["scans"][1]["speed_mps"])),
+        ],
     ),
     Figure(
         "steps",
