@@ -879,7 +879,8 @@ FIGURES = [
         " At a shorter wavelength the points that a surface is made of show as a grating. The slopes of a ridge, as"
         " long as each other, are bright and short where they face the radar, dim and long behind.",
         [
-            Number("cross-section facing the radar", "dB above 1 m²", 20.0 * math.log10(400.0), "area² · 1/m²", 0.2, ".2f",
+            Number("cross-section facing the radar", "dB above 1 m²", 10.0 * math.log10(390.0 * 400.0), "390 points · area", 0.02,
+                   ".2f",
                    lambda lab: 20.0 * math.log10(
                        at_strongest("magnitude", f"{PLATE} --recorded")(lab)
                        * (4.0 * math.pi) ** 1.5 * 5000.0**2 / (3.0 * math.sqrt(1000.0)))),
