@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "guide" / "gallery.md"
-LONGEST_S = 100  # of a command: far more than any needs
+LONGEST_S = 200  # of a command: far more than any needs
 READ_ONLY = ("check", "info", "measure")  # commands that write no file, and so know no --force
 
 
