@@ -1,8 +1,10 @@
 """The figures of the gallery: their commands, what to look at and their numbers. Read by tools/gallery."""
 
 import collections
+import functools
 import json
 import math
+import statistics
 
 # A number of a figure: what it is, its unit, what it has to be and who says so ("thesis", or a formula of the page), how
 # far off it may be, how it is written, and how it is measured: a function of a Lab.
@@ -92,6 +94,46 @@ def width_at(arguments, low, high, share):
     return measure
 
 
+def highest_between(arguments, low, high):
+    """Largest magnitude between two ranges."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        return max(y for x, y in zip(table["slant range"], table["magnitude"]) if low <= x <= high)
+
+    return measure
+
+
+def side_lobe_db(arguments, low, high):
+    """Between two ranges, the highest magnitude outside the main lobe, which ends where it first rises again."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        y = [level for x, level in zip(table["slant range"], table["magnitude"]) if low <= x <= high]
+        left = right = peak = max(range(len(y)), key=y.__getitem__)
+        while y[left - 1] < y[left]:
+            left -= 1
+        while y[right + 1] < y[right]:
+            right += 1
+        return 20.0 * math.log10(max(y[:left] + y[right + 1:]) / y[peak])
+
+    return measure
+
+
+def sinc(x):
+    return math.sin(math.pi * x) / (math.pi * x)
+
+
+def compressed_chirp(product):
+    """Highest sidelobe in dB, and half-power width times the bandwidth, of |sin(pi x (1 - x/n))/(pi x)|, n = B Tp."""
+    steps = 100_000
+    x = [(i + 1) * product / steps for i in range(steps - 1)]
+    y = [abs(math.sin(math.pi * a * (1.0 - a / product)) / (math.pi * a)) for a in x]
+    first_rise = next(i for i in range(len(y)) if y[i + 1] > y[i])
+    half_power = next(i for i in range(len(y)) if y[i] < math.sqrt(0.5))
+    return 20.0 * math.log10(max(y[first_rise:])), 2.0 * x[half_power]
+
+
 def counts(name, arguments, lsb_v):
     def measure(lab):
         table = lab.table(arguments)
@@ -134,12 +176,60 @@ def first_side_lobe_db(arguments):
     return measure
 
 
+def first_null_s(arguments):
+    """Of magnitudes over time, how long after the largest they first rise again."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        level = table["magnitude"]
+        i = peak = max(range(len(level)), key=level.__getitem__)
+        while level[i + 1] < level[i]:
+            i += 1
+        return table["azimuth time"][i] - table["azimuth time"][peak]
+
+    return measure
+
+
+def strongest_between_s(arguments, low, high):
+    """When the magnitude is largest between two times, and how large."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        rows = zip(table["magnitude"], table["azimuth time"])
+        magnitude, time = max(row for row in rows if low <= row[1] <= high)
+        return time, magnitude
+
+    return measure
+
+
+def ends(arguments, low, high):
+    """Where the magnitude falls for good below half its median between two ranges."""
+
+    def measure(lab):
+        table = lab.table(arguments)
+        rows = list(zip(table["slant range"], table["magnitude"]))
+        level = 0.5 * statistics.median(y for x, y in rows if low <= x <= high)
+        return max(x for x, y in rows if y >= level)
+
+    return measure
+
+
 def mean_step_rad(arguments):
     """Mean turn of the unwrapped phase from pulse to pulse."""
 
     def measure(lab):
         phase = lab.table(arguments)["Unwrapped phase"]
         return math.radians(phase[-1] - phase[0]) / (len(phase) - 1)
+
+    return measure
+
+
+def phase_step_deg(arguments, pulse):
+    """Turn of the unwrapped phase from a pulse to the next, counted from 0."""
+
+    def measure(lab):
+        phase = lab.table(arguments)["Unwrapped phase"]
+        return phase[pulse + 1] - phase[pulse]
 
     return measure
 
@@ -202,32 +292,80 @@ def moved(arguments, time):
     return measure
 
 
-def worst_width(axis):
-    """Of all points of the focused R, the largest share by which a width differs from theory."""
+def worst_width(axis, *focus):
+    """Of all points of a focused image, by default the R, the largest share by which a width differs from theory."""
 
     def measure(lab):
         return max(
             abs(target["found"][axis]["width_m"] / target["theory"][axis]["width_m"] - 1.0)
-            for target in measured_targets(lab)
+            for target in measured_targets(lab, *focus)
         )
 
     return measure
 
 
-def measured_targets(lab):
-    lab.once("sarsim focus examples/sar_r.scr --out sar_r.img --quiet")
-    return json.loads(lab.once("sarsim measure sar_r.img --json"))["targets"]
+def measured_targets(lab, focus="sarsim focus examples/sar_r.scr --out sar_r.img --quiet"):
+    """What `sarsim measure` says of each target in the image that a command makes."""
+    lab.once(focus)
+    words = focus.split()
+    return json.loads(lab.once(f"sarsim measure {words[words.index('--out') + 1]} --json"))["targets"]
 
 
-def found_targets(lab):
-    return sum(target["found"] is not None for target in measured_targets(lab))
+def of_target(number, focus, *path):
+    """A figure that was found of one target, counted from 1."""
+
+    def measure(lab):
+        found = measured_targets(lab, focus)[number - 1]["found"]
+        return functools.reduce(lambda value, name: value[name], path, found)
+
+    return measure
 
 
-def worst_place(lab):
+def report(lab, command):
+    """What a command of the page says as JSON; its files get other names."""
+    return json.loads(lab.once(command.replace(".img", "-measured.img") + " --json"))
+
+
+def of_report(command, read):
+    return lambda lab: read(report(lab, command))
+
+
+def worst_place_of_ship(ship):
+    """Largest distance of a point of a turning target from where it has to be, in metres."""
+    errors = [target["found"] for target in ship["images"][0]["targets"]]
+    return max(math.hypot(error["cross_range_error_m"], error["range_error_m"]) for error in errors)
+
+
+def after(command, measure):
+    """What is measured once a command has made its file."""
+
+    def both(lab):
+        lab.once(command)
+        return measure(lab)
+
+    return both
+
+
+def peaks_above(focus, arguments, share):
+    """Number of maxima of a cut that reach a share of the largest."""
+
+    def measure(lab):
+        lab.once(focus)
+        y = lab.table(arguments)["magnitude"]
+        return sum(a < b >= c and b >= share * max(y) for a, b, c in zip(y, y[1:], y[2:]))
+
+    return measure
+
+
+def found_targets(lab, *focus):
+    return sum(target["found"] is not None for target in measured_targets(lab, *focus))
+
+
+def worst_place(lab, *focus):
     """Largest distance of a found target from where it has to be, in metres."""
     return max(
         math.hypot(t["found"]["azimuth_m"] - t["theory"]["azimuth_m"], t["found"]["range_m"] - t["theory"]["range_m"])
-        for t in measured_targets(lab)
+        for t in measured_targets(lab, *focus)
     )
 
 
@@ -242,9 +380,31 @@ A2 = "examples/thesis_a2.scr"
 A3 = "examples/thesis_a3.scr"
 A4 = "examples/thesis_a4.scr"
 BEAM = "examples/thesis_figure_a14.scr"
+BARKER = "examples/barker_chirp.scr"
+STEPS = "sarsim profiles examples/stepped_srp.scr --out steps.img --quiet"
+STEPS_VIEW = "steps.img --kind pulse --range 2994 3014"
+SHIP_IMAGE = "sarsim isar examples/turning_ship.scr --out ship.img --quiet"
+SEARCH = "sarsim search examples/search_radar.scr --out ppi.img --quiet"
+MAPS = "sarsim doppler examples/mti.scr --interval 256 --out mti.img --quiet"
+PROFILES = "sarsim profiles examples/stepped_aircraft.scr --velocity estimated --set scans --out aircraft.img --quiet"
+STRIP = "examples/stripmap_motion.scr"
+FOCUS_MOTION = f"sarsim focus {STRIP} --out motion.img --quiet"
+STRIP_VIEW = "--show db --span 40 --peak --azimuth -250 280 --range 8420 8670 --colours ember --size 480 440"
+SPOT = "examples/spotlight.scr"
+FOCUS_SPOT = f"sarsim focus {SPOT} --out spotlight.img --quiet"
+FOCUS_STRIP = f"sarsim focus {SPOT} --simulation 2 --out strip.img --quiet"
+PAIR = "--kind range --at-range 8000 --azimuth -3 3"
+OWN = "examples/user_functions.scr"
+OWN_PULSE = f"{OWN} --kind pulse --at-time 0"
+OWN_PHASE = f"{OWN} --kind phase --at-range 20000"
+SURFACE = "examples/surface.scr"
+PLATE = f"{SURFACE} --kind range --at-range 5060"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
 SIZE = "--size 800 500"
+SHIP = "--kind pulse --range 28000 32000 --rate 2e8 --recorded"
+JET = "--kind pulse --range 34000 38000 --rate 2e8 --recorded"
+CELL_M = 149.8962  # c/2 for a microsecond
 CLASSIC_COLOURS = "--colours classic_red_blue"
 
 FIGURES = [
@@ -501,44 +661,83 @@ FIGURES = [
         "turning_ship",
         "Beyond the thesis: a turning ship",
         [
-            "sarsim isar examples/turning_ship.scr --out ship.img --quiet",
+            SHIP_IMAGE,
             "sarsim plot ship.img --show db --span 40 --size 800 640 -o turning_ship.png",
         ],
         "Ten points of a ship that turns on the sea, imaged from stepped frequencies. `sarsim isar` prints where each was"
         " found and where it is.",
-        [],
+        [
+            Number("points found", "1", 10, "script", 0, "d",
+                   of_report(SHIP_IMAGE, lambda ship: sum(t["found"] is not None for t in ship["images"][0]["targets"]))),
+            Number("farthest from its place", "m", 0.0, "script", 0.05, ".3f", of_report(SHIP_IMAGE, worst_place_of_ship)),
+        ],
     ),
     Figure(
         "search",
         "Beyond the thesis: the picture of a search radar",
         [
-            "sarsim search examples/search_radar.scr --out ppi.img --quiet",
+            SEARCH,
             "sarsim plot ppi.img --show db --span 40 --size 760 680 -o search.png",
         ],
         "Two aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
         " is written beside the picture.",
-        [],
+        [
+            Number("ship's distance", "m", 10000.0, "script", 20.0, ".0f",
+                   of_report(SEARCH, lambda plan: plan["targets"][0]["strongest"]["range_m"])),
+            Number("aircraft's, after 1.8985 s", "m", 15000.0 - 240.0 * 1.8985 - 4803.2 * 10e-6 * CELL_M, "15 km - vt - fd/K·c/2",
+                   20.0, ".0f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["range_m"])),
+            Number("its azimuth", "deg", 323.13, "script", 1.0, ".1f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["azimuth_deg"])),
+            Number("its speed, folded", "m/s", -40.0, "-240 m/s + 2 λ·PRF/2", 2.0, ".1f",
+                   of_report(SEARCH, lambda plan: plan["targets"][1]["strongest"]["speed_mps"])),
+        ],
     ),
     Figure(
         "moving",
         "Beyond the thesis: moving targets in clutter",
         [
-            "sarsim doppler examples/mti.scr --interval 256 --out mti.img --quiet",
+            MAPS,
             "sarsim plot mti.img --show db --span 60 --size 800 640 -o moving.png",
         ],
         "What rests is on the line of no Doppler frequency, the car above it at the same range as a house that is"
         " much stronger.",
-        [],
+        [
+            Number("car's Doppler frequency", "Hz", 1000.0, "2·15 m/s/λ", 2.0, ".1f",
+                   of_report(MAPS, lambda maps: maps["targets"][1]["strongest"]["doppler_hz"])),
+            Number("house over car", "dB", 10.0 * math.log10(1000.0 / 5.0), "cross-sections", 1.0, ".1f",
+                   of_report(MAPS, lambda maps: 20.0 * math.log10(maps["targets"][0]["strongest"]["magnitude_v"]
+                                                                  / maps["targets"][1]["strongest"]["magnitude_v"]))),
+        ],
     ),
     Figure(
         "aircraft",
         "Beyond the thesis: range profiles of an aircraft",
         [
-            "sarsim profiles examples/stepped_aircraft.scr --velocity estimated --set scans --out aircraft.img --quiet",
+            PROFILES,
             "sarsim plot aircraft.img --show db --span 50 --size 800 640 -o aircraft.png",
         ],
         "Three turns of the antenna see the aircraft come nearer; its speed is found in the echoes.",
-        [],
+        [
+            Number("speed found in the second scan", "m/s", -191.74, "script, a part of the aircraft", 0.3, ".2f",
+                   of_report(PROFILES, lambda profiles: profiles["scans"][1]["speed_mps"])),
+        ],
+    ),
+    Figure(
+        "steps",
+        "Beyond the thesis: a profile from stepped frequencies",
+        [STEPS, f"sarsim plot {STEPS_VIEW} --show db --span 60 --mark-peaks 4 --size 640 280 -o steps.png"],
+        "64 pulses on 64 carriers, each too narrow to tell targets apart that are less than 15 m from each other, make one"
+        " profile 320 MHz wide: four targets within 9 m. A Hamming window keeps their sidelobes 40 dB down.",
+        [
+            *(
+                Number(f"target at {place} m", "m", place, "script", 0.05, ".2f",
+                       after(STEPS, peak_between(STEPS_VIEW, place - 0.5, place + 0.5)))
+                for place in (3000, 3003, 3004.5, 3009)
+            ),
+            Number("width at half power", "m", 1.303 * 0.149896229 / 0.32, "1.303 c/2B", 0.03, ".3f",
+                   after(STEPS, width_at(STEPS_VIEW, 2999.5, 3000.5, math.sqrt(0.5)))),
+        ],
     ),
     Figure(
         "sent",
@@ -550,9 +749,154 @@ FIGURES = [
                    lambda lab: 1e-6 * band_hz(f"{A3} --kind sent --span 40", -6.0)(lab)),
         ],
     ),
+    Figure(
+        "barker",
+        "Beyond the thesis: a Barker code and chirps",
+        [
+            f"sarsim plot {BARKER} --simulation {n} --kind pulse --show db --span 60 --range 27500 38500 --title '{title}'"
+            f" --size 800 320 -o {name}.png"
+            for n, title, name in (
+                (1, "Barker code of 13 chips", "barker"),
+                (2, "Chirp of the same band", "barker_chirp"),
+                (4, "Chirp of ten times the band, Hamming window", "barker_window"),
+            )
+        ],
+        "The same energy three times, compressed. Of the ship to the left the code has even sidelobes of 1/13, the chirp fewer"
+        " and higher ones, which a window lowers; chirps can be made finer at will. The aircraft to the right moves so fast that"
+        " the phase turns by half a turn within the pulse: the code falls apart, the chirps only shift.",
+        [
+            Number("highest sidelobe, code", "dB", -20.0 * math.log10(13.0), "1/13", 0.01, ".2f",
+                   side_lobe_db(f"{BARKER} {SHIP}", 28000.0, 32000.0)),
+            Number("highest sidelobe, chirp of B·Tp 13", "dB", compressed_chirp(13.0)[0], "sin(πx(1 - x/n))/(πx)", 0.05, ".2f",
+                   side_lobe_db(f"{BARKER} --simulation 2 {SHIP}", 28000.0, 32000.0)),
+            Number("highest sidelobe, chirp of B·Tp 130", "dB", compressed_chirp(130.0)[0], "the same", 0.05, ".2f",
+                   side_lobe_db(f"{BARKER} --simulation 3 {SHIP}", 28000.0, 32000.0)),
+            Number("width at half power, code", "m", (2.0 - math.sqrt(2.0)) * CELL_M, "triangle", 0.9, ".1f",
+                   width_at(f"{BARKER} {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("width at half power, chirp of B·Tp 13", "m", compressed_chirp(13.0)[1] * CELL_M, "sin(πx(1 - x/n))/(πx)", 0.5, ".1f",
+                   width_at(f"{BARKER} --simulation 2 {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("width at half power, chirp of B·Tp 130", "m", compressed_chirp(130.0)[1] * CELL_M / 10.0, "the same", 0.1, ".2f",
+                   width_at(f"{BARKER} --simulation 3 {SHIP}", 29000.0, 31000.0, math.sqrt(0.5))),
+            Number("aircraft over ship, code", "1", sinc(40027.7 * 13e-6), "sinc(fd·Tp)", 1e-3, ".4f",
+                   lambda lab: highest_between(f"{BARKER} {JET}", 35900.0, 36100.0)(lab)
+                   / highest_between(f"{BARKER} {SHIP}", 29900.0, 30100.0)(lab)),
+            Number("aircraft is shown at, B·Tp 130", "m", 36000.0 - 40027.7 * 13e-6 * CELL_M / 10.0, "-fd/K·c/2", 0.2, ".2f",
+                   peak_between(f"{BARKER} --simulation 3 {JET}", 35900.0, 36100.0)),
+        ],
+    ),
+    Figure(
+        "motion",
+        "Beyond the thesis: an aircraft that the wind pushes about",
+        [
+            FOCUS_MOTION,
+            f"sarsim plot motion.img {STRIP_VIEW} --title 'Motion compensated' -o motion.png",
+            f"sarsim focus {STRIP} --motion-compensation none --out strayed.img --quiet",
+            f"sarsim plot strayed.img {STRIP_VIEW} --title 'Not compensated' -o motion_none.png",
+        ],
+        "Nine points of a strip, seen from an aircraft that leaves its line by a metre, which is 30 wavelengths. Where"
+        " that is not taken out of the echoes, the points are smeared along the track by up to 50 m.",
+        [
+            Number("points found", "1", 9, "script", 0, "d", lambda lab: found_targets(lab, FOCUS_MOTION)),
+            Number("farthest from its place", "m", 0.0, "theory", 0.02, ".3f", lambda lab: worst_place(lab, FOCUS_MOTION)),
+            Number("widths along the track differ from theory by", "1", 0.0, "theory", 0.01, ".4f",
+                   worst_width("azimuth", FOCUS_MOTION)),
+        ],
+    ),
+    Figure(
+        "spotlight",
+        "Beyond the thesis: spotlight",
+        [
+            FOCUS_SPOT,
+            "sarsim plot spotlight.img --show db --span 40 --peak --azimuth -26 26 --range 7974 8026 --colours ember"
+            " --size 520 560 -o spotlight.png",
+            f"sarsim plot spotlight.img {PAIR} --show db --span 40 --mark-peaks 2 --size 800 320 -o spotlight_pair.png",
+            FOCUS_STRIP,
+            f"sarsim plot strip.img {PAIR} --show db --span 40 --mark-peaks 1 --size 800 320 -o spotlight_strip.png",
+        ],
+        "A beam that is held on a place sees it for longer, and makes it finer than half the antenna's length. The cuts go"
+        " through the two points in the middle, half a metre apart: two peaks with the beam held, one with the same antenna"
+        " looking sideways. The sidelobes of each move the other's peak by 4 cm.",
+        [
+            Number("width along the track", "m", 0.8859 * 0.0299792458 * 8000.0 / (2.0 * 450.0), "0.886 λR/(2·450 m)", 0.003,
+                   ".3f", of_target(4, FOCUS_SPOT, "azimuth", "width_m")),
+            Number("width in range", "m", 0.8859 * 0.149896229 / 0.3, "0.886 c/2B", 0.003, ".3f",
+                   of_target(4, FOCUS_SPOT, "range", "width_m")),
+            Number("highest sidelobe along the track", "dB", -13.26, "sin(x)/x", 0.2, ".2f",
+                   of_target(10, FOCUS_SPOT, "azimuth", "pslr_db")),
+            Number("point 100 m off over that nearest in the ring", "dB",
+                   20.0 * math.log10((math.sin(1.3196) / 1.3196) ** 2), "pattern, out and back", 0.2, ".2f",
+                   lambda lab: 20.0 * math.log10(of_target(15, FOCUS_SPOT, "amplitude_v")(lab)
+                                                 / of_target(7, FOCUS_SPOT, "amplitude_v")(lab))),
+            Number("peaks of the pair", "1", 2, "half a metre apart", 0, "d",
+                   peaks_above(FOCUS_SPOT, f"spotlight.img {PAIR}", 0.5)),
+            Number("with the beam sideways", "1", 1, "half a metre apart", 0, "d",
+                   peaks_above(FOCUS_STRIP, f"strip.img {PAIR}", 0.5)),
+        ],
+    ),
+    Figure(
+        "functions",
+        "Beyond the thesis: pulse, intervals and antenna of one's own",
+        [
+            f"sarsim plot {OWN_PULSE} --show db --span 50 --title 'Frank code, cosecant-squared antenna' --size 800 320"
+            " -o functions_own.png",
+            f"sarsim plot {OWN_PULSE} --simulation 2 --show db --span 50 --title 'Chirp, no antenna' --size 800 320"
+            " -o functions_plain.png",
+            f"sarsim plot {OWN_PHASE} --pulses 12 --wrapped --size 800 520 -o functions_phase.png",
+        ],
+        "Four targets at one height: an antenna that is given by points makes them equally strong, a code that is given by"
+        " points has its own sidelobes. The one 20 km away moves at a blind speed of 1 ms, where the phase is level;"
+        " the other two intervals, 1.2 and 1.1 ms, show that it moves.",
+        [
+            Number("farthest over nearest, own antenna", "1", 1.0, "sin²/sin² of one height", 0.002, ".4f",
+                   lambda lab: highest_between(f"{OWN_PULSE} --recorded", 39500.0, 40500.0)(lab)
+                   / highest_between(f"{OWN_PULSE} --recorded", 9500.0, 10500.0)(lab)),
+            Number("farthest over nearest, none", "1", 1.0 / 16.0, "1/R²", 1e-3, ".4f",
+                   lambda lab: highest_between(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 39500.0, 40500.0)(lab)
+                   / highest_between(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 9500.0, 10500.0)(lab)),
+            Number("highest sidelobe, code", "dB", 20.0 * math.log10(math.sqrt(2.0) / 16.0), "√2/16", 0.01, ".2f",
+                   side_lobe_db(f"{OWN_PULSE} --rate 1e8 --recorded", 26000.0, 34000.0)),
+            Number("highest sidelobe, chirp of B·Tp 16", "dB", compressed_chirp(16.0)[0], "sin(πx(1 - x/n))/(πx)", 0.05, ".2f",
+                   side_lobe_db(f"{OWN_PULSE} --simulation 2 --rate 1e8 --recorded", 26000.0, 34000.0)),
+            *(
+                Number(f"turn of the phase in {milliseconds} ms", "deg", expected, "4πv·PRI/λ, less whole turns", 0.1, ".2f",
+                       phase_step_deg(OWN_PHASE, pulse))
+                for pulse, milliseconds, expected in ((0, "1", 0.0), (1, "1.2", 72.0), (2, "1.1", 36.0))
+            ),
+        ],
+    ),
+    Figure(
+        "surface",
+        "Beyond the thesis: surfaces, front and back",
+        [
+            f"sarsim plot {PLATE} --show db --span 60 --title 'Turning plate, wavelength 3 m' --size 800 320"
+            " -o surface_long.png",
+            f"sarsim plot {PLATE} --simulation 2 --time -1 1 --show db --span 40 --title 'The same, wavelength 0.5 m'"
+            " --size 640 280 -o surface_short.png",
+            f"sarsim plot {SURFACE} --simulation 3 --kind profile --title 'Ridge, from 45 degrees above' --size 800 320"
+            " -o surface_ridge.png",
+        ],
+        "A plate of 20 m by 20 m turns once in 10 s. Its front draws the pattern of an antenna of its size; its back is silent."
+        " At a shorter wavelength the points that a surface is made of show as a grating. The slopes of a ridge, as"
+        " long as each other, are bright and short where they face the radar, dim and long behind.",
+        [
+            Number("cross-section facing the radar", "dB above 1 m²", 10.0 * math.log10(390.0 * 400.0), "390 points · area", 0.02,
+                   ".2f",
+                   lambda lab: 20.0 * math.log10(
+                       at_strongest("magnitude", f"{PLATE} --recorded")(lab)
+                       * (4.0 * math.pi) ** 1.5 * 5000.0**2 / (3.0 * math.sqrt(1000.0)))),
+            Number("first null after", "s", math.degrees(math.asin(3.0 / 40.0)) / 36.0, "asin(λ/2L)/36°/s", 0.003, ".3f",
+                   first_null_s(f"{PLATE} --recorded")),
+            Number("first sidelobe", "dB", -13.26, "sin(x)/x", 0.2, ".2f", first_side_lobe_db(f"{PLATE} --recorded")),
+            Number("largest echo of the back", "V", 0.0, "cosine law", 0.0, ".1f",
+                   lambda lab: strongest_between_s(f"{PLATE} --recorded", 2.501, 5.0)(lab)[1]),
+            Number("first grating lobe, wavelength 0.5 m, after", "s",
+                   math.degrees(math.asin(0.5 / (2.0 * 20.0 / 21.0))) / 36.0, "asin(λ/2d)/36°/s", 0.003, ".3f",
+                   lambda lab: strongest_between_s(f"{PLATE} --simulation 2 --recorded", 0.2, 0.6)(lab)[0]),
+            Number("ridge's echo ends, 60 m beside its middle", "m", math.sqrt(60.0**2 + 5040.0**2 + 5000.0**2), "distance",
+                   0.5, ".1f", ends(f"{SURFACE} --simulation 3 --kind pulse --at-time -0.6", 7060.0, 7090.0)),
+        ],
+    ),
 ]
 
-# Examples that no figure of the thesis belongs to.
-OTHERS = {
-    "stepped_srp.scr": "synthetic range profiles from stepped frequencies",
-}
+# Examples without a figure, by their names, and what each shows.
+OTHERS = {}
