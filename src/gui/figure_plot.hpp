@@ -52,4 +52,8 @@ class FigurePlot : public QCustomPlot {
   std::vector<QPointer<QCPAxisRect>> panels_;
 };
 
+/// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is
+/// told in a message.
+void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested);
+
 }  // namespace sarsim

@@ -17,7 +17,7 @@
 namespace sarsim {
 
 /// Samples of a source as a plane; the plane keeps the source alive.
-[[nodiscard]] ImagePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows);
+[[nodiscard]] SamplePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows);
 
 /// What is to be read and painted.
 struct PartRequest {
@@ -25,7 +25,7 @@ struct PartRequest {
   std::shared_ptr<const Overview> overview;  ///< For peaks of wide spacings; may be null.
   ImageWindow window;
   ImageView seen;
-  ImageLook look;
+  PartLook look;
 };
 
 /// A part that was read and painted.

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "data/image_source.hpp"
 #include "gui/background_job.hpp"
@@ -18,6 +17,7 @@
 #include "view/overview.hpp"
 #include "view/point_reading.hpp"
 #include "view/selection_statistics.hpp"
+#include "view/view_history.hpp"
 
 class QCheckBox;
 class QHBoxLayout;
@@ -48,7 +48,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] const std::shared_ptr<ImageSource>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
   [[nodiscard]] ImageControls& controls() { return *controls_; }
-  [[nodiscard]] const ImageLook& look() const { return look_; }
+  [[nodiscard]] const PartLook& look() const { return look_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const { return complete_; }
   /// The selection, or all that is seen.
@@ -61,7 +61,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString problem_words() const;
 
  public slots:
-  void set_look(const sarsim::ImageLook& look);
+  void set_look(const sarsim::PartLook& look);
   /// Another view; the present one is kept to go back to.
   void go_to(const sarsim::ImageView& view);
   void go_back();
@@ -118,7 +118,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString unit() const;
   [[nodiscard]] QString value_unit() const;
   [[nodiscard]] QString decibel_unit() const;
-  [[nodiscard]] QString words_at(ImagePlace place) const;
+  [[nodiscard]] QString words_at(SamplePlace place) const;
 
   std::filesystem::path path_;
   ImageHints hints_;
@@ -129,10 +129,9 @@ class ImageViewer : public QWidget {
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;
-  ImageLook look_;
+  PartLook look_;
   bool look_set_ = false;
-  std::vector<ImageView> past_;
-  std::vector<ImageView> future_;
+  ViewHistory<ImageView> history_;
   std::uint64_t request_ = 0;
   bool complete_ = false;
   std::shared_ptr<Overview> overview_;

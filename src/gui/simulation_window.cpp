@@ -3,11 +3,9 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -238,7 +236,7 @@ void SimulationWindow::connect_all() {
   connect(plot_, &EchoPlot::drag_began, this, [this] { history_.leave(view_of(window_)); });
   connect(plot_, &EchoPlot::view_dragged, this, [this](const EchoView& view) { change_view(view); });
   connect(plot_, &EchoPlot::back_wanted, this, &SimulationWindow::go_back);
-  connect(plot_, &EchoPlot::all_targets_wanted, this, &SimulationWindow::show_all_targets);
+  connect(plot_, &EchoPlot::whole_wanted, this, &SimulationWindow::show_all_targets);
   connect(plot_, &EchoPlot::resized, this, &SimulationWindow::compute_soon);
   connect(plot_, &EchoPlot::hovered, this, &SimulationWindow::show_read_out);
   connect(plot_, &EchoPlot::cursors_changed, this, [this] {
@@ -435,16 +433,7 @@ void SimulationWindow::copy_values() {
   QApplication::clipboard()->setText(text_of(pulse_table(*plot_->matrix(), row, '\t')));
 }
 
-void SimulationWindow::save_picture() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), "echoes.png", tr("Pictures (*.png *.svg *.pdf)"));
-  if (path.isEmpty()) return;
-  FigurePlot drawn;
-  drawn.setPalette(palette());
-  drawn.set_figure(figure());
-  QString failure;
-  if (!drawn.save(path, size(), devicePixelRatioF(), failure)) QMessageBox::warning(this, tr("Save picture"), failure);
-}
+void SimulationWindow::save_picture() { ask_and_save_picture(*this, figure(), "echoes.png"); }
 
 void SimulationWindow::store_simulation() {
   session_.perform(add_object(session_.scene(), simulation()));

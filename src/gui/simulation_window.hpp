@@ -14,6 +14,7 @@
 #include "view/figure.hpp"
 #include "view/preview.hpp"
 #include "view/radar_figures.hpp"
+#include "view/view_history.hpp"
 
 class QLabel;
 class QProgressBar;
@@ -102,7 +103,7 @@ class SimulationWindow : public QWidget {
   Session& session_;
   std::shared_ptr<const Scene> scene_;
   EchoWindow window_;
-  ViewHistory history_;
+  ViewHistory<EchoView> history_;
   bool show_all_ = false;
   EchoControls* controls_ = nullptr;
   EchoPlot* plot_ = nullptr;

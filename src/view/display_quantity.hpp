@@ -56,6 +56,18 @@ struct LimitRule {
   friend bool operator==(const LimitRule&, const LimitRule&) = default;
 };
 
+/// How complex samples become colours: the choices that all windows of samples have in common.
+struct ColourLook {
+  DisplayQuantity quantity = DisplayQuantity::real;
+  ColourMap map = ColourMap::balance_dark;
+  bool inverted = false;  ///< The colours in the opposite order.
+  ClassicSliders sliders;
+  LimitRule limits;
+  Decibels decibels;
+
+  friend bool operator==(const ColourLook&, const ColourLook&) = default;
+};
+
 /// Values at the ends of the colours, low < high.
 struct ColourLimits {
   double low = 0.0;

@@ -257,11 +257,11 @@ class ImageViewerTest : public QObject {
   void the_wheel_keeps_the_place_below_the_pointer() {
     Bench bench;
     const QPoint at = bench.at(0.3, 0.6);
-    const ImagePlace before = bench.viewer.plot().place_at(at);
+    const SamplePlace before = bench.viewer.plot().place_at(at);
     QWheelEvent turn(at, bench.viewer.plot().mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(&bench.viewer.plot(), &turn);
-    const ImagePlace after = bench.viewer.plot().place_at(at);
+    const SamplePlace after = bench.viewer.plot().place_at(at);
     QVERIFY(bench.viewer.plot().view().columns() < 0.7 * columns);
     QVERIFY(std::abs(after.column - before.column) < 1e-6 && std::abs(after.row - before.row) < 1e-6);
   }
@@ -284,7 +284,7 @@ class ImageViewerTest : public QObject {
     Bench bench;
     const auto part = bench.viewer.plot().part();
     const QImage before = bench.viewer.plot().painted().image;
-    ImageLook look = bench.viewer.look();
+    PartLook look = bench.viewer.look();
     look.inverted = true;
     bench.viewer.set_look(look);
     QVERIFY(wait_for_picture(bench.viewer));
