@@ -8,6 +8,8 @@
 
 #include <utility>
 
+#include "view/rounding.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -111,6 +113,11 @@ void ColourRows::add_span(QFormLayout* form) {
       rows_.add_number(form, words(tr("Span"), "floor", tr("Decibels from the strongest to the weakest colour")),
                        {[] { return Quantity::ratio_db; }, 0.0, 400.0, tr("the span is above 0 dB and at most 400 dB")},
                        [this](double value) { change([value](ColourLook& look) { look.decibels.range_db = value; }); });
+}
+
+void ColourRows::set_present_limits(const ColourLimits& limits) {
+  constexpr int digits = 6;
+  present_ = {tidy(limits.low, digits), tidy(limits.high, digits)};
 }
 
 Quantity ColourRows::shown_kind() const {

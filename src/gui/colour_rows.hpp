@@ -34,11 +34,11 @@ class ColourRows : public QObject {
   /// @param values     what magnitudes are: voltages or numbers
   /// @param meaningful false where the samples are colours themselves: then nothing here has a say
   void show(const ColourLook& look, Quantity values, bool meaningful = true);
-  /// Limits that are set by hand begin with these.
-  void set_present_limits(const ColourLimits& limits) { present_ = limits; }
+  /// Limits that are set by hand begin with these, to six digits.
+  void set_present_limits(const ColourLimits& limits);
 
  signals:
-  void chosen(const sarsim::ColourLook& look);
+  void chosen(const sarsim::ColourLook& look);  ///< Something of it was changed.
 
  private:
   using Words = FormRows::Words;

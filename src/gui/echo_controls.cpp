@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "gui/problem_line.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
@@ -23,8 +23,9 @@ constexpr std::array data_kinds{Processing::raw, Processing::matched_filter, Pro
 
 constexpr double any = std::numeric_limits<double>::infinity();
 
-// Limits that a mouse has drawn, to a millimetre or a nanosecond; a limit that is not typed anew keeps all its digits.
-double rounded(double value, double to) { return std::isfinite(value) ? std::round(value / to) * to : value; }
+// How limits that a mouse has drawn are shown; one that is not typed anew keeps all its digits.
+constexpr double shown_range_m = 1e-3;
+constexpr double shown_time_s = 1e-9;
 
 }  // namespace
 
@@ -196,10 +197,10 @@ void EchoControls::show_data() {
 
 void EchoControls::show_view() {
   const EchoView view = view_of(window_);
-  show_number(range_from_, rounded(view.range_start_m, 1e-3), Quantity::length);
-  show_number(range_to_, rounded(view.range_end_m, 1e-3), Quantity::length);
-  show_number(time_from_, rounded(view.time_start_s, 1e-9), Quantity::time);
-  show_number(time_to_, rounded(view.time_end_s, 1e-9), Quantity::time);
+  show_number(range_from_, rounded_to(view.range_start_m, shown_range_m), Quantity::length);
+  show_number(range_to_, rounded_to(view.range_end_m, shown_range_m), Quantity::length);
+  show_number(time_from_, rounded_to(view.time_start_s, shown_time_s), Quantity::time);
+  show_number(time_to_, rounded_to(view.time_end_s, shown_time_s), Quantity::time);
 }
 
 // Only what has a say now.

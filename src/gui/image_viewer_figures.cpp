@@ -194,7 +194,7 @@ void ImageViewer::show_cuts() {
     FigurePanel panel;
     panel.title = title.toStdString();
     panel.x = {label.toStdString(), "", from, to, {}};
-    panel.y = {std::string(title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
+    panel.y = {std::string(axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
     panel.curves.push_back(std::move(curve));
     Figure figure;
@@ -359,7 +359,7 @@ Figure ImageViewer::figure() const {
   panel.image = std::move(image);
   const PartColours& colours = plot_->painted().colours;
   if (colours.table.size() > 1)
-    panel.colour_bar = FigureColourBar{std::string(title_of(colours.quantity)), unit().toStdString(),
+    panel.colour_bar = FigureColourBar{std::string(axis_title_of(colours.quantity)), unit().toStdString(),
                                        colours.limits.low, colours.limits.high, colours.table};
   figure.panels.push_back(std::move(panel));
   return figure;

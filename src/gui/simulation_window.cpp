@@ -28,6 +28,7 @@
 #include "view/echo_readout.hpp"
 #include "view/edit.hpp"
 #include "view/quantity.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
@@ -50,10 +51,10 @@ QString read_out_text(const ReadOut& read) {
 }
 
 QString difference_text(const CursorDifference& d) {
-  QStringList parts{"Range " + text_of(quantity_text(d.range_m, Quantity::length)),
-                    "Delay " + text_of(quantity_text(d.delay_s, Quantity::time)),
-                    "Time " + text_of(quantity_text(d.time_s, Quantity::time)),
-                    QStringLiteral("Pulses %1").arg(d.pulses)};
+  constexpr int digits = 9;
+  const auto text = [](double value, Quantity kind) { return text_of(quantity_text(tidy(value, digits), kind)); };
+  QStringList parts{"Range " + text(d.range_m, Quantity::length), "Delay " + text(d.delay_s, Quantity::time),
+                    "Time " + text(d.time_s, Quantity::time), QStringLiteral("Pulses %1").arg(d.pulses)};
   if (std::isfinite(d.level_db)) parts << QStringLiteral("Level %1 dB").arg(d.level_db, 0, 'f', 2);
   parts << QStringLiteral("Phase %1 deg").arg(d.phase_deg, 0, 'f', 2);
   if (std::isfinite(d.range_rate_mps)) parts << QStringLiteral("Range rate %1 m/s").arg(d.range_rate_mps, 0, 'g', 5);
@@ -281,11 +282,6 @@ void SimulationWindow::take_state(const EchoWindow& window) {
   else
     show_cuts();
   if (again) emit changed();
-}
-
-void SimulationWindow::set_state(const EchoWindow& window) {
-  history_.leave(view_of(window_));
-  take_state(window);
 }
 
 void SimulationWindow::change_view(const EchoView& view) {

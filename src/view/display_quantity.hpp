@@ -15,6 +15,8 @@ enum class DisplayQuantity { real, imaginary, magnitude, phase, decibels };
 
 /// "Real", "Imaginary", "Magnitude", "Phase", "dB power".
 [[nodiscard]] std::string_view title_of(DisplayQuantity quantity);
+/// The same where the unit stands behind it, at axes and colour bars: "Power" for "dB power".
+[[nodiscard]] std::string_view axis_title_of(DisplayQuantity quantity);
 /// The unit of its values: "V", "V", "V", "deg", "dB".
 [[nodiscard]] std::string_view unit_of(DisplayQuantity quantity);
 /// Kind of map that suits it: diverging for signed numbers, cyclic for the phase.

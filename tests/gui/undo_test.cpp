@@ -404,6 +404,22 @@ class UndoTest : public QObject {
     }
   }
 
+  void a_dragged_coordinate_has_no_digits_that_only_the_sum_made() {
+    MainWindow window;
+    Scene scene = test::small_scene();
+    scene.targets[0].position_m = {9860.1, 1.0 / 3.0, 0.0};
+    test::open(window.session(), scene);
+    SceneWidget& view = window.scene().scene();
+    emit view.drag_started(target(0));
+    emit view.dragged_to(target(0), {0.066, 0.0, -0.2});
+    emit view.drag_ended();
+    const Vec3 moved = window.session().scene().targets[0].position_m;
+    QVERIFY(9860.1 + 0.066 != 9860.166);
+    QCOMPARE(moved.x, 9860.166);
+    QCOMPARE(moved.y, 1.0 / 3.0);
+    QCOMPARE(moved.z, -0.2);
+  }
+
   void drags_and_runs_of_steps_are_one_step_each() {
     MainWindow window;
     window.session().take(Document::from_text(commented_script()));
