@@ -1,10 +1,6 @@
 #include "gui/echo_plot.hpp"
 
-#include <QFontMetrics>
 #include <QPainter>
-
-#include <algorithm>
-#include <cmath>
 
 #include "gui/palette_colours.hpp"
 #include "gui/plot_frame.hpp"

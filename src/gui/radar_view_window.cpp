@@ -15,7 +15,6 @@
 #include <QVBoxLayout>
 
 #include <array>
-#include <utility>
 
 #include "gui/figure_plot.hpp"
 #include "gui/named.hpp"

@@ -1,7 +1,6 @@
 #include "view/point_reading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
