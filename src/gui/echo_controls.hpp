@@ -26,7 +26,7 @@ class EchoControls : public QWidget {
  signals:
   void edited(const sarsim::EchoWindow& window);  ///< Something was chosen or typed.
   void view_typed(const sarsim::EchoView& view);  ///< Limits were typed.
-  void link_changed();
+  void link_changed();                            ///< Other axes follow other windows.
 
  private:
   void make_data_group(QFormLayout* form);

@@ -46,11 +46,12 @@ class EchoPlot : public GesturePlot {
   /// The sample below a cursor: 0 or 1.
   [[nodiscard]] std::optional<ReadOut> read_out_at_cursor(std::size_t cursor) const;
   [[nodiscard]] const std::optional<Cursor>& cursor(std::size_t index) const { return cursors_.at(index); }
+  /// Sets cursor 0 or 1, or takes it away.
   void set_cursor(std::size_t index, std::optional<Cursor> place);
 
  signals:
-  void view_wanted(const sarsim::EchoView& view);  ///< Zoom: the view before is one to go back to.
-  void view_dragged(const sarsim::EchoView& view);
+  void view_wanted(const sarsim::EchoView& view);   ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::EchoView& view);  ///< One of many views on the way.
 
  protected:
   void paint_plot(QPainter& painter) const override;

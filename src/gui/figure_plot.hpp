@@ -18,6 +18,7 @@ class FigurePlot : public QCustomPlot {
  public:
   explicit FigurePlot(QWidget* parent = nullptr);
 
+  /// Draws another figure.
   void set_figure(const Figure& figure);
   [[nodiscard]] const Figure& figure() const { return figure_; }
 

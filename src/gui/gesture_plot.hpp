@@ -30,12 +30,12 @@ class GesturePlot : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {260, 200}; }
 
  signals:
-  void drag_began();    ///< The view is about to be moved with the mouse: it is one to go back to.
-  void back_wanted();   ///< The view before is wanted.
-  void whole_wanted();  ///< All that there is is wanted.
-  void resized();       ///< The plot has another size on the screen.
-  void hovered();       ///< The pointer moved or left.
-  void cursors_changed();
+  void drag_began();       ///< The view is about to be moved with the mouse: it is one to go back to.
+  void back_wanted();      ///< The view before is wanted.
+  void whole_wanted();     ///< All that there is is wanted.
+  void resized();          ///< The plot has another size on the screen.
+  void hovered();          ///< The pointer moved or left.
+  void cursors_changed();  ///< A cursor was set or dropped.
 
  protected:
   /// What stands within the plot, without its frame and marks.

@@ -27,8 +27,8 @@ class ImageControls : public QWidget {
   [[nodiscard]] AxisLink link() const;
 
  signals:
-  void edited(const sarsim::PartLook& look);
-  void link_changed();
+  void edited(const sarsim::PartLook& look);  ///< Something was chosen or typed.
+  void link_changed();                        ///< Other axes follow other viewers.
 
  private:
   void make_links(QFormLayout* form);

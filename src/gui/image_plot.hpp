@@ -29,6 +29,7 @@ class ImagePlot : public GesturePlot {
 
   /// Size of the image, for the limits of views.
   void set_size(std::size_t rows, std::size_t columns);
+  /// Shows another part; what there is of it is drawn at once.
   void set_view(const ImageView& view);
   [[nodiscard]] const ImageView& view() const { return view_; }
   /// What was read and painted; null part: nothing.
@@ -37,26 +38,30 @@ class ImagePlot : public GesturePlot {
   [[nodiscard]] const PaintedPart& painted() const { return painted_; }
   /// A picture of the whole image, to be seen where no samples are yet.
   void set_coarse(const QImage& picture);
+  /// Whether a click asks for a reading.
   void set_reading_tool(bool on);
 
   [[nodiscard]] QRect plot_rect() const override;
   /// The place below a pixel of the widget, and back.
   [[nodiscard]] SamplePlace place_at(QPointF pixel) const;
+  /// The pixel of a place.
   [[nodiscard]] QPointF pixel_of(SamplePlace place) const;
   /// The place below the pointer; nothing where it is outside the plot.
   [[nodiscard]] std::optional<SamplePlace> pointer_place() const;
 
   [[nodiscard]] const std::optional<SamplePlace>& cursor(std::size_t index) const { return cursors_.at(index); }
+  /// Sets cursor 0 or 1, or takes it away.
   void set_cursor(std::size_t index, std::optional<SamplePlace> place);
   /// The selected samples; nothing where none are.
   [[nodiscard]] const std::optional<ImageWindow>& selection() const { return selection_; }
+  /// Selects samples, or nothing.
   void set_selection(std::optional<ImageWindow> selection);
 
  signals:
-  void view_wanted(const sarsim::ImageView& view);  ///< Zoom: the view before is one to go back to.
-  void view_dragged(const sarsim::ImageView& view);
-  void selection_changed();
-  void reading_wanted(std::size_t row, std::size_t column);
+  void view_wanted(const sarsim::ImageView& view);           ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::ImageView& view);          ///< One of many views on the way.
+  void selection_changed();                                  ///< Other samples are selected, or none.
+  void reading_wanted(std::size_t row, std::size_t column);  ///< The point next to a sample is to be measured.
 
  protected:
   void paint_plot(QPainter& painter) const override;

@@ -53,7 +53,7 @@ class ImageReader : public QObject {
  signals:
   /// Both on the thread of this object, for the newest request only.
   void ready(const sarsim::PartResult& result);
-  void failed(const QString& words);
+  void failed(const QString& words);  ///< Why samples could not be read.
 
  private:
   struct Job {

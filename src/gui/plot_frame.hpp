@@ -22,6 +22,7 @@ namespace sarsim {
 
 /// One axis: words with a mark each, and the title beyond them.
 struct FrameAxis {
+  /// A mark with its words.
   struct Mark {
     double px = 0.0;  ///< Across or down, in the widget.
     QString label;

@@ -36,6 +36,7 @@ struct EchoRows {
 /// Keeps a reference to the echoes.
 [[nodiscard]] EchoRows rows_of(const SarEchoes& echoes);
 
+/// How echoes are focused in the frequency domain.
 struct FocusOptions {
   FocusMethod method = FocusMethod::omega_k;
   SarWindow range_window{};    ///< Over the pulse's band, the rest of which it sets to 0 unless it is rectangular.

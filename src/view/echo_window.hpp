@@ -92,6 +92,7 @@ struct EchoWindow : ColourLook {
 /// @param sample_rate_hz  as computed
 [[nodiscard]] std::string sampling_warning(const EchoWindow& window, double sample_rate_hz, double bandwidth_hz);
 
+/// The part of the matrix that a window shows, or is to show.
 [[nodiscard]] EchoView view_of(const EchoWindow& window);
 void set_view(EchoWindow& window, const EchoView& view);
 

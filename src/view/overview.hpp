@@ -22,6 +22,7 @@ namespace sarsim {
 /// What a cell of an overview holds of the magnitudes of its samples.
 enum class OverviewKind { peak, mean };
 
+/// What an overview holds and where it is kept.
 struct OverviewOptions {
   OverviewKind kind = OverviewKind::peak;
   std::size_t most_cells = std::size_t{8} << 20;  ///< Of the finest level: 4 bytes each, a third more for the others.
@@ -62,6 +63,7 @@ class Overview {
   /// Ends the work; waits for the read that is under way.
   ~Overview();
 
+  /// How much of it is there now.
   [[nodiscard]] OverviewState state() const;
   /// Cell rows of the finest level that are exact, of all.
   [[nodiscard]] Progress progress() const;

@@ -27,6 +27,7 @@ struct PointReading {
   CutReading along_row;        ///< The column changes.
 };
 
+/// How the point next to a sample is found.
 struct PointOptions {
   std::size_t search = 4;  ///< The largest sample so many samples around the click is taken.
 };

@@ -52,6 +52,8 @@ struct QuantityStatistics {
     double low = 0.0;
     double high = 0.0;
   };
+  /// The limits that leave out a share of the values at either end.
+  /// @param part  of the values, 0 to 0.5
   [[nodiscard]] Limits limits(double part) const;
 };
 
