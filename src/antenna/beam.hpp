@@ -17,6 +17,7 @@ enum class PointingRule {
 /// Where an antenna points (thesis 4.4; decision 11). Angles in the platform's frame, azimuth from +y towards
 /// +x.
 struct Beam {
+  /// Always the same angles; an azimuth that turns at a constant rate; a point that is looked at; angles against time.
   enum class Kind { fixed, rotating, spot, user };
 
   Kind kind = Kind::fixed;

@@ -12,6 +12,7 @@ enum class PatternRule {
 
 /// The gain of one antenna against the offset from the beam's axis.
 struct AntennaPattern {
+  /// Gain 1 everywhere; sin(x)/x by its beamwidths (thesis A.17); cuts given by points.
   enum class Kind { isotropic, sinx, user };
 
   Kind kind = Kind::isotropic;

@@ -40,6 +40,7 @@ class OrderedQueue {
     return next_++;
   }
 
+  /// Hands in the result of a number that was taken.
   void put(std::size_t index, Result&& result) {
     bool wanted = false;
     {
@@ -65,6 +66,7 @@ class OrderedQueue {
     news_.wait_for(hold, most, [this] { return failure_ || ready_.contains(consumed_); });
   }
 
+  /// The result that `in_order` gave has been consumed: there is room for another.
   void count_consumed() {
     {
       const std::scoped_lock hold(lock_);

@@ -37,7 +37,9 @@ class MapImageWriter {
   MapImageWriter(const std::filesystem::path& path, MapImage image, bool replace, double largest);
   ~MapImageWriter();
 
+  /// Adds the next row, as long as the image is wide.
   void append(std::span<const std::complex<float>> row);
+  /// Writes the header and gives the files their names; std::logic_error where rows are missing.
   void finish();
 
  private:

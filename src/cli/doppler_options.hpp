@@ -10,7 +10,9 @@
 
 namespace sarsim::cli {
 
+/// Pulses that a canceller of resting echoes takes the difference of.
 enum class Canceller { none, two, three };
+/// How the threshold of detections is found: from the mean or from a rank of the cells around; or nothing is detected.
 enum class Detector { cell_averaging, ordered_statistic, none };
 
 /// What the commands that work on pulses take alike.
@@ -47,6 +49,7 @@ void add_search_arguments(CLI::App& app, SearchArguments& arguments, const std::
 [[nodiscard]] SearchOptions search_options(const SearchArguments& arguments, const PulseRows& rows,
                                            std::size_t usual_pulses);
 
+/// The word of the command line for a detector: "ca", "os" or "none".
 [[nodiscard]] const char* word_of(Detector detector);
 
 }  // namespace sarsim::cli

@@ -27,7 +27,10 @@ class DetectionTable {
   /// @param places   detections have places on the ground
   DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places);
 
+  /// Adds a line.
+  /// @param target  position in the script of the target that it is of
   void append(const SearchDetection& detection, std::optional<std::size_t> target, const GroundPlace& place = {});
+  /// Gives the file its name.
   void finish();
   [[nodiscard]] std::size_t count() const { return count_; }
 
@@ -44,6 +47,7 @@ class DetectionTable {
 /// The first targets of a script and what became of them, a line or two for each.
 [[nodiscard]] std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler);
 
+/// Members of the open JSON object: the first targets and what became of them, or the options of the work.
 void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bool doppler);
 void write_json(JsonWriter& json, const SearchOptions& options);
 

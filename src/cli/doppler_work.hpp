@@ -31,6 +31,7 @@ class PulseWork {
   [[nodiscard]] const Plan& plan() const { return *input_.rows.plan; }
   [[nodiscard]] const SearchOptions& options() const { return options_; }
   [[nodiscard]] std::size_t intervals() const { return interval_count(options_, rows().pulses()); }
+  /// Where the image goes: as asked for, or named after the input.
   [[nodiscard]] std::filesystem::path output() const;
   /// Whether there is more than a pulse in an interval.
   [[nodiscard]] bool doppler() const { return options_.pulses > 1; }

@@ -22,8 +22,10 @@ class JsonWriter {
   /// Name of the value that follows, inside an object.
   JsonWriter& key(std::string_view name);
 
+  /// The next value: of an array, or behind `key` of an object.
   JsonWriter& value(std::string_view text);
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
+  /// The next value, as above.
   JsonWriter& value(double number);
   JsonWriter& value(bool truth) { return literal(truth ? "true" : "false"); }
   template <std::integral Integer>

@@ -12,10 +12,12 @@ namespace sarsim::cli {
 
 /// Which share of each recording is made, and how it is kept.
 struct PartChoice {
+  /// One of several equal shares of the rows.
   struct Share {
     std::int64_t number = 1;  ///< From 1.
     std::int64_t count = 1;
   };
+  /// Pulses by their numbers within the recording.
   struct Span {
     std::int64_t first = 1;            ///< Pulses from 1.
     std::optional<std::int64_t> last;  ///< Itself included; none: to the end.

@@ -12,6 +12,7 @@ namespace sarsim::cli {
 /// the end, elsewhere one line for every 10 %.
 class ProgressDisplay {
  public:
+  /// Nothing, a line for every 10 %, or a bar that is drawn in place.
   enum class Style { none, lines, bar };
 
   /// @param label  what is being made
@@ -21,6 +22,7 @@ class ProgressDisplay {
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
   ~ProgressDisplay();
 
+  /// Shows where the work has come to, where that is worth a new line or picture.
   void update(const Progress& progress);
 
  private:

@@ -32,7 +32,9 @@ class SearchPicture {
   /// Keeps a reference to the rows.
   SearchPicture(const PulseRows& rows, const PictureArguments& arguments);
 
+  /// Paints the interval before this one, whose sector is known now.
   void take(const SearchInterval& interval);
+  /// Paints the last interval.
   void finish();
 
   [[nodiscard]] const PpiPicture& picture() const { return picture_; }

@@ -38,6 +38,7 @@ struct SweepArguments {
   bool quiet = false;
 };
 
+/// Adds all options of `sweep` to the command.
 void add_sweep_arguments(CLI::App& app, SweepArguments& arguments);
 
 /// A share of a sweep: number `index` of `count`, from 0.

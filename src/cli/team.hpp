@@ -28,6 +28,7 @@ class Team {
   [[nodiscard]] virtual bool all_well(bool well) = 0;
   /// Whether all know that one of them has failed; and whether it is this one, who says why.
   [[nodiscard]] virtual bool failure_is_known() const = 0;
+  /// Whether this process is the one that says why they failed.
   [[nodiscard]] virtual bool speaks() const = 0;
   /// What the leader says.
   [[nodiscard]] virtual std::string from_leader(const std::string& text) = 0;

@@ -14,6 +14,7 @@ namespace sarsim {
 /// changed block escapes with probability 2^-64.
 class Checksum {
  public:
+  /// Takes in bytes; the sum of parts added in turn is that of all of them together.
   void add(std::span<const std::byte> bytes);
   void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
   /// Of everything added so far.

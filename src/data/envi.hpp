@@ -62,6 +62,7 @@ class EnviWriter {
 
   /// One row of header.samples pixels; of a real image, their magnitudes are written.
   void append(std::span<const std::complex<float>> row);
+  /// Writes the header and gives both files their names; std::logic_error where rows are missing.
   void finish();
 
  private:

@@ -15,6 +15,7 @@ namespace sarsim {
 /// throws it; the file is given up then, not completed.
 class Hdf5Output {
  public:
+  /// Begins an HDF5 file; keeps a reference to the file that its bytes go to.
   explicit Hdf5Output(OutputFile& file);
   Hdf5Output(const Hdf5Output&) = delete;
   Hdf5Output& operator=(const Hdf5Output&) = delete;

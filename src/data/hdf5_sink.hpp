@@ -16,6 +16,7 @@ namespace sarsim {
 /// stamps, and a fixed version of the format: the same input gives the same bytes.
 class Hdf5Sink final : public Sink {
  public:
+  /// Begins the file; an existing one is refused unless `replace`.
   Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace);
   ~Hdf5Sink() override;
 

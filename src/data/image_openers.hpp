@@ -7,6 +7,7 @@ namespace sarsim {
 
 /// The openers behind `ImageSource::open`, one for each way of reading. Their files are not empty.
 
+/// A file of numbers that lie as the layout says; problems where it says nothing sensible of this file.
 [[nodiscard]] OpenedImage open_raw_image(InputFile file, const RawLayout& layout);
 /// Needs the samples of a row and the bits.
 [[nodiscard]] OpenedImage open_binary_image(InputFile file, const SampleFileHints& hints);

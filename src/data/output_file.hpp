@@ -19,6 +19,7 @@ namespace sarsim {
 /// action and the file; after a failed write `commit` refuses. One thread at a time.
 class OutputFile {
  public:
+  /// Begins a file that will be called `path`; std::system_error where it exists and is not to be replaced.
   OutputFile(std::filesystem::path path, bool replace);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;

@@ -12,6 +12,7 @@ namespace sarsim {
 /// names the action and the file. Moved-from and default ones are closed.
 class RawFile {
  public:
+  /// What is done with the file, and whether it has to be there.
   enum class Mode {
     read,
     write,      ///< Read and write; made where it is missing.
@@ -19,6 +20,7 @@ class RawFile {
   };
 
   RawFile() = default;
+  /// Opens a file.
   RawFile(std::filesystem::path path, Mode mode);
   RawFile(RawFile&& other) noexcept;
   RawFile& operator=(RawFile&& other) noexcept;
@@ -26,12 +28,15 @@ class RawFile {
 
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Bytes of the file now.
   [[nodiscard]] std::uint64_t size() const;
+  /// Writes at a place; what lies before it and was never written reads as zeros.
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
   /// Reads what stands at a place; false where the file ends before.
   [[nodiscard]] bool read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
   /// Makes the file at least so long, with room on the disk where the file system can promise it.
   void allocate(std::uint64_t bytes);
+  /// Cuts the file off there, or makes it longer with zeros.
   void resize(std::uint64_t bytes);
   /// Returns when everything written is on the disk.
   void sync();

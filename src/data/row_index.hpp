@@ -37,6 +37,7 @@ class RowIndex {
     /// So many rows can be read.
     void rows_known(std::size_t rows) { index_.rows_.store(rows, std::memory_order_release); }
     void part_done(double part) { index_.done_.store(part, std::memory_order_relaxed); }
+    /// Something is wrong with the file; the work may go on.
     void problem(Problem problem) {
       const std::scoped_lock hold(index_.lock_);
       index_.problems_.push_back(std::move(problem));
@@ -78,10 +79,12 @@ class RowIndex {
       ended_.notify_all();
     });
   }
+  /// Whether the work has not ended yet.
   [[nodiscard]] bool running() const {
     const std::scoped_lock hold(lock_);
     return running_;
   }
+  /// Returns when the work has ended; throws Interrupted where a stop is requested before.
   void wait(const StopFlag* stop) const {
     std::unique_lock hold(lock_);
     while (running_) {
@@ -93,10 +96,12 @@ class RowIndex {
   [[nodiscard]] std::size_t rows() const { return rows_.load(std::memory_order_acquire); }
   /// 0 to 1.
   [[nodiscard]] double done() const { return running() ? std::min(0.999, done_.load(std::memory_order_relaxed)) : 1.0; }
+  /// What was found to be wrong so far.
   [[nodiscard]] Problems problems() const {
     const std::scoped_lock hold(lock_);
     return problems_;
   }
+  /// How many rows are marked by now.
   [[nodiscard]] std::size_t marks() const {
     const std::scoped_lock hold(lock_);
     return marks_.size();

@@ -18,6 +18,7 @@ namespace sarsim {
 /// A file without a name that holds some bytes.
 class MemoryFile {
  public:
+  /// A file that holds a copy of `size` bytes.
   MemoryFile(const std::uint8_t* data, std::size_t size) : descriptor_(::memfd_create("samples", MFD_CLOEXEC)) {
     if (descriptor_ < 0 || ::write(descriptor_, data, size) != static_cast<ssize_t>(size))
       throw std::logic_error("cannot make a file in memory");

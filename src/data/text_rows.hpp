@@ -30,6 +30,7 @@ class TextRowParser {
   TextRowParser(TextScanner& scanner, const TextLayout& layout, Put put)
       : scanner_(scanner), layout_(layout), put_(put) {}
 
+  /// Reads the next row; one without values and without a problem is the end of the file.
   TextRow parse() {
     row_ = {};
     scanner_.skip_white_space();

@@ -30,6 +30,7 @@ class TextScanner {
     if (next_ == filled_ && !fill()) return end;
     return static_cast<unsigned char>(buffer_[next_]);
   }
+  /// Goes past the byte that `peek` gave.
   void advance() {
     if (buffer_[next_] == '\n') {
       ++line_;

@@ -8,6 +8,7 @@ namespace sarsim {
 /// How a trial ended.
 enum class TrialResult { passed, crashed, timed_out };
 
+/// How a trial ended, and what came out of it.
 struct TrialReport {
   TrialResult result = TrialResult::passed;
   std::string text;  ///< What the work returned, where it passed.

@@ -12,11 +12,13 @@ struct EchoBatch {
       amplitude_sqrt_w;  ///< Square root of the received power; negative where a pattern's side lobe turns the phase.
   std::vector<double> speed_mps;  ///< Radial speed v at the send time, positive receding.
 
+  /// Forgets the echoes; their room is kept.
   void clear() {
     delay_s.clear();
     amplitude_sqrt_w.clear();
     speed_mps.clear();
   }
+  /// Adds an echo: seconds, root of watts, metres per second.
   void add(double delay, double amplitude, double speed) {
     delay_s.push_back(delay);
     amplitude_sqrt_w.push_back(amplitude);

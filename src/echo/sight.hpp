@@ -27,6 +27,7 @@ struct PointJitter {
 
 /// Point scatterers of one platform, structure of arrays, in the platform's frame.
 struct PointArrays {
+  /// Cross-section against the angle from the normal: always the same; its cosine, 0 behind; a table.
   enum class Law { isotropic, cosine, curve };
 
   Law law = Law::isotropic;

@@ -35,8 +35,8 @@ class BackgroundJob : public QObject {
   [[nodiscard]] bool running() const { return running_; }
 
  signals:
-  void progressed(double fraction, double seconds_left);  ///< Seconds below 0: not known yet.
-  void ended(sarsim::JobEnd end, const QString& failure);
+  void progressed(double fraction, double seconds_left);   ///< Seconds below 0: not known yet.
+  void ended(sarsim::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
 
  private:
   void work_through(const Work& work);

@@ -14,6 +14,7 @@ class CommandList : public QDialog {
   Q_OBJECT
 
  public:
+  /// Lists those of these commands that are enabled and have words.
   explicit CommandList(const QList<QAction*>& actions, QWidget* parent = nullptr);
 
   void accept() override;

@@ -26,7 +26,9 @@ class DocumentKeeper : public QObject {
   DocumentKeeper(Session& session, QWidget* window);
   ~DocumentKeeper() override;
 
+  /// What is to become of changes.
   enum class Answer { save, discard, cancel };
+  /// What is to become of data files.
   enum class DataAnswer { write, leave, cancel };
   /// Asked before unsaved changes are lost, and for file names (empty: cancelled). Dialogs unless replaced.
   std::function<Answer()> ask_unsaved;
@@ -66,7 +68,7 @@ class DocumentKeeper : public QObject {
   void close();
 
  signals:
-  void recent_changed();
+  void recent_changed();  ///< The list of recent files is another one.
 
  private:
   void note_recent(const QString& path);

@@ -31,6 +31,7 @@ class FieldEditor : public QObject {
   [[nodiscard]] QString id() const { return QString::fromStdString(field_.id); }
   /// Null where the widget carries its label itself.
   [[nodiscard]] QLabel* label() const { return label_; }
+  /// What is typed into or chosen from.
   [[nodiscard]] virtual QWidget* widget() const = 0;
   [[nodiscard]] ProblemLine* problem_line() const { return problem_line_; }
 
@@ -44,10 +45,13 @@ class FieldEditor : public QObject {
   virtual void show_failure(const QString& sentence);
   /// Says why a step was not taken, with the value as it was.
   void refuse_step(const QString& sentence);
+  /// What was refused is right now, or gone.
   void clear_failure();
+  /// Shows what the scene's check says of the field.
   void show_problems(const std::vector<Problem>& problems);
   /// True where a failure, an error or a warning is shown.
   [[nodiscard]] bool troubled() const;
+  /// Shows or hides the whole row; what is hidden keeps its text.
   void set_shown(bool shown);
   [[nodiscard]] bool shown() const { return shown_; }
 

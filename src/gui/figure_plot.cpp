@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -324,6 +326,19 @@ bool FigurePlot::write_picture(const QString& path, const QString& ending, QSize
   painter.setMode(QCPPainter::pmVectorized);
   toPainter(&painter, size.width(), size.height());
   return painter.end();
+}
+
+void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested) {
+  const QString title = FigurePlot::tr("Save picture");
+  const QString path =
+      QFileDialog::getSaveFileName(&parent, title, suggested, FigurePlot::tr("Pictures (*.png *.svg *.pdf)"));
+  if (path.isEmpty()) return;
+  FigurePlot drawn;
+  drawn.setPalette(parent.palette());
+  drawn.set_figure(figure);
+  QString failure;
+  if (!drawn.save(path, parent.size(), parent.devicePixelRatioF(), failure))
+    QMessageBox::warning(&parent, title, failure);
 }
 
 }  // namespace sarsim

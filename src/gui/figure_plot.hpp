@@ -18,6 +18,7 @@ class FigurePlot : public QCustomPlot {
  public:
   explicit FigurePlot(QWidget* parent = nullptr);
 
+  /// Draws another figure.
   void set_figure(const Figure& figure);
   [[nodiscard]] const Figure& figure() const { return figure_; }
 
@@ -51,5 +52,9 @@ class FigurePlot : public QCustomPlot {
   Figure figure_;
   std::vector<QPointer<QCPAxisRect>> panels_;
 };
+
+/// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is
+/// told in a message.
+void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested);
 
 }  // namespace sarsim

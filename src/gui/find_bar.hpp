@@ -14,6 +14,7 @@ class FindBar : public QWidget {
   Q_OBJECT
 
  public:
+  /// A bar for a text, hidden until it is opened.
   explicit FindBar(QPlainTextEdit* text, QWidget* parent = nullptr);
 
   /// Shows the bar with the selected word, if any, ready to type.

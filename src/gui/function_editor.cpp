@@ -14,7 +14,6 @@
 #include <cctype>
 #include <cmath>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "data/output_file.hpp"

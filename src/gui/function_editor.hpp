@@ -40,6 +40,7 @@ class FunctionEditor : public QDialog {
   [[nodiscard]] FunctionTable& table() { return *table_; }
   /// The part that is shown.
   [[nodiscard]] std::size_t part() const { return part_; }
+  /// Shows another part of the function in table and graph.
   void show_part(std::size_t part);
 
   /// Reads, writes and imports files; what stands in the way is shown in words, and the function then stays as it is.
@@ -50,6 +51,7 @@ class FunctionEditor : public QDialog {
   bool import_csv(const QString& path);
   /// @}
 
+  /// What is to become of samples that belong into a file.
   enum class Unsaved { save, keep_inline, cancel };
   /// Asked by OK where the samples belong into a file that does not hold them. A message box unless replaced.
   std::function<Unsaved(const QString& file)> ask_unsaved;
@@ -57,7 +59,9 @@ class FunctionEditor : public QDialog {
   std::function<bool(const QString& file)> ask_replace;
 
  public slots:
+  /// Takes back the last change of this editor.
   void undo();
+  /// Makes it again.
   void redo();
   void accept() override;
 

@@ -36,7 +36,6 @@ class FunctionPlot : public QCustomPlot {
   void set_function(const SampledFunction& function);
   /// Draws the two other interpolations faintly.
   void set_compare(bool compare);
-  [[nodiscard]] bool comparing() const { return compare_; }
   /// Marks a point; nothing for none.
   void set_current(std::optional<std::size_t> knot);
 
@@ -56,12 +55,12 @@ class FunctionPlot : public QCustomPlot {
   [[nodiscard]] std::optional<std::size_t> knot_at(const QPointF& pixel) const;
 
  signals:
-  void drag_began(std::size_t knot);
+  void drag_began(std::size_t knot);                   ///< A point was taken hold of and moved.
   void dragged(std::size_t knot, sarsim::Knot to);     ///< While the button is down; not rounded.
   void drag_ended(std::size_t knot, sarsim::Knot to);  ///< Rounded to a hundredth of the decade of the window.
-  void drag_cancelled();
-  void knot_clicked(std::size_t knot);
-  void window_changed();
+  void drag_cancelled();                               ///< It is to go back to where it was.
+  void knot_clicked(std::size_t knot);                 ///< A point was pressed without being moved.
+  void window_changed();                               ///< Another part of the axes is seen.
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -34,6 +34,7 @@ class FunctionTableModel : public QAbstractTableModel {
  public:
   explicit FunctionTableModel(QObject* parent = nullptr);
 
+  /// Shows the points of a part in the units of its axes.
   void show(const FunctionInfo& info, std::size_t part, const SampledFunction& function);
   /// Shows one moved point.
   void show_knot(std::size_t row, Knot knot);
@@ -46,8 +47,8 @@ class FunctionTableModel : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  signals:
-  void entered(std::size_t row, sarsim::Knot knot);
-  void refused(const QString& why);
+  void entered(std::size_t row, sarsim::Knot knot);  ///< The point as it is to be; its x may belong elsewhere.
+  void refused(const QString& why);                  ///< What was typed is no number of the axis.
 
  private:
   SampledFunction function_;
@@ -63,18 +64,21 @@ class FunctionTable : public QWidget {
  public:
   explicit FunctionTable(QWidget* parent = nullptr);
 
+  /// Shows the points of a part; the current row stays where there is one.
   void show_function(const FunctionInfo& info, std::size_t part, const SampledFunction& function);
   void show_knot(std::size_t row, Knot knot) { model_->show_knot(row, knot); }
+  /// Makes a row the current one and brings it into sight.
   void set_current(std::size_t row);
+  /// The current row; nothing where there is none.
   [[nodiscard]] std::optional<std::size_t> current() const;
 
  signals:
-  void entered(std::size_t row, sarsim::Knot knot);
-  void refused(const QString& why);
-  void current_changed();
-  void insert_wanted();
-  void delete_wanted();
-  void count_wanted(int count);
+  void entered(std::size_t row, sarsim::Knot knot);  ///< See FunctionTableModel.
+  void refused(const QString& why);                  ///< See FunctionTableModel.
+  void current_changed();                            ///< Another row is the current one.
+  void insert_wanted();                              ///< A point is wanted behind the current row.
+  void delete_wanted();                              ///< The current point is to go.
+  void count_wanted(int count);                      ///< So many samples are wanted.
 
  private:
   FunctionTableModel* model_;

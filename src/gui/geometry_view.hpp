@@ -13,9 +13,12 @@ class ModelPage : public QAbstractTableModel {
   Q_OBJECT
 
  public:
+  /// A page of a model that outlives it.
   explicit ModelPage(QAbstractItemModel* source, QObject* parent = nullptr);
 
+  /// How many rows are shown.
   void set_page(int rows);
+  /// Which row of the model is the first one.
   void set_offset(int offset);
   [[nodiscard]] int offset() const { return offset_; }
   [[nodiscard]] int page() const { return page_; }
@@ -38,6 +41,7 @@ class GeometryView : public QWidget {
   Q_OBJECT
 
  public:
+  /// A view of a model that outlives it.
   explicit GeometryView(QAbstractItemModel* model, QWidget* parent = nullptr);
 
   /// Brings a row to the top, or as near as can be.

@@ -44,14 +44,17 @@ class GeometryWindow : public QWidget {
   [[nodiscard]] bool saving() const { return job_.running(); }
 
  public slots:
+  /// Asks for a name and writes the table.
   void save_as();
   /// Stores the table in the script.
   void to_script();
+  /// Shows the table of the script that is chosen.
   void show_stored();
+  /// Takes it out of the script.
   void delete_stored();
 
  signals:
-  void saved(sarsim::JobEnd end);
+  void saved(sarsim::JobEnd end);  ///< A file is written, or not.
 
  protected:
   void showEvent(QShowEvent* event) override;

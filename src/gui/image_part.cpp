@@ -77,7 +77,7 @@ Seen seen_of(const ImageWindow& window, const ImageView& view) {
 }
 
 PartColours colours_of(const std::vector<std::complex<double>>& samples, const ImageWindow& window,
-                       const ImageLook& look, const ImageView& view) {
+                       const PartLook& look, const ImageView& view) {
   const Seen seen = seen_of(window, view);
   const auto row = [&](std::size_t i) {
     return std::span<const std::complex<double>>(samples).subspan((seen.row + i) * window.cols + seen.column,
@@ -136,8 +136,8 @@ ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t colu
   return window;
 }
 
-ImageLook look_for(ImageValue value, bool picture) {
-  ImageLook look;
+PartLook look_for(ImageValue value, bool picture) {
+  PartLook look;
   if (!picture && value != ImageValue::rgb) {
     look.quantity = value == ImageValue::real ? DisplayQuantity::real : DisplayQuantity::decibels;
     look.map = value == ImageValue::real ? ColourMap::balance_dark : ColourMap::ocean;
@@ -172,7 +172,7 @@ QRectF extent_of(const ImageWindow& window) {
           number(window.cols) * number(window.col_step), number(window.rows) * number(window.row_step)};
 }
 
-PaintedPart paint(const ImagePart& part, const ImageLook& look, const ImageView& seen) {
+PaintedPart paint(const ImagePart& part, const PartLook& look, const ImageView& seen) {
   PaintedPart painted;
   painted.image = QImage(static_cast<int>(part.window.cols), static_cast<int>(part.window.rows), QImage::Format_RGB32);
   if (painted.image.isNull()) return painted;

@@ -42,21 +42,20 @@ struct ImageView {
 /// The samples that a view shows, all of them.
 [[nodiscard]] ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns);
 
-/// How samples become colours.
-struct ImageLook {
-  DisplayQuantity quantity = DisplayQuantity::decibels;
-  ColourMap map = ColourMap::ocean;
-  ClassicSliders sliders;
-  bool inverted = false;
-  bool peak = false;  ///< Where a pixel has many samples, the largest magnitude of them.
-  LimitRule limits;
-  Decibels decibels;
+/// How a part of an image is looked at; decibels where nothing else is said.
+struct PartLook : ColourLook {
+  PartLook() {
+    quantity = DisplayQuantity::decibels;
+    map = ColourMap::ocean;
+  }
 
-  friend bool operator==(const ImageLook&, const ImageLook&) = default;
+  bool peak = false;  ///< Where a pixel has many samples, the largest magnitude of them.
+
+  friend bool operator==(const PartLook&, const PartLook&) = default;
 };
 
 /// What suits values of a kind: decibels, or grey levels for pictures.
-[[nodiscard]] ImageLook look_for(ImageValue value, bool picture);
+[[nodiscard]] PartLook look_for(ImageValue value, bool picture);
 /// Whether a quantity means anything for values of a kind.
 [[nodiscard]] bool has_quantity(ImageValue value, DisplayQuantity quantity);
 
@@ -90,7 +89,7 @@ struct PaintedPart {
 };
 
 /// Paints a part. Limits come from those of its samples that `seen` holds; where it holds none, from all.
-[[nodiscard]] PaintedPart paint(const ImagePart& part, const ImageLook& look, const ImageView& seen);
+[[nodiscard]] PaintedPart paint(const ImagePart& part, const PartLook& look, const ImageView& seen);
 
 /// The value of a quantity of a sample: decibels of powers are 10 log10.
 [[nodiscard]] double shown_value(ImageValue value, DisplayQuantity quantity, std::complex<double> sample,

@@ -6,28 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/palette_colours.hpp"
+#include "gui/plot_frame.hpp"
 #include "view/ticks.hpp"
 
 namespace sarsim {
 
 namespace {
 
-constexpr int bar_width = 14;
-constexpr int tick_length = 4;
-constexpr int gap = 6;
-
-QRgb empty_ground(bool dark) { return dark ? qRgb(38, 40, 44) : qRgb(214, 216, 220); }
+constexpr double smallest_zoom_px = 4.0;
 
 }  // namespace
 
-ImagePlot::ImagePlot(QWidget* parent) : QWidget(parent) {
+ImagePlot::ImagePlot(QWidget* parent) : GesturePlot(parent) {
   setObjectName("image_plot");
   setAccessibleName(tr("Image"));
   setAccessibleDescription(tr("Samples across, rows downwards. Arrows move, plus and minus zoom."));
-  setFocusPolicy(Qt::StrongFocus);
-  setMouseTracking(true);
-  setCursor(Qt::CrossCursor);
 }
 
 void ImagePlot::set_size(std::size_t rows, std::size_t columns) {
@@ -62,43 +55,32 @@ void ImagePlot::set_coarse(const QImage& picture) {
 
 void ImagePlot::set_reading_tool(bool on) {
   reading_tool_ = on;
-  setCursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
+  set_idle_cursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
 }
 
 QRect ImagePlot::plot_rect() const {
   const QFontMetrics metrics = fontMetrics();
-  const int numbers = metrics.horizontalAdvance(QStringLiteral("-00000.00"));
-  const int line = metrics.height();
-  const int left = numbers + line + 2 * gap + tick_length;
-  const int right = numbers + line + bar_width + 3 * gap + tick_length;
-  const int above = line / 2 + gap;
-  const int below = 2 * line + gap + tick_length;
-  return QRect(left, above, std::max(width() - left - right, 1), std::max(height() - above - below, 1));
+  return plot_within(*this, QStringLiteral("-00000.00"), room_without_axis(metrics), room_of_axis(metrics));
 }
 
-QSize ImagePlot::device_size() const {
-  const QSizeF size = QSizeF(plot_rect().size()) * devicePixelRatioF();
-  return {std::max(1, qRound(size.width())), std::max(1, qRound(size.height()))};
-}
-
-ImagePlace ImagePlot::place_at(QPointF pixel) const {
+SamplePlace ImagePlot::place_at(QPointF pixel) const {
   const QRect plot = plot_rect();
   return {view_.column_first + (pixel.x() - plot.left()) / plot.width() * view_.columns(),
           view_.row_first + (pixel.y() - plot.top()) / plot.height() * view_.rows()};
 }
 
-QPointF ImagePlot::pixel_of(ImagePlace place) const {
+QPointF ImagePlot::pixel_of(SamplePlace place) const {
   const QRect plot = plot_rect();
   return {plot.left() + (place.column - view_.column_first) / view_.columns() * plot.width(),
           plot.top() + (place.row - view_.row_first) / view_.rows() * plot.height()};
 }
 
-std::optional<ImagePlace> ImagePlot::pointer_place() const {
-  if (!plot_rect().contains(pointer_.toPoint())) return std::nullopt;
-  return place_at(pointer_);
+std::optional<SamplePlace> ImagePlot::pointer_place() const {
+  if (!plot_rect().contains(pointer().toPoint())) return std::nullopt;
+  return place_at(pointer());
 }
 
-void ImagePlot::set_cursor(std::size_t index, std::optional<ImagePlace> place) {
+void ImagePlot::set_cursor(std::size_t index, std::optional<SamplePlace> place) {
   cursors_.at(index) = place;
   update();
   emit cursors_changed();
@@ -116,37 +98,22 @@ QRectF ImagePlot::rect_of(const QRectF& samples) const {
   return QRectF(pixel_of({samples.left(), samples.top()}), pixel_of({samples.right(), samples.bottom()}));
 }
 
-QImage ImagePlot::plot_image() const {
-  QImage picture(device_size(), QImage::Format_RGB32);
-  QPainter painter(&picture);
-  const QRect plot = plot_rect();
-  painter.scale(picture.width() / static_cast<double>(plot.width()),
-                picture.height() / static_cast<double>(plot.height()));
-  painter.translate(-plot.topLeft());
-  paint_plot(painter);
-  return picture;
-}
-
 void ImagePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Window));
   paint_plot(painter);
+  painter.setPen(palette().color(QPalette::WindowText));
   paint_axes(painter);
   if (!bar_.isNull()) paint_colour_bar(painter);
   paint_marks(painter);
-  if (!rectangle_from_) return;
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 1.0, selecting_ ? Qt::DashLine : Qt::SolidLine));
-  QColor filled = palette().color(QPalette::Highlight);
-  filled.setAlphaF(0.2F);
-  painter.setBrush(filled);
-  painter.drawRect(QRectF(*rectangle_from_, pointer_).normalized() & QRectF(plot_rect()));
+  paint_rectangle(painter, rectangle_with_shift() ? Qt::DashLine : Qt::SolidLine);
 }
 
 void ImagePlot::paint_plot(QPainter& painter) const {
   const QRect plot = plot_rect();
   painter.save();
   painter.setClipRect(plot);
-  painter.fillRect(plot, QColor(empty_ground(is_dark(palette()))));
+  painter.fillRect(plot, empty_ground(palette()));
   // No smoothing: no colour that no sample has.
   if (!coarse_.isNull())
     painter.drawImage(rect_of(QRectF(-0.5, -0.5, static_cast<double>(columns_), static_cast<double>(rows_))), coarse_);
@@ -156,56 +123,26 @@ void ImagePlot::paint_plot(QPainter& painter) const {
 
 void ImagePlot::paint_axes(QPainter& painter) const {
   const QRect plot = plot_rect();
-  painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawRect(plot.adjusted(0, 0, -1, -1));
-  const int line = fontMetrics().height();
-  const double across = fontMetrics().horizontalAdvance(QStringLiteral("0000000000"));
-  const int edge = plot.bottom() + 1;
-  for (const Tick& tick : axis_ticks(view_.column_first, view_.column_last, plot.width(), across, "").ticks) {
-    const double x = pixel_of({tick.value, 0.0}).x();
-    painter.drawLine(QPointF(x, edge), QPointF(x, edge + tick_length));
-    painter.drawText(QRectF(x - across, edge + tick_length, 2.0 * across, line), Qt::AlignCenter,
-                     QString::fromStdString(tick.label));
-  }
-  painter.drawText(QRect(plot.left(), edge + tick_length + line, plot.width(), line), Qt::AlignCenter, tr("Sample"));
-  for (const Tick& tick : axis_ticks(view_.row_first, view_.row_last, plot.height(), 2.5 * line, "").ticks) {
-    const double y = pixel_of({0.0, tick.value}).y();
-    painter.drawLine(QPointF(plot.left() - tick_length, y), QPointF(plot.left(), y));
-    painter.drawText(QRectF(0.0, y - line, plot.left() - tick_length - gap / 2.0, 2.0 * line),
-                     Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(tick.label));
-  }
-  painter.save();
-  painter.translate(gap / 2.0, plot.center().y());
-  painter.rotate(-90.0);
-  painter.drawText(QRect(-plot.height() / 2, 0, plot.height(), line), Qt::AlignCenter, tr("Row"));
-  painter.restore();
+  draw_frame(painter, plot);
+  const double widest = fontMetrics().horizontalAdvance(QStringLiteral("0000000000"));
+  FrameAxis across{tr("Sample"), {}};
+  for (const Tick& tick : axis_ticks(view_.column_first, view_.column_last, plot.width(), widest, "").ticks)
+    across.marks.push_back({pixel_of({tick.value, 0.0}).x(), QString::fromStdString(tick.label)});
+  draw_axis_across(painter, plot, across, widest, false);
+  FrameAxis upwards{tr("Row"), {}};
+  const double lines = 2.5 * fontMetrics().height();
+  for (const Tick& tick : axis_ticks(view_.row_first, view_.row_last, plot.height(), lines, "").ticks)
+    upwards.marks.push_back({pixel_of({0.0, tick.value}).y(), QString::fromStdString(tick.label)});
+  draw_axis_upwards(painter, plot, upwards);
 }
 
 void ImagePlot::paint_colour_bar(QPainter& painter) const {
   const QRect plot = plot_rect();
-  const QRect strip(plot.right() + 2 * gap, plot.top(), bar_width, plot.height());
-  painter.drawImage(strip, bar_);
-  painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawRect(strip.adjusted(0, 0, -1, -1));
-  const int line = fontMetrics().height();
   const ColourLimits& limits = painted_.colours.limits;
-  const Ticks marks = axis_ticks(limits.low, limits.high, plot.height(), 2.5 * line, unit_.toStdString());
-  for (const Tick& tick : marks.ticks) {
-    const double share = (tick.value - limits.low) / (limits.high - limits.low);
-    const double y = strip.bottom() + 1 - share * strip.height();
-    painter.drawLine(QPointF(strip.right() + 1, y), QPointF(strip.right() + 1 + tick_length, y));
-    painter.drawText(QRectF(strip.right() + tick_length + gap / 2.0 + 1, y - line, width(), 2.0 * line),
-                     Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(tick.label));
-  }
-  const QString unit = QString::fromStdString(marks.unit);
-  const std::string_view title = title_of(painted_.colours.quantity);
-  const QString name = QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
-  painter.save();
-  painter.translate(width() - gap / 2.0, plot.center().y());
-  painter.rotate(90.0);
-  painter.drawText(QRect(-plot.height() / 2, 0, plot.height(), line), Qt::AlignCenter,
-                   unit.isEmpty() ? name : name + QStringLiteral(" [%1]").arg(unit));
-  painter.restore();
+  const double lines = 2.5 * fontMetrics().height();
+  draw_colour_bar(painter, plot, width(),
+                  {bar_, painted_.colours.quantity, limits,
+                   axis_ticks(limits.low, limits.high, plot.height(), lines, unit_.toStdString())});
 }
 
 void ImagePlot::paint_marks(QPainter& painter) const {
@@ -220,21 +157,60 @@ void ImagePlot::paint_marks(QPainter& painter) const {
     painter.drawRect(rect_of(extent_of(*selection_)));
   }
   for (std::size_t i = 0; i < cursors_.size(); ++i)
-    if (cursors_[i]) paint_cursor(painter, i);
+    if (cursors_[i]) draw_cursor(painter, plot_rect(), pixel_of(*cursors_[i]), i);
   painter.restore();
 }
 
-void ImagePlot::paint_cursor(QPainter& painter, std::size_t index) const {
-  const QRect plot = plot_rect();
-  const QPointF at = pixel_of(*cursors_[index]);
-  for (const auto& [colour, width] : {std::pair{Qt::black, 3.0}, std::pair{Qt::white, 1.0}}) {
-    painter.setPen(QPen(QColor(colour), width, index == 0 ? Qt::SolidLine : Qt::DashLine));
-    painter.drawLine(QPointF(plot.left(), at.y()), QPointF(plot.right(), at.y()));
-    painter.drawLine(QPointF(at.x(), plot.top()), QPointF(at.x(), plot.bottom()));
-  }
-  const QRectF label(at + QPointF(3, 3), QSizeF(fontMetrics().height(), fontMetrics().height()));
-  painter.fillRect(label, QColor(0, 0, 0, 160));
-  painter.drawText(label, Qt::AlignCenter, QString::number(index + 1));
+ImageView ImagePlot::moved(const ImageView& view, double right, double down) const {
+  const double columns = right * view.columns();
+  const double rows = down * view.rows();
+  return mended_here(
+      {view.column_first + columns, view.column_last + columns, view.row_first + rows, view.row_last + rows});
+}
+
+void ImagePlot::scale_about_pixel(QPointF pixel, double across, double upwards) {
+  const SamplePlace at = place_at(pixel);
+  emit view_wanted(mended_here(scaled_about(view_, at.column, at.row, across, upwards)));
+}
+
+void ImagePlot::drag(QPointF by) {
+  emit view_dragged(moved(dragged_view_, -by.x() / plot_rect().width(), -by.y() / plot_rect().height()));
+}
+
+void ImagePlot::step(double right, double up) { emit view_wanted(moved(view_, right, -up)); }
+
+void ImagePlot::show_twice(QPointF middle) {
+  const SamplePlace at = place_at(middle);
+  emit view_wanted(mended_here(
+      {at.column - view_.columns(), at.column + view_.columns(), at.row - view_.rows(), at.row + view_.rows()}));
+}
+
+void ImagePlot::take_rectangle(QPointF from, QPointF to) {
+  const QRectF drawn = QRectF(from, to).normalized() & QRectF(plot_rect());
+  const SamplePlace low = place_at(drawn.topLeft());
+  const SamplePlace high = place_at(drawn.bottomRight());
+  const ImageView wanted{low.column, high.column, low.row, high.row};
+  if (rectangle_with_shift())
+    set_selection(samples_in(wanted, rows_, columns_));
+  else if (drawn.width() >= smallest_zoom_px && drawn.height() >= smallest_zoom_px)
+    emit view_wanted(mended_here(wanted));
+}
+
+void ImagePlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {
+  const SamplePlace at = place_at(pixel);
+  const double column = std::round(at.column);
+  const double row = std::round(at.row);
+  if (column < 0.0 || row < 0.0 || column >= static_cast<double>(columns_) || row >= static_cast<double>(rows_)) return;
+  if (reading_tool_)
+    emit reading_wanted(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+  else
+    set_cursor(keys.testFlag(Qt::ShiftModifier) ? 1 : 0, SamplePlace{column, row});
+}
+
+void ImagePlot::drop_marks() {
+  set_selection(std::nullopt);
+  cursors_ = {};
+  emit cursors_changed();
 }
 
 }  // namespace sarsim

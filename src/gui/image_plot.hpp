@@ -1,18 +1,16 @@
 #pragma once
 
-#include <QImage>
-#include <QWidget>
-
 #include <array>
 #include <memory>
 #include <optional>
 
+#include "gui/gesture_plot.hpp"
 #include "gui/image_part.hpp"
 
 namespace sarsim {
 
 /// A place of an image in samples.
-struct ImagePlace {
+struct SamplePlace {
   double column = 0.0;
   double row = 0.0;
 };
@@ -21,12 +19,9 @@ struct ImagePlace {
 /// turns gestures into wishes; who reads is the owner's business. Until samples of a new view arrive, those of the old
 /// one are shown where they belong, before a coarse picture of the whole image.
 ///
-/// Mouse: left drag zooms to the rectangle, with Shift selects it; right click shows twice as much; the wheel zooms at
-/// the pointer (Ctrl: columns alone, Shift: rows alone); middle drag moves the view; a left click sets the first
-/// cursor, with Shift the second. With the reading tool a click asks for a reading instead. Keys: arrows move by a
-/// quarter, + and - zoom, Backspace goes back, Home shows everything, Escape drops a rectangle, then selection and
-/// cursors.
-class ImagePlot : public QWidget {
+/// Left drag zooms to the rectangle, with Shift selects it; a left click sets the first cursor, with Shift the second.
+/// With the reading tool a click asks for a reading instead. Escape drops a rectangle, then selection and cursors.
+class ImagePlot : public GesturePlot {
   Q_OBJECT
 
  public:
@@ -34,6 +29,7 @@ class ImagePlot : public QWidget {
 
   /// Size of the image, for the limits of views.
   void set_size(std::size_t rows, std::size_t columns);
+  /// Shows another part; what there is of it is drawn at once.
   void set_view(const ImageView& view);
   [[nodiscard]] const ImageView& view() const { return view_; }
   /// What was read and painted; null part: nothing.
@@ -42,60 +38,51 @@ class ImagePlot : public QWidget {
   [[nodiscard]] const PaintedPart& painted() const { return painted_; }
   /// A picture of the whole image, to be seen where no samples are yet.
   void set_coarse(const QImage& picture);
+  /// Whether a click asks for a reading.
   void set_reading_tool(bool on);
 
-  /// The plot within the widget, and its size in device pixels.
-  [[nodiscard]] QRect plot_rect() const;
-  [[nodiscard]] QSize device_size() const;
-  /// The plot alone, in device pixels.
-  [[nodiscard]] QImage plot_image() const;
+  [[nodiscard]] QRect plot_rect() const override;
   /// The place below a pixel of the widget, and back.
-  [[nodiscard]] ImagePlace place_at(QPointF pixel) const;
-  [[nodiscard]] QPointF pixel_of(ImagePlace place) const;
+  [[nodiscard]] SamplePlace place_at(QPointF pixel) const;
+  /// The pixel of a place.
+  [[nodiscard]] QPointF pixel_of(SamplePlace place) const;
   /// The place below the pointer; nothing where it is outside the plot.
-  [[nodiscard]] std::optional<ImagePlace> pointer_place() const;
+  [[nodiscard]] std::optional<SamplePlace> pointer_place() const;
 
-  [[nodiscard]] const std::optional<ImagePlace>& cursor(std::size_t index) const { return cursors_.at(index); }
-  void set_cursor(std::size_t index, std::optional<ImagePlace> place);
+  [[nodiscard]] const std::optional<SamplePlace>& cursor(std::size_t index) const { return cursors_.at(index); }
+  /// Sets cursor 0 or 1, or takes it away.
+  void set_cursor(std::size_t index, std::optional<SamplePlace> place);
   /// The selected samples; nothing where none are.
   [[nodiscard]] const std::optional<ImageWindow>& selection() const { return selection_; }
+  /// Selects samples, or nothing.
   void set_selection(std::optional<ImageWindow> selection);
 
-  [[nodiscard]] QSize sizeHint() const override { return {760, 480}; }
-  [[nodiscard]] QSize minimumSizeHint() const override { return {260, 200}; }
-
  signals:
-  void view_wanted(const sarsim::ImageView& view);  ///< Zoom: the view before is one to go back to.
-  void view_dragged(const sarsim::ImageView& view);
-  void drag_began();
-  void back_wanted();
-  void whole_wanted();
-  void resized();
-  void hovered();
-  void cursors_changed();
-  void selection_changed();
-  void reading_wanted(std::size_t row, std::size_t column);
+  void view_wanted(const sarsim::ImageView& view);           ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::ImageView& view);          ///< One of many views on the way.
+  void selection_changed();                                  ///< Other samples are selected, or none.
+  void reading_wanted(std::size_t row, std::size_t column);  ///< The point next to a sample is to be measured.
 
  protected:
+  void paint_plot(QPainter& painter) const override;
   void paintEvent(QPaintEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  void changeEvent(QEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void leaveEvent(QEvent* event) override;
+  void click(QPointF at, Qt::KeyboardModifiers keys) override;
+  void take_rectangle(QPointF from, QPointF to) override;
+  void show_twice(QPointF middle) override;
+  void scale_about_pixel(QPointF pixel, double across, double upwards) override;
+  void begin_drag() override { dragged_view_ = view_; }
+  void drag(QPointF by) override;
+  void step(double right, double up) override;
+  void drop_marks() override;
 
  private:
-  void paint_plot(QPainter& painter) const;
   void paint_axes(QPainter& painter) const;
   void paint_colour_bar(QPainter& painter) const;
   void paint_marks(QPainter& painter) const;
-  void paint_cursor(QPainter& painter, std::size_t index) const;
   [[nodiscard]] QRectF rect_of(const QRectF& samples) const;
-  void scale_about_pixel(QPointF pixel, double column_factor, double row_factor);
-  void click(const QMouseEvent& event);
+  /// A view moved by shares of its size, to the right and downwards.
+  [[nodiscard]] ImageView moved(const ImageView& view, double right, double down) const;
+  [[nodiscard]] ImageView mended_here(const ImageView& view) const { return mended(view, rows_, columns_); }
 
   std::size_t rows_ = 1;
   std::size_t columns_ = 1;
@@ -105,14 +92,10 @@ class ImagePlot : public QWidget {
   QString unit_;
   QImage coarse_;
   QImage bar_;
-  std::array<std::optional<ImagePlace>, 2> cursors_;
+  std::array<std::optional<SamplePlace>, 2> cursors_;
   std::optional<ImageWindow> selection_;
   bool reading_tool_ = false;
-  std::optional<QPointF> rectangle_from_;
-  bool selecting_ = false;
-  QPointF pointer_{-1.0, -1.0};
-  std::optional<QPointF> moved_from_;
-  ImageView moved_view_;
+  ImageView dragged_view_;
 };
 
 }  // namespace sarsim

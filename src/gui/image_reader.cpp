@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 #include <utility>
 
 namespace sarsim {
@@ -20,9 +19,9 @@ bool wants_peaks(const PartRequest& request) {
 
 }  // namespace
 
-ImagePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows) {
-  return {rows, source->columns(), [source](const PlaneWindow& w, std::span<std::complex<float>> out) {
-            source->read_window({w.row0, w.rows, w.col0, w.cols, w.row_step, w.col_step}, out);
+SamplePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows) {
+  return {rows, source->columns(), [source](const ImageWindow& window, std::span<std::complex<float>> out) {
+            source->read_window(window, out);
           }};
 }
 

@@ -17,7 +17,7 @@
 namespace sarsim {
 
 /// Samples of a source as a plane; the plane keeps the source alive.
-[[nodiscard]] ImagePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows);
+[[nodiscard]] SamplePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows);
 
 /// What is to be read and painted.
 struct PartRequest {
@@ -25,7 +25,7 @@ struct PartRequest {
   std::shared_ptr<const Overview> overview;  ///< For peaks of wide spacings; may be null.
   ImageWindow window;
   ImageView seen;
-  ImageLook look;
+  PartLook look;
 };
 
 /// A part that was read and painted.
@@ -53,7 +53,7 @@ class ImageReader : public QObject {
  signals:
   /// Both on the thread of this object, for the newest request only.
   void ready(const sarsim::PartResult& result);
-  void failed(const QString& words);
+  void failed(const QString& words);  ///< Why samples could not be read.
 
  private:
   struct Job {

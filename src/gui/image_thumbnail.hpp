@@ -14,8 +14,10 @@ class ImageThumbnail : public QWidget {
  public:
   explicit ImageThumbnail(QWidget* parent = nullptr);
 
+  /// Shows a picture of an image of so many samples.
   void set_picture(const QImage& picture, std::size_t rows, std::size_t columns);
   [[nodiscard]] const QImage& picture() const { return picture_; }
+  /// Marks the part that is seen.
   void set_view(const ImageView& view);
   /// Where the mark is drawn.
   [[nodiscard]] QRectF mark() const;
@@ -24,7 +26,7 @@ class ImageThumbnail : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 200}; }
 
  signals:
-  void centre_wanted(double column, double row);
+  void centre_wanted(double column, double row);  ///< The view is to have this place in its middle.
 
  protected:
   void paintEvent(QPaintEvent* event) override;

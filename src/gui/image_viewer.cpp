@@ -20,7 +20,6 @@ namespace {
 
 constexpr int watch_ms = 500;
 constexpr int overview_ms = 200;
-constexpr std::size_t most_views = 100;
 constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the whole image
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
@@ -113,8 +112,7 @@ void ImageViewer::take_source(OpenedImage& result) {
   plot_->set_part(nullptr, {}, {});
   plot_->set_size(rows_, source_->columns());
   if (columns_before != source_->columns()) {
-    past_.clear();
-    future_.clear();
+    history_.clear();
     plot_->set_view(whole_view(rows_, source_->columns()));
   } else {
     plot_->set_view(mended(plot_->view(), rows_, source_->columns()));
@@ -161,7 +159,7 @@ void ImageViewer::show_overview() {
   part.window = {0, level.rows, 0, level.columns, std::size_t{1} << row_log2, std::size_t{1} << col_log2};
   part.value = source_->info().value;
   part.samples.assign(cells.begin(), cells.end());
-  ImageLook look = look_;
+  PartLook look = look_;
   const bool same_quantity = look.quantity == DisplayQuantity::magnitude || look.quantity == DisplayQuantity::decibels;
   const bool grey = part.value == ImageValue::rgb || (part.value == ImageValue::real && look.map == ColourMap::grey);
   if (!same_quantity) {
@@ -228,7 +226,7 @@ void ImageViewer::take_rows(std::size_t rows) {
     read_soon();
 }
 
-void ImageViewer::set_look(const ImageLook& look) {
+void ImageViewer::set_look(const PartLook& look) {
   look_set_ = true;
   look_ = look;
   controls_->show_look(look_, source_ ? source_->info().value : ImageValue::complex, value_unit());
@@ -242,8 +240,8 @@ void ImageViewer::change_view(const ImageView& view) {
   const bool moved = wanted != plot_->view();
   plot_->set_view(wanted);
   thumbnail_->set_view(wanted);
-  back_->setEnabled(!past_.empty());
-  forward_->setEnabled(!future_.empty());
+  back_->setEnabled(history_.can_go_back());
+  forward_->setEnabled(history_.can_go_forward());
   read_soon();
   if (!plot_->selection()) measure_soon();
   if (moved) emit view_changed(wanted, controls_->link());
@@ -251,26 +249,16 @@ void ImageViewer::change_view(const ImageView& view) {
 
 void ImageViewer::go_to(const ImageView& view) {
   if (!source_ || mended(view, rows_, source_->columns()) == plot_->view()) return;
-  past_.push_back(plot_->view());
-  if (past_.size() > most_views) past_.erase(past_.begin());
-  future_.clear();
+  history_.leave(plot_->view());
   change_view(view);
 }
 
 void ImageViewer::go_back() {
-  if (past_.empty()) return;
-  const ImageView view = past_.back();
-  past_.pop_back();
-  future_.push_back(plot_->view());
-  change_view(view);
+  if (history_.can_go_back()) change_view(history_.back(plot_->view()));
 }
 
 void ImageViewer::go_forward() {
-  if (future_.empty()) return;
-  const ImageView view = future_.back();
-  future_.pop_back();
-  past_.push_back(plot_->view());
-  change_view(view);
+  if (history_.can_go_forward()) change_view(history_.forward(plot_->view()));
 }
 
 void ImageViewer::show_whole() {

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "data/image_source.hpp"
 #include "gui/background_job.hpp"
@@ -18,6 +17,7 @@
 #include "view/overview.hpp"
 #include "view/point_reading.hpp"
 #include "view/selection_statistics.hpp"
+#include "view/view_history.hpp"
 
 class QCheckBox;
 class QHBoxLayout;
@@ -48,7 +48,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] const std::shared_ptr<ImageSource>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
   [[nodiscard]] ImageControls& controls() { return *controls_; }
-  [[nodiscard]] const ImageLook& look() const { return look_; }
+  [[nodiscard]] const PartLook& look() const { return look_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const { return complete_; }
   /// The selection, or all that is seen.
@@ -61,11 +61,15 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString problem_words() const;
 
  public slots:
-  void set_look(const sarsim::ImageLook& look);
+  /// Draws what is seen in another way.
+  void set_look(const sarsim::PartLook& look);
   /// Another view; the present one is kept to go back to.
   void go_to(const sarsim::ImageView& view);
+  /// The view that was left last.
   void go_back();
+  /// The view that was left by going back.
   void go_forward();
+  /// The whole image.
   void show_whole();
   /// Follows another viewer along the axes that both have linked.
   void follow(const sarsim::ImageView& view, sarsim::AxisLink link);
@@ -73,7 +77,9 @@ class ImageViewer : public QWidget {
   void refresh();
   /// Measures the response of the point next to a sample.
   void read_point_at(std::size_t row, std::size_t column);
+  /// Puts the picture onto the clipboard, without axes.
   void copy_picture();
+  /// Asks for a name and writes the picture with its axes.
   void save_picture();
   /// Asks for a name and a format.
   void export_chosen();
@@ -81,12 +87,13 @@ class ImageViewer : public QWidget {
   void export_to(const QString& path, sarsim::FileFormat format);
 
  signals:
-  void opened();
-  void open_failed();
+  void opened();       ///< The file can be read; an image of rows that are still looked for grows.
+  void open_failed();  ///< The window says why.
+  /// With the axes along which others may follow.
   void view_changed(const sarsim::ImageView& view, sarsim::AxisLink link);
-  void describe_wanted();  ///< The user wants to say how the file is stored.
-  void exported(bool good);
-  void shown();  ///< All samples of the view are shown.
+  void describe_wanted();    ///< The user wants to say how the file is stored.
+  void exported(bool good);  ///< The copy is written, or the window says why not.
+  void shown();              ///< All samples of the view are shown.
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -118,7 +125,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString unit() const;
   [[nodiscard]] QString value_unit() const;
   [[nodiscard]] QString decibel_unit() const;
-  [[nodiscard]] QString words_at(ImagePlace place) const;
+  [[nodiscard]] QString words_at(SamplePlace place) const;
 
   std::filesystem::path path_;
   ImageHints hints_;
@@ -129,10 +136,9 @@ class ImageViewer : public QWidget {
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;
-  ImageLook look_;
+  PartLook look_;
   bool look_set_ = false;
-  std::vector<ImageView> past_;
-  std::vector<ImageView> future_;
+  ViewHistory<ImageView> history_;
   std::uint64_t request_ = 0;
   bool complete_ = false;
   std::shared_ptr<Overview> overview_;

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -108,7 +107,7 @@ QString ImageViewer::unit() const {
 // What is measured counts from 1 V, not from the strongest sample in view.
 QString ImageViewer::decibel_unit() const { return value_unit() == "V" ? QStringLiteral("dBV") : QStringLiteral("dB"); }
 
-QString ImageViewer::words_at(ImagePlace place) const {
+QString ImageViewer::words_at(SamplePlace place) const {
   const auto& part = plot_->part();
   const auto index = part ? part->nearest(place.column, place.row) : std::nullopt;
   if (!index) return {};
@@ -166,8 +165,8 @@ void ImageViewer::show_cuts() {
   for (FigurePlot* plot : {row_cut_, column_cut_}) plot->setVisible(wanted);
   if (!wanted || !part || part->samples.empty()) return;
   const ImageView& view = plot_->view();
-  const ImagePlace at = plot_->cursor(0).value_or(
-      ImagePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
+  const SamplePlace at = plot_->cursor(0).value_or(
+      SamplePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
   const auto index = part->nearest(at.column, at.row);
   if (!index) return;
   const std::size_t row = *index / part->window.cols;
@@ -195,7 +194,7 @@ void ImageViewer::show_cuts() {
     FigurePanel panel;
     panel.title = title.toStdString();
     panel.x = {label.toStdString(), "", from, to, {}};
-    panel.y = {std::string(title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
+    panel.y = {std::string(axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
     panel.curves.push_back(std::move(curve));
     Figure figure;
@@ -302,7 +301,7 @@ void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
     if (end != JobEnd::done) return;
     if (const auto* const problem = std::get_if<Problem>(result.get())) return show_reading(problem_text(*problem));
     reading_ = std::get<PointReading>(*result);
-    plot_->set_cursor(0, ImagePlace{reading_->column, reading_->row});
+    plot_->set_cursor(0, SamplePlace{reading_->column, reading_->row});
     show_reading({});
   });
   pointing_.start([result, row, column, plane = plane_of(source_, rows_)](
@@ -360,7 +359,7 @@ Figure ImageViewer::figure() const {
   panel.image = std::move(image);
   const PartColours& colours = plot_->painted().colours;
   if (colours.table.size() > 1)
-    panel.colour_bar = FigureColourBar{std::string(title_of(colours.quantity)), unit().toStdString(),
+    panel.colour_bar = FigureColourBar{std::string(axis_title_of(colours.quantity)), unit().toStdString(),
                                        colours.limits.low, colours.limits.high, colours.table};
   figure.panels.push_back(std::move(panel));
   return figure;
@@ -368,16 +367,7 @@ Figure ImageViewer::figure() const {
 
 void ImageViewer::copy_picture() { QApplication::clipboard()->setImage(plot_->plot_image()); }
 
-void ImageViewer::save_picture() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), "image.png", tr("Pictures (*.png *.svg *.pdf)"));
-  if (path.isEmpty()) return;
-  FigurePlot drawn;
-  drawn.setPalette(palette());
-  drawn.set_figure(figure());
-  QString failure;
-  if (!drawn.save(path, size(), devicePixelRatioF(), failure)) QMessageBox::warning(this, tr("Save picture"), failure);
-}
+void ImageViewer::save_picture() { ask_and_save_picture(*this, figure(), "image.png"); }
 
 void ImageViewer::export_chosen() {
   if (exporting_.running()) return exporting_.cancel();

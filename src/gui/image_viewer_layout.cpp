@@ -201,10 +201,7 @@ void ImageViewer::connect_all() {
     go_to({column - v.columns() / 2.0, column + v.columns() / 2.0, row - v.rows() / 2.0, row + v.rows() / 2.0});
   });
   connect(plot_, &ImagePlot::view_wanted, this, &ImageViewer::go_to);
-  connect(plot_, &ImagePlot::drag_began, this, [this] {
-    past_.push_back(plot_->view());
-    future_.clear();
-  });
+  connect(plot_, &ImagePlot::drag_began, this, [this] { history_.leave(plot_->view()); });
   connect(plot_, &ImagePlot::view_dragged, this, &ImageViewer::change_view);
   connect(plot_, &ImagePlot::back_wanted, this, &ImageViewer::go_back);
   connect(plot_, &ImagePlot::whole_wanted, this, &ImageViewer::show_whole);

@@ -35,6 +35,7 @@ class ImageViewers : public QObject {
   ImageViewer* open_empty();
   /// Asks which file, and how it is stored.
   OpenImageDialog* ask_file();
+  /// Those that are open.
   [[nodiscard]] std::vector<ImageViewer*> viewers() const;
 
  private:

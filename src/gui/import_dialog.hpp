@@ -25,7 +25,9 @@ class ImportDialog : public QDialog {
   explicit ImportDialog(Session& session, QWidget* parent = nullptr);
   ~ImportDialog() override;
 
+  /// Reads this file.
   void set_file(const QString& path);
+  /// The targets go onto this platform.
   void set_platform(const std::string& platform);
   void accept() override;
 

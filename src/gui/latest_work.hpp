@@ -2,7 +2,6 @@
 
 #include <QObject>
 
-#include <memory>
 #include <optional>
 
 #include "gui/background_job.hpp"
@@ -24,7 +23,7 @@ class LatestWork : public QObject {
   [[nodiscard]] bool busy() const { return wanted_; }
 
  signals:
-  void progressed(double fraction);
+  void progressed(double fraction);  ///< How far the newest piece is, 0 to 1.
   /// The newest piece has ended: in success, or with words about its failure.
   void ended(bool good, const QString& failure);
 

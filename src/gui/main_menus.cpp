@@ -16,8 +16,6 @@
 #include <QTimer>
 #include <QToolBar>
 
-#include <cmath>
-
 #include "base/version.hpp"
 #include "gui/command_list.hpp"
 #include "gui/data_saver.hpp"
@@ -45,6 +43,7 @@
 #include "gui/target_table.hpp"
 #include "gui/time_bar.hpp"
 #include "view/fields.hpp"
+#include "view/rounding.hpp"
 #include "view/ticks.hpp"
 
 namespace sarsim {
@@ -345,8 +344,8 @@ void MainWindow::show_focus() {
   std::array<QLineEdit*, 3> fields{};
   // Finer than a tenth of a pixel nobody sees.
   const double fine_m = round_below(0.1 / scene_->scene().camera().pixels_per_m);
-  const auto tidy = [fine_m](double m) { return fine_m > 0.0 ? std::round(m / fine_m) * fine_m + 0.0 : m; };
-  const std::array<double, 3> values{tidy(focus.x), tidy(focus.y), tidy(focus.z)};
+  const std::array<double, 3> values{rounded_to(focus.x, fine_m), rounded_to(focus.y, fine_m),
+                                     rounded_to(focus.z, fine_m)};
   for (std::size_t i = 0; i < 3; ++i) {
     fields[i] = new QLineEdit(QString::fromStdString(quantity_text(values[i], Quantity::length, "m")));
     fields[i]->setObjectName(QString("focus_%1").arg(QChar("xyz"[i])));

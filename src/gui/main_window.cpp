@@ -55,6 +55,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new Do
   make_menus();
   make_tool_bar();
   connect(scene_, &ScenePanel::edit_requested, this, &MainWindow::edit_object);
+  connect(scene_, &ScenePanel::delete_wanted, tree_, &ObjectTree::delete_selection);
   connect(scene_, &ScenePanel::menu_requested, this, &MainWindow::show_object_menu);
   connect(tree_, &ObjectTree::edit_requested, this, &MainWindow::edit_object);
   connect(panel_, &PropertyPanel::function_requested, this, &MainWindow::edit_function);

@@ -52,7 +52,9 @@ class MainWindow : public QMainWindow {
   /// viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that has what
   /// they show.
   [[nodiscard]] QWidget* window_named(const QString& name);
+  /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();
+  /// Light, dark, or as the desktop has it.
   void set_appearance(Appearance appearance);
   /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
   void set_guide(GuideSite guide) { guide_ = std::move(guide); }

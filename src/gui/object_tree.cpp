@@ -245,11 +245,6 @@ void ObjectTree::invert_surfaces() {
   session_.perform(std::move(edit));
 }
 
-void ObjectTree::focus_filter() {
-  filter_->setFocus(Qt::ShortcutFocusReason);
-  filter_->selectAll();
-}
-
 std::unique_ptr<QMenu> ObjectTree::context_menu() {
   auto menu = std::make_unique<QMenu>();
   menu->setObjectName("object_menu");

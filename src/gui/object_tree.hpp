@@ -41,7 +41,6 @@ class ObjectTree : public QWidget {
   /// The menu for the selection: Modify, Delete, Duplicate, Rename, Hide or Show, Invert surface; actions are named
   /// "tree_modify", ...
   [[nodiscard]] std::unique_ptr<QMenu> context_menu();
-  void focus_filter();
 
  signals:
   /// The user wants the properties of an object.

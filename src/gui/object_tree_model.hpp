@@ -21,6 +21,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
+  /// What the columns show; the last is their number.
   enum Column { name_column, shown_column, column_count };
   /// What the objects of the first level are.
   enum class Section { platform, world, simulations, geometries };

@@ -293,7 +293,7 @@ void OpenImageDialog::show_preview() {
       part.colours.resize(part.window.samples());
       source.read_rgb(part.window, part.colours);
     }
-    ImageLook look = look_for(part.value, source.info().format == ImageFormat::sun_raster);
+    PartLook look = look_for(part.value, source.info().format == ImageFormat::sun_raster);
     look.limits.percentile = 99.0;
     const QImage picture = paint(part, look, all).image;
     preview_->setPixmap(QPixmap::fromImage(picture.scaled(preview_side, preview_side)));

@@ -30,11 +30,15 @@ class OpenImageDialog : public QDialog {
 
   /// The scene that knows shape and bits of the files its simulations write.
   void set_scene(const Scene& scene) { scene_ = scene; }
+  /// Looks at a file, at first as it is said to be stored.
   void show_file(const QString& path, const ImageHints& hints);
+  /// The file that is named.
   [[nodiscard]] QString path() const;
+  /// How it is said to be stored.
   [[nodiscard]] ImageHints hints() const;
   /// Guesses for the file, likeliest first.
   [[nodiscard]] const std::vector<RawGuess>& guesses() const { return guesses_; }
+  /// Whether the preview shows something.
   [[nodiscard]] bool has_preview() const;
 
  private:

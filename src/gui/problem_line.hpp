@@ -29,7 +29,9 @@ class ProblemLine : public QWidget {
 
   /// Shows some texts below each other, with icon and colour of the severity.
   void show_texts(Severity severity, const QStringList& texts);
+  /// Nothing is wrong: takes no room.
   void clear();
+  /// What it says; empty where nothing is wrong.
   [[nodiscard]] QString text() const;
 
  protected:

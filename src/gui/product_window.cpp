@@ -23,6 +23,7 @@
 
 #include "gui/image_viewer.hpp"
 #include "gui/image_viewers.hpp"
+#include "gui/named.hpp"
 #include "gui/problem_line.hpp"
 #include "view/document_data.hpp"
 
@@ -76,14 +77,6 @@ QString program() {
 QString quoted(const QString& word) {
   static const QRegularExpression plain("^[A-Za-z0-9_./:=,+-]+$");
   return plain.match(word).hasMatch() ? word : "'" + QString(word).replace("'", "'\\''") + "'";
-}
-
-template <class Widget>
-Widget* named(Widget* widget, const char* name, const QString& spoken, const QString& tip) {
-  widget->setObjectName(name);
-  widget->setAccessibleName(spoken);
-  widget->setToolTip(tip);
-  return widget;
 }
 
 }  // namespace

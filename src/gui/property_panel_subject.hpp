@@ -36,6 +36,7 @@ class PanelSubject {
     return kind_ == other.kind_ && ids_ == other.ids_;
   }
 
+  /// The fields of their kind, or of the run options.
   [[nodiscard]] const std::vector<Field>& fields() const;
   /// "Radar Radar1", "3 targets", "Options of the script".
   [[nodiscard]] std::string title(const Scene& scene) const;

@@ -15,9 +15,9 @@
 #include <QVBoxLayout>
 
 #include <array>
-#include <utility>
 
 #include "gui/figure_plot.hpp"
+#include "gui/named.hpp"
 #include "gui/problem_line.hpp"
 #include "gui/simulation_window.hpp"
 #include "simulate/impossible_echo.hpp"
@@ -36,14 +36,6 @@ constexpr int settling_ms = 60;  // of a drag
 QString title_text(RadarView view) {
   const std::string_view title = title_of(view);
   return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
-}
-
-template <class Widget>
-Widget* named(Widget* widget, const char* name, const QString& spoken, const QString& tip) {
-  widget->setObjectName(name);
-  widget->setAccessibleName(spoken);
-  widget->setToolTip(tip);
-  return widget;
 }
 
 }  // namespace

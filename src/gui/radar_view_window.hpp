@@ -37,11 +37,15 @@ class RadarViewWindow : public QWidget {
   [[nodiscard]] bool complete() const { return complete_; }
 
  public slots:
+  /// Shows another view, or the same one computed in another way.
   void set_choice(const sarsim::RadarViewChoice& choice);
+  /// Puts the figure onto the clipboard.
   void copy_picture();
+  /// Puts its values onto the clipboard, for a spreadsheet.
   void copy_values();
   /// @param path  empty: asks for it
   void save_values(const QString& path = QString());
+  /// @param path  empty: asks for it
   void save_picture(const QString& path = QString());
 
  signals:

@@ -50,12 +50,15 @@ class RunJob : public QObject {
   Q_OBJECT
 
  public:
+  /// A run that has not begun.
   explicit RunJob(RunRequest request, QObject* parent = nullptr);
   ~RunJob() override;
 
   /// Plans; then `estimated` is emitted and the job waits for `proceed` or `cancel`.
   void start();
+  /// Begins to compute what was planned.
   void proceed();
+  /// Asks the run to end; `ended` follows.
   void cancel();
   [[nodiscard]] bool running() const { return job_->running(); }
   /// After `ended` with JobEnd::done.
@@ -63,9 +66,9 @@ class RunJob : public QObject {
   [[nodiscard]] const RunRequest& request() const { return request_; }
 
  signals:
-  void estimated(const sarsim::RunEstimate& estimate);
-  void progressed(double fraction, double seconds_left);
-  void ended(sarsim::JobEnd end, const QString& failure);
+  void estimated(const sarsim::RunEstimate& estimate);     ///< It is planned, and waits.
+  void progressed(double fraction, double seconds_left);   ///< Seconds below 0: not known yet.
+  void ended(sarsim::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
 
  private:
   void work(const StopFlag& stop, const BackgroundJob::Report& report);

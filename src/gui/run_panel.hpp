@@ -25,13 +25,14 @@ class RunPanel : public QWidget {
 
   /// Begins a run; the one before must have ended.
   void run(RunRequest request);
+  /// Asks the run to end; `ended` follows.
   void cancel();
   [[nodiscard]] bool running() const { return job_ && job_->running(); }
   /// Runs that are expected to take longer wait for Start.
   void set_patience_s(double seconds) { patience_s_ = seconds; }
 
  signals:
-  void ended(sarsim::JobEnd end);
+  void ended(sarsim::JobEnd end);  ///< The run is over; the panel says what came of it.
   /// The user wants this LSB for the simulation that was run.
   void lsb_wanted(const sarsim::Simulation& simulation, double lsb_v);
 

@@ -21,6 +21,7 @@
 #include "data/formats.hpp"
 #include "gui/problem_line.hpp"
 #include "view/quantity.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
@@ -203,7 +204,7 @@ void SaveDataDialog::take_multiple() {
   rate_failure_ = text_of(read.failure);
   if (read.value && !(*read.value > 0.0)) rate_failure_ = tr("the multiple of the bandwidth must be above 0");
   if (rate_failure_.isEmpty()) {
-    choice_.recording.sample_rate_hz = *read.value * bandwidth_hz_;
+    choice_.recording.sample_rate_hz = tidy(*read.value * bandwidth_hz_);
     rate_->setText(text_of(quantity_text(choice_.recording.sample_rate_hz, Quantity::frequency)));
   }
   refresh();

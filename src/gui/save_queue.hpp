@@ -34,7 +34,9 @@ class SaveQueue : public QWidget {
   std::size_t add(RunRequest request);
   /// Ends a run, or keeps one that waits from beginning.
   void cancel(std::size_t run);
+  /// Ends the run that is under way and forgets those that wait.
   void cancel_all();
+  /// Whether a run has not ended yet.
   [[nodiscard]] bool busy() const;
   [[nodiscard]] std::size_t size() const { return runs_.size(); }
   [[nodiscard]] SaveState state(std::size_t run) const { return runs_.at(run).state; }
@@ -44,7 +46,7 @@ class SaveQueue : public QWidget {
   [[nodiscard]] bool will_write(const std::filesystem::path& file) const;
 
  signals:
-  void ended(std::size_t run, sarsim::SaveState state);
+  void ended(std::size_t run, sarsim::SaveState state);  ///< One of them is over.
 
  private:
   struct Run {

@@ -27,8 +27,8 @@ void paint_polygons(QPainter& painter, const std::vector<Drawing::Polygon>& poly
     for (const PicturePoint& corner : polygon.corners) corners << QPointF(corner.x, corner.y);
     const bool marked = polygon.role != Role::surface;
     painter.setPen(QPen(colour_of(polygon.role, dark), (marked ? 2.0 : 1.0) * pixel_scale));
-    const int grey = dark ? 30 + polygon.shade / 2 : polygon.shade;
-    painter.setBrush(polygon.filled ? QBrush(QColor(grey, grey, grey)) : QBrush(Qt::NoBrush));
+    const Rgb fill = surface_fill(polygon.shade, dark);
+    painter.setBrush(polygon.filled ? QBrush(QColor(fill.red, fill.green, fill.blue)) : QBrush(Qt::NoBrush));
     painter.drawPolygon(corners);
   }
 }

@@ -16,6 +16,7 @@ namespace sarsim {
 /// Puts drawings of a scene onto painters; the pictures of its discs are kept from one drawing to the next.
 class ScenePainter {
  public:
+  /// What a drawing leaves open.
   struct Look {
     QFont font;                ///< Of words, at its size on the screen.
     double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen.

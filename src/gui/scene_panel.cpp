@@ -5,13 +5,13 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/constants.hpp"
 #include "gui/palette_colours.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/time_bar.hpp"
 #include "view/edit.hpp"
+#include "view/rounding.hpp"
 #include "view/ticks.hpp"
 
 namespace sarsim {
@@ -75,6 +75,7 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::empty_clicked, this, [this] { session_.select({}); });
   connect(scene_, &SceneWidget::edit_requested, this, &ScenePanel::edit_requested);
   connect(scene_, &SceneWidget::menu_requested, this, &ScenePanel::menu_requested);
+  connect(scene_, &SceneWidget::delete_wanted, this, &ScenePanel::delete_wanted);
   connect(scene_, &SceneWidget::drag_started, this, &ScenePanel::begin_drag);
   connect(scene_, &SceneWidget::dragged_to, this, &ScenePanel::drag);
   connect(scene_, &SceneWidget::drag_ended, this, [this] {
@@ -172,7 +173,10 @@ void ScenePanel::drag(ObjectId id, const Vec3& delta_world_m) {
   AnyObject object = *dragged_;
   Vec3* const position = position_of(object);
   if (position == nullptr) return;
-  *position = *position + platform_from_world_ * delta_world_m;
+  const Vec3 by = platform_from_world_ * delta_world_m;
+  // A coordinate that does not move keeps all its digits.
+  const auto moved = [](double from, double way) { return way == 0.0 ? from : tidy(from + way); };
+  *position = {moved(position->x, by.x), moved(position->y, by.y), moved(position->z, by.z)};
   const bool target = id.kind == ObjectKind::target;
   session_.perform(replace_object(session_.scene(), id, std::move(object), target ? "Move target" : "Move platform",
                                   "drag " + std::string(name_of(id.kind)) + std::to_string(id.index)));

@@ -35,7 +35,9 @@ class ScenePanel : public QWidget {
   void focus_on_selection();
 
  signals:
-  void edit_requested(sarsim::ObjectId object);
+  void edit_requested(sarsim::ObjectId object);  ///< The properties of an object are wanted.
+  void delete_wanted();                          ///< The selected objects are to go.
+  /// At a place of the screen; for nothing: that of the scene.
   void menu_requested(std::optional<sarsim::ObjectId> object, QPoint global);
 
  protected:

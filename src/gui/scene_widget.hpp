@@ -22,13 +22,15 @@ namespace sarsim {
 /// drag, or Shift and left drag on empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at
 /// the cursor. Left click selects, with Ctrl adds; double click edits; right click asks for a menu.
 /// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; Ctrl and 1, 2, 3 look from above, the front, the side;
-/// Enter edits and the menu key asks for the menu of the only selected object; Escape takes a drag back.
+/// Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected ones be
+/// deleted; Escape takes a drag back.
 class SceneWidget : public QWidget {
   Q_OBJECT
 
  public:
   explicit SceneWidget(QWidget* parent = nullptr);
 
+  /// Shows another moment, or another scene.
   void set_snapshot(Snapshot snapshot);
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// The size is that of the widget, whatever the camera says.
@@ -37,6 +39,7 @@ class SceneWidget : public QWidget {
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(DrawingOptions options);
   [[nodiscard]] const DrawingOptions& options() const { return options_; }
+  /// Light marks on a dark ground, or the other way round.
   void set_dark(bool dark);
   /// How tooltips name an object; without it by its name, or kind and number.
   void set_namer(std::function<std::string(ObjectId)> namer);
@@ -54,16 +57,18 @@ class SceneWidget : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
  signals:
-  void selection_clicked(sarsim::ObjectId id, bool add);
-  void empty_clicked();
-  void edit_requested(sarsim::ObjectId id);
+  void selection_clicked(sarsim::ObjectId id, bool add);  ///< An object was clicked; with Ctrl `add`.
+  void empty_clicked();                                   ///< Nothing stands where the click was.
+  void edit_requested(sarsim::ObjectId id);               ///< A double click, or Enter.
+  /// At a place of the screen; nothing: empty space.
   void menu_requested(std::optional<sarsim::ObjectId> id, QPoint global);
-  void drag_started(sarsim::ObjectId id);
+  void delete_wanted();                    ///< The selected objects, of which there are some, are to go.
+  void drag_started(sarsim::ObjectId id);  ///< What follows moves this object.
   /// All the way from where the object was when the drag started.
   void dragged_to(sarsim::ObjectId id, sarsim::Vec3 delta_world_m);
-  void drag_ended();
-  void hovered(std::optional<sarsim::ObjectId> id);
-  void camera_changed();
+  void drag_ended();                                 ///< The object stays where it is.
+  void hovered(std::optional<sarsim::ObjectId> id);  ///< What the pointer is over.
+  void camera_changed();                             ///< The scene is seen from elsewhere.
 
  protected:
   bool event(QEvent* event) override;

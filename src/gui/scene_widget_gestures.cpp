@@ -8,6 +8,7 @@
 
 #include "base/number_text.hpp"
 #include "gui/scene_widget.hpp"
+#include "view/rounding.hpp"
 #include "view/ticks.hpp"
 
 namespace sarsim {
@@ -23,10 +24,9 @@ constexpr double key_pan_px = 40.0;
 constexpr double snap_px = 10.0;  // coordinates of dragged objects are round to about so many pixels with Shift,
 constexpr double fine_px = 0.5;   // and to so many without, so that scripts do not fill up with digits
 
-// The multiple of `step` nearest to a number.
-double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
-
-Vec3 rounded(const Vec3& v, double step) { return {rounded(v.x, step), rounded(v.y, step), rounded(v.z, step)}; }
+Vec3 rounded(const Vec3& v, double step) {
+  return {rounded_to(v.x, step), rounded_to(v.y, step), rounded_to(v.z, step)};
+}
 
 }  // namespace
 
@@ -86,7 +86,7 @@ Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
   if (!snap) return rounded(delta, fine);
   const double step = round_below(snap_px * options_.pixel_scale / scale);
   const auto snapped = [&](double from, double by) {
-    return std::abs(by) < 0.1 * fine ? 0.0 : rounded(from + by, step) - from;
+    return std::abs(by) < 0.1 * fine ? 0.0 : rounded_to(from + by, step) - from;
   };
   return {snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
           snapped(press_.object_world_m.z, delta.z)};
@@ -231,6 +231,10 @@ bool SceneWidget::object_key(const QKeyEvent& event) {
     case Qt::Key_Enter:
       if (options_.selected.size() != 1) return false;
       emit edit_requested(*options_.selected.begin());
+      return true;
+    case Qt::Key_Delete:
+      if (options_.selected.empty()) return false;
+      emit delete_wanted();
       return true;
     case Qt::Key_Menu: ask_for_menu_by_key(); return true;
     case Qt::Key_F10:

@@ -14,6 +14,7 @@ namespace sarsim {
 /// How the characters and lines of a script stand in its bytes, so that an editor gives back what it was given: UTF-8,
 /// or Latin-1 where that cannot be (scripts of the 1998 programs); line ends LF, CR LF or CR.
 struct ScriptCoding {
+  /// The bytes that end a line.
   enum class LineEnd { lf, crlf, cr };
 
   bool latin1 = false;

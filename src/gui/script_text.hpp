@@ -34,18 +34,21 @@ class ScriptText : public QPlainTextEdit {
   [[nodiscard]] std::vector<std::pair<int, int>> underlined() const;
   /// Words of the problems underlined at a position of the text; empty where there are none.
   [[nodiscard]] QString problem_at(int position) const;
+  /// Puts the cursor where a problem is, and brings it into sight.
   void jump_to(const Place& place, const ScriptCoding& coding);
 
   /// Makes the text larger (steps above 0) or smaller; 0 steps: as at first.
   void zoom(int steps);
 
+  /// Width of the line numbers, in pixels.
   [[nodiscard]] int margin_width() const;
+  /// Paints them; called by the widget that they stand in.
   void paint_margin(QPaintEvent* event);
 
  signals:
-  void undo_wanted();
-  void redo_wanted();
-  void left();  ///< The keyboard goes elsewhere.
+  void undo_wanted();  ///< Ctrl+Z was pressed.
+  void redo_wanted();  ///< Ctrl+Y, or Ctrl+Shift+Z.
+  void left();         ///< The keyboard goes elsewhere.
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -29,8 +29,11 @@ class Session : public QObject {
   void perform(Edit edit);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
+  /// Replaces the script, as typed (Document::type_text).
   void type_text(const std::string& text);
+  /// Takes back the last step, if any.
   void undo();
+  /// Makes it again, if any was taken back.
   void redo();
   /// Throws what Document::save throws.
   void save(const std::filesystem::path& path);
@@ -43,29 +46,33 @@ class Session : public QObject {
   [[nodiscard]] const std::set<ObjectId>& selection() const { return selection_; }
   /// The object that panels show: the one selected last, if any.
   [[nodiscard]] std::optional<ObjectId> current() const { return current_; }
+  /// Selects these and no others.
   void select(std::set<ObjectId> objects);
+  /// Selects one object.
   void select_only(ObjectId object);
   void select_also(ObjectId object);  ///< Adds it, or takes it out where it is in.
 
   [[nodiscard]] const std::set<ObjectId>& hidden() const { return hidden_; }
+  /// Hides objects in the scene view, or shows them again.
   void set_hidden(const std::set<ObjectId>& objects, bool hide);
 
   [[nodiscard]] double time_s() const { return time_s_; }
+  /// The time at which the scene is seen.
   void set_time(double time_s);
 
   /// Adds a line to the log panel.
   void log(Severity severity, const QString& text);
 
  signals:
-  void scene_changed();      ///< The scene is another one: any object may have changed.
-  void text_changed();       ///< The script text is another one.
-  void problems_changed();   ///< Problems were looked for while the scene stayed as it was: a run paused.
-  void document_changed();   ///< Path or unsaved mark changed, or another document was taken.
-  void document_replaced();  ///< Another document was taken.
-  void selection_changed();
-  void hidden_changed();
-  void time_changed(double time_s);
-  void logged(int severity, const QString& text);
+  void scene_changed();              ///< The scene is another one: any object may have changed.
+  void text_changed();               ///< The script text is another one.
+  void problems_changed();           ///< Problems were looked for while the scene stayed as it was: a run paused.
+  void document_changed();           ///< Path or unsaved mark changed, or another document was taken.
+  void document_replaced();          ///< Another document was taken.
+  void selection_changed();          ///< Other objects are selected.
+  void hidden_changed();             ///< Other objects are hidden.
+  void time_changed(double time_s);  ///< The scene is seen at another time.
+  void logged(int severity, const QString& text);  ///< A line for the log panel.
 
  private:
   void follow_last_edit();

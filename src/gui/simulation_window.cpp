@@ -3,11 +3,9 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -30,6 +28,7 @@
 #include "view/echo_readout.hpp"
 #include "view/edit.hpp"
 #include "view/quantity.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
@@ -52,10 +51,10 @@ QString read_out_text(const ReadOut& read) {
 }
 
 QString difference_text(const CursorDifference& d) {
-  QStringList parts{"Range " + text_of(quantity_text(d.range_m, Quantity::length)),
-                    "Delay " + text_of(quantity_text(d.delay_s, Quantity::time)),
-                    "Time " + text_of(quantity_text(d.time_s, Quantity::time)),
-                    QStringLiteral("Pulses %1").arg(d.pulses)};
+  constexpr int digits = 9;
+  const auto text = [](double value, Quantity kind) { return text_of(quantity_text(tidy(value, digits), kind)); };
+  QStringList parts{"Range " + text(d.range_m, Quantity::length), "Delay " + text(d.delay_s, Quantity::time),
+                    "Time " + text(d.time_s, Quantity::time), QStringLiteral("Pulses %1").arg(d.pulses)};
   if (std::isfinite(d.level_db)) parts << QStringLiteral("Level %1 dB").arg(d.level_db, 0, 'f', 2);
   parts << QStringLiteral("Phase %1 deg").arg(d.phase_deg, 0, 'f', 2);
   if (std::isfinite(d.range_rate_mps)) parts << QStringLiteral("Range rate %1 m/s").arg(d.range_rate_mps, 0, 'g', 5);
@@ -238,7 +237,7 @@ void SimulationWindow::connect_all() {
   connect(plot_, &EchoPlot::drag_began, this, [this] { history_.leave(view_of(window_)); });
   connect(plot_, &EchoPlot::view_dragged, this, [this](const EchoView& view) { change_view(view); });
   connect(plot_, &EchoPlot::back_wanted, this, &SimulationWindow::go_back);
-  connect(plot_, &EchoPlot::all_targets_wanted, this, &SimulationWindow::show_all_targets);
+  connect(plot_, &EchoPlot::whole_wanted, this, &SimulationWindow::show_all_targets);
   connect(plot_, &EchoPlot::resized, this, &SimulationWindow::compute_soon);
   connect(plot_, &EchoPlot::hovered, this, &SimulationWindow::show_read_out);
   connect(plot_, &EchoPlot::cursors_changed, this, [this] {
@@ -283,11 +282,6 @@ void SimulationWindow::take_state(const EchoWindow& window) {
   else
     show_cuts();
   if (again) emit changed();
-}
-
-void SimulationWindow::set_state(const EchoWindow& window) {
-  history_.leave(view_of(window_));
-  take_state(window);
 }
 
 void SimulationWindow::change_view(const EchoView& view) {
@@ -435,16 +429,7 @@ void SimulationWindow::copy_values() {
   QApplication::clipboard()->setText(text_of(pulse_table(*plot_->matrix(), row, '\t')));
 }
 
-void SimulationWindow::save_picture() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), "echoes.png", tr("Pictures (*.png *.svg *.pdf)"));
-  if (path.isEmpty()) return;
-  FigurePlot drawn;
-  drawn.setPalette(palette());
-  drawn.set_figure(figure());
-  QString failure;
-  if (!drawn.save(path, size(), devicePixelRatioF(), failure)) QMessageBox::warning(this, tr("Save picture"), failure);
-}
+void SimulationWindow::save_picture() { ask_and_save_picture(*this, figure(), "echoes.png"); }
 
 void SimulationWindow::store_simulation() {
   session_.perform(add_object(session_.scene(), simulation()));

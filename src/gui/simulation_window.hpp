@@ -14,6 +14,7 @@
 #include "view/figure.hpp"
 #include "view/preview.hpp"
 #include "view/radar_figures.hpp"
+#include "view/view_history.hpp"
 
 class QLabel;
 class QProgressBar;
@@ -58,20 +59,27 @@ class SimulationWindow : public QWidget {
   RadarViewWindow* open_radar_view(RadarView view);
 
  public slots:
-  void set_state(const sarsim::EchoWindow& window);
   /// Another view; the present one is kept to go back to.
   void go_to(const sarsim::EchoView& view);
+  /// The view that was left last.
   void go_back();
+  /// The view that was left by going back.
   void go_forward();
+  /// The ranges of all targets.
   void show_all_targets();
   /// Follows another window along the axes that both have linked.
   void follow(const sarsim::EchoView& view, sarsim::AxisLink link);
+  /// Puts the picture onto the clipboard, without axes.
   void copy_picture();
+  /// Puts the samples of a pulse onto the clipboard, for a spreadsheet: that of the first cursor, or the middle one.
   void copy_values();
+  /// Asks for a name and writes the picture with its axes.
   void save_picture();
+  /// Adds the window to the script as a simulation.
   void store_simulation();
 
  signals:
+  /// With the axes along which others may follow.
   void view_changed(const sarsim::EchoView& view, sarsim::AxisLink link);
   /// The user wants the data in a file.
   void save_data_wanted(const sarsim::Simulation& simulation);
@@ -102,7 +110,7 @@ class SimulationWindow : public QWidget {
   Session& session_;
   std::shared_ptr<const Scene> scene_;
   EchoWindow window_;
-  ViewHistory history_;
+  ViewHistory<EchoView> history_;
   bool show_all_ = false;
   EchoControls* controls_ = nullptr;
   EchoPlot* plot_ = nullptr;

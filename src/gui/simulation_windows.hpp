@@ -2,7 +2,6 @@
 
 #include <QObject>
 
-#include <functional>
 #include <vector>
 
 #include "gui/session.hpp"
@@ -27,9 +26,11 @@ class SimulationWindows : public QObject {
   SimulationWindow* open_new(Processing processing);
   /// Opens a window that shows a stored simulation exactly.
   SimulationWindow* open_stored(ObjectId simulation);
+  /// Those that are open.
   [[nodiscard]] std::vector<SimulationWindow*> windows() const;
 
  signals:
+  /// The data of a window are to be saved.
   void save_data_wanted(const sarsim::Simulation& simulation, sarsim::SimulationWindow* from);
 
  private:

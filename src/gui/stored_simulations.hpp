@@ -27,6 +27,7 @@ class StoredSimulations : public QWidget {
 
   /// The simulation of the chosen line.
   [[nodiscard]] std::optional<ObjectId> chosen() const;
+  /// Makes the line of a simulation the chosen one.
   void choose(ObjectId simulation);
 
   /// Runs a simulation into a file without asking anything; not while another run is under way.
@@ -39,10 +40,15 @@ class StoredSimulations : public QWidget {
   std::function<bool(const std::filesystem::path&)> ask_replace;
 
  public slots:
+  /// Opens a window with the settings of the chosen line.
   void show_chosen();
+  /// Shows its properties.
   void edit_chosen();
+  /// Runs it into a file of its folder.
   void run_chosen();
+  /// Takes it out of the script.
   void delete_chosen();
+  /// Adds a simulation that suits the current radar.
   void add_new();
 
  signals:

@@ -35,7 +35,9 @@ class TargetTable : public QWidget {
   void paste();
   /// Opens the dialog that reads targets from a file.
   void import_file();
+  /// Adds a target and selects it.
   void add_target();
+  /// Takes the targets of the selected cells out of the scene.
   void delete_targets();
 
  protected:

@@ -15,6 +15,7 @@ class TargetTableDelegate : public QStyledItemDelegate {
  public:
   explicit TargetTableDelegate(Session& session, QObject* parent = nullptr);
 
+  /// The text stands in the cell's editor when it is opened again.
   void remember_refused(const QModelIndex& cell, const QString& text);
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -25,9 +25,11 @@ class TargetTableModel : public QAbstractTableModel {
   void set_platform(const std::optional<std::string>& platform);
   [[nodiscard]] const std::optional<std::string>& platform() const { return platform_; }
 
+  /// The target of a row that there is.
   [[nodiscard]] ObjectId target_at(int row) const;
   /// -1 where the target is not shown.
   [[nodiscard]] int row_of(ObjectId target) const;
+  /// The field of a column that there is.
   [[nodiscard]] const Field& field_at(int column) const;
   /// -1 where no column shows the field.
   [[nodiscard]] int column_of(const std::string& field) const;

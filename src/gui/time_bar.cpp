@@ -17,6 +17,7 @@
 
 #include "gui/palette_colours.hpp"
 #include "view/quantity.hpp"
+#include "view/rounding.hpp"
 #include "view/ticks.hpp"
 
 namespace sarsim {
@@ -27,14 +28,6 @@ constexpr int scrubber_steps = 10'000;
 constexpr int repeat_ms = 100;       // of a held button (thesis 4.1.1)
 constexpr int frame_ms = 33;         // while playing
 constexpr double frame_parts = 1e5;  // of the span: times that playing announces are rounded to about one of them
-
-// Without the last digits, which sums of steps gather: 0.1 + 0.2 is 0.3.
-double tidy(double value) {
-  const QByteArray text = QByteArray::number(value, 'g', 13);
-  return text.toDouble() + 0.0;
-}
-
-double rounded(double value, double step) { return step > 0.0 ? tidy(std::round(value / step) * step) : value; }
 
 QString time_text(double time_s) { return QString::fromStdString(quantity_text(time_s, Quantity::time)); }
 
@@ -128,7 +121,7 @@ void TimeBar::add_buttons() {
     const double length_s = span_s_[1] - span_s_[0];
     set_time(value == scrubber_steps
                  ? span_s_[1]
-                 : span_s_[0] + rounded(length_s * value / scrubber_steps, round_below(length_s / scrubber_steps)));
+                 : span_s_[0] + rounded_to(length_s * value / scrubber_steps, round_below(length_s / scrubber_steps)));
   });
 }
 
@@ -260,7 +253,7 @@ void TimeBar::advance() {
     now_s = span_s_[0] + std::fmod(now_s - span_s_[0], length_s);
   else if (ended)
     now_s = span_s_[1];
-  played_to_s_ = ended && !loop_box_->isChecked() ? now_s : rounded(now_s, round_below(length_s / frame_parts));
+  played_to_s_ = ended && !loop_box_->isChecked() ? now_s : rounded_to(now_s, round_below(length_s / frame_parts));
   set_time(played_to_s_);
   if (ended && loop_box_->isChecked()) {
     played_from_s_ = now_s;

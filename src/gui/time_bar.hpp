@@ -40,12 +40,14 @@ class TimeBar : public QWidget {
   void set_time(double time_s);
   /// Playing starts again from the beginning where the time is at or beyond the end.
   void set_playing(bool play);
+  /// One step back.
   void earlier();
+  /// One step on.
   void later();
 
  signals:
-  void time_changed(double time_s);
-  void playing_changed(bool playing);
+  void time_changed(double time_s);    ///< Another time was chosen, or has come.
+  void playing_changed(bool playing);  ///< Playing began or ended.
 
  private:
   void add_buttons();

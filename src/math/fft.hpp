@@ -15,6 +15,7 @@ namespace sarsim {
 template <class Real>
 class BasicFft {
  public:
+  /// Plans transforms of a length of at least 1; takes a lock.
   explicit BasicFft(std::size_t size);
   ~BasicFft();
   BasicFft(BasicFft&&) noexcept;
@@ -24,6 +25,7 @@ class BasicFft {
   /// @param[in,out] data  `size()` values that begin at a multiple of 16 bytes, as those of a std::vector do: what the
   ///                      library's vector code needs; anything else is std::invalid_argument
   void forward(std::span<std::complex<Real>> data) const;
+  /// The inverse without its factor 1/N; `data` as for `forward`.
   void inverse(std::span<std::complex<Real>> data) const;
 
  private:

@@ -34,6 +34,8 @@ enum class LowPassRule {
 class Interpolator {
  public:
   Interpolator() = default;
+  /// Prepares a function.
+  /// @param y_scale  factor on its values: from units of a script to SI units
   explicit Interpolator(const SampledFunction& function, LowPassRule rule = LowPassRule::first_knot,
                         double y_scale = 1.0);
 

@@ -38,6 +38,7 @@ constexpr Mat3 transposed(const Mat3& m) {
   return {{Vec3{m.row[0].x, m.row[1].x, m.row[2].x}, Vec3{m.row[0].y, m.row[1].y, m.row[2].y},
            Vec3{m.row[0].z, m.row[1].z, m.row[2].z}}};
 }
+/// The product of two matrices: b is applied first.
 constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
   const Mat3 columns = transposed(b);
   Mat3 product;

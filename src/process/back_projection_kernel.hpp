@@ -29,6 +29,7 @@ struct ProjectionPulse {
 
 /// Which pulses a point takes, by a number `place` that runs from -1/2 to 1/2 along the aperture.
 struct ProjectionAperture {
+  /// All pulses; those from whose direction of flight the point lies at some angles; those sent at some times.
   enum class Kind { all, angle, time } kind = Kind::all;
   double squint_rad = 0.0;  ///< Of the middle: ahead of the plane perpendicular to the velocity.
   double extent = 0.0;      ///< angle: rad, time: s.

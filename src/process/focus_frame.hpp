@@ -61,6 +61,7 @@ class RowFocuser {
   [[nodiscard]] virtual double azimuth_turns(double range_m, double cosine) const = 0;
 };
 
+/// The methods (docs/theory/focusing.md). Each keeps what it needs of the frame.
 [[nodiscard]] std::unique_ptr<RowFocuser> make_range_doppler(const FocusFrame& frame);
 [[nodiscard]] std::unique_ptr<RowFocuser> make_chirp_scaling(const FocusFrame& frame);
 [[nodiscard]] std::unique_ptr<RowFocuser> make_omega_k(const FocusFrame& frame);

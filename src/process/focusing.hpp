@@ -23,6 +23,7 @@ enum class FocusMethod {
   omega_k,        ///< Exact for every aperture and squint: Stolt's interpolation.
 };
 
+/// How echoes are focused in the frequency domain.
 struct FocusOptions {
   FocusMethod method = FocusMethod::omega_k;
   SarWindow range_window{};    ///< Over the pulse's band, the rest of which it sets to 0 unless it is rectangular.

@@ -39,8 +39,10 @@ struct PpiLine {
 /// order of the lines does not matter.
 class PpiPicture {
  public:
+  /// A picture that shows nothing yet.
   explicit PpiPicture(const PpiGrid& grid);
 
+  /// Paints a sector over what was painted before.
   void paint(const PpiLine& line);
 
   [[nodiscard]] const PpiGrid& grid() const { return grid_; }

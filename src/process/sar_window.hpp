@@ -9,6 +9,7 @@ namespace sarsim {
 
 /// A weight over a band or an aperture: what trades the width of a response for its sidelobes.
 struct SarWindow {
+  /// The families of windows.
   enum class Kind { rectangular, hamming, hann, kaiser, taylor };
 
   Kind kind = Kind::rectangular;

@@ -29,6 +29,7 @@ struct BurstEchoes {
 /// Middle of the first and last of some times.
 [[nodiscard]] double middle_of(std::span<const double> time_s);
 
+/// The speed that sharpens the profiles of some bursts most.
 struct VelocityEstimate {
   double speed_mps = 0.0;
   double entropy = 0.0;          ///< Of the mean of the profiles' powers, their motion taken out.

@@ -15,6 +15,7 @@ struct ConversionTally {
   std::uint64_t saturated = 0;  ///< Samples with I or Q clipped.
   std::uint64_t zero = 0;       ///< Samples whose counts are both 0.
 
+  /// Joins what two conversions met.
   void add(const ConversionTally& other);
 };
 

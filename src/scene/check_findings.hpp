@@ -35,13 +35,16 @@ class Findings {
   void about(std::string_view kind, std::size_t index);
   [[nodiscard]] const Subject& subject() const { return subject_; }
 
+  /// Reports a mistake: nothing runs with it. `field` names the member of the object.
   void error(std::string_view field, Finding finding);
+  /// Reports what is allowed but likely not meant, ranked by its consequence.
   void warning(Consequence consequence, std::string_view field, Finding finding);
   /// A note that stands for `count` occurrences.
   void note(std::string_view field, Finding finding, std::size_t count = 1);
 
-  // Rules for one number; each reports an error and returns false where the number breaks it. `what` completes "the
-  // ...". A number that is too large to compute with (scene/limits.hpp) breaks all of them.
+  /// @name Rules for one number; each reports an error and returns false where the number breaks it. `what` completes
+  /// "the ...". A number that is too large to compute with (scene/limits.hpp) breaks all of them.
+  /// @{
   bool finite(std::string_view field, std::string_view what, double value, std::string_view unit);
   bool finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit);
   bool positive(std::string_view field, std::string_view what, double value, std::string_view unit);
@@ -49,6 +52,7 @@ class Findings {
   bool not_negative(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit);
   bool between(std::string_view field, std::string_view what, double value, double low, double high,
                std::string_view unit);
+  /// @}
 
   /// Adds what was found elsewhere, behind everything here.
   void append(Findings&& later);
@@ -73,6 +77,7 @@ class Findings {
 
 /// What has to hold for a user-defined function.
 struct FunctionRule {
+  /// A function without points is a mistake, means 0 everywhere, or means nothing.
   enum class Empty { error, constant_zero, allowed };
 
   std::string_view field;

@@ -18,15 +18,19 @@ namespace sarsim {
 /// `find_radar` and says besides how a name was found.
 class NameTable {
  public:
+  /// How a name was found: as it is, as the beginning of the only one, of several, or not at all.
   enum class Match { exact, prefix, ambiguous, none };
 
+  /// What a name stands for.
   struct Result {
     Match match = Match::none;
     std::size_t index = not_found;  ///< Where exact or prefix.
   };
 
+  /// A table of names, which must outlive it, in the order of their definitions.
   explicit NameTable(std::vector<std::string_view> names);
 
+  /// Looks a name up, without regard to case.
   [[nodiscard]] Result find(std::string_view name) const;
   /// The defined names for which `name` could stand, for messages: "Plane, Planet".
   [[nodiscard]] std::string candidates(std::string_view name) const;

@@ -27,8 +27,11 @@ struct UserFunction {
 
 /// A frame that carries targets and radars (script `$PLATFORM`, thesis 4.3).
 struct Platform {
+  /// Stays where it is, or follows points against time.
   enum class Path { stationary, trajectory };
+  /// Angles that stay, or points against time.
   enum class Rotation { constant, user };
+  /// A draw of its own for each pulse, or white noise smoothed by an envelope.
   enum class MotionError { gaussian, envelope };
 
   std::string name = "Earth";
@@ -52,7 +55,9 @@ struct Platform {
 
 /// A point that reflects (script `$TARGET`, thesis 4.2).
 struct Target {
+  /// The same cross-section from all sides, or one that depends on the angle from a normal.
   enum class Reflectivity { isotropic, directional };
+  /// That dependence: the cosine, or points.
   enum class Gain { cosine, user };
 
   std::string platform = "Earth";
@@ -82,6 +87,7 @@ struct Surface {
 
 /// One antenna of a radar: its gain against the offset from the beam's direction.
 struct Antenna {
+  /// Gain 1 everywhere, sin(x)/x, or points.
   enum class Pattern { isotropic, sinx, user };
 
   Pattern pattern = Pattern::isotropic;
@@ -94,12 +100,19 @@ struct Antenna {
 
 /// A transmitter and receiver at the origin of its platform (script `$RADAR`, thesis 4.4).
 struct Radar {
+  /// One frequency, a linear sweep, I and Q by points, or a Barker code.
   enum class Pulse { mono, chirp, user, barker };
+  /// Full amplitude throughout, straight rise and fall, or points.
   enum class Envelope { rectangular, linear, user };
+  /// One repetition frequency, or a list of intervals.
   enum class Repetition { constant, user };
+  /// One carrier, evenly spaced steps, or a list.
   enum class Carrier { single, stepped, user };
+  /// A fixed direction, a turning one, a point that is looked at, or angles against time.
   enum class Beam { fixed, rotating, spot, user };
+  /// Weights of the matched filter.
   enum class Window { rectangular, hanning, bartlett, hamming, user };
+  /// Sensitivity-time control: none, gain with the square of the range, or points.
   enum class Stc { none, range_law, user };
 
   std::string name = "Radar1";
@@ -158,6 +171,7 @@ enum class Processing { raw, matched_filter, srp };
 
 /// A recording to be made (script `$SIMULATION`, thesis 4.5).
 struct Simulation {
+  /// Which part of an echo stands at its target's range.
   enum class PulsePosition { begin, centre };
 
   std::string radar;
@@ -180,6 +194,7 @@ struct Simulation {
 
 /// A table of delays, amplitudes and speeds to be made (script `$GEOMETRY`, thesis 4.10).
 struct GeometryTable {
+  /// What stands between the columns of the table.
   enum class Separator { space, comma };
 
   std::string radar;
@@ -227,6 +242,7 @@ struct Scene {
 /// platform of which `name` is a prefix (or that is a prefix of `name`). "Earth" where no platform has exactly that
 /// name is not found: it is the world itself, which `resolve` (simulate/resolved.hpp) knows without a definition.
 inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
+/// See `not_found`.
 [[nodiscard]] std::size_t find_platform(const Scene& scene, std::string_view name);
 /// The same for radars.
 [[nodiscard]] std::size_t find_radar(const Scene& scene, std::string_view name);

@@ -54,6 +54,7 @@ struct FunctionText {
   bool whole_file;          ///< In a data file: no keywords follow, and there must be at least one point.
 };
 
+/// How the reading of points ended.
 enum class PointsEnd {
   complete,
   keyword,  ///< A keyword stands where a number should; reported.

@@ -41,6 +41,8 @@ class FieldReader {
   void note_object();
   /// The name an object begins with; false where there is none, and then the object cannot be kept.
   bool leading_name(const Field& field, std::string& name);
+  /// @name One parameter each, in the unit of its field.
+  /// @{
   void text(const Field& field, std::string& text);
   void number(const Field& field, double& value);
   void angle(const Field& field, Angle& value);
@@ -49,7 +51,9 @@ class FieldReader {
   void seed(const Field& field, std::uint64_t& value);
   void vector(const Field& field, Vec3& value);
   void angles(const Field& field, std::array<Angle, 3>& value);
+  /// @}
 
+  /// A keyword, as the value that it stands for.
   template <class Value, std::size_t N>
   void choice(const Field& field, const Alternatives<Value, N>& alternatives, Value& value) {
     std::array<std::string_view, N> words;

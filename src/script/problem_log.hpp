@@ -19,6 +19,7 @@ class ProblemLog {
  public:
   explicit ProblemLog(std::size_t limit) : limit_(limit) {}
 
+  /// Keeps a problem, unless there are enough of its kind; those are counted.
   void add(Problem problem);
 
   /// Whether as many errors as anyone will read have been found; reading should end.
@@ -101,6 +102,7 @@ class Reporter {
 
 /// At most this many characters of a token are shown in a problem.
 inline constexpr std::size_t longest_shown = 60;
+/// A text as problems show it: cut off there, and "..." behind it.
 [[nodiscard]] std::string shown(std::string_view text);
 
 }  // namespace sarsim::script

@@ -142,6 +142,7 @@ inline constexpr Alternatives<GeometryTable::Separator, 2> separators{
 
 namespace options_grammar {
 
+/// What `$OPTIONS` can say.
 enum class Key { profile, seed, pulse, tolerance };
 
 inline constexpr Field key{"", "option"};

@@ -17,6 +17,7 @@ class ScriptLines {
  public:
   /// A line that is only text.
   void plain(std::string_view text);
+  /// Empty lines.
   void blank(int count = 1);
   /// Whole lines, made elsewhere.
   /// @param expected_bytes  of these and all that follow them: what room is made for, where any has to be made
@@ -24,12 +25,15 @@ class ScriptLines {
   /// A value and its comment; without the comment's mark where it is empty.
   void value(std::string_view text, std::string_view comment);
 
+  /// A name, in quotes where it needs them.
   void name(const Field& field, std::string_view name);
   /// A number from SI units (angles and decibels: as typed) in the unit of the script.
   void number(const Field& field, double value);
+  /// A whole number.
   void integer(const Field& field, int value);
   /// Three numbers on a line each, x, y and z.
   void vector(const Field& field, const Vec3& value);
+  /// Three angles on a line each, in degrees as typed.
   void angles(const Field& field, const std::array<Angle, 3>& value);
   /// Some numbers on one line, with a comment.
   void row(std::initializer_list<double> values, std::string_view comment);

@@ -50,6 +50,7 @@ struct Token {
 /// also within a word. Lines end with a line feed; in a text without any, with a carriage return.
 class Tokens {
  public:
+  /// Stands before the first token of a text, which must outlive it.
   explicit Tokens(std::string_view text);
 
   /// The tokens of the same text from the beginning of one of its lines on.

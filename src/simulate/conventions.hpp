@@ -26,6 +26,7 @@ struct Conventions {
   Stc stc = Stc::receiver_gain;
 };
 
+/// What a profile stands for.
 [[nodiscard]] Conventions conventions_of(Profile profile);
 
 }  // namespace sarsim

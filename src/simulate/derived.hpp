@@ -45,6 +45,7 @@ struct SimulationFigures {
       0.0;  ///< largest_sum_v/(2^(bits-1) - 1): uses the converter without clipping; 0 when silent.
 };
 
+/// Figures of a recording from its plan and a survey of its echoes.
 [[nodiscard]] SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey);
 
 /// Largest magnitude in the product of a lone echo of amplitude 1 that lies whole in the raw window: 1 for raw data and

@@ -18,7 +18,9 @@ enum class Engine {
   spectral,   ///< Non-uniform Fourier transform (echo/spectral_kernel.hpp).
 };
 
+/// The word of an engine on the command line and in files.
 [[nodiscard]] std::string_view name_of(Engine engine);
+/// The engine of a word; nothing where there is none.
 [[nodiscard]] std::optional<Engine> engine_from_name(std::string_view name);
 
 /// An engine and why it was taken.

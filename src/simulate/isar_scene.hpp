@@ -16,6 +16,7 @@ namespace sarsim {
 
 /// How an image of a turning target is made.
 struct IsarOptions {
+  /// How bursts become an image: a transform of each cell of range, or a sum for each point.
   enum class Algorithm { range_doppler, back_projection };
   enum class Motion {
     scene,      ///< The path of the target's platform, from the script.

@@ -14,6 +14,7 @@ namespace sarsim {
 /// The scatterers of a scene as flat arrays that share a platform, a law and the kinds of random deviations, and the
 /// antennas of a radar; what SIMD geometry works on.
 struct PointGroups {
+  /// Points of one platform and one law.
   struct Group {
     std::uint32_t platform = 0;
     PointArrays points;

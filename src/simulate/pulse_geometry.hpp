@@ -31,6 +31,7 @@ class PulseGeometry {
   [[nodiscard]] double carrier_hz() const { return carrier_hz_; }
   [[nodiscard]] const Pose& radar_pose() const { return poses_[radar_->platform]; }
   [[nodiscard]] const Pose& pose(std::size_t platform) const { return poses_[platform]; }
+  /// Where the beam points at the current pulse.
   [[nodiscard]] Pointing pointing() const;
   /// sqrt(P Gt Gr/L) lambda/(4 pi)^1.5 of the current pulse; what the amplitude is besides pattern, cross-section and
   /// range.

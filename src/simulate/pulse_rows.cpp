@@ -1,11 +1,11 @@
 #include "simulate/pulse_rows.hpp"
 
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "process/cfar.hpp"
 #include "simulate/derived.hpp"
+#include "simulate/row_space.hpp"
 #include "simulate/worker_pool.hpp"
 
 namespace sarsim {
@@ -17,16 +17,6 @@ struct SceneWorker {
   RowMaker maker;
   std::vector<std::complex<double>> row;
 };
-
-struct RecordingWorker {
-  std::vector<std::complex<double>> row;
-  std::vector<std::complex<double>> compressed;
-  std::vector<std::complex<double>> scratch;
-};
-
-void to_float(std::span<const std::complex<double>> from, std::span<std::complex<float>> to) {
-  for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(from[n]);
-}
 
 double noise_of(const Plan& plan, const CompressionFilter& filter) {
   double energy = 0.0;
@@ -47,33 +37,21 @@ PulseRows compressed_rows(std::shared_ptr<const Plan> plan) {
   return rows;
 }
 
-std::shared_ptr<const RangeCompressor> compressor_of(const Plan& plan) {
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
-  CompressionFilter filter =
-      matched_filter(plan.radar.pulse, band_limited, plan.radar.window, 1.0 / plan.raw_grid.interval_s);
-  std::vector<std::size_t> index(plan.columns);
-  std::iota(index.begin(), index.end(), std::size_t{0});
-  return std::make_shared<const RangeCompressor>(std::move(filter), plan.columns, std::move(index));
-}
-
 PulseRows rows_of_raw_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
   PulseRows rows;
-  const auto compressor = compressor_of(*plan);
+  const auto compressor = compressor_of(*plan, plan->radar.window, plan->columns, plan->columns);
   // The filter gives an echo the place of its beginning: that of a centred pulse lies half a pulse before its range.
   const double half_c_mps = 0.5 * plan->scene->conventions.light_speed_mps;
   for (std::size_t i = 0; i < plan->columns; ++i)
     rows.range_m.push_back(half_c_mps * (plan->raw_grid.time_s(i) + plan->pulse.lead_s));
   rows.noise_w = noise_of(*plan, compressor->filter());
   rows.noise_correlation = power_correlation(compressor->filter().taps);
-  const auto pool = std::make_shared<WorkerPool<RecordingWorker>>([] { return std::make_unique<RecordingWorker>(); });
+  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
   rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
-    pool->lend([&](RecordingWorker& worker) {
-      worker.row.resize(plan->columns);
-      read(pulse, worker.row);
-      worker.compressed.resize(compressor->output_count());
-      worker.scratch.resize(compressor->scratch_size());
-      compressor->compress(worker.row, worker.compressed, worker.scratch);
-      to_float(worker.compressed, out);
+    pool->lend([&](RowSpace& space) {
+      space.raw.resize(plan->columns);
+      read(pulse, space.raw);
+      space.compress(*compressor, out);
     });
   };
   rows.plan = std::move(plan);
@@ -105,12 +83,12 @@ PulseRows pulse_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows
     throw std::invalid_argument("pulses: synthetic range profiles have none");
   if (plan->simulation.processing == Processing::raw) return rows_of_raw_recording(std::move(plan), std::move(read));
   PulseRows rows = compressed_rows(plan);
-  const auto pool = std::make_shared<WorkerPool<RecordingWorker>>([] { return std::make_unique<RecordingWorker>(); });
+  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
   rows.read = [plan, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
-    pool->lend([&](RecordingWorker& worker) {
-      worker.row.resize(plan->columns);
-      read(pulse, worker.row);
-      to_float(worker.row, out);
+    pool->lend([&](RowSpace& space) {
+      space.raw.resize(plan->columns);
+      read(pulse, space.raw);
+      to_float(space.raw, out);
     });
   };
   return rows;

@@ -18,6 +18,7 @@
 /// A checked scene with its names looked up and its functions ready to evaluate. SI units and radians throughout.
 namespace sarsim {
 
+/// A platform whose motion can be evaluated.
 struct ResolvedPlatform {
   std::string name;
   Track track;
@@ -47,6 +48,7 @@ struct ScattererSheet {
   std::vector<Vec3> points_m;
 };
 
+/// A radar with its platform by number and its functions ready.
 struct ResolvedRadar {
   std::string name;
   std::uint32_t platform = 0;
@@ -63,6 +65,7 @@ struct ResolvedRadar {
   Interpolator stc_gain;
 };
 
+/// A scene without its radars.
 struct ResolvedScene {
   Conventions conventions;
   RunOptions options;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "simulate/row_space.hpp"
+#include "simulate/worker_pool.hpp"
 
 namespace sarsim {
 
@@ -20,39 +22,6 @@ Problem sar_problem(std::string message, std::string found, std::string expected
   return problem;
 }
 
-// Things that threads borrow, one each, and give back.
-template <class T>
-class Pool {
- public:
-  explicit Pool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
-  template <class Use>
-  void lend(const Use& use) {
-    std::unique_ptr<T> item = take();
-    use(*item);
-    const std::scoped_lock hold(lock_);
-    idle_.push_back(std::move(item));
-  }
-
- private:
-  std::unique_ptr<T> take() {
-    const std::scoped_lock hold(lock_);
-    if (idle_.empty()) return make_();
-    std::unique_ptr<T> item = std::move(idle_.back());
-    idle_.pop_back();
-    return item;
-  }
-
-  std::function<std::unique_ptr<T>()> make_;
-  std::mutex lock_;
-  std::vector<std::unique_ptr<T>> idle_;
-};
-
-struct RowSpace {
-  std::vector<std::complex<double>> raw;
-  std::vector<std::complex<double>> compressed;
-  std::vector<std::complex<double>> scratch;
-};
-
 // What makes the rows of a scene; one for each thread.
 struct SceneWorker {
   explicit SceneWorker(const Plan& plan) : maker(plan) {}
@@ -60,24 +29,10 @@ struct SceneWorker {
   RowSpace space;
 };
 
-std::shared_ptr<const RangeCompressor> compressor_of(const Plan& plan, std::size_t raw_samples, std::size_t samples) {
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+// The filter without a window: focusing has its own.
+std::shared_ptr<const RangeCompressor> plain_compressor(const Plan& plan, std::size_t samples) {
   const WindowFunction even = [](double) { return 1.0; };
-  std::vector<std::size_t> index(samples);
-  for (std::size_t i = 0; i < samples; ++i) index[i] = i;
-  CompressionFilter filter = matched_filter(plan.radar.pulse, band_limited, even, 1.0 / plan.raw_grid.interval_s);
-  return std::make_shared<const RangeCompressor>(std::move(filter), raw_samples, std::move(index));
-}
-
-void to_float(std::span<const std::complex<double>> from, std::span<std::complex<float>> to) {
-  for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(from[n]);
-}
-
-void compress(const RangeCompressor& compressor, RowSpace& space, std::span<std::complex<float>> out) {
-  space.compressed.resize(compressor.output_count());
-  space.scratch.resize(compressor.scratch_size());
-  compressor.compress(space.raw, space.compressed, space.scratch);
-  to_float(space.compressed, out);
+  return compressor_of(plan, even, plan.columns, samples);
 }
 
 // All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
@@ -145,13 +100,13 @@ Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
 
 EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples) {
   EchoRows rows = rows_without_reader(*plan, samples);
-  const auto compressor = compressor_of(*plan, plan->columns, samples);
-  const auto pool = std::make_shared<Pool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
+  const auto compressor = plain_compressor(*plan, samples);
+  const auto pool = std::make_shared<WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
   rows.read = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.space.raw.resize(plan->columns);
       worker.maker.make_row(pulse, worker.space.raw);
-      compress(*compressor, worker.space, out);
+      worker.space.compress(*compressor, out);
     });
   };
   return rows;
@@ -160,13 +115,13 @@ EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples
 EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
   EchoRows rows = rows_without_reader(*plan, plan->columns);
   const bool raw = plan->simulation.processing == Processing::raw;
-  const auto compressor = raw ? compressor_of(*plan, plan->columns, plan->columns) : nullptr;
-  const auto pool = std::make_shared<Pool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
+  const auto compressor = raw ? plain_compressor(*plan, plan->columns) : nullptr;
+  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
   rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](RowSpace& space) {
       space.raw.resize(plan->columns);
       read(pulse, space.raw);
-      compressor ? compress(*compressor, space, out) : to_float(space.raw, out);
+      compressor ? space.compress(*compressor, out) : to_float(space.raw, out);
     });
   };
   return rows;

@@ -46,6 +46,7 @@ class SearchTargets {
   ///          than 1.5 cells away, a cell being what the waveform resolves or, where that is more, a sample; or nothing
   std::vector<std::optional<std::size_t>> take(const SearchInterval& interval);
 
+  /// What became of the targets in the intervals that were taken, in the order of the script.
   [[nodiscard]] std::vector<TargetFinding> findings() const;
 
  private:

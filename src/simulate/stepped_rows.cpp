@@ -2,41 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "process/work_matrix.hpp"
+#include "simulate/worker_pool.hpp"
 
 namespace sarsim {
 
 namespace {
-
-// Things that threads borrow, one each, and give back.
-template <class T>
-class Lending {
- public:
-  explicit Lending(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
-  template <class Use>
-  void lend(const Use& use) {
-    std::unique_ptr<T> item = take();
-    use(*item);
-    const std::scoped_lock hold(lock_);
-    idle_.push_back(std::move(item));
-  }
-
- private:
-  std::unique_ptr<T> take() {
-    const std::scoped_lock hold(lock_);
-    if (idle_.empty()) return make_();
-    std::unique_ptr<T> item = std::move(idle_.back());
-    idle_.pop_back();
-    return item;
-  }
-
-  std::function<std::unique_ptr<T>()> make_;
-  std::mutex lock_;
-  std::vector<std::unique_ptr<T>> idle_;
-};
 
 // One frequency has no profile but that of its pulse.
 bool one_sample_each(const Plan& plan) {
@@ -134,7 +107,7 @@ SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const
   SteppedRows rows = rows_without_reader(plan, false);
   rows.from_m = window.simulation.range_start_m;
   rows.to_m = window.simulation.range_end_m;
-  const auto makers = std::make_shared<Lending<RowMaker>>([plan] { return std::make_unique<RowMaker>(*plan); });
+  const auto makers = std::make_shared<WorkerPool<RowMaker>>([plan] { return std::make_unique<RowMaker>(*plan); });
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
   rows.read = [plan, makers, skipped](std::size_t pulse, std::span<std::complex<double>> out) {
     makers->lend([&](RowMaker& maker) { maker.make_row(skipped + pulse, out); });

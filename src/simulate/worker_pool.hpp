@@ -14,6 +14,7 @@ class WorkerPool {
  public:
   explicit WorkerPool(std::function<std::unique_ptr<T>()> make) : make_(std::move(make)) {}
 
+  /// Calls `use(item)` with one that nobody else has meanwhile. One whose use throws is thrown away.
   template <class Use>
   void lend(const Use& use) {
     std::unique_ptr<T> item = take();

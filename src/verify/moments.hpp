@@ -10,6 +10,7 @@ namespace sarsim::verify {
 
 inline constexpr double gate_sigmas = 5.0;
 
+/// Arithmetic mean; not a number of nothing.
 inline double mean(std::span<const double> x) {
   double sum = 0.0;
   for (const double value : x) sum += value;

@@ -67,12 +67,17 @@ class Record {
   /// Interrupted.
   void group(const std::string& name, const std::function<void(Record&)>& measure);
 
+  /// Holds where the measured value lies within `tolerance` of the expected one.
+  /// @param source  where the expectation comes from
   void near(const std::string& name, const std::string& unit, double expected, double measured, double tolerance,
             const std::string& source);
+  /// Holds where the measured value is no larger.
   void at_most(const std::string& name, const std::string& unit, double most, double measured,
                const std::string& source);
+  /// Holds where the measured value is no smaller.
   void at_least(const std::string& name, const std::string& unit, double least, double measured,
                 const std::string& source);
+  /// Adds a chart to the present group.
   void chart(Chart chart);
 
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }

@@ -27,6 +27,7 @@ inline Scene radar_at_origin(Profile profile = Profile::physical) {
   return scene;
 }
 
+/// Adds an isotropic point.
 inline Target& add_target(Scene& scene, const Vec3& position_m, double rcs_m2 = 1.0,
                           const std::string& platform = "Earth") {
   Target target;
@@ -47,6 +48,7 @@ inline UserFunction<3> straight_path(const Vec3& start_m, const Vec3& velocity_m
   return path;
 }
 
+/// Adds a platform that is at `start_m` at t = 0 and moves straight on.
 inline Platform& add_mover(Scene& scene, const std::string& name, const Vec3& start_m, const Vec3& velocity_mps) {
   Platform platform;
   platform.name = name;
@@ -56,6 +58,7 @@ inline Platform& add_mover(Scene& scene, const std::string& name, const Vec3& st
   return scene.platforms.back();
 }
 
+/// Adds a platform that rests.
 inline Platform& add_platform(Scene& scene, const std::string& name, const Vec3& position_m) {
   Platform platform;
   platform.name = name;

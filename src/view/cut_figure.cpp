@@ -27,7 +27,7 @@ struct Shown {
 Shown shown(std::vector<std::complex<double>> samples, const CutLook& look) {
   Shown out;
   out.largest = statistics_of(samples).largest_v;
-  out.axis.label = title_of(look.quantity);
+  out.axis.label = axis_title_of(look.quantity);
   out.axis.unit = unit_of(look.quantity) == "V" ? look.unit : unit_of(look.quantity);
   if (look.quantity == DisplayQuantity::decibels) {
     out.axis.label = "Below the largest";

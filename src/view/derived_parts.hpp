@@ -50,6 +50,7 @@ struct SoundRadar {
 /// A platform without its random errors; nothing where it has an error of another kind.
 [[nodiscard]] std::optional<Platform> nominal_platform(Platform platform);
 
+/// The figures of one object each, those of what moves at a time; faulty parts are left out.
 void platform_figures(Figures& figures, const Scene& scene, std::size_t index, double time_s);
 void target_figures(Figures& figures, const Scene& scene, std::size_t index, double time_s);
 void surface_figures(Figures& figures, const Scene& scene, std::size_t index);

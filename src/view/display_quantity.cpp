@@ -21,6 +21,10 @@ std::string_view title_of(DisplayQuantity quantity) {
   return "dB power";
 }
 
+std::string_view axis_title_of(DisplayQuantity quantity) {
+  return quantity == DisplayQuantity::decibels ? "Power" : title_of(quantity);
+}
+
 std::string_view unit_of(DisplayQuantity quantity) {
   if (quantity == DisplayQuantity::phase) return "deg";
   return quantity == DisplayQuantity::decibels ? "dB" : "V";

@@ -15,6 +15,8 @@ enum class DisplayQuantity { real, imaginary, magnitude, phase, decibels };
 
 /// "Real", "Imaginary", "Magnitude", "Phase", "dB power".
 [[nodiscard]] std::string_view title_of(DisplayQuantity quantity);
+/// The same where the unit stands behind it, at axes and colour bars: "Power" for "dB power".
+[[nodiscard]] std::string_view axis_title_of(DisplayQuantity quantity);
 /// The unit of its values: "V", "V", "V", "deg", "dB".
 [[nodiscard]] std::string_view unit_of(DisplayQuantity quantity);
 /// Kind of map that suits it: diverging for signed numbers, cyclic for the phase.
@@ -54,6 +56,18 @@ struct LimitRule {
   double high = 1.0;
 
   friend bool operator==(const LimitRule&, const LimitRule&) = default;
+};
+
+/// How complex samples become colours: the choices that all windows of samples have in common.
+struct ColourLook {
+  DisplayQuantity quantity = DisplayQuantity::real;
+  ColourMap map = ColourMap::balance_dark;
+  bool inverted = false;  ///< The colours in the opposite order.
+  ClassicSliders sliders;
+  LimitRule limits;
+  Decibels decibels;
+
+  friend bool operator==(const ColourLook&, const ColourLook&) = default;
 };
 
 /// Values at the ends of the colours, low < high.

@@ -36,6 +36,8 @@ TEST(DisplayQuantity, HasAUnitATitleAndAKindOfMap) {
   EXPECT_EQ(unit_of(DisplayQuantity::phase), "deg");
   EXPECT_EQ(unit_of(DisplayQuantity::decibels), "dB");
   EXPECT_EQ(title_of(DisplayQuantity::decibels), "dB power");
+  EXPECT_EQ(axis_title_of(DisplayQuantity::decibels), "Power");
+  EXPECT_EQ(axis_title_of(DisplayQuantity::magnitude), "Magnitude");
   EXPECT_EQ(kind_for(DisplayQuantity::imaginary), ColourMapKind::diverging);
   EXPECT_EQ(kind_for(DisplayQuantity::phase), ColourMapKind::cyclic);
   EXPECT_EQ(kind_for(DisplayQuantity::magnitude), ColourMapKind::sequential);

@@ -48,6 +48,7 @@ class Document {
   /// Texts of the data files, by their names in the script, that hold the points of edited functions and are not on
   /// disk yet. They are the function editor's to write.
   [[nodiscard]] const std::map<std::string, std::string>& pending_data() const { return data_.texts(); }
+  /// True where scene or text are not as they were saved last.
   [[nodiscard]] bool changed() const;
 
   /// Applies an edit and writes the objects that it touches into the text. What a script cannot say of them, members
@@ -59,7 +60,9 @@ class Document {
   /// Replaces the text, as typed. Where it can be read without errors of language, the scene follows in one undoable
   /// step; otherwise the scene stays and `problems` says why. Typing in a row is one step.
   void type_text(std::string text);
+  /// Takes back the last step, with its text; std::logic_error where there is none.
   void undo();
+  /// Makes the step again that was taken back last; std::logic_error where there is none.
   void redo();
   [[nodiscard]] const History& history() const { return history_; }
   /// The edit that the last perform, undo, redo or type_text applied, and in which direction; for those who follow ids.

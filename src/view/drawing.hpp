@@ -31,24 +31,28 @@ inline constexpr std::size_t coarse_targets = 2000;
 
 /// The scene as marks on a picture, back to front. Coordinates in device pixels.
 struct Drawing {
+  /// A straight line.
   struct Line {
     float x0, y0, x1, y1;
     Role role;
     float width_px;
     bool dotted;
   };
+  /// A filled circle, or a ring.
   struct Disc {
     float x, y;
     float diameter_px;
     Role role;
     bool outlined;
   };
+  /// A plane part of a surface.
   struct Polygon {
     std::vector<PicturePoint> corners;
     Role role;
     std::uint8_t shade;  ///< 0 to 255: grey of a filled surface by its normal's elevation (thesis 4.1).
     bool filled;
   };
+  /// Words.
   struct Text {
     float x, y;  ///< Left end of the base line, or its middle.
     std::string text;

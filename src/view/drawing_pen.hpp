@@ -28,12 +28,17 @@ class Pen {
   /// Where a mark of `length_px` along a world direction ends that begins at a picture point.
   [[nodiscard]] PicturePoint along(const PicturePoint& start, const Vec3& direction_world, double length_px) const;
 
+  /// A line in the picture; widths are pixels of the screen.
   void line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted = false);
   /// A line in space; of one that passes the viewer of a perspective view the part in front.
   void world_line(const Vec3& a_world_m, const Vec3& b_world_m, Role role, double width_px, bool dotted = false);
+  /// A disc about a point of the picture; its diameter in pixels of the screen.
   void disc(const PicturePoint& at, double diameter_px, Role role, bool outlined);
+  /// A triangle in space; of one that passes the viewer of a perspective view the part in front.
   void polygon(const std::array<Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled);
+  /// Words at a place of the picture: the left end of their base line, or its middle.
   void text(double x, double y, const std::string& words, Role role, bool bold, bool centred);
+  /// Makes an object be picked at a point.
   void handle(const ObjectId& id, const PicturePoint& at);
 
   [[nodiscard]] bool hidden(const ObjectId& id) const { return options_.hidden.contains(id); }
@@ -53,7 +58,9 @@ class Pen {
   double nearest_depth_m_;  // of what is drawn in perspective
 };
 
+/// The axes of the world through its origin.
 void draw_main_axes(Pen& pen);
+/// The directions of the world's axes in a corner of the picture.
 void draw_corner_triad(Pen& pen);
 /// A bar of a round length at the lower left; true at the focus's depth.
 void draw_scale_bar(Pen& pen);

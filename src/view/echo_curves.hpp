@@ -9,6 +9,7 @@ namespace sarsim {
 
 /// A line through points of the plot, device pixels.
 struct EchoCurve {
+  /// A place in the picture.
   struct Point {
     double x_px;
     double y_px;

@@ -11,10 +11,13 @@
 #include "view/echo_curves.hpp"
 #include "view/echo_readout.hpp"
 #include "view/figure_axes.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
 namespace {
+
+constexpr int title_digits = 9;
 
 // What is not drawn: neither of the ends that colours have.
 constexpr Rgb nothing{128, 128, 128};
@@ -52,7 +55,7 @@ void add_pixels(FigurePanel& panel, const EchoMatrix& matrix, const EchoColours&
   image.cells.reserve(painted.pixel.size());
   for (const std::uint32_t pixel : painted.pixel) image.cells.push_back(rgb(pixel));
   FigureColourBar& bar = panel.colour_bar.emplace();
-  bar.label = title_of(colours.quantity);
+  bar.label = axis_title_of(colours.quantity);
   bar.unit = unit_of(colours.quantity);
   bar.first = colours.limits.low;
   bar.last = colours.limits.high;
@@ -72,7 +75,7 @@ void add_curves(FigurePanel& panel, const EchoMatrix& matrix, const EchoCurves& 
 }
 
 FigureAxis value_axis(const EchoColours& colours, const std::vector<double>& values) {
-  FigureAxis axis{std::string(title_of(colours.quantity)), std::string(unit_of(colours.quantity)), 0.0, 0.0, {}};
+  FigureAxis axis{std::string(axis_title_of(colours.quantity)), std::string(unit_of(colours.quantity)), 0.0, 0.0, {}};
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const double value : values) {
@@ -121,10 +124,10 @@ Figure cut_figure(const EchoMatrix& matrix, const EchoColours& colours, std::siz
   FigureAxis across = range_axis(matrix);
   across.twin.reset();
   FigureAxis along = time_axis(matrix);
-  figure.panels.push_back(cut_panel("Pulse at " + format_number(matrix.time_s(row)) + " s", std::move(across), colours,
-                                    row_cut(matrix, colours, row)));
-  figure.panels.push_back(cut_panel("Range " + format_number(matrix.range_m(column)) + " m", std::move(along), colours,
-                                    column_cut(matrix, colours, column)));
+  figure.panels.push_back(cut_panel("Pulse at " + format_number(tidy(matrix.time_s(row), title_digits)) + " s",
+                                    std::move(across), colours, row_cut(matrix, colours, row)));
+  figure.panels.push_back(cut_panel("Range " + format_number(tidy(matrix.range_m(column), title_digits)) + " m",
+                                    std::move(along), colours, column_cut(matrix, colours, column)));
   return figure;
 }
 

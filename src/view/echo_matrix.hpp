@@ -81,6 +81,7 @@ class EchoMatrix {
 
   /// For those who compute: all samples, and word, once for each row, that it is complete.
   [[nodiscard]] std::span<std::complex<double>> samples() { return samples_; }
+  /// The samples of a row are all there; measures them.
   void set_ready(std::size_t row);
 
  private:

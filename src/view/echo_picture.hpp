@@ -62,6 +62,7 @@ struct ColourBar {
 
 /// An axis of the plot with the places of its marks.
 struct PlotAxis {
+  /// A mark of the axis with its words.
   struct Mark {
     double px;
     std::string label;

@@ -209,28 +209,4 @@ EchoView linked(const EchoView& own, const EchoView& leader, const AxisLink& lin
   return view;
 }
 
-void ViewHistory::leave(const EchoView& view) {
-  constexpr std::size_t most = 100;
-  future_.clear();
-  if (!past_.empty() && past_.back() == view) return;
-  past_.push_back(view);
-  if (past_.size() > most) past_.erase(past_.begin());
-}
-
-EchoView ViewHistory::back(const EchoView& present) {
-  if (past_.empty()) return present;
-  future_.push_back(present);
-  const EchoView view = past_.back();
-  past_.pop_back();
-  return view;
-}
-
-EchoView ViewHistory::forward(const EchoView& present) {
-  if (future_.empty()) return present;
-  past_.push_back(present);
-  const EchoView view = future_.back();
-  future_.pop_back();
-  return view;
-}
-
 }  // namespace sarsim

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "scene/scene.hpp"
 #include "simulate/conventions.hpp"
@@ -57,21 +56,14 @@ enum class PixelRule {
 };
 
 /// The choices of one simulation window. A plain value: two windows that compare equal show the same.
-struct EchoWindow {
+struct EchoWindow : ColourLook {
   /// What would be recorded: radar, window, processing, pulse position, converter, file. Its sampling frequency counts
   /// for Sampling::Kind::rate only and is the same as `sampling.rate_hz` then.
   Simulation recording;
   Sampling sampling;
   PixelRule pixel_rule = PixelRule::sample;
-
-  DisplayQuantity quantity = DisplayQuantity::real;
   DrawAs draw_as = DrawAs::automatic;
   RowPlacing placing = RowPlacing::nearest;
-  ColourMap map = ColourMap::balance_dark;
-  bool inverted = false;
-  ClassicSliders sliders;
-  LimitRule limits;
-  Decibels decibels;
 
   friend bool operator==(const EchoWindow&, const EchoWindow&) = default;
 };
@@ -100,6 +92,7 @@ struct EchoWindow {
 /// @param sample_rate_hz  as computed
 [[nodiscard]] std::string sampling_warning(const EchoWindow& window, double sample_rate_hz, double bandwidth_hz);
 
+/// The part of the matrix that a window shows, or is to show.
 [[nodiscard]] EchoView view_of(const EchoWindow& window);
 void set_view(EchoWindow& window, const EchoView& view);
 
@@ -153,23 +146,5 @@ struct AxisLink {
 };
 /// `own` with the linked axes of `leader`.
 [[nodiscard]] EchoView linked(const EchoView& own, const EchoView& leader, const AxisLink& link);
-
-/// Views that were shown before, to go back to.
-class ViewHistory {
- public:
-  /// Keeps the view that is left; what lay ahead is forgotten. The oldest of more than 100 is dropped.
-  void leave(const EchoView& view);
-  [[nodiscard]] bool can_go_back() const { return !past_.empty(); }
-  [[nodiscard]] bool can_go_forward() const { return !future_.empty(); }
-  /// The view before or after `present`, which is kept on the other side; `present` where there is none.
-  [[nodiscard]] EchoView back(const EchoView& present);
-  [[nodiscard]] EchoView forward(const EchoView& present);
-
-  friend bool operator==(const ViewHistory&, const ViewHistory&) = default;
-
- private:
-  std::vector<EchoView> past_;
-  std::vector<EchoView> future_;
-};
 
 }  // namespace sarsim

@@ -106,6 +106,7 @@ class FieldTable {
     vector_named(std::string(grammar.member), grammar, label, quantity, member, tooltip);
   }
 
+  /// The same with a name of its own.
   template <class Member>
   void vector_named(const std::string& id, const script::Field& grammar, const std::string& label, Quantity quantity,
                     Member member, const std::string& tooltip) {
@@ -119,6 +120,7 @@ class FieldTable {
     }
   }
 
+  /// A choice, shown by the words for its values, which count from 0.
   template <class Member>
   void choice(std::string id, std::string label, Member member, std::vector<std::string> choices, std::string tooltip) {
     Field field = described(std::move(id), std::move(label), FieldKind::choice, std::move(tooltip));
@@ -137,6 +139,7 @@ class FieldTable {
     };
   }
 
+  /// A yes or no that is read and set by functions.
   template <class Get, class Put>
   void check_named(std::string id, std::string label, Get get, Put put, std::string tooltip) {
     Entry<Object> entry;
@@ -153,6 +156,7 @@ class FieldTable {
     entries_.push_back(std::move(entry));
   }
 
+  /// A yes or no.
   void check(std::string id, std::string label, bool Object::*member, std::string tooltip) {
     check_named(
         std::move(id), std::move(label), [member](const Object& object) { return object.*member; },
@@ -172,6 +176,7 @@ class FieldTable {
     };
   }
 
+  /// A function: shown by its summary, edited elsewhere.
   template <class Member>
   void function(std::string id, std::string label, Member member, std::string tooltip) {
     Entry<Object>& entry =
@@ -197,24 +202,28 @@ class FieldTable {
   /// Called when a choice has changed: gives what becomes meaningful a beginning. The object as it was comes first.
   void on_switch(std::function<void(const Object&, Object&)> begin) { begin_ = std::move(begin); }
 
+  /// All fields, in the order in which they were added.
   [[nodiscard]] std::vector<Field> fields() const {
     std::vector<Field> fields;
     for (const Entry<Object>& entry : entries_) fields.push_back(entry.field);
     return fields;
   }
 
+  /// The field of an id; std::invalid_argument where there is none.
   [[nodiscard]] const Entry<Object>& entry(std::string_view id) const {
     for (const Entry<Object>& entry : entries_)
       if (entry.field.id == id) return entry;
     throw std::invalid_argument("there is no field '" + std::string(id) + "'");
   }
 
+  /// Whether a field means something for the object as it is.
   [[nodiscard]] bool applies(const Object& object, std::string_view id) const {
     const Entry<Object>& found = entry(id);
     return !found.applies || found.applies(object);
   }
   [[nodiscard]] std::string text(const Object& object, std::string_view id) const { return entry(id).text(object); }
 
+  /// Sets a field from a text; says why not, and leaves the object as it is, where it cannot.
   [[nodiscard]] std::string set(Object& object, std::string_view id, std::string_view text) const {
     const Entry<Object>& found = entry(id);
     const bool applies = !found.applies || found.applies(object);

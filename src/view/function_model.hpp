@@ -14,6 +14,7 @@ namespace sarsim {
 
 /// What the function editor needs to know of one user-defined function of a field (thesis 4.6).
 struct FunctionInfo {
+  /// One of the functions that belong together.
   struct Part {
     std::string name;  ///< "Position X", "Gain (azimuth)".
     std::string y_unit;

@@ -21,9 +21,11 @@ class History {
   [[nodiscard]] bool can_redo() const { return done_ < edits_.size(); }
   /// Labels of the steps that undo and redo would take; empty where there is none.
   [[nodiscard]] std::string undo_label() const;
+  /// The label of the step that redo would make.
   [[nodiscard]] std::string redo_label() const;
   /// Take one step; returns the edit. std::logic_error where there is none.
   const Edit& undo(Scene& scene);
+  /// The same forwards.
   const Edit& redo(Scene& scene);
 
   /// Remembers the present state as the one on disk.

@@ -135,7 +135,7 @@ void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, con
   for (std::size_t i = 0; i < seen.samples.size(); ++i)
     image.cells.push_back(colours[colour_index(seen.value(look, i), seen.limits, colours.size(), cyclic)]);
   const std::string_view unit = unit_of(look.quantity);
-  panel.colour_bar = FigureColourBar{std::string(title_of(look.quantity)), unit == "V" ? volts : std::string(unit),
+  panel.colour_bar = FigureColourBar{std::string(axis_title_of(look.quantity)), unit == "V" ? volts : std::string(unit),
                                      seen.limits.low, seen.limits.high, colours};
 }
 

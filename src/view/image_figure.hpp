@@ -22,17 +22,16 @@ struct ImagePlaces {
 };
 
 /// How a file is looked at: the part that is seen, in rows and columns of the file, and the look.
-struct ImageLook {
+struct ImageLook : ColourLook {
+  ImageLook() {
+    quantity = DisplayQuantity::magnitude;
+    map = ColourMap::ocean;
+  }
+
   std::size_t first_row = 0;
   std::size_t rows = 0;  ///< 0: all.
   std::size_t first_column = 0;
   std::size_t columns = 0;  ///< 0: all.
-  DisplayQuantity quantity = DisplayQuantity::magnitude;
-  ColourMap map = ColourMap::ocean;
-  bool inverted = false;
-  ClassicSliders sliders;
-  LimitRule limits;
-  Decibels decibels;
   /// Pixels, or curves (echo_curves.hpp): one for each row or column, of those that are nearer than 20 pixels every
   /// n-th.
   DrawAs draw_as = DrawAs::pixels;

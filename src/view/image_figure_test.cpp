@@ -157,5 +157,13 @@ TEST_F(ImageFigure, RefusesAPartThatIsNotThere) {
   EXPECT_THROW((void)panel(look), std::invalid_argument);
 }
 
+TEST_F(ImageFigure, SaysTheUnitOfDecibelsOnce) {
+  ImageLook look;
+  look.quantity = DisplayQuantity::decibels;
+  const FigurePanel shown = panel(look);
+  EXPECT_EQ(shown.colour_bar->label, "Power");
+  EXPECT_EQ(shown.colour_bar->unit, "dB");
+}
+
 }  // namespace
 }  // namespace sarsim

@@ -17,6 +17,7 @@ class KeptObject {
  public:
   KeptObject() = default;
   KeptObject(std::nullopt_t) {}
+  /// Keeps an object.
   KeptObject(AnyObject object) {
     std::visit([this](auto& any) { keep(std::move(any)); }, object);
   }

@@ -97,7 +97,7 @@ class CellRow {
 
 }  // namespace
 
-void reduce_plane(const ImagePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
+void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
                   std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out, const StopFlag* stop) {
   if (out.size() != rows * cols) throw std::invalid_argument("the cells and the room for them differ");
   std::ranges::fill(out, 0.0F);
@@ -114,7 +114,7 @@ void reduce_plane(const ImagePlane& plane, OverviewKind kind, std::size_t row0, 
     for (std::size_t row = first; row < last; row += height)
       for (std::size_t at = 0; at < extent; at += width) {
         if (stop != nullptr && stop->requested()) throw Interrupted();
-        const PlaneWindow window{row, std::min(height, last - row), col0 + at, std::min(width, extent - at)};
+        const ImageWindow window{row, std::min(height, last - row), col0 + at, std::min(width, extent - at)};
         samples.resize(window.samples());
         plane.read(window, samples);
         for (std::size_t r = 0; r < window.rows; ++r)
@@ -124,7 +124,7 @@ void reduce_plane(const ImagePlane& plane, OverviewKind kind, std::size_t row0, 
   }
 }
 
-Overview::Overview(ImagePlane plane, const OverviewOptions& options)
+Overview::Overview(SamplePlane plane, const OverviewOptions& options)
     : plane_(std::move(plane)), options_(options), base_(base_of(plane_.rows, plane_.columns, options.most_cells)) {
   levels_.push_back({base_, {}});
   if (plane_.rows == 0 || plane_.columns == 0) {

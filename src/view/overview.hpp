@@ -14,14 +14,15 @@
 
 #include "base/progress.hpp"
 #include "base/stop.hpp"
-#include "view/image_plane.hpp"
 #include "view/overview_cache.hpp"
+#include "view/sample_plane.hpp"
 
 namespace sarsim {
 
 /// What a cell of an overview holds of the magnitudes of its samples.
 enum class OverviewKind { peak, mean };
 
+/// What an overview holds and where it is kept.
 struct OverviewOptions {
   OverviewKind kind = OverviewKind::peak;
   std::size_t most_cells = std::size_t{8} << 20;  ///< Of the finest level: 4 bytes each, a third more for the others.
@@ -56,12 +57,13 @@ enum class OverviewState {
 class Overview {
  public:
   /// Begins at once. A plane without samples is complete.
-  Overview(ImagePlane plane, const OverviewOptions& options = {});
+  Overview(SamplePlane plane, const OverviewOptions& options = {});
   Overview(const Overview&) = delete;
   Overview& operator=(const Overview&) = delete;
   /// Ends the work; waits for the read that is under way.
   ~Overview();
 
+  /// How much of it is there now.
   [[nodiscard]] OverviewState state() const;
   /// Cell rows of the finest level that are exact, of all.
   [[nodiscard]] Progress progress() const;
@@ -104,7 +106,7 @@ class Overview {
   void add_cells(const Level& source, unsigned row_log2, unsigned col_log2, std::size_t row, std::size_t col0,
                  std::span<float> out) const;
 
-  ImagePlane plane_;
+  SamplePlane plane_;
   OverviewOptions options_;
   OverviewLevel base_;
   std::vector<Level> levels_;        // The base first; the others once it is complete.
@@ -122,7 +124,7 @@ class Overview {
 /// Peaks (or means) of the magnitudes of cells that begin at (row0, col0), row_bin x col_bin samples each, straight
 /// from a plane: what an overview is made of, for steps finer than its own. Cells may reach beyond the plane. Reads
 /// some MB at a time; throws Interrupted.
-void reduce_plane(const ImagePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
+void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
                   std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
                   const StopFlag* stop = nullptr);
 

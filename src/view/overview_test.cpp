@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 using Magnitude = std::function<float(std::size_t, std::size_t)>;
 
 // A plane whose samples have given magnitudes; counts how many were read.
-ImagePlane plane_of(std::size_t rows, std::size_t columns, const Magnitude& magnitude,
-                    std::atomic<std::uint64_t>* read = nullptr) {
-  ImagePlane plane{rows, columns, {}};
-  plane.read = [=](const PlaneWindow& window, std::span<std::complex<float>> out) {
+SamplePlane plane_of(std::size_t rows, std::size_t columns, const Magnitude& magnitude,
+                     std::atomic<std::uint64_t>* read = nullptr) {
+  SamplePlane plane{rows, columns, {}};
+  plane.read = [=](const ImageWindow& window, std::span<std::complex<float>> out) {
     if (read != nullptr) *read += out.size();
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
@@ -93,7 +93,7 @@ TEST_P(OverviewOfKind, HoldsPeaksOrMeansAtEveryStep) {
 }
 
 TEST_P(OverviewOfKind, OfPartsIsReadStraightFromThePlaneToo) {
-  const ImagePlane plane = plane_of(50, 70, scrambled);
+  const SamplePlane plane = plane_of(50, 70, scrambled);
   std::vector<float> cells(6 * 5);
   reduce_plane(plane, GetParam(), 31, 6, 4, 40, 5, 7, cells);
   for (std::size_t i = 0; i < 6; ++i)
@@ -152,9 +152,9 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
   // Reading waits at the third row that is looked at.
   std::atomic<int> reads{0};
   std::atomic<bool> go_on{false};
-  ImagePlane plane =
+  SamplePlane plane =
       plane_of(1 << 18, 1 << 13, [](std::size_t row, std::size_t) { return 1.0F + static_cast<float>(row); });
-  plane.read = [&, read = plane.read](const PlaneWindow& window, std::span<std::complex<float>> out) {
+  plane.read = [&, read = plane.read](const ImageWindow& window, std::span<std::complex<float>> out) {
     if (++reads > 2) {
       while (!go_on) usleep(100);
       throw std::runtime_error("enough");
@@ -177,7 +177,7 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
 
 TEST(Overview, OfLongRowsKeepsTheirColumnsApart) {
   constexpr std::size_t columns = 600'000;
-  const ImagePlane plane = plane_of(
+  const SamplePlane plane = plane_of(
       3, columns, [](std::size_t row, std::size_t column) { return static_cast<float>(row * columns + column); });
   std::vector<float> cells(600);
   reduce_plane(plane, OverviewKind::peak, 0, 1, 3, 0, 600, 1000, cells);
@@ -186,8 +186,8 @@ TEST(Overview, OfLongRowsKeepsTheirColumnsApart) {
 }
 
 TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
-  ImagePlane plane = plane_of(100, 100, scrambled);
-  plane.read = [read = plane.read](const PlaneWindow& window, std::span<std::complex<float>> out) {
+  SamplePlane plane = plane_of(100, 100, scrambled);
+  plane.read = [read = plane.read](const ImageWindow& window, std::span<std::complex<float>> out) {
     if (window.row0 >= 50) throw std::runtime_error("the disk is gone");
     read(window, out);
   };
@@ -201,12 +201,12 @@ TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
 
 TEST(Overview, TakesWhatIsNoNumberAsNothingAndTheInfiniteAsTheLargest) {
   for (const OverviewKind kind : {OverviewKind::peak, OverviewKind::mean}) {
-    ImagePlane plane{2, 4, [](const PlaneWindow& window, std::span<std::complex<float>> out) {
-                       for (std::size_t i = 0; i < out.size(); ++i)
-                         out[i] = window.col0 + i % window.cols < 2
-                                      ? std::complex<float>(std::numeric_limits<float>::quiet_NaN(), 0.0F)
-                                      : std::complex<float>(std::numeric_limits<float>::infinity(), 0.0F);
-                     }};
+    SamplePlane plane{2, 4, [](const ImageWindow& window, std::span<std::complex<float>> out) {
+                        for (std::size_t i = 0; i < out.size(); ++i)
+                          out[i] = window.col0 + i % window.cols < 2
+                                       ? std::complex<float>(std::numeric_limits<float>::quiet_NaN(), 0.0F)
+                                       : std::complex<float>(std::numeric_limits<float>::infinity(), 0.0F);
+                      }};
     OverviewOptions options;
     options.kind = kind;
     const Overview overview(plane, options);

@@ -1,7 +1,6 @@
 #include "view/point_reading.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -48,11 +47,11 @@ Extent extent_of(std::size_t centre, std::size_t count, std::size_t size) {
 }
 
 // Sample (row, column) of the plane is sample (rows / 2, cols / 2) of the patch.
-Patch patch_of(const ImagePlane& plane, std::size_t row, std::size_t column, std::size_t rows, std::size_t cols) {
+Patch patch_of(const SamplePlane& plane, std::size_t row, std::size_t column, std::size_t rows, std::size_t cols) {
   Patch patch{rows, cols, std::vector<Complex>(rows * cols)};
   const Extent down = extent_of(row, rows, plane.rows);
   const Extent across = extent_of(column, cols, plane.columns);
-  const PlaneWindow window{down.first, down.count, across.first, across.count};
+  const ImageWindow window{down.first, down.count, across.first, across.count};
   std::vector<std::complex<float>> read(window.samples());
   plane.read(window, read);
   for (std::size_t i = 0; i < down.count; ++i)
@@ -247,7 +246,7 @@ Problem no_point(const std::string& message, std::size_t row, std::size_t column
 
 }  // namespace
 
-std::variant<PointReading, Problem> read_point(const ImagePlane& plane, std::size_t row, std::size_t column,
+std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::size_t row, std::size_t column,
                                                const PointOptions& options) {
   if (row >= plane.rows || column >= plane.columns) return no_point("the place is outside the image", row, column);
   const std::size_t around = 2 * std::min<std::size_t>(options.search, 1024) + 1;

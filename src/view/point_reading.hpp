@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "base/problem.hpp"
-#include "view/image_plane.hpp"
+#include "view/sample_plane.hpp"
 
 namespace sarsim {
 
@@ -27,6 +27,7 @@ struct PointReading {
   CutReading along_row;        ///< The column changes.
 };
 
+/// How the point next to a sample is found.
 struct PointOptions {
   std::size_t search = 4;  ///< The largest sample so many samples around the click is taken.
 };
@@ -38,7 +39,7 @@ struct PointOptions {
 ///
 /// Samples beyond the image are 0. A problem where the click is outside, where nothing but zeros is around it, or where
 /// the response has no main lobe with minima on both sides. What reading the plane throws comes out.
-[[nodiscard]] std::variant<PointReading, Problem> read_point(const ImagePlane& plane, std::size_t row,
+[[nodiscard]] std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::size_t row,
                                                              std::size_t column, const PointOptions& options = {});
 
 }  // namespace sarsim

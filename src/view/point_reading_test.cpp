@@ -37,15 +37,15 @@ struct Target {
   double column_turn = 0.0;
 };
 
-ImagePlane image_of(const Target& target, const Weight& weight, std::size_t rows = 300, std::size_t columns = 260) {
+SamplePlane image_of(const Target& target, const Weight& weight, std::size_t rows = 300, std::size_t columns = 260) {
   std::vector<double> down(rows);
   std::vector<double> across(columns);
   for (std::size_t i = 0; i < rows; ++i)
     down[i] = response(weight, (static_cast<double>(i) - target.row) / target.row_cell);
   for (std::size_t k = 0; k < columns; ++k)
     across[k] = response(weight, (static_cast<double>(k) - target.column) / target.column_cell);
-  ImagePlane plane{rows, columns, {}};
-  plane.read = [=](const PlaneWindow& window, std::span<std::complex<float>> out) {
+  SamplePlane plane{rows, columns, {}};
+  plane.read = [=](const ImageWindow& window, std::span<std::complex<float>> out) {
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
         const std::size_t row = window.row0 + i * window.row_step;
@@ -59,7 +59,7 @@ ImagePlane image_of(const Target& target, const Weight& weight, std::size_t rows
   return plane;
 }
 
-PointReading reading_of(const ImagePlane& plane, std::size_t row, std::size_t column) {
+PointReading reading_of(const SamplePlane& plane, std::size_t row, std::size_t column) {
   const auto result = read_point(plane, row, column);
   const auto* problem = std::get_if<Problem>(&result);
   EXPECT_EQ(problem, nullptr) << (problem == nullptr ? "" : to_string(*problem));
@@ -127,21 +127,21 @@ TEST(ReadPoint, AtTheCornerOfAnImageKeepsPlaceAndWidth) {
 }
 
 TEST(ReadPoint, SaysWhyThereIsNone) {
-  const auto message = [](const ImagePlane& plane, std::size_t row, std::size_t column) {
+  const auto message = [](const SamplePlane& plane, std::size_t row, std::size_t column) {
     const auto result = read_point(plane, row, column);
     return std::holds_alternative<Problem>(result) ? to_string(std::get<Problem>(result)) : std::string();
   };
   const auto constant = [](float value) {
-    return ImagePlane{50, 40, [value](const PlaneWindow&, std::span<std::complex<float>> out) {
-                        std::ranges::fill(out, std::complex<float>(value));
-                      }};
+    return SamplePlane{50, 40, [value](const ImageWindow&, std::span<std::complex<float>> out) {
+                         std::ranges::fill(out, std::complex<float>(value));
+                       }};
   };
   EXPECT_THAT(message(constant(1.0F), 50, 0), testing::HasSubstr("outside the image"));
   EXPECT_THAT(message(constant(1.0F), 0, 40), testing::HasSubstr("outside the image"));
   EXPECT_THAT(message(constant(0.0F), 10, 10), testing::HasSubstr("zeros"));
   EXPECT_THAT(message(constant(std::nanf("")), 10, 10), testing::HasSubstr("zeros"));
   // A plateau that fills the whole cut.
-  const ImagePlane plateau{500, 500, constant(1.0F).read};
+  const SamplePlane plateau{500, 500, constant(1.0F).read};
   EXPECT_THAT(message(plateau, 250, 250), testing::HasSubstr("no main lobe"));
 }
 

@@ -46,6 +46,7 @@ enum class ProfileMean {
   power,     ///< Root of the mean power.
   coherent,  ///< Magnitude of the mean: what keeps its phase from pulse to pulse.
 };
+/// The profile of a block of at least one row.
 [[nodiscard]] RangeProfile range_profile(const EchoBlock& block, ProfileMean mean);
 
 /// Range against Doppler frequency of a coherent interval.

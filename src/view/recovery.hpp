@@ -21,6 +21,7 @@ class Recovery {
   /// Forgets it: the document was saved or closed.
   void forget() const;
 
+  /// What a program left behind that ended without closing its document.
   struct Copy {
     std::filesystem::path file;      ///< The copy itself.
     std::filesystem::path document;  ///< Empty where it was never saved.
@@ -29,6 +30,7 @@ class Recovery {
   /// Copies whose owners no longer run, newest first. Damaged ones are left out. Takes away what programs left that
   /// were killed while they wrote a copy.
   [[nodiscard]] static std::vector<Copy> orphans(const std::filesystem::path& folder);
+  /// Takes a copy away.
   static void discard(const Copy& copy);
 
  private:

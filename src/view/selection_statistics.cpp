@@ -205,13 +205,13 @@ SelectionStatistics statistics_of(const Part& part) {
 
 // A window cut into parts that are read at once: whole rows, or pieces of long ones.
 struct Parts {
-  PlaneWindow window;
+  ImageWindow window;
   std::size_t cols = 1;
   std::size_t rows = 1;
   std::size_t across = 0;
   std::size_t down = 0;
 
-  explicit Parts(const PlaneWindow& whole) : window(whole) {
+  explicit Parts(const ImageWindow& whole) : window(whole) {
     if (whole.samples() == 0) return;
     cols = std::min(whole.cols, samples_at_once);
     rows = std::max<std::size_t>(1, samples_at_once / cols);
@@ -219,7 +219,7 @@ struct Parts {
     down = (whole.rows - 1) / rows + 1;
   }
   [[nodiscard]] std::size_t count() const { return across * down; }
-  [[nodiscard]] PlaneWindow part(std::size_t index) const {
+  [[nodiscard]] ImageWindow part(std::size_t index) const {
     const std::size_t i = index / across * rows;
     const std::size_t k = index % across * cols;
     return {window.row0 + i * window.row_step,
@@ -266,7 +266,7 @@ QuantityStatistics::Limits QuantityStatistics::limits(double part) const {
           std::clamp(histogram.percentile(1.0 - part), minimum, maximum)};
 }
 
-SelectionStatistics measure_selection(const ImagePlane& plane, const PlaneWindow& window, const WorkControl& control,
+SelectionStatistics measure_selection(const SamplePlane& plane, const ImageWindow& window, const WorkControl& control,
                                       const ProgressReport& progress) {
   const Parts parts(window);
   Part sum;
@@ -274,7 +274,7 @@ SelectionStatistics measure_selection(const ImagePlane& plane, const PlaneWindow
       parts.count(), control.threads,
       [&] {
         return [&, samples = std::vector<std::complex<float>>()](std::size_t index) mutable {
-          const PlaneWindow part = parts.part(index);
+          const ImageWindow part = parts.part(index);
           samples.resize(part.samples());
           plane.read(part, samples);
           return part_of(samples);

@@ -8,7 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
-#include "view/image_plane.hpp"
+#include "view/sample_plane.hpp"
 
 namespace sarsim {
 
@@ -52,6 +52,8 @@ struct QuantityStatistics {
     double low = 0.0;
     double high = 0.0;
   };
+  /// The limits that leave out a share of the values at either end.
+  /// @param part  of the values, 0 to 0.5
   [[nodiscard]] Limits limits(double part) const;
 };
 
@@ -71,7 +73,7 @@ struct SelectionStatistics {
 /// result. Means and deviations are gathered part by part (Chan, Golub, LeVeque: "Updating formulae and a pairwise
 /// algorithm for computing sample variances", 1979), so that a small deviation of large values keeps its digits.
 /// Throws Interrupted where asked to stop, and what reading the plane throws.
-[[nodiscard]] SelectionStatistics measure_selection(const ImagePlane& plane, const PlaneWindow& window,
+[[nodiscard]] SelectionStatistics measure_selection(const SamplePlane& plane, const ImageWindow& window,
                                                     const WorkControl& control = {},
                                                     const ProgressReport& progress = {});
 

@@ -13,10 +13,10 @@
 namespace sarsim {
 namespace {
 
-ImagePlane plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
+SamplePlane plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
   const std::size_t rows = samples.size() / columns;
   return {rows, columns,
-          [samples = std::move(samples), columns](const PlaneWindow& window, std::span<std::complex<float>> out) {
+          [samples = std::move(samples), columns](const ImageWindow& window, std::span<std::complex<float>> out) {
             for (std::size_t i = 0; i < window.rows; ++i)
               for (std::size_t k = 0; k < window.cols; ++k)
                 out[i * window.cols + k] =
@@ -178,8 +178,8 @@ TEST(SelectionStatistics, LimitsLeaveOutTheEnds) {
 
 TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
   const auto samples = noise(900 * 1200, 0.1F, 2.0F);
-  const ImagePlane plane = plane_of(samples, 1200);
-  const PlaneWindow window{3, 400, 5, 500, 2, 2};
+  const SamplePlane plane = plane_of(samples, 1200);
+  const ImageWindow window{3, 400, 5, 500, 2, 2};
   const SelectionStatistics one = measure_selection(plane, window, {1, nullptr});
   const SelectionStatistics three = measure_selection(plane, window, {3, nullptr});
   EXPECT_EQ(one.samples, 200000U);
@@ -195,7 +195,7 @@ TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
 }
 
 TEST(SelectionStatistics, ReportProgressAndStop) {
-  const ImagePlane plane = plane_of(noise(1 << 20, 0.0F, 1.0F), 1 << 10);
+  const SamplePlane plane = plane_of(noise(1 << 20, 0.0F, 1.0F), 1 << 10);
   std::vector<std::size_t> done;
   (void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {},
                           [&](const Progress& progress) { done.push_back(progress.done * 100 / progress.total); });

@@ -14,12 +14,14 @@ namespace sarsim {
 /// Where everything in a scene stands at one time, for drawing. Faulty objects (a half-typed scene) are left out or
 /// stand where the rest of them can be understood; nothing throws.
 struct Snapshot {
+  /// Where a platform is and how it is turned.
   struct Platform {
     ObjectId id;
     std::string name;
     Pose pose;
     std::vector<Vec3> trail_world_m;  ///< Its path around the time; empty where it does not move.
   };
+  /// Where a target is.
   struct Target {
     ObjectId id;
     Vec3 position_world_m;  ///< Without the jitter that a target draws for every pulse.
@@ -27,11 +29,13 @@ struct Snapshot {
     Vec3 normal_world;      ///< Unit; of directional ones.
     bool directional = false;
   };
+  /// The corners of a surface.
   struct Surface {
     ObjectId id;
     std::array<Vec3, 3> corner_world_m;
     Vec3 normal_world;  ///< Unit; the side that reflects. 0 where the triangle has no area.
   };
+  /// Where an antenna is, looks, and how wide its beam is.
   struct Radar {
     ObjectId id;
     std::string name;

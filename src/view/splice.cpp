@@ -15,11 +15,11 @@ namespace {
 
 // What becomes of one object of the script, in a list of its kind. New ones have no stretch.
 struct Entry {
-  std::optional<Stretch> stands;
+  std::optional<TextStretch> stands;
   const KeptObject* before = nullptr;  // where replaced
   const KeptObject* after = nullptr;   // where replaced or new
   std::size_t change = 0;              // where new: which change holds it, and where in that
-  Stretch in_change;
+  TextStretch in_change;
 };
 
 // The kinds in the order of the writer.
@@ -38,7 +38,7 @@ class Splicer {
   Splicer(std::string_view text, const CommandPlaces& places, const DataFileLoader& loader)
       : text_(text), line_end_(line_end_of(text)), loader_(loader), options_(places.of[CommandPlaces::options]) {
     for (const ObjectKind kind : all_object_kinds)
-      for (const Stretch at : places[kind]) list(kind).emplace_back().stands = at;
+      for (const TextStretch at : places[kind]) list(kind).emplace_back().stands = at;
   }
 
   Splice make(const Edit& edit) {
@@ -48,7 +48,7 @@ class Splicer {
       follow(rest.first(count));
       rest = rest.subspan(count);
     }
-    for (const Stretch at : removed_) remove(at);
+    for (const TextStretch at : removed_) remove(at);
     for (const ObjectKind kind : writer_order) write_list(kind);
     if (edit.options_before && edit.options_after && *edit.options_before != *edit.options_after)
       write_options(*edit.options_before, *edit.options_after);
@@ -80,7 +80,7 @@ class Splicer {
   }
 
   // Takes a command away, with the comment about it and the blank line that would be one too many.
-  void remove(Stretch at) {
+  void remove(TextStretch at) {
     const std::size_t begin = lead_begin(text_, at.begin);
     std::size_t end = at.end;
     if (begin != line_begin(text_, begin)) {
@@ -111,7 +111,7 @@ class Splicer {
     }
   }
 
-  void replace(Stretch at, const AnyObject& before, const AnyObject& after) {
+  void replace(TextStretch at, const AnyObject& before, const AnyObject& after) {
     const auto is_right = [&](std::string_view command) {
       return only_object(read_command_text(command, loader_).scene) == after;
     };
@@ -179,7 +179,7 @@ class Splicer {
     return at_end();
   }
 
-  [[nodiscard]] std::optional<Stretch> last_standing(ObjectKind kind) {
+  [[nodiscard]] std::optional<TextStretch> last_standing(ObjectKind kind) {
     const std::vector<Entry>& entries = list(kind);
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
       if (entry->stands) return entry->stands;
@@ -237,18 +237,18 @@ class Splicer {
     splice.text = apply_changes(text_, splice.changes);
     const auto place_of = [&](const Entry& entry) {
       if (entry.stands) return moved_place(splice, *entry.stands);
-      return Stretch{new_at[entry.change] + entry.in_change.begin, new_at[entry.change] + entry.in_change.end};
+      return TextStretch{new_at[entry.change] + entry.in_change.begin, new_at[entry.change] + entry.in_change.end};
     };
     for (const ObjectKind kind : all_object_kinds)
       for (const Entry& entry : list(kind)) splice.places[kind].push_back(place_of(entry));
-    std::vector<Stretch>& options = splice.places.of[CommandPlaces::options];
-    for (const Stretch at : options_) options.push_back(moved_place(splice, at));
+    std::vector<TextStretch>& options = splice.places.of[CommandPlaces::options];
+    for (const TextStretch at : options_) options.push_back(moved_place(splice, at));
     if (new_options_) options.push_back(place_of(*new_options_));
     return splice;
   }
 
-  [[nodiscard]] Stretch moved_place(const Splice& splice, Stretch at) const {
-    Stretch moved{moved_begin(splice.changes, at.begin), moved_end(splice.changes, at.end)};
+  [[nodiscard]] TextStretch moved_place(const Splice& splice, TextStretch at) const {
+    TextStretch moved{moved_begin(splice.changes, at.begin), moved_end(splice.changes, at.end)};
     const char last = splice.text[moved.end - 1];
     if (last == '\n' || last == '\r') return moved;
     // What it shared its line with may have gone, or its line may have got an end.
@@ -279,9 +279,9 @@ class Splicer {
   std::string_view line_end_;
   const DataFileLoader& loader_;
   std::array<std::vector<Entry>, 6> lists_;
-  std::vector<Stretch> options_;
+  std::vector<TextStretch> options_;
   std::optional<Entry> new_options_;
-  std::vector<Stretch> removed_;
+  std::vector<TextStretch> removed_;
   TextChanges changes_;  // in the order in which they were found
   std::vector<std::size_t> grown_;
 };

@@ -77,7 +77,7 @@ std::size_t size_of(const Scene& scene) {
   return size;
 }
 
-std::string_view part(std::string_view text, Stretch at) { return text.substr(at.begin, at.end - at.begin); }
+std::string_view part(std::string_view text, TextStretch at) { return text.substr(at.begin, at.end - at.begin); }
 
 // Three texts of a command by tokens: as it stands, as the writer would have written it, as the writer would now.
 struct Aligned {
@@ -98,7 +98,7 @@ bool alone_on_line(std::string_view text, const std::vector<PlacedToken>& tokens
          (i + 1 == tokens.size() || is_first_on_line(text, tokens[i + 1].at.begin));
 }
 
-Stretch to_end_of_line(std::string_view text, std::size_t begin) {
+TextStretch to_end_of_line(std::string_view text, std::size_t begin) {
   return {begin, std::min(text.find_first_of("\r\n", begin), text.size())};
 }
 
@@ -197,7 +197,7 @@ TextChanges change_values(std::string_view command, std::string_view before, std
   std::size_t old_size = 0;  // of what changed on this line
   std::size_t new_size = 0;
   for (std::size_t i = 0; i < texts.stands.size(); ++i) {
-    const Stretch at = texts.stands[i].at;
+    const TextStretch at = texts.stands[i].at;
     if (is_first_on_line(command, at.begin)) old_size = new_size = 0;
     if (!texts.same(i, i)) {
       const std::string_view value = part(after, texts.becomes[i].at);

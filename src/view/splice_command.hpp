@@ -42,7 +42,7 @@ namespace sarsim {
 /// it where the layout allows that, else all of the command. Comments beside and between unchanged values stay in the
 /// first two cases.
 template <class IsRight>
-[[nodiscard]] TextChanges change_command(std::string_view text, Stretch at, std::string_view before,
+[[nodiscard]] TextChanges change_command(std::string_view text, TextStretch at, std::string_view before,
                                          std::string_view after, IsRight is_right);
 
 namespace detail {
@@ -55,7 +55,7 @@ namespace detail {
 }  // namespace detail
 
 template <class IsRight>
-TextChanges change_command(std::string_view text, Stretch at, std::string_view before, std::string_view after,
+TextChanges change_command(std::string_view text, TextStretch at, std::string_view before, std::string_view after,
                            IsRight is_right) {
   const std::string_view command = text.substr(at.begin, at.end - at.begin);
   const std::string_view line_end = line_end_of(text);

@@ -23,7 +23,7 @@ void visit_tokens(std::string_view text, Visit visit) {
   const char line_end = line_end_of(text).back();
   std::size_t previous_end = 0;
   for (script::Token token = tokens.take(); token.kind != TokenKind::end; token = tokens.take()) {
-    Stretch at;
+    TextStretch at;
     at.begin = static_cast<std::size_t>(token.text.data() - text.data());
     at.end = at.begin + token.text.size();
     if (token.kind == TokenKind::quoted) {
@@ -60,7 +60,7 @@ std::size_t slot_of(std::string_view word) {
 // The command being passed over.
 struct OpenCommand {
   std::size_t slot = CommandPlaces{}.of.size();
-  Stretch at;  // up to its last token so far
+  TextStretch at;  // up to its last token so far
   bool has_values = false;
 };
 
@@ -81,14 +81,14 @@ bool CommandPlaces::fits(const Scene& scene) const {
 
 std::vector<PlacedToken> placed_tokens(std::string_view text) {
   std::vector<PlacedToken> tokens;
-  visit_tokens(text, [&](const script::Token& token, Stretch at) { tokens.push_back({token, at}); });
+  visit_tokens(text, [&](const script::Token& token, TextStretch at) { tokens.push_back({token, at}); });
   return tokens;
 }
 
 CommandPlaces find_commands(std::string_view text) {
   CommandPlaces places;
   OpenCommand open;
-  visit_tokens(text, [&](const script::Token& token, Stretch at) {
+  visit_tokens(text, [&](const script::Token& token, TextStretch at) {
     if (token.kind != script::TokenKind::command) {
       open.at.end = at.end;
       open.has_values = true;

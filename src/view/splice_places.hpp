@@ -12,17 +12,17 @@
 namespace sarsim {
 
 /// A part of a text, in bytes.
-struct Stretch {
+struct TextStretch {
   std::size_t begin = 0;
   std::size_t end = 0;
 
-  friend bool operator==(const Stretch&, const Stretch&) = default;
+  friend bool operator==(const TextStretch&, const TextStretch&) = default;
 };
 
 /// A token of a script with the bytes that it takes, its quotes or `$` included.
 struct PlacedToken {
   script::Token token;
-  Stretch at;
+  TextStretch at;
 };
 
 /// The tokens of a script, the end left out.
@@ -32,11 +32,11 @@ struct PlacedToken {
 /// where the next command begins on that line.
 struct CommandPlaces {
   /// For each kind of object, in the order of the objects; `$OPTIONS` come last.
-  std::array<std::vector<Stretch>, 7> of;
+  std::array<std::vector<TextStretch>, 7> of;
 
   static constexpr std::size_t options = 6;
-  [[nodiscard]] std::vector<Stretch>& operator[](ObjectKind kind) { return of[static_cast<std::size_t>(kind)]; }
-  [[nodiscard]] const std::vector<Stretch>& operator[](ObjectKind kind) const {
+  [[nodiscard]] std::vector<TextStretch>& operator[](ObjectKind kind) { return of[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] const std::vector<TextStretch>& operator[](ObjectKind kind) const {
     return of[static_cast<std::size_t>(kind)];
   }
   /// True where there are as many commands of each kind as the scene has objects.

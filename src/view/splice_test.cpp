@@ -251,7 +251,7 @@ TEST(FindCommands, PassesOverDollarsInCommentsAndWords) {
   const CommandPlaces places = find_commands(text);
   EXPECT_TRUE(places.fits(scene_of(text)));
   ASSERT_EQ(places[ObjectKind::surface].size(), 1U);
-  EXPECT_EQ(places[ObjectKind::surface][0], (Stretch{text.find("$ $"), text.size()}));
+  EXPECT_EQ(places[ObjectKind::surface][0], (TextStretch{text.find("$ $"), text.size()}));
 }
 
 TEST(AsScriptSays, DropsWhatAChoiceMakesMeaningless) {
@@ -300,8 +300,8 @@ void expect_rest_unchanged(const Document& document, const std::string& before, 
   const Edit& edit = document.last_edit()->edit;
   if (edit.changes.size() != 1 || !edit.changes[0].before || !edit.changes[0].after || edit.options_after) return;
   const ObjectId id = edit.changes[0].id;
-  const Stretch was = places[id.kind][id.index];
-  const Stretch is = document.commands()[id.kind][id.index];
+  const TextStretch was = places[id.kind][id.index];
+  const TextStretch is = document.commands()[id.kind][id.index];
   ASSERT_EQ(document.text().substr(0, is.begin), before.substr(0, was.begin));
   ASSERT_EQ(document.text().substr(is.end), before.substr(was.end));
 }

@@ -61,6 +61,13 @@ Rgb colour(Role role, bool dark) {
   return dark ? tone.dark : tone.light;
 }
 
+Rgb surface_fill(std::uint8_t shade, bool dark) {
+  // Above the dark ground, below the light one.
+  const int grey = dark ? 45 + shade / 2 : shade * 220 / 255;
+  const auto channel = static_cast<std::uint8_t>(grey);
+  return {channel, channel, channel};
+}
+
 double contrast(Rgb a, Rgb b) {
   const double first = luminance(a) + 0.05;
   const double second = luminance(b) + 0.05;

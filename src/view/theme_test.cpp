@@ -60,6 +60,17 @@ TEST(Theme, EveryRoleIsReadableOnBothBackgrounds) {
   }
 }
 
+TEST(Theme, SurfacesOfEveryShadeStandOutFromTheGroundAndGrowBrighterWithIt) {
+  for (const bool dark : {false, true}) {
+    for (int shade = 0; shade <= 255; ++shade) {
+      const Rgb fill = surface_fill(static_cast<std::uint8_t>(shade), dark);
+      EXPECT_GE(contrast(fill, colour(Role::background, dark)), 1.2) << shade;
+      EXPECT_GE(fill.red, surface_fill(static_cast<std::uint8_t>(std::max(shade - 1, 0)), dark).red) << shade;
+    }
+    EXPECT_GT(surface_fill(255, dark).red, surface_fill(0, dark).red + 100);
+  }
+}
+
 TEST(Theme, FaintIsFainterThanText) {
   for (const bool dark : {false, true}) {
     const Rgb background = colour(Role::background, dark);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "view/rounding.hpp"
 
 namespace sarsim {
 
@@ -89,8 +90,8 @@ std::optional<std::vector<std::string>> split(std::string_view text) {
 
 // 15 digits are what a double surely holds: sums of decimal fractions come out as people write them.
 std::string decimal(double value) {
-  const auto rounded = parse_number(fmt::format("{:.15g}", value));
-  return format_number(rounded.value_or(value));
+  constexpr int digits = 15;
+  return format_number(tidy(value, digits));
 }
 
 // Reads the values of one field.

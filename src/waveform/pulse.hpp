@@ -12,7 +12,9 @@ namespace sarsim {
 
 /// The complex envelope of a transmitted pulse (thesis 4.4, 6.2.10): modulation times amplitude envelope.
 struct Pulse {
+  /// One frequency, a linear sweep, chips of either sign, or I and Q by points.
   enum class Kind { mono, chirp, code, user };
+  /// Full amplitude throughout, straight rise and fall, or points.
   enum class Envelope { rectangular, linear, user };
 
   Kind kind = Kind::mono;

@@ -21,12 +21,15 @@ class Repetition {
   /// Intervals [s] after pulses 0, 1, ... in turn, wrapping around in both directions.
   static Repetition intervals(std::vector<double> pri_s);
 
+  /// t(n).
   [[nodiscard]] double send_time_s(std::int64_t pulse) const;
 
   /// Pulses with start <= t(n) <= end, each end widened by 1e-9 of an interval (decision 19).
   [[nodiscard]] PulseRange pulses_in(double start_s, double end_s) const;
 
+  /// The shortest time between two pulses.
   [[nodiscard]] double shortest_interval_s() const;
+  /// The mean time between pulses.
   [[nodiscard]] double mean_interval_s() const;
 
  private:
@@ -41,14 +44,18 @@ class Repetition {
 /// The carrier of each pulse (thesis 6.2.6).
 class CarrierPlan {
  public:
+  /// One carrier for all pulses.
   static CarrierPlan single(double carrier_hz);
   /// f(n) = start + step floor((n mod S p)/p): S steps with p pulses each, wrapping around in both directions.
   static CarrierPlan stepped(double start_hz, double step_hz, int steps, int pulses_per_step);
   /// Entries in turn, wrapping around in both directions.
   static CarrierPlan list(std::vector<double> carrier_hz);
 
+  /// f(n).
   [[nodiscard]] double carrier_hz(std::int64_t pulse) const;
+  /// The lowest carrier of all pulses.
   [[nodiscard]] double lowest_hz() const;
+  /// The highest carrier of all pulses.
   [[nodiscard]] double highest_hz() const;
   /// Frequency steps of a burst; 1 where the carrier is not stepped.
   [[nodiscard]] int steps() const { return steps_; }

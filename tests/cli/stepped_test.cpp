@@ -1,32 +1,15 @@
 #include <cmath>
 #include <csignal>
-#include <regex>
 
 #include <gmock/gmock.h>
 
 #include "program.hpp"
+#include "report_numbers.hpp"
 
 namespace sarsim::test {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string examples = SARSIM_SOURCE_DIR "/examples/";
-
-// All numbers that follow a name in JSON.
-std::vector<double> numbers_of(const std::string& json, const std::string& name) {
-  std::vector<double> numbers;
-  const std::regex pattern("\"" + name + "\": (-?[0-9.e+-]+)");
-  for (std::sregex_iterator i(json.begin(), json.end(), pattern), end; i != end; ++i)
-    numbers.push_back(std::stod((*i)[1]));
-  return numbers;
-}
-
-double largest(const std::vector<double>& numbers) {
-  double most = 0.0;
-  for (const double number : numbers) most = std::max(most, std::abs(number));
-  return most;
-}
 
 class Profiles : public CommandTest {
  protected:

@@ -69,7 +69,12 @@ class Page(unittest.TestCase):
             (gallery.PICTURES / name).write_bytes(b"x")
         (gallery.PICTURES / "old.png").write_bytes(b"x" * (gallery.LARGEST_BYTES + 1))
         complaints = "\n".join(gallery.complaints_about_files())
-        for words in (f"{names[0]} is missing", "old.png belongs to no figure", "more than"):
+        for words in (
+            f"{names[0]} is missing",
+            "old.png belongs to no figure",
+            f"old.png takes {gallery.LARGEST_BYTES + 1} bytes",
+            "the pictures take",
+        ):
             self.assertIn(words, complaints)
 
     def test_an_example_that_no_figure_uses_is_found(self):

@@ -12,17 +12,19 @@
 
 #include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "gui/function_editor.hpp"
 #include "gui/function_plot.hpp"
 #include "gui/function_table.hpp"
 #include "gui/problem_line.hpp"
 #include "small_scene.hpp"
+#include "text_files.hpp"
 
 namespace sarsim {
 
 namespace {
+
+using test::file_text;
 
 constexpr ObjectId ship{ObjectKind::platform, 1};
 constexpr ObjectId radar1{ObjectKind::radar, 0};
@@ -37,13 +39,6 @@ Scene scene_with_functions() {
   scene.radars[0].repetition = Radar::Repetition::user;
   scene.radars[0].pri_s.part[0].knots = {{0.0, 1e-3}, {1.0, 2e-3}, {2.0, 1.5e-3}};
   return scene;
-}
-
-std::string file_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {

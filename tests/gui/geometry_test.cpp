@@ -22,10 +22,13 @@
 #include "gui/geometry_window.hpp"
 #include "gui/problem_line.hpp"
 #include "small_scene.hpp"
+#include "text_files.hpp"
 
 namespace sarsim {
 
 namespace {
+
+using test::file_text;
 
 constexpr int patience_ms = 20'000;
 
@@ -41,13 +44,6 @@ Scene moving_scene() {
   scene.radars[0].carrier = Radar::Carrier::stepped;
   scene.targets[0].position_stddev_m = {0.1, 0.1, 0.1};
   return scene;
-}
-
-std::string file_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 std::vector<std::string> cells(const std::string& line) {

@@ -2,151 +2,21 @@
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QLabel>
 #include <QLineEdit>
-#include <QSettings>
 #include <QToolButton>
 
-#include <cmath>
-#include <cstring>
-#include <fstream>
 #include <string>
-#include <vector>
 
-#include "data/sinks.hpp"
 #include "data/sun_raster.hpp"
 #include "gui/figure_plot.hpp"
-#include "gui/image_controls.hpp"
-#include "gui/image_plot.hpp"
 #include "gui/image_thumbnail.hpp"
-#include "gui/image_viewer.hpp"
-#include "gui/image_viewers.hpp"
-#include "gui/main_window.hpp"
-#include "gui/open_image_dialog.hpp"
+#include "image_viewer_bench.hpp"
+
+// What an image viewer shows, and what mouse and keys do in it.
 
 namespace sarsim {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int patience_ms = 20'000;
-constexpr std::size_t rows = 120;
-constexpr std::size_t columns = 100;
-constexpr std::size_t point_row = 70;
-constexpr std::size_t point_column = 40;
-
-double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(M_PI * x) / (M_PI * x); }
-
-// A point of 1000 counts in a plain of small ones.
-std::complex<double> sample(std::size_t row, std::size_t column) {
-  const double down = static_cast<double>(row) - static_cast<double>(point_row);
-  const double across = static_cast<double>(column) - static_cast<double>(point_column);
-  return {std::round(1000.0 * sinc(0.9 * down) * sinc(0.9 * across)), 2.0};
-}
-
-void write_samples(const fs::path& path, FileFormat format, std::size_t count = rows) {
-  Product product;
-  product.radar = "radar";
-  product.rows = count;
-  product.columns = columns;
-  product.bits = 12;
-  product.lsb_v = 1.0;
-  product.sample_rate_hz = 1e6;
-  product.row_time_s = [](std::size_t row) { return 1e-3 * static_cast<double>(row); };
-  product.row_carrier_hz = [](std::size_t) { return 1e10; };
-  product.column_range_m = [](std::size_t column) { return 1000.0 + static_cast<double>(column); };
-  SinkOptions options;
-  options.format = format;
-  options.counts = true;
-  const auto sink = make_sink(path, product, options);
-  std::vector<std::complex<double>> volts;
-  std::vector<std::int64_t> counts;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < columns; ++k) {
-      volts.push_back(sample(i, k));
-      counts.push_back(static_cast<std::int64_t>(volts.back().real()));
-      counts.push_back(static_cast<std::int64_t>(volts.back().imag()));
-    }
-  Block block{0, count, columns, {}, {}};
-  if (sink->wants_counts())
-    block.counts = counts;
-  else
-    block.volts = volts;
-  sink->append(sink->encode(block), 0, count);
-  RunReport report;
-  report.rows = count;
-  report.columns = columns;
-  report.lsb_v = 1.0;
-  sink->finish(report);
-}
-
-ImageHints binary_hints() {
-  ImageHints hints;
-  hints.samples.format = FileFormat::binary;
-  hints.samples.columns = columns;
-  hints.samples.bits = 12;
-  return hints;
-}
-
-ImageHints float_layout(std::size_t width) {
-  ImageHints hints;
-  hints.raw = RawLayout{.width = width, .number = RawNumber::float32};
-  return hints;
-}
-
-void append_floats(const fs::path& path, std::size_t count) {
-  std::ofstream file(path, std::ios::binary | std::ios::app);
-  for (std::size_t i = 0; i < 2 * count; ++i) {
-    const auto value = static_cast<float>(1 + i % 7);
-    file.write(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-}
-
-bool wait_until_open(ImageViewer& viewer) {
-  return QTest::qWaitFor([&] { return viewer.source() != nullptr && viewer.source()->indexed() >= 1.0; }, patience_ms);
-}
-
-bool wait_for_picture(ImageViewer& viewer) {
-  return QTest::qWaitFor([&] { return viewer.complete() && viewer.plot().part() != nullptr; }, patience_ms);
-}
-
-// A folder with a file in it that a viewer shows.
-struct Bench {
-  explicit Bench(FileFormat format = FileFormat::npy) {
-    path = folder.filePath("data.file").toStdString();
-    write_samples(path, format);
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, format == FileFormat::binary ? binary_hints() : ImageHints());
-    shown = wait_until_open(viewer) && wait_for_picture(viewer);
-  }
-  QPoint at(double across, double down) {
-    const QRect plot = viewer.plot().plot_rect();
-    return {plot.left() + static_cast<int>(across * plot.width()), plot.top() + static_cast<int>(down * plot.height())};
-  }
-  QPoint at_sample(std::size_t row, std::size_t column) {
-    return viewer.plot().pixel_of({static_cast<double>(column), static_cast<double>(row)}).toPoint();
-  }
-  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
-    ImagePlot& plot = viewer.plot();
-    QTest::mousePress(&plot, button, keys, from);
-    for (int step = 1; step <= 4; ++step) {
-      const QPoint place = from + (to - from) * step / 4;
-      QMouseEvent move(QEvent::MouseMove, place, plot.mapToGlobal(place), Qt::NoButton, button, keys);
-      QApplication::sendEvent(&plot, &move);
-    }
-    QTest::mouseRelease(&plot, button, keys, to);
-  }
-  QString words(const char* name) { return viewer.findChild<QLabel*>(name)->text(); }
-
-  QTemporaryDir folder;
-  fs::path path;
-  ImageViewer viewer;
-  bool shown = false;
-};
-
-}  // namespace
+using namespace test;
 
 class ImageViewerTest : public QObject {
   Q_OBJECT
@@ -155,19 +25,9 @@ class ImageViewerTest : public QObject {
   QTemporaryDir cache_;
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings().clear();
-    qputenv("XDG_CACHE_HOME", cache_.path().toUtf8());
-  }
+  void initTestCase() { keep_apart(cache_); }
 
-  void every_format_of_samples_is_shown_data() {
-    QTest::addColumn<int>("format");
-    for (const auto& [name, format] : {std::pair{"ascii", FileFormat::ascii}, std::pair{"binary", FileFormat::binary},
-                                       std::pair{"bracket", FileFormat::bracket}, std::pair{"hdf5", FileFormat::hdf5},
-                                       std::pair{"csv", FileFormat::csv}, std::pair{"npy", FileFormat::npy}})
-      QTest::newRow(name) << static_cast<int>(format);
-  }
+  void every_format_of_samples_is_shown_data() { add_formats(); }
 
   void every_format_of_samples_is_shown() {
     QFETCH(int, format);
@@ -196,34 +56,24 @@ class ImageViewerTest : public QObject {
     write_sun_raster(grey, 2, 2, std::vector<std::uint8_t>{0, 255, 100, 50});
     write_sun_raster(colour, 2, 2, std::vector<Rgb>{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {9, 8, 7}});
     ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(grey);
+    open_in(viewer, grey);
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
     const QImage greys = viewer.plot().painted().image;
     QVERIFY(qRed(greys.pixel(0, 0)) < qRed(greys.pixel(1, 1)));
     QVERIFY(qRed(greys.pixel(1, 1)) < qRed(greys.pixel(0, 1)));
     QVERIFY(qRed(greys.pixel(0, 1)) < qRed(greys.pixel(1, 0)));
     ImageViewer other;
-    other.resize(1000, 700);
-    other.show();
-    other.open(colour);
+    open_in(other, colour);
     QVERIFY(wait_until_open(other) && wait_for_picture(other));
     QCOMPARE(other.plot().painted().image.pixel(0, 1), qRgb(0, 0, 255));
     QVERIFY(!other.findChild<QComboBox*>("image_quantity")->isEnabled());
   }
 
   void a_file_that_is_described_by_hand_is_shown() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("floats.raw").toStdString();
-    append_floats(path, 64 * 32);
-    ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, float_layout(64));
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    QCOMPARE(viewer.source()->rows(), std::size_t{32});
-    QCOMPARE(viewer.plot().part()->samples[1], std::complex<double>(3.0, 4.0));
+    FloatBench bench(32);
+    QVERIFY(bench.shown);
+    QCOMPARE(bench.viewer.source()->rows(), std::size_t{32});
+    QCOMPARE(bench.viewer.plot().part()->samples[1], std::complex<double>(3.0, 4.0));
   }
 
   void a_drawn_rectangle_is_zoomed_to_and_backspace_goes_back() {
@@ -257,11 +107,11 @@ class ImageViewerTest : public QObject {
   void the_wheel_keeps_the_place_below_the_pointer() {
     Bench bench;
     const QPoint at = bench.at(0.3, 0.6);
-    const ImagePlace before = bench.viewer.plot().place_at(at);
+    const SamplePlace before = bench.viewer.plot().place_at(at);
     QWheelEvent turn(at, bench.viewer.plot().mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(&bench.viewer.plot(), &turn);
-    const ImagePlace after = bench.viewer.plot().place_at(at);
+    const SamplePlace after = bench.viewer.plot().place_at(at);
     QVERIFY(bench.viewer.plot().view().columns() < 0.7 * columns);
     QVERIFY(std::abs(after.column - before.column) < 1e-6 && std::abs(after.row - before.row) < 1e-6);
   }
@@ -284,7 +134,7 @@ class ImageViewerTest : public QObject {
     Bench bench;
     const auto part = bench.viewer.plot().part();
     const QImage before = bench.viewer.plot().painted().image;
-    ImageLook look = bench.viewer.look();
+    PartLook look = bench.viewer.look();
     look.inverted = true;
     bench.viewer.set_look(look);
     QVERIFY(wait_for_picture(bench.viewer));
@@ -298,8 +148,10 @@ class ImageViewerTest : public QObject {
     const ColourLimits present = bench.viewer.plot().painted().colours.limits;
     limits->setCurrentIndex(2);
     emit limits->activated(2);
-    QCOMPARE(bench.viewer.look().limits.low, present.low);
-    QCOMPARE(bench.viewer.look().limits.high, present.high);
+    // To six digits, as they are shown.
+    QVERIFY(std::abs(bench.viewer.look().limits.low - present.low) <= 1e-5 * std::abs(present.low));
+    QVERIFY(std::abs(bench.viewer.look().limits.high - present.high) <= 1e-5 * std::abs(present.high));
+    QVERIFY(bench.viewer.findChild<QLineEdit*>("image_low")->text().size() <= qsizetype{10});
     auto* const low = bench.viewer.findChild<QLineEdit*>("image_low");
     low->selectAll();
     QTest::keyClicks(low, "-20 dB");
@@ -376,49 +228,12 @@ class ImageViewerTest : public QObject {
     const fs::path path = folder.filePath("zeros.raw").toStdString();
     std::ofstream(path, std::ios::binary) << std::string(64 * 64 * 8, '\0');
     ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, float_layout(64));
+    open_in(viewer, path, float_layout(64));
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
     viewer.read_point_at(10, 10);
     QVERIFY(
         QTest::qWaitFor([&] { return !viewer.findChild<QLabel*>("image_reading")->text().isEmpty(); }, patience_ms));
     QVERIFY(!viewer.reading());
-  }
-
-  void an_exported_selection_opens_again_with_the_same_samples_data() { every_format_of_samples_is_shown_data(); }
-
-  void an_exported_selection_opens_again_with_the_same_samples() {
-    QFETCH(int, format);
-    Bench bench;
-    bench.viewer.plot().set_selection(ImageWindow{60, 20, 30, 25, 1, 1});
-    QSignalSpy done(&bench.viewer, &ImageViewer::exported);
-    const QString copy = bench.folder.filePath("copy.file");
-    bench.viewer.export_to(copy, static_cast<FileFormat>(format));
-    QVERIFY(done.wait(patience_ms));
-    QVERIFY2(done.front().front().toBool(), qPrintable(bench.viewer.problem_words()));
-    ImageHints hints;
-    hints.samples.format = static_cast<FileFormat>(format);
-    hints.samples.columns = 25;
-    hints.samples.bits = bench.viewer.source()->info().bits > 0 ? bench.viewer.source()->info().bits : 16;
-    const OpenedImage opened = ImageSource::open(copy.toStdString(), hints);
-    QVERIFY(opened.source != nullptr);
-    opened.source->wait_until_indexed(nullptr);
-    QCOMPARE(opened.source->rows(), std::size_t{20});
-    std::vector<std::complex<float>> one(1);
-    opened.source->read_window({point_row - 60, 1, point_column - 30, 1, 1, 1}, one);
-    QVERIFY(std::abs(one[0] - std::complex<float>(1000.0F, 2.0F)) < 1e-3F);
-  }
-
-  void the_file_that_is_shown_is_not_overwritten() {
-    Bench bench;
-    const auto bytes = fs::file_size(bench.path);
-    QSignalSpy done(&bench.viewer, &ImageViewer::exported);
-    bench.viewer.export_to(QString::fromStdString(bench.path.string()), FileFormat::csv);
-    QCOMPARE(done.size(), 1);
-    QVERIFY(!done.front().front().toBool());
-    QCOMPARE(fs::file_size(bench.path), bytes);
-    QVERIFY(bench.viewer.problem_words().contains("another name"));
   }
 
   void the_figure_to_be_saved_shows_the_same_part() {
@@ -444,222 +259,6 @@ class ImageViewerTest : public QObject {
     const ImageView view = bench.viewer.plot().view();
     QVERIFY(std::abs((view.column_first + view.column_last) / 2.0 - (columns - 1) / 2.0) < 2.0);
     QVERIFY(std::abs(view.rows() - 60.0) < 1e-9);
-  }
-
-  void a_growing_file_is_followed() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("floats.raw").toStdString();
-    append_floats(path, 64 * 32);
-    ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, float_layout(64));
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    append_floats(path, 64 * 16);
-    QVERIFY(QTest::qWaitFor([&] { return viewer.source()->rows() == 48 && viewer.complete(); }, patience_ms));
-    QCOMPARE(viewer.plot().view(), whole_view(48, 64));
-    QVERIFY(viewer.findChild<QLabel*>("image_info")->text().contains("48 rows"));
-  }
-
-  void a_shrinking_file_is_read_anew_or_told_in_words() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("floats.raw").toStdString();
-    append_floats(path, 64 * 32);
-    ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, float_layout(64));
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    fs::resize_file(path, 64 * 8 * 10);
-    viewer.go_to({0.0, 10.0, 20.0, 30.0});  // what is gone
-    QVERIFY(QTest::qWaitFor([&] { return viewer.source() && viewer.source()->rows() == 10; }, patience_ms));
-    QVERIFY(wait_for_picture(viewer));
-    fs::resize_file(path, 0);
-    QVERIFY(QTest::qWaitFor([&] { return !viewer.problem_words().isEmpty(); }, patience_ms));
-    append_floats(path, 64 * 4);
-    QVERIFY(QTest::qWaitFor([&] { return viewer.source() && viewer.source()->rows() == 4; }, patience_ms));
-  }
-
-  void reading_what_was_cut_off_is_told_in_words() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("floats.raw").toStdString();
-    append_floats(path, 64 * 3200);
-    ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    viewer.open(path, float_layout(64));
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    viewer.findChild<QAbstractButton*>("image_follow")->setChecked(false);
-    fs::resize_file(path, 64 * 8 * 10);
-    viewer.go_to({0.0, 10.0, 2000.0, 2030.0});
-    QVERIFY(QTest::qWaitFor([&] { return !viewer.problem_words().isEmpty(); }, patience_ms));
-    QVERIFY2(viewer.problem_words().contains("floats.raw"), qPrintable(viewer.problem_words()));
-  }
-
-  void bad_files_are_told_in_words_data() {
-    QTest::addColumn<QByteArray>("content");
-    QTest::newRow("empty") << QByteArray();
-    QTest::newRow("one byte") << QByteArray("x");
-    QTest::newRow("cut numpy") << QByteArray("\x93NUMPY\x01\x00\x76", 9);
-    QTest::newRow("cut raster") << QByteArray("\x59\xa6\x6a\x95\x00\x00", 6);
-    QTest::newRow("cut hdf5") << QByteArray("\x89HDF\r\n\x1a\n", 8);
-    QTest::newRow("noise") << QByteArray(1000, '\xfe');
-  }
-
-  void bad_files_are_told_in_words() {
-    QFETCH(QByteArray, content);
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("bad").toStdString();
-    std::ofstream(path, std::ios::binary).write(content.data(), content.size());
-    ImageViewer viewer;
-    viewer.show();
-    QSignalSpy failed(&viewer, &ImageViewer::open_failed);
-    viewer.open(path);
-    QVERIFY(failed.wait(patience_ms));
-    QVERIFY(!viewer.problem_words().isEmpty());
-    QVERIFY(viewer.findChild<QWidget*>("image_problems")->isVisible());
-    viewer.go_to({0.0, 1.0, 0.0, 1.0});
-    viewer.show_whole();
-    viewer.read_point_at(0, 0);
-    viewer.export_to(folder.filePath("copy"), FileFormat::csv);
-    QTest::mouseClick(&viewer.plot(), Qt::RightButton, {}, viewer.plot().plot_rect().center());
-  }
-
-  void a_file_that_is_not_there_is_told_in_words() {
-    ImageViewer viewer;
-    QSignalSpy failed(&viewer, &ImageViewer::open_failed);
-    viewer.open("/no/such/file.bin");
-    QVERIFY(failed.wait(patience_ms));
-    QVERIFY(!viewer.problem_words().isEmpty());
-    QVERIFY(viewer.findChild<QLabel*>("image_info")->text().contains("file.bin"));
-  }
-
-  void forty_gigabytes_open_at_once_and_pan_smoothly() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("huge.raw").toStdString();
-    std::ofstream(path).close();
-    std::error_code refused;
-    fs::resize_file(path, std::uintmax_t{40} << 30U, refused);
-    if (refused) QSKIP("the disk holds no sparse file of 40 GB");
-    ImageViewer viewer;
-    viewer.resize(1000, 700);
-    viewer.show();
-    QElapsedTimer clock;
-    clock.start();
-    viewer.open(path, float_layout(16384));
-    QVERIFY(QTest::qWaitFor([&] { return viewer.plot().part() != nullptr; }, patience_ms));
-    QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
-    viewer.go_to({0.0, 2000.0, 0.0, 2000.0});
-    ImagePlot& plot = viewer.plot();
-    QPoint at = plot.plot_rect().center();
-    QTest::mousePress(&plot, Qt::MiddleButton, {}, at);
-    constexpr int frames = 60;
-    qint64 longest = 0;
-    clock.start();
-    for (int i = 0; i < frames; ++i) {
-      QElapsedTimer frame;
-      frame.start();
-      at += QPoint(-3, -2);
-      QMouseEvent move(QEvent::MouseMove, at, plot.mapToGlobal(at), Qt::NoButton, Qt::MiddleButton, Qt::NoModifier);
-      QApplication::sendEvent(&plot, &move);
-      QApplication::processEvents();
-      longest = std::max(longest, frame.elapsed());
-    }
-    const double each_ms = static_cast<double>(clock.elapsed()) / frames;
-    QTest::mouseRelease(&plot, Qt::MiddleButton, {}, at);
-    QVERIFY2(each_ms < 33.0, qPrintable(QString("%1 ms, longest %2").arg(each_ms).arg(longest)));
-    QVERIFY(viewer.plot().view().row_first > 50.0);
-  }
-
-  void linked_viewers_move_together() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
-    MainWindow main;
-    ImageViewer* const one = main.image_viewers().open_file(path);
-    ImageViewer* const two = main.image_viewers().open_file(path);
-    QVERIFY(wait_until_open(*one) && wait_until_open(*two));
-    for (ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
-    one->go_to({20.0, 60.0, 30.0, 90.0});
-    QCOMPARE(two->plot().view().column_first, 20.0);
-    QCOMPARE(two->plot().view().column_last, 60.0);
-    QCOMPARE(two->plot().view().rows(), static_cast<double>(rows));
-  }
-
-  void the_menu_asks_which_file_and_opens_it() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
-    MainWindow main;
-    main.show();
-    auto* const action = main.findChild<QAction*>("display_output");
-    QVERIFY(action->isEnabled());
-    action->trigger();
-    auto* const dialog = main.findChild<OpenImageDialog*>();
-    QVERIFY(dialog != nullptr);
-    dialog->show_file(QString::fromStdString(path.string()), {});
-    QVERIFY(QTest::qWaitFor([&] { return dialog->has_preview(); }, patience_ms));
-    dialog->accept();
-    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
-    QVERIFY(wait_until_open(*main.image_viewers().viewers()[0]));
-  }
-
-  void a_file_that_does_not_describe_itself_is_guessed() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("strange").toStdString();
-    std::ofstream file(path, std::ios::binary);
-    for (std::size_t i = 0; i < 200; ++i)
-      for (std::size_t k = 0; k < 256; ++k) {
-        const float value = static_cast<float>(std::sin(0.05 * static_cast<double>(k)) *
-                                               std::cos(0.03 * static_cast<double>(i)) * 100.0);
-        file.write(reinterpret_cast<const char*>(&value), sizeof value);
-      }
-    file.close();
-    OpenImageDialog dialog;
-    dialog.show();
-    dialog.show_file(QString::fromStdString(path.string()), {});
-    QVERIFY(!dialog.guesses().empty());
-    QVERIFY(dialog.hints().raw.has_value());
-    QCOMPARE(dialog.hints().raw->number, RawNumber::float32);
-    QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
-    auto* const width = dialog.findChild<QLineEdit*>("open_image_width");
-    width->selectAll();
-    QTest::keyClicks(width, "0");
-    QCOMPARE(dialog.hints().raw->width, std::size_t{0});
-    QVERIFY(QTest::qWaitFor([&] { return !dialog.has_preview(); }, patience_ms));
-    QVERIFY(dialog.findChild<QWidget*>("open_image_problems")->isVisible());
-  }
-
-  void scripts_and_data_are_told_apart() {
-    QTemporaryDir folder;
-    const fs::path text = folder.filePath("no_ending").toStdString();
-    std::ofstream(text) << "$PLATFORM\n";
-    QVERIFY(!is_data_file(text));
-    QVERIFY(!is_data_file("a.scr"));
-    QVERIFY(is_data_file("a.H5"));
-    const fs::path bytes = folder.filePath("bytes").toStdString();
-    std::ofstream(bytes, std::ios::binary).write("ab\0cd", 5);
-    QVERIFY(is_data_file(bytes));
-    MainWindow main;
-    write_samples(folder.filePath("a.npy").toStdString(), FileFormat::npy);
-    QVERIFY(main.open_any(folder.filePath("a.npy")));
-    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
-  }
-
-  void closing_while_everything_is_under_way_is_harmless() {
-    QTemporaryDir folder;
-    const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
-    for (int i = 0; i < 10; ++i) {
-      auto viewer = std::make_unique<ImageViewer>();
-      viewer->show();
-      viewer->open(path);
-      QTest::qWait(7 * i);
-      viewer->read_point_at(point_row, point_column);
-      auto* const statistics = viewer->findChild<QToolButton*>("image_show_statistics");
-      QVERIFY(statistics != nullptr);
-      statistics->click();
-    }
   }
 };
 

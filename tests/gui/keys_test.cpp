@@ -87,6 +87,18 @@ class KeysTest : public QObject {
     QVERIFY(bench.keyboard_in<ObjectTree>());
   }
 
+  void delete_in_the_scene_deletes_the_selected_objects_in_one_step() {
+    Bench bench;
+    const Scene before = bench.window.session().scene();
+    bench.window.scene().scene().setFocus();
+    bench.window.session().select({{ObjectKind::target, 0}, {ObjectKind::target, 2}});
+    bench.press(Qt::Key_Delete);
+    QCOMPARE(bench.window.session().scene().targets.size(), before.targets.size() - 2);
+    QVERIFY(bench.window.session().scene().targets[0] == before.targets[1]);
+    bench.window.session().undo();
+    QVERIFY(bench.window.session().scene() == before);
+  }
+
   // Of two that have the same letter Alt opens neither.
   void no_letter_of_a_window_is_claimed_twice() {
     Bench bench;

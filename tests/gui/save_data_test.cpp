@@ -11,7 +11,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "data/sinks.hpp"
 #include "gui/data_saver.hpp"
@@ -25,22 +24,18 @@
 #include "script/writer.hpp"
 #include "simulate/run.hpp"
 #include "small_scene.hpp"
+#include "text_files.hpp"
 #include "view/edit.hpp"
 
 namespace sarsim {
 
 namespace {
 
+using test::file_text;
+
 namespace fs = std::filesystem;
 
 constexpr int patience_ms = 60'000;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 // What `sarsim run` writes for a stored simulation.
 std::string run_by_hand(const Scene& scene, std::size_t index, const fs::path& path) {
@@ -49,22 +44,11 @@ std::string run_by_hand(const Scene& scene, std::size_t index, const fs::path& p
   const std::unique_ptr<Sink> sink = make_sink(
       path, product_of(plan, with_script ? write_script(scene) : std::string()), {plan.simulation.format, true});
   run(plan, resolved_lsb_v(plan, {}), *sink, {});
-  return bytes_of(path);
+  return file_text(path);
 }
 
 // A recording that takes minutes.
-RunRequest slow_request(const fs::path& file) {
-  Scene scene = test::many_targets(2000);
-  Simulation simulation;
-  simulation.radar = "Radar1";
-  simulation.range_end_m = 20e3;
-  simulation.time_end_s = 100.0;
-  simulation.sample_rate_hz = 50e6;
-  simulation.lsb_v = 1e-6;
-  scene.simulations = {simulation};
-  for (Target& target : scene.targets) target.position_m.x += 1000.0;
-  return {scene, 0, file, true};
-}
+RunRequest slow_request(const fs::path& file) { return {test::slow_scene(), 0, file, true}; }
 
 RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
   Scene scene = test::small_scene();
@@ -78,7 +62,7 @@ RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
 struct Bench {
   Bench() {
     QSettings().setValue("saving/folder", folder.path());
-    main.session().take(Document::from_text(bytes_of(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr")));
+    main.session().take(Document::from_text(file_text(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr")));
     window = main.simulation_windows().open_new(Processing::raw);
     window->resize(900, 600);
     QTest::qWait(50);
@@ -224,8 +208,8 @@ class SaveDataTest : public QObject {
       QCOMPARE(QString::fromStdString(scene.simulations.back().file), QString::fromStdString(file.filename().string()));
       const Scene again = Document::from_text(bench.main.session().document().text()).scene();
       QVERIFY(again == scene);
-      QVERIFY(!bytes_of(file).empty());
-      QVERIFY2(bytes_of(file) == run_by_hand(again, again.simulations.size() - 1, bench.in_folder("by_hand")),
+      QVERIFY(!file_text(file).empty());
+      QVERIFY2(file_text(file) == run_by_hand(again, again.simulations.size() - 1, bench.in_folder("by_hand")),
                qPrintable(QString::fromStdString(file.string())));
     }
   }
@@ -255,11 +239,11 @@ class SaveDataTest : public QObject {
     dialog.accept();
     QCOMPARE(bench.questions, 1);
     QVERIFY(dialog.isVisible());
-    QCOMPARE(bytes_of(bench.in_folder("old.bin")), std::string("old"));
+    QCOMPARE(file_text(bench.in_folder("old.bin")), std::string("old"));
     bench.may_replace = true;
     dialog.accept();
     QCOMPARE(bench.wait_for(0), SaveState::done);
-    QVERIFY(bytes_of(bench.in_folder("old.bin")) != "old");
+    QVERIFY(file_text(bench.in_folder("old.bin")) != "old");
   }
 
   void cancel_leaves_nothing_and_keeps_what_was_there() {
@@ -281,7 +265,7 @@ class SaveDataTest : public QObject {
     QCOMPARE(queue.state(1), SaveState::cancelled);
     QCOMPARE(queue.state(2), SaveState::done);
     QVERIFY(!queue.will_write(path / "new.bin"));
-    QCOMPARE(bytes_of(path / "old.bin"), std::string("old"));
+    QCOMPARE(file_text(path / "old.bin"), std::string("old"));
     QCOMPARE(std::distance(fs::directory_iterator(path), {}), std::ptrdiff_t{2});
   }
 
@@ -305,13 +289,13 @@ class SaveDataTest : public QObject {
     auto* const again = queue.findChild<QPushButton*>("saving_again");
     QVERIFY(again->isVisibleTo(&queue));
     QVERIFY(queue.findChild<QWidget*>("saving_problems")->isVisibleTo(&queue));
-    const std::string clipped = bytes_of(file);
+    const std::string clipped = file_text(file);
     again->click();
     QCOMPARE(queue.size(), std::size_t{2});
     QVERIFY(wait_for_end(queue));
     QCOMPARE(queue.state(1), SaveState::done);
     QVERIFY2(queue.report(1).contains("0 % of the samples saturated"), qPrintable(queue.report(1)));
-    QVERIFY(bytes_of(file) != clipped);
+    QVERIFY(file_text(file) != clipped);
     queue.findChild<QPushButton*>("saving_clear")->click();
     QCOMPARE(queue.size(), std::size_t{0});
   }

@@ -291,6 +291,18 @@ class SceneWidgetTest : public QObject {
     QCOMPARE(menu[0][1].toPoint(), bench.widget.mapToGlobal(bench.place_of({100, 0, 50})));
   }
 
+  void delete_asks_for_it_where_something_is_selected() {
+    Bench bench;
+    QSignalSpy wanted(&bench.widget, &SceneWidget::delete_wanted);
+    QTest::keyClick(&bench.widget, Qt::Key_Delete);
+    QCOMPARE(wanted.size(), 0);
+    DrawingOptions options;
+    options.selected = {second_target};
+    bench.widget.set_options(options);
+    QTest::keyClick(&bench.widget, Qt::Key_Delete);
+    QCOMPARE(wanted.size(), 1);
+  }
+
   void paints_targets_in_their_colour_on_both_grounds() {
     Bench bench;
     for (const bool dark : {false, true}) {

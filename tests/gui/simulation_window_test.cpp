@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QToolButton>
 
@@ -99,6 +100,25 @@ class SimulationWindowTest : public QObject {
     session.perform(replace_object(session.scene(), {ObjectKind::target, 0}, target, "Change"));
     QVERIFY(QTest::qWaitFor([&] { return bench.highest() != before && bench.window->complete(); }, patience_ms));
     QVERIFY2(bench.highest().contains("8.19"), qPrintable(bench.highest()));
+  }
+
+  void limits_that_a_mouse_has_drawn_have_few_digits() {
+    Bench bench;
+    for (const double from : {0.137, 0.211, 0.346, 0.459}) {
+      bench.drag(bench.at(from, 0.2), bench.at(from + 0.31, 0.9));
+      for (const char* name : {"echo_range_from", "echo_range_to"}) {
+        const QString text = bench.window->findChild<QLineEdit*>(name)->text();
+        // Kilometres to the millimetre, or metres.
+        const QRegularExpression few("^\\d+(\\.\\d{1,6})? (km|m)$");
+        QVERIFY2(few.match(text).hasMatch(), qPrintable(text));
+      }
+      for (const char* name : {"echo_time_from", "echo_time_to"}) {
+        const QString text = bench.window->findChild<QLineEdit*>(name)->text();
+        const QRegularExpression few("^-?\\d+(\\.\\d{1,9})? (s|ms|us|ns)$");
+        QVERIFY2(few.match(text).hasMatch(), qPrintable(text));
+      }
+      QTest::keyClick(&bench.window->plot(), Qt::Key_Backspace);
+    }
   }
 
   void a_drawn_rectangle_is_zoomed_to_and_backspace_goes_back() {

@@ -48,4 +48,19 @@ inline Scene many_targets(std::size_t count) {
   return scene;
 }
 
+/// A scene whose simulation is a recording that takes minutes.
+inline Scene slow_scene() {
+  Scene scene = many_targets(2000);
+  Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_end_m = 20e3;
+  simulation.time_end_s = 100.0;
+  simulation.sample_rate_hz = 50e6;
+  simulation.lsb_v = 1e-6;
+  simulation.file = "slow.bin";
+  scene.simulations = {simulation};
+  for (Target& target : scene.targets) target.position_m.x += 1000.0;
+  return scene;
+}
+
 }  // namespace sarsim::test

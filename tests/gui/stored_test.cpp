@@ -9,7 +9,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "data/sinks.hpp"
 #include "gui/problem_line.hpp"
@@ -18,20 +17,16 @@
 #include "scene/check.hpp"
 #include "simulate/run.hpp"
 #include "small_scene.hpp"
+#include "text_files.hpp"
 
 namespace sarsim {
 
 namespace {
 
+using test::file_text;
+
 constexpr int patience_ms = 60'000;
 constexpr ObjectId first{ObjectKind::simulation, 0};
-
-std::string file_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 // Radar1 looks at two targets for some pulses.
 Scene recorded_scene() {
@@ -39,21 +34,6 @@ Scene recorded_scene() {
   scene.simulations[0].range_end_m = 4000.0;
   scene.simulations[0].time_end_s = 0.049;
   scene.simulations[0].file = "echo.bin";
-  return scene;
-}
-
-// A recording that takes minutes.
-Scene slow_scene() {
-  Scene scene = test::many_targets(2000);
-  Simulation simulation;
-  simulation.radar = "Radar1";
-  simulation.range_end_m = 20e3;
-  simulation.time_end_s = 100.0;
-  simulation.sample_rate_hz = 50e6;
-  simulation.lsb_v = 1e-6;
-  simulation.file = "slow.bin";
-  scene.simulations = {simulation};
-  for (Target& target : scene.targets) target.position_m.x += 1000.0;
   return scene;
 }
 
@@ -195,7 +175,7 @@ class StoredTest : public QObject {
   }
 
   void a_long_run_gives_its_estimate_first_and_cancelling_leaves_nothing() {
-    Bench bench(slow_scene());
+    Bench bench(test::slow_scene());
     bench.stored.run_panel().set_patience_s(0.0);
     bench.stored.choose(first);
     bench.click("stored_run");
@@ -231,7 +211,7 @@ class StoredTest : public QObject {
     const QTemporaryDir folder;
     {
       Session session;
-      test::open(session, slow_scene());
+      test::open(session, test::slow_scene());
       StoredSimulations stored(session);
       stored.run_panel().set_patience_s(1e9);
       stored.run_into(first, folder.filePath("slow.bin").toStdString(), false);

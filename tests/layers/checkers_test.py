@@ -146,5 +146,71 @@ class Assertions(unittest.TestCase):
         self.assertEqual((status, lines), (1, ["a_test.cpp:1: holds no test"]))
 
 
+class DocComments(unittest.TestCase):
+    def found(self, *headers):
+        status, lines = check("check-doc-comments", {f"h{i}.hpp": text for i, text in enumerate(headers)})
+        self.assertEqual(status, 1 if lines[0].startswith("h") else 0)
+        return lines if status else []
+
+    def passes(self, text):
+        self.assertEqual(self.found(text), [])
+
+    def test_a_tree_without_fault_passes(self):
+        status, lines = check("check-doc-comments", {"a.hpp": "/// Words.\nint f();\n", "b_test_scene.hpp": "int g();\n"})
+        self.assertEqual((status, lines), (0, ["doc comments: nothing found in 1 headers"]))
+
+    def test_functions_types_and_enumerations_without_words_are_found_at_their_lines(self):
+        self.assertEqual(
+            self.found(
+                "namespace n {\n"
+                "int f(int a,\n      int b);\n"
+                "\nstruct S {\n  int value = 0;\n};\n"
+                "\nclass C;\n"
+                "\nenum class E { a, b };\n"
+                "\ntemplate <class T>\n[[nodiscard]] T g(const std::function<void(int)>& call) {\n  if (call) return 1;\n  return 2;\n}\n"
+                "}\n"
+            ),
+            ["h0.hpp:2: function f", "h0.hpp:5: struct S", "h0.hpp:11: enum E", "h0.hpp:13: function g"],
+        )
+
+    def test_only_what_is_public_counts(self):
+        found = self.found(
+            "/// Words.\nclass C {\n  void hidden();\n public:\n  void seen();\n protected:\n  void kept();\n"
+            " signals:\n  void sent();\n private slots:\n  void secret();\n private:\n  struct Inner {};\n};\n"
+            "namespace detail {\nvoid inner();\n}\n"
+        )
+        self.assertEqual(found, ["h0.hpp:5: function seen", "h0.hpp:9: function sent"])
+
+    def test_words_above_behind_and_for_a_group_explain(self):
+        self.passes(
+            "/// Of both.\nint f();\nint g();\n\n"
+            "/// Words.\nclass C {\n public:\n  /// Above.\n  void a();\n  void a(int);  ///< Behind.\n"
+            "  /// @name Both.\n  /// @{\n  void b();\n  void c();\n  /// @}\n};\n"
+            "\nenum class E {\n  a,  ///< One.\n  /// Two.\n  b\n};\n"
+            "\n/// All of them.\nnamespace n {\n\nint k();\nint l();\n\n}\n"
+        )
+
+    def test_a_member_below_an_explained_one_of_another_name_is_found(self):
+        found = self.found("/// Words.\nstruct S {\n  /// Words.\n  void a();\n  void b();\n};\n")
+        self.assertEqual(found, ["h0.hpp:5: function b"])
+
+    def test_what_the_language_or_the_eye_explains_needs_no_words(self):
+        self.passes(
+            "/// Words.\nclass C : public B {\n  Q_OBJECT\n\n public:\n  C() = default;\n  explicit C(QWidget* parent = nullptr);\n"
+            "  C(const C&) = delete;\n  C& operator=(C&& other) noexcept;\n  ~C();\n  explicit C(int a) : a_{a} {}\n"
+            "  int rows(const QModelIndex& parent = {}) const override;\n"
+            "  [[nodiscard]] int size() const { return a_; }\n  [[nodiscard]] int twice() const {\n    return 2 * a_;\n  }\n"
+            "  friend bool operator==(const C&, const C&) = default;\n  std::function<int(int)> call = {};\n"
+            "  std::vector<int> list{1, 2};\n  using Report = std::function<void(double)>;\n};\n"
+            '// int f();\nconst char* const text = "int f();";\n#define F(x) \\\n  int x()\nclass Later;\n'
+            "/// Words.\ntemplate <class T>\nint f(T t);\n\nint other = 1;\n\ntemplate <class T>\nint f(T t) {\n  t();\n  return 1;\n}\n"
+            "\ntemplate <class T>\nint D<T>::g() {\n  t();\n  return 1;\n}\n"
+        )
+
+    def test_two_statements_are_no_explanation(self):
+        found = self.found("/// Words.\nstruct S {\n  int f() {\n    ++a;\n    return a;\n  }\n  int a = 0;\n};\n")
+        self.assertEqual(found, ["h0.hpp:3: function f"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,105 @@
+#include <QtTest>
+
+#include <QAbstractButton>
+#include <QLineEdit>
+
+#include "gui/image_viewers.hpp"
+#include "gui/main_window.hpp"
+#include "gui/open_image_dialog.hpp"
+#include "image_viewer_bench.hpp"
+
+// Several image viewers, and how files come to them.
+
+namespace sarsim {
+
+using namespace test;
+
+class ImageViewersTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir cache_;
+
+ private slots:
+  void initTestCase() { keep_apart(cache_); }
+
+  void linked_viewers_move_together() {
+    QTemporaryDir folder;
+    const fs::path path = folder.filePath("a.npy").toStdString();
+    write_samples(path, FileFormat::npy);
+    MainWindow main;
+    ImageViewer* const one = main.image_viewers().open_file(path);
+    ImageViewer* const two = main.image_viewers().open_file(path);
+    QVERIFY(wait_until_open(*one) && wait_until_open(*two));
+    for (ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
+    one->go_to({20.0, 60.0, 30.0, 90.0});
+    QCOMPARE(two->plot().view().column_first, 20.0);
+    QCOMPARE(two->plot().view().column_last, 60.0);
+    QCOMPARE(two->plot().view().rows(), static_cast<double>(rows));
+  }
+
+  void the_menu_asks_which_file_and_opens_it() {
+    QTemporaryDir folder;
+    const fs::path path = folder.filePath("a.npy").toStdString();
+    write_samples(path, FileFormat::npy);
+    MainWindow main;
+    main.show();
+    auto* const action = main.findChild<QAction*>("display_output");
+    QVERIFY(action->isEnabled());
+    action->trigger();
+    auto* const dialog = main.findChild<OpenImageDialog*>();
+    QVERIFY(dialog != nullptr);
+    dialog->show_file(QString::fromStdString(path.string()), {});
+    QVERIFY(QTest::qWaitFor([&] { return dialog->has_preview(); }, patience_ms));
+    dialog->accept();
+    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
+    QVERIFY(wait_until_open(*main.image_viewers().viewers()[0]));
+  }
+
+  void a_file_that_does_not_describe_itself_is_guessed() {
+    QTemporaryDir folder;
+    const fs::path path = folder.filePath("strange").toStdString();
+    std::ofstream file(path, std::ios::binary);
+    for (std::size_t i = 0; i < 200; ++i)
+      for (std::size_t k = 0; k < 256; ++k) {
+        const float value = static_cast<float>(std::sin(0.05 * static_cast<double>(k)) *
+                                               std::cos(0.03 * static_cast<double>(i)) * 100.0);
+        file.write(reinterpret_cast<const char*>(&value), sizeof value);
+      }
+    file.close();
+    OpenImageDialog dialog;
+    dialog.show();
+    dialog.show_file(QString::fromStdString(path.string()), {});
+    QVERIFY(!dialog.guesses().empty());
+    QVERIFY(dialog.hints().raw.has_value());
+    QCOMPARE(dialog.hints().raw->number, RawNumber::float32);
+    QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
+    auto* const width = dialog.findChild<QLineEdit*>("open_image_width");
+    width->selectAll();
+    QTest::keyClicks(width, "0");
+    QCOMPARE(dialog.hints().raw->width, std::size_t{0});
+    QVERIFY(QTest::qWaitFor([&] { return !dialog.has_preview(); }, patience_ms));
+    QVERIFY(dialog.findChild<QWidget*>("open_image_problems")->isVisible());
+  }
+
+  void scripts_and_data_are_told_apart() {
+    QTemporaryDir folder;
+    const fs::path text = folder.filePath("no_ending").toStdString();
+    std::ofstream(text) << "$PLATFORM\n";
+    QVERIFY(!is_data_file(text));
+    QVERIFY(!is_data_file("a.scr"));
+    QVERIFY(is_data_file("a.H5"));
+    const fs::path bytes = folder.filePath("bytes").toStdString();
+    std::ofstream(bytes, std::ios::binary).write("ab\0cd", 5);
+    QVERIFY(is_data_file(bytes));
+    MainWindow main;
+    write_samples(folder.filePath("a.npy").toStdString(), FileFormat::npy);
+    QVERIFY(main.open_any(folder.filePath("a.npy")));
+    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::ImageViewersTest)
+#include "image_viewers_test.moc"
