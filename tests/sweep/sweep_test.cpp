@@ -170,6 +170,15 @@ TEST_F(SweepCommand, PaysNoAttentionToProductsThatAreNotChosen) {
   EXPECT_FALSE(fs::exists(folder_ / "p"));
 }
 
+TEST_F(SweepCommand, ThatIsOnlyPlannedIsToldAsJson) {
+  write_scene({});
+  const Finished dry = sarsim({"sweep", "scene.scr", "--set", "seed=1..2", "--dry-run", "--json"});
+  EXPECT_EQ(dry.status, 0) << dry.err;
+  ASSERT_TRUE(is_json(dry.out, folder_)) << dry.out;
+  for (const char* text : {"\"planned\"", "sim_seed=2.bin", "\"columns\": 334", "\"not made\""})
+    EXPECT_THAT(dry.out, HasSubstr(text));
+}
+
 TEST_F(SweepCommand, ReportsAllProblemsOfAllVariationsBeforeAnythingRuns) {
   write_scene({});
   const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "Simulation1.sample_rate=10MHz,100MHz,200MHz", "--set",
