@@ -233,7 +233,7 @@ TEST(ImageSource, RefusesNumpyArraysThatAreNoImages) {
   EXPECT_THAT(refusal(npy("<f4", "(0, 3)", "")), HasSubstr("not one of an image"));
   EXPECT_THAT(refusal(npy("<f4", "(2, 9223372036854775807)", "1234")), HasSubstr("ends within the array"));
   EXPECT_THAT(refusal(npy("<f4", "(3, 1, 2)", std::string(24, 'x'), true)), HasSubstr("Fortran"));
-  EXPECT_THAT(refusal("\x93NUMPY"), HasSubstr(""));
+  EXPECT_THAT(refusal("\x93NUMPY"), HasSubstr("a.npy"));
 }
 
 TEST(ImageSource, ShowsTheRowsOfANumpyArrayThatIsStillBeingWritten) {
@@ -315,6 +315,25 @@ TEST(ImageSource, RowsOfATextThatAreUnevenAreShownWithAWarning) {
   EXPECT_EQ(source->problems().size(), 2U);
   EXPECT_THAT(text_of(source->problems()), HasSubstr("a.csv:2"));
   EXPECT_FALSE(has_errors(source->problems()));
+}
+
+TEST(ImageSource, ValuesThatNoConverterGivesEndAText) {
+  const TestFolder folder;
+  ImageHints hints;
+  hints.samples.bits = 8;
+  const auto rows_and_problems = [&](const char* text) {
+    const OpenedImage opened = ImageSource::open(put(folder / "a.csv", text), hints);
+    EXPECT_TRUE(opened.source) << text;
+    opened.source->wait_until_indexed(nullptr);
+    return std::pair(opened.source->rows(), text_of(opened.source->problems()));
+  };
+  EXPECT_EQ(rows_and_problems("0,0\n255,127\n"), std::pair(std::size_t{2}, std::string()));
+  for (const char* text : {"0,0\n127,127\n-5,3\n1,1\n", "0,0\n127,127\n256,3\n1,1\n", "0,0\n127,127\n1.5,3\n1,1\n"}) {
+    const auto [rows, problems] = rows_and_problems(text);
+    EXPECT_EQ(rows, 2U) << text;
+    EXPECT_THAT(problems, HasSubstr("a.csv:3")) << text;
+    EXPECT_THAT(problems, HasSubstr("0 to 255")) << text;
+  }
 }
 
 TEST(ImageSource, TextIsShownUpToTheFirstPlaceThatIsMalformed) {
@@ -464,6 +483,17 @@ Scene recording_scene() {
   simulation.format = FileFormat::binary;
   scene.simulations.push_back(simulation);
   return scene;
+}
+
+TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
+  Scene scene = recording_scene();
+  scene.simulations.push_back(scene.simulations[0]);
+  scene.simulations[1].file = "echo.asc";
+  scene.simulations[1].bits = 12;
+  ASSERT_TRUE(hints_from_scene(scene, "ECHO.asc"));
+  EXPECT_EQ(hints_from_scene(scene, "ECHO.asc")->bits, 12);
+  EXPECT_EQ(hints_from_scene(scene, "echo.bin")->bits, 10);
+  EXPECT_FALSE(hints_from_scene(scene, "echo.npy"));
 }
 
 TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
