@@ -119,7 +119,7 @@ TEST_F(Inputs, PlotTakesTheSimulationOfAFileByItsNumber) {
   write_scene({});
   expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
   fs::rename(folder_ / "sim.npy", folder_ / "other.npy");
-  const std::vector<std::string> plot{"plot",  "other.npy", "--kind",   "phase",
+  const std::vector<std::string> plot{"plot",  "other.npy", "--kind",   "phase",    "--force",
                                       "--csv", "a.csv",     "--script", "scene.scr"};
   expect_refusal(plot, "no simulation of scene.scr writes 'other.npy'");
   std::vector<std::string> chosen = plot;
