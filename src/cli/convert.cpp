@@ -12,6 +12,7 @@
 #include "cli/report.hpp"
 #include "cli/sample_input.hpp"
 #include "data/formats.hpp"
+#include "data/product_attributes.hpp"
 #include "data/sinks.hpp"
 #include "receiver/converter.hpp"
 
@@ -36,17 +37,6 @@ FileFormat output_format(const ConvertArguments& arguments) {
                  "say it with --to ascii, binary, bracket, hdf5, csv or npy");
 }
 
-std::string attribute(const SampleFileInfo& info, std::string_view name) {
-  const auto found =
-      std::ranges::find(info.attributes, name, [](const auto& pair) -> std::string_view { return pair.first; });
-  return found == info.attributes.end() ? std::string() : found->second;
-}
-
-Processing processing_from(const std::string& word) {
-  if (word == "matched_filter") return Processing::matched_filter;
-  return word == "srp" ? Processing::srp : Processing::raw;
-}
-
 // The description of the recording as far as its file gives it.
 Product product_of_file(const SampleFile& file) {
   const SampleFileInfo& info = file.info();
@@ -56,16 +46,8 @@ Product product_of_file(const SampleFile& file) {
   product.bits = info.bits;
   product.lsb_v = info.lsb_v.value_or(0.0);
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
-  product.radar = attribute(info, "radar");
-  product.script = attribute(info, "script");
-  product.processing = processing_from(attribute(info, "processing"));
-  if (const std::string engine = attribute(info, "engine"); !engine.empty()) product.engine = engine;
-  product.options.profile = attribute(info, "profile") == "classic" ? Profile::classic : Profile::physical;
-  product.options.pulse =
-      attribute(info, "pulse") == "band_limited" ? PulseDefinition::band_limited : PulseDefinition::ideal;
-  if (const auto seed = parse_integer(attribute(info, "seed")))
-    product.options.seed = static_cast<std::uint64_t>(*seed);
-  if (const auto tolerance = parse_number(attribute(info, "tolerance"))) product.options.tolerance = *tolerance;
+  product.script = attribute_of(info.attributes, "script");
+  take_origin(info.attributes, product);
   if (auto axes = file.axes()) {
     const auto shared = std::make_shared<const SampleAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };

@@ -58,18 +58,9 @@ std::vector<fs::path> PulseWork::files() const {
 }
 
 void PulseWork::expect_free_outputs() const {
-  Problems problems;
   const std::vector<fs::path> paths = files();
   if (paths.empty()) throw BadInput("--no-map with --cfar none leaves nothing to do", "leave out one of them");
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    std::ranges::move(problems_of_output(paths[i], arguments_.input.path, arguments_.force),
-                      std::back_inserter(problems));
-    if (std::find(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i), paths[i]) !=
-        paths.begin() + static_cast<std::ptrdiff_t>(i))
-      throw BadInput(fmt::format("'{}' is the name of two outputs", paths[i].string()),
-                     "give others with --out and --detections");
-  }
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  cli::expect_free_outputs(paths, arguments_.input.path, arguments_.force);
 }
 
 void PulseWork::open(const std::function<std::size_t(const Plan&)>& usual_pulses,

@@ -106,11 +106,7 @@ class FocusRun {
   void expect_free_outputs() const {
     if (arguments_.magnitude && !is_envi(output()))
       throw BadInput("--magnitude makes ENVI images", "name the output .img");
-    Problems problems;
-    for (const fs::path& path : outputs())
-      std::ranges::move(problems_of_output(path, arguments_.input.path, arguments_.force),
-                        std::back_inserter(problems));
-    if (!problems.empty()) throw BadInput(std::move(problems));
+    cli::expect_free_outputs(outputs(), arguments_.input.path, arguments_.force);
   }
 
   void compensate_track() {
@@ -172,8 +168,8 @@ class FocusRun {
 
   void write(const FocusedRows& image) const {
     const ImageOrigin origin{
-        arguments_.input.path, arguments_.input.script, input_.simulation, word_of(algorithm()), options_,
-        to_string(motion_)};
+        arguments_.input.path, arguments_.input.script, input_.simulation,          word_of(algorithm()), options_,
+        to_string(motion_),    input_.plan->radar.name, input_.plan->scene->options};
     if (output().has_parent_path()) fs::create_directories(output().parent_path());
     write_image(image, origin, output(), arguments_.force, false, streams_.stop);
     if (arguments_.magnitude)

@@ -30,6 +30,12 @@ class FieldTaker {
     return *value;
   }
   [[nodiscard]] double number(const std::string& name) const { return parsed(name, text(name)); }
+  // A number from 1, as the position from 0.
+  [[nodiscard]] std::size_t position(const std::string& name) const {
+    const auto value = parse_integer(text(name));
+    if (!value || *value < 1) refuse(name, "is no number from 1");
+    return static_cast<std::size_t>(*value) - 1;
+  }
   [[nodiscard]] Vec3 vector(const std::string& name) const {
     const std::string value = text(name);
     const std::size_t first = value.find(',');
@@ -107,7 +113,7 @@ void read_header(const EnviHeader& header, const std::string& file, FocusedImage
   image.light_speed_mps = fields.number("light speed mps");
   origin.source = fields.text("source");
   origin.script = fields.text("script");
-  origin.simulation = static_cast<std::size_t>(fields.number("simulation")) - 1;
+  origin.simulation = fields.position("simulation");
   origin.algorithm = fields.text("algorithm");
   origin.motion = header.field("motion compensation").value_or("none");
   origin.options.range_window = fields.window("range window");

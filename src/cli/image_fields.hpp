@@ -7,6 +7,7 @@
 #include "data/envi.hpp"
 #include "process/focusing.hpp"
 #include "process/sar_image.hpp"
+#include "scene/scene.hpp"
 
 namespace sarsim::cli {
 
@@ -18,6 +19,8 @@ struct ImageOrigin {
   std::string algorithm;
   FocusOptions options;
   std::string motion = "none";  ///< Order to which the flight's departures from a straight line were compensated.
+  std::string radar;            ///< This and what follows stand in HDF5 files alone.
+  RunOptions run;
 };
 
 /// The header of a focused image (docs/formats/focused-images.md).

@@ -39,8 +39,10 @@ void write_envi(const FocusedRows& image, EnviHeader header, const fs::path& pat
   writer.finish();
 }
 
-Product product_of(const FocusedImage& image) {
+Product product_of(const FocusedImage& image, const ImageOrigin& origin) {
   Product product;
+  product.radar = origin.radar;
+  product.options = origin.run;
   product.processing = Processing::matched_filter;
   product.rows = image.azimuth.count;
   product.columns = image.range.count;
@@ -65,9 +67,9 @@ double largest_of(const FocusedRows& image, const StopFlag* stop) {
   return static_cast<double>(largest);
 }
 
-void write_samples(const FocusedRows& image, FileFormat format, const fs::path& path, bool replace,
-                   const StopFlag* stop) {
-  Product product = product_of(image.image);
+void write_samples(const FocusedRows& image, const ImageOrigin& origin, FileFormat format, const fs::path& path,
+                   bool replace, const StopFlag* stop) {
+  Product product = product_of(image.image, origin);
   RunReport report;
   report.rows = product.rows;
   report.columns = product.columns;
@@ -120,7 +122,7 @@ void write_image(const FocusedRows& image, const ImageOrigin& origin, const fs::
     write_envi(image, std::move(header), path, replace, magnitude, stop);
     return;
   }
-  write_samples(image, *format, path, replace, stop);
+  write_samples(image, origin, *format, path, replace, stop);
   if (*format == FileFormat::npy) write_npy_header(image.image, std::move(header), path, replace);
 }
 

@@ -170,13 +170,7 @@ class IsarRun {
     return paths;
   }
 
-  void expect_free_outputs() const {
-    Problems problems;
-    for (const fs::path& path : outputs())
-      std::ranges::move(problems_of_output(path, arguments_.input.path, arguments_.force),
-                        std::back_inserter(problems));
-    if (!problems.empty()) throw BadInput(std::move(problems));
-  }
+  void expect_free_outputs() const { cli::expect_free_outputs(outputs(), arguments_.input.path, arguments_.force); }
 
   void find_problems() {
     Problems& problems = input_.problems;
@@ -206,8 +200,10 @@ class IsarRun {
     FocusOptions focus;
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
-    const ImageOrigin origin{arguments_.input.path, arguments_.input.script, input_.simulation,
-                             word_of(options_.algorithm), focus};
+    const Plan& plan = *input_.rows.plan;
+    const ImageOrigin origin{
+        arguments_.input.path, arguments_.input.script, input_.simulation, word_of(options_.algorithm), focus, "none",
+        plan.radar.name,       plan.scene->options};
     const fs::path path = output(index);
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
     write_image(rows, origin, path, arguments_.force, false, streams_.stop);

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <ostream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -66,19 +67,40 @@ class Merger {
     return fs::path(folder).replace_extension();
   }
 
-  // Nobody may be at work on the parts while they are joined.
+  // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
+  // file for a folder with however many parts.
   void collect(const std::string& folder, std::vector<Journal>& journals) {
     if (!fs::is_directory(folder))
       throw BadInput("there is no folder '" + folder + "'", "parts are in the folder NAME.parts beside their output");
+    close_door(folder);
     std::vector<Journal> found = read_journals(folder);
     if (found.empty()) throw BadInput("the folder '" + folder + "' holds no parts", "it has no journals");
     for (Journal& journal : found) {
-      locks_.emplace_back(journal.path, RawFile::Mode::read);
-      if (!locks_.back().try_lock())
+      if (!opened(journal.path).try_lock())
         throw BadInput(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
                        "wait for it: the part that comes last completes the file by itself");
       journals.push_back(std::move(journal));
     }
+  }
+
+  // Network file systems only lock what is open for writing; what is not ours to write is looked at without.
+  static RawFile opened(const fs::path& path) {
+    try {
+      return {path, RawFile::Mode::write};
+    } catch (const std::system_error&) {
+      return {path, RawFile::Mode::read};
+    }
+  }
+
+  // Folders of parts that were copied may have none.
+  void close_door(const fs::path& folder) {
+    for (const fs::path& other : closed_)
+      if (fs::equivalent(folder, other))
+        throw BadInput("the folder '" + folder.string() + "' is named twice", "name each folder once");
+    closed_.push_back(folder);
+    if (!fs::exists(folder / "lock")) return;
+    doors_.push_back(opened(folder / "lock"));
+    doors_.back().lock();
   }
 
   void join(const JoinTask& task) {
@@ -115,7 +137,7 @@ class Merger {
 
   // Rows that stood at their places have become the output: what is left of their folder is of no use.
   void remove(const JoinTask& task) {
-    locks_.clear();
+    doors_.clear();
     const fs::path own = parts_folder_of(task.output);
     for (const std::string& folder : arguments_.folders)
       if (arguments_.remove || (fs::equivalent(folder, own) && !fs::exists(shared_rows_of(folder)) && placed(task)))
@@ -144,7 +166,8 @@ class Merger {
 
   const MergeArguments& arguments_;
   Streams& streams_;
-  std::vector<RawFile> locks_;
+  std::vector<fs::path> closed_;  // Folders whose doors are held.
+  std::vector<RawFile> doors_;
 };
 
 }  // namespace

@@ -1,11 +1,15 @@
 #include "cli/output_names.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "cli/context.hpp"
 #include "data/formats.hpp"
+#include "data/recording_hints.hpp"
 
 namespace sarsim::cli {
 
@@ -83,6 +87,38 @@ OutputNames output_names(const Scene& scene, const OutputRules& rules) {
   for (std::size_t i = 0; i < scene.geometries.size(); ++i)
     names.tables.push_back(namer.place(scene.geometries[i].file, {"geometry", i, "file"}, false));
   return names;
+}
+
+std::optional<std::size_t> simulation_that_writes(const fs::path& file, const Scene& scene, const std::string& hint) {
+  const auto alike = [&](std::optional<FileFormat> format) {
+    std::vector<std::string> names;
+    for (const fs::path& path : output_names(scene, {".", false, format}).simulations)
+      names.push_back(path.filename().string());
+    return std::pair(names_alike(names, file), names);
+  };
+  const auto [found, names] = alike({});
+  if (found.found.size() > 1 && !found.whole)
+    throw BadInput(fmt::format("'{}' may be what {} or what {} became", file.filename().string(), names[found.found[0]],
+                               names[found.found[1]]),
+                   hint);
+  if (!found.found.empty()) return found.found.front();
+  const auto with_format = alike(format_from_path(file)).first;
+  if (with_format.found.empty() || !with_format.whole) return std::nullopt;
+  return with_format.found.front();
+}
+
+void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {
+  Problems problems;
+  std::set<fs::path> taken;
+  for (const fs::path& path : paths) {
+    std::ranges::move(problems_of_output(path, source, force), std::back_inserter(problems));
+    if (taken.insert(fs::absolute(path).lexically_normal()).second) continue;
+    problems.push_back({});
+    problems.back().message = fmt::format("'{}' is the name of two outputs", path.string());
+    problems.back().hint = path.extension() == ".hdr" ? "the header of an image has this ending; name the image .img"
+                                                      : "give each of them a name of its own";
+  }
+  if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
 Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {

@@ -29,6 +29,18 @@ struct OutputNames {
 /// when a change of format or another product's number makes names alike. A name without a base name is an error.
 [[nodiscard]] OutputNames output_names(const Scene& scene, const OutputRules& rules);
 
+/// The simulation of a scene that writes a file of this name (`output_names`), ignoring its folder and case; otherwise
+/// the one that writes it with another extension; otherwise the one that `--format` gives this name. Nothing where none
+/// does.
+/// @param hint  what to do where several could have written it, which is BadInput
+[[nodiscard]] std::optional<std::size_t> simulation_that_writes(const std::filesystem::path& file, const Scene& scene,
+                                                                const std::string& hint);
+
+/// Throws BadInput with everything that keeps files from being made: `problems_of_output` of each, and names that two
+/// of them have.
+void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const std::filesystem::path& source,
+                         bool force);
+
 /// Problems that keep a file from being made there: a file that exists (unless `force`), a folder of that name, the
 /// file that it is made from.
 [[nodiscard]] Problems problems_of_output(const std::filesystem::path& path, const std::filesystem::path& source,

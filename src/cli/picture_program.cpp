@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -61,8 +62,9 @@ std::string words_of(const fs::path& file) {
   return words;
 }
 
-// The exit status of a program whose standard error goes to a file; 127 where it could not be started.
-int status_of(const std::vector<std::string>& arguments, const fs::path& errors) {
+// The exit status of a program whose standard error goes to a file; nothing where there is no such program. A program
+// whose libraries are missing ends with 127, after words of the loader.
+std::optional<int> status_of(const std::vector<std::string>& arguments, const fs::path& errors) {
   std::vector<char*> list;
   list.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) list.push_back(const_cast<char*>(argument.c_str()));
@@ -73,7 +75,7 @@ int status_of(const std::vector<std::string>& arguments, const fs::path& errors)
   pid_t child = -1;
   const int failure = ::posix_spawnp(&child, list[0], &actions, nullptr, list.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT) return 127;
+  if (failure == ENOENT) return std::nullopt;
   if (failure != 0)
     throw std::system_error(failure, std::generic_category(), std::string(program_name) + " could not be started");
   int status = 0;
@@ -106,14 +108,14 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
                                      "--scale",
                                      fmt::format("{}", style.scale)};
   if (style.dark) arguments.emplace_back("--dark");
-  const int status = status_of(arguments, workshop.file("errors"));
-  if (status == 127)
+  const std::optional<int> status = status_of(arguments, workshop.file("errors"));
+  if (!status)
     throw std::runtime_error(
         "pictures are drawn by sarsim-gui, which is not installed: install it, or build with Qt 6 and QCustomPlot "
         "(tools/install-deps gui)");
-  if (status != 0) {
+  if (*status != 0) {
     const std::string words = words_of(workshop.file("errors"));
-    throw std::runtime_error(words.empty() ? fmt::format("{} ended with status {}", program_name, status) : words);
+    throw std::runtime_error(words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words);
   }
 }
 

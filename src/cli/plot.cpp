@@ -50,10 +50,10 @@ void expect_names(const PlotArguments& a) {
   const std::string ending = ending_of(a.out);
   if (!a.out.empty() && ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw BadInput("'" + a.out + "' does not say which kind of picture", "end it with .png, .svg or .pdf");
-  Problems problems;
+  std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
-    if (!path.empty()) std::ranges::move(problems_of_output(path, a.input, a.force), std::back_inserter(problems));
-  if (!problems.empty()) throw BadInput(std::move(problems));
+    if (!path.empty()) paths.emplace_back(path);
+  expect_free_outputs(paths, a.input, a.force);
 }
 
 // An option that was given, and the kinds that it means something for.
@@ -99,6 +99,44 @@ void expect_used(const PlotArguments& a) {
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
+// An option that was given, and whether it is for scripts or for files.
+struct InputUse {
+  const char* option;
+  bool given;
+  bool of_script;
+};
+
+bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
+
+void expect_used_by_input(const PlotArguments& a) {
+  const bool script = is_script(a);
+  const SceneOverrides& overrides = a.overrides;
+  const SampleArguments& samples = a.samples;
+  const std::vector<InputUse> uses{{"--radar", !a.radar.empty(), true},
+                                   {"--data", a.processing.has_value(), true},
+                                   {"--rate", a.rate_hz.has_value(), true},
+                                   {"--screen", a.screen, true},
+                                   {"--profile", overrides.profile.has_value(), true},
+                                   {"--pulse", overrides.pulse.has_value(), true},
+                                   {"--tolerance", overrides.tolerance.has_value(), true},
+                                   {"--seed", overrides.seed.has_value(), true},
+                                   {"--from", samples.format.has_value(), false},
+                                   {"--columns", samples.columns.has_value(), false},
+                                   {"--bits", samples.bits.has_value(), false},
+                                   {"--lsb", samples.lsb_v.has_value(), false},
+                                   {"--script", !samples.script.empty(), false}};
+  Problems problems;
+  for (const InputUse& use : uses) {
+    if (!use.given || use.of_script == script) continue;
+    problems.push_back({});
+    problems.back().message = fmt::format("{} means nothing for {}", use.option, script ? "a script" : "a file");
+    problems.back().hint = use.of_script ? "it is for scripts, whose echoes are computed" : "it is for files";
+  }
+  if (!script && a.simulation && samples.script.empty())
+    problems.push_back(BadInput("--simulation is a number in a script", "name it with --script").problems.front());
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
 // The name of the input, and what is seen of it where that is not the whole.
 std::string title_for(const PlotArguments& a, const Figure& figure) {
   if (!a.title.empty()) return a.title;
@@ -110,7 +148,8 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   a.kind = a.wanted_kind.value_or(PlotKind::picture);
   expect_names(a);
   expect_used(a);
-  Plotted plotted = ending_of(a.input) == ".scr" ? plot_scene(a, streams) : plot_file(a, streams);
+  expect_used_by_input(a);
+  Plotted plotted = is_script(a) ? plot_scene(a, streams) : plot_file(a, streams);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
     draw_picture(plotted.figure, a.out,
@@ -131,8 +170,9 @@ void add_two(CLI::App& app, const char* name, std::vector<double>& values, const
 }
 
 void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
-  CLI::Option* simulation = add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
-                                        "which simulation of the script (default: the first)");
+  CLI::Option* simulation =
+      add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
+                  "which simulation of the script (default: the first, or the one that wrote the file)");
   add_text(app, "--radar", a.radar, "NAME", "any window of this radar instead of a simulation")->excludes(simulation);
   add_choice<Processing>(
       app, "--data", a.processing,

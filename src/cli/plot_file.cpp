@@ -39,8 +39,7 @@ struct Input {
 // The header that says how a focused image is laid out, or nothing where there is none.
 std::optional<EnviHeader> focused_header(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
-  std::error_code ignored;
-  if ((ending != ".img" && ending != ".npy") || !fs::exists(envi_header_of(path), ignored)) return std::nullopt;
+  if ((ending != ".img" && ending != ".npy") || !has_envi_header(path)) return std::nullopt;
   auto [image, problems] = EnviImage::open(path);
   if (!image) throw BadInput(std::move(problems));
   return image->header();
@@ -100,27 +99,39 @@ SampleAxes axes_of(const Plan& plan) {
   return axes;
 }
 
+void expect_no_hints(const PlotArguments& a) {
+  const SampleArguments& samples = a.samples;
+  if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty())
+    throw BadInput(fmt::format("'{}' has a header, which says all about its samples", a.input),
+                   "leave out --from, --columns, --bits, --lsb and --script");
+}
+
 Input opened(const PlotArguments& a, Streams& streams) {
   Input input;
   const auto header = focused_header(a.input);
   ImageHints hints;
   if (header) {
+    expect_no_hints(a);
     hints.raw = layout_of(*header);
     input.focused = places_of(*header, a.input);
   } else {
-    hints.samples = hints_for(a.input, a.samples);
+    hints.samples = hints_for(a.input, a.samples, a.simulation);
   }
   OpenedImage opened = ImageSource::open(a.input, hints);
   if (!opened.source) throw BadInput(ranked(std::move(opened.problems)));
   print_problems(streams, ranked(std::move(opened.problems)));
   opened.source->wait_until_indexed(streams.stop);
+  // A picture of a part of the rows would be taken for one of all.
+  Problems found = opened.source->problems();
+  if (has_errors(found)) throw BadInput(ranked(std::move(found)));
+  print_problems(streams, ranked(std::move(found)));
   if (opened.source->rows() == 0 || opened.source->columns() == 0) throw BadInput(a.input + " holds no samples");
   input.source = std::move(opened.source);
   if (header) return input;
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !a.samples.script.empty()) {
-    const Plan plan = plan_of_file(a.input, a.samples.script);
+    const Plan plan = plan_of_file(a.input, a.samples.script, a.simulation);
     input.axes = axes_of(plan);
     input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   }
@@ -336,7 +347,11 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   if (a.kind == PlotKind::picture) return picture(a, input, part, streams.stop);
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
   const bool complex = input.source->info().value == ImageValue::complex;
-  if (input.focused && cut && complex && !a.recorded) make_finer(a, input, part, streams.stop);
+  if (input.focused && cut && complex && !a.recorded) {
+    make_finer(a, input, part, streams.stop);
+    // So many rows, with what lies between them.
+    if (a.pulses) a.pulses = (*a.pulses - 1) * static_cast<std::int64_t>(finer_by) + 1;
+  }
   if (a.at_azimuth_m) a.at_s = a.at_azimuth_m;
   return plot_samples(a, part.samples);
 }

@@ -94,6 +94,8 @@ void write_csv(const ProfileSeries& series, const ProfileOrigin& origin, const f
 
 Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   Product product;
+  product.radar = origin.radar;
+  product.options = origin.run;
   product.processing = Processing::srp;
   product.rows = series.rows.size();
   product.columns = series.axis.count;

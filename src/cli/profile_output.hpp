@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/stop.hpp"
+#include "scene/scene.hpp"
 #include "simulate/profile_series.hpp"
 
 namespace sarsim::cli {
@@ -18,6 +19,8 @@ struct ProfileOrigin {
   std::string velocity;        ///< As the command line says.
   std::string window;
   double light_speed_mps = 0.0;
+  std::string radar;  ///< This and what follows stand in HDF5 files alone.
+  RunOptions run;
 };
 
 /// Files that profiles become under a name: data, and the header of ENVI.

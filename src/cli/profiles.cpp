@@ -108,11 +108,7 @@ class ProfilesRun {
   }
 
   void expect_free_outputs() const {
-    Problems problems;
-    for (const fs::path& path : files_of_profiles(output()))
-      std::ranges::move(problems_of_output(path, arguments_.input.path, arguments_.force),
-                        std::back_inserter(problems));
-    if (!problems.empty()) throw BadInput(std::move(problems));
+    cli::expect_free_outputs(files_of_profiles(output()), arguments_.input.path, arguments_.force);
   }
 
   void expect_ranges() const {
@@ -159,7 +155,9 @@ class ProfilesRun {
                                word_of(set()),
                                arguments_.velocity,
                                arguments_.window.empty() ? "of the script" : arguments_.window,
-                               input_.rows.band->waveform().light_speed_mps};
+                               input_.rows.band->waveform().light_speed_mps,
+                               input_.rows.plan->radar.name,
+                               input_.rows.plan->scene->options};
     if (output().has_parent_path()) fs::create_directories(output().parent_path());
     if (set() == Set::bursts) return write_profiles(series_, origin, output(), arguments_.force, streams_.stop);
     const ProfileSeries means = set() == Set::scans ? mean_of_scans(series_) : mean_of_encounter(series_);

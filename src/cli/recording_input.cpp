@@ -38,16 +38,14 @@ std::size_t simulation_of_scene(const Scene& scene, std::optional<std::int64_t> 
   return first == scene.simulations.end() ? 0 : static_cast<std::size_t>(first - scene.simulations.begin());
 }
 
-// The one that writes a file of that name, whatever its extension.
+// The one that writes a file of that name.
 std::size_t simulation_of_file(const Scene& scene, const RecordingArguments& arguments, const Suits& suits) {
   if (!arguments.simulation) {
+    const std::string hint = "say which one did with --simulation N";
     const fs::path file(arguments.path);
-    const auto names = output_names(scene, {}).simulations;
-    const auto found = std::ranges::find(names, file.stem(), [](const fs::path& p) { return p.stem(); });
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    if (const auto found = simulation_that_writes(file, scene, hint)) return *found;
     if (scene.simulations.size() > 1)
-      throw BadInput(fmt::format("no simulation of the script writes '{}'", file.filename().string()),
-                     "say which one did with --simulation N");
+      throw BadInput(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
   }
   return simulation_of_scene(scene, arguments.simulation, suits);
 }
@@ -70,6 +68,19 @@ Scene scene_in_file(const std::string& path, const SampleFileInfo& info) {
   expect_sound(std::move(reading.problems));
   expect_sound(check(reading.scene));
   return std::move(reading.scene);
+}
+
+// A file that carries its script was recorded with the options that stand there.
+void expect_no_overrides(const RecordingArguments& arguments) {
+  const SceneOverrides& overrides = arguments.overrides;
+  const std::pair<const char*, bool> given[] = {{"--profile", overrides.profile.has_value()},
+                                                {"--pulse", overrides.pulse.has_value()},
+                                                {"--tolerance", overrides.tolerance.has_value()},
+                                                {"--seed", overrides.seed.has_value()}};
+  for (const auto& [option, there] : given)
+    if (there)
+      throw BadInput(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
+                     "leave it out, or give with --script the script that it shall stand in");
 }
 
 SampleFile opened(const std::string& path, const SampleFileHints& hints, Problems& problems) {
@@ -144,7 +155,10 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
                                const std::function<Problems(const Plan&)>& problems_of) {
   StoredRecording recording;
   std::optional<SampleFile> file;
-  if (arguments.script.empty()) file = opened(arguments.path, {}, recording.problems);
+  if (arguments.script.empty()) {
+    expect_no_overrides(arguments);
+    file = opened(arguments.path, {}, recording.problems);
+  }
   const Scene scene =
       file ? scene_in_file(arguments.path, file->info()) : scene_of_script(arguments, recording.problems);
   recording.simulation = simulation_of_file(scene, arguments, suits);

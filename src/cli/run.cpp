@@ -124,6 +124,9 @@ class Runner {
     const PartChoice& part = arguments_.part;
     if (team_ != nullptr && (part.share || part.span || part.own_file))
       throw BadInput("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
+    if (team_ != nullptr && arguments_.discard)
+      throw BadInput("--discard writes nothing: there is nothing that processes could share",
+                     "measure with sarsim run --discard, of one process");
     if (journaled_ && arguments_.discard)
       throw BadInput("--discard writes nothing: there is nothing to share, keep or resume",
                      "leave out --discard, or --part, --pulses and --resume");

@@ -17,30 +17,38 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The simulation that writes a file of this name; also one whose name has another extension.
-std::size_t simulation_of(const Scene& scene, const std::string& path, const std::string& script) {
-  const auto names = output_names(scene, {}).simulations;
+// The one with a number from 1, or else the one that writes a file of this name.
+std::size_t simulation_of(const Scene& scene, const std::string& path, const std::string& script,
+                          std::optional<std::int64_t> wanted) {
+  if (wanted) {
+    if (*wanted >= 1 && static_cast<std::size_t>(*wanted) <= scene.simulations.size())
+      return static_cast<std::size_t>(*wanted) - 1;
+    throw BadInput(fmt::format("--simulation: the script has no simulation {}", *wanted),
+                   fmt::format("it has {}", scene.simulations.size()));
+  }
   const fs::path name = fs::path(path).filename();
-  const auto exact = std::ranges::find(names, name);
-  if (exact != names.end()) return static_cast<std::size_t>(exact - names.begin());
-  const auto stem = std::ranges::find(names, name.stem(), [](const fs::path& p) { return p.stem(); });
-  if (stem != names.end()) return static_cast<std::size_t>(stem - names.begin());
+  const auto found = simulation_that_writes(
+      name, scene, "give the file the whole name that the script has for it, or say --columns, --bits and --lsb");
+  if (found) return *found;
   std::string known;
-  for (const fs::path& other : names) known += (known.empty() ? "" : ", ") + other.string();
+  for (const fs::path& other : output_names(scene, {}).simulations)
+    known += (known.empty() ? "" : ", ") + other.filename().string();
   throw BadInput(fmt::format("no simulation of {} writes '{}'", script, name.string()),
                  known.empty() ? std::string() : "its outputs are " + known);
 }
 
 // The simulation that writes a file, with its plan.
-std::pair<Simulation, Plan> recording_of(const std::string& path, const std::string& script) {
+std::pair<Simulation, Plan> recording_of(const std::string& path, const std::string& script,
+                                         std::optional<std::int64_t> wanted) {
   const SceneInput input = read_scene(script, {}, Scrutiny::values);
   expect_usable(input);
-  const std::size_t index = simulation_of(input.scene, path, script);
+  const std::size_t index = simulation_of(input.scene, path, script, wanted);
   return {input.scene.simulations[index], make_plan(input.scene, index)};
 }
 
-void take_script(SampleFileHints& hints, const std::string& path, const std::string& script) {
-  const auto [simulation, plan] = recording_of(path, script);
+void take_script(SampleFileHints& hints, const std::string& path, const std::string& script,
+                 std::optional<std::int64_t> wanted) {
+  const auto [simulation, plan] = recording_of(path, script, wanted);
   hints.columns = plan.columns;
   hints.rows = plan.rows;
   hints.bits = simulation.bits;
@@ -58,9 +66,10 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
   add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
 }
 
-SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
+SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
+                          std::optional<std::int64_t> simulation) {
   SampleFileHints hints;
-  if (!arguments.script.empty()) take_script(hints, path, arguments.script);
+  if (!arguments.script.empty()) take_script(hints, path, arguments.script, simulation);
   if (arguments.format) hints.format = arguments.format;
   if (arguments.columns) {
     hints.columns = static_cast<std::size_t>(*arguments.columns);
@@ -74,7 +83,9 @@ SampleFileHints hints_for(const std::string& path, const SampleArguments& argume
   return hints;
 }
 
-Plan plan_of_file(const std::string& path, const std::string& script) { return recording_of(path, script).second; }
+Plan plan_of_file(const std::string& path, const std::string& script, std::optional<std::int64_t> simulation) {
+  return recording_of(path, script, simulation).second;
+}
 
 SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams) {
   OpenedSampleFile opened = SampleFile::open(path, hints);

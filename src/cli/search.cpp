@@ -63,21 +63,26 @@ class SearchRun {
             radar_m.y + ground_m * std::cos(detection.azimuth_rad)};
   }
 
-  // A rotating antenna says beforehand how often it turns.
+  // Before anything is computed: a rotating antenna says how often it turns, others are followed from pulse to pulse.
   void expect_turns(const PulseRows& rows) const {
+    if (!arguments_.scan) return;
     const Beam& beam = rows.plan->radar.beam;
-    if (!arguments_.scan || beam.kind != Beam::Kind::rotating) return;
+    if (beam.kind != Beam::Kind::rotating) return expect_turns(turns_of_beam(rows));
     const Repetition& repetition = rows.plan->radar.repetition;
     const PulseRange& pulses = rows.plan->pulses;
     const double time_s = repetition.send_time_s(pulses.last) - repetition.send_time_s(pulses.first);
-    const double turns = std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * pi) + 1e-9) + 1.0;
-    if (static_cast<double>(*arguments_.scan) <= turns) return;
+    expect_turns(std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * pi) + 1e-9) + 1.0);
+  }
+
+  void expect_turns(double turns) const {
+    if (!arguments_.scan || static_cast<double>(*arguments_.scan) <= turns) return;
     throw BadInput(fmt::format("--scan {}: the antenna turns less often", *arguments_.scan),
                    fmt::format("it makes {:.0f}, begun ones counted", turns));
   }
 
   void write(SearchPicture& picture) const {
     picture.finish();
+    expect_turns(static_cast<double>(picture.scans()));
     const PpiGrid& grid = picture.picture().grid();
     const std::vector<float>& values = picture.picture().values();
     const double largest = static_cast<double>(*std::ranges::max_element(values));

@@ -65,6 +65,22 @@ PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments) {
   return ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 
+double turns_of_beam(const PulseRows& rows) {
+  PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+  double first_rad = 0.0;
+  double last_rad = 0.0;
+  double farthest_rad = 0.0;
+  for (std::size_t pulse = 0; pulse < rows.pulses(); ++pulse) {
+    geometry.set_pulse(rows.number(pulse));
+    double beam_rad = azimuth_rad(geometry.pointing().axis_world());
+    if (pulse == 0) first_rad = last_rad = beam_rad;
+    beam_rad += 2.0 * pi * std::round((last_rad - beam_rad) / (2.0 * pi));
+    last_rad = beam_rad;
+    farthest_rad = std::max(farthest_rad, std::abs(beam_rad - first_rad));
+  }
+  return std::floor(farthest_rad / (2.0 * pi) + 1e-9) + 1.0;
+}
+
 SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& arguments)
     : rows_(rows),
       height_m_(arguments.height_m.value_or(0.0)),

@@ -25,6 +25,9 @@ struct PictureArguments {
 /// Throws BadInput for arguments that make no sense.
 [[nodiscard]] PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments);
 
+/// Whole and begun turns that the beam makes over all pulses; 1 where it does not turn.
+[[nodiscard]] double turns_of_beam(const PulseRows& rows);
+
 /// Paints intervals as they come: each is a line whose strength is the largest over its Doppler frequencies, and whose
 /// sector reaches half way to its neighbours. A beam that stands still is as wide as it is.
 class SearchPicture {

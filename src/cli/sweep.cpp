@@ -140,14 +140,20 @@ class Sweeper {
     for (SweepRow& row : rows_) {
       const auto found = known.find(row.file);
       if (found == known.end() || found->second.stamp != row.stamp) continue;
-      std::error_code none;
-      const auto size = fs::file_size(beside(row.file), none);
-      if (!arguments_.discard && (none || static_cast<double>(size) != found->second.bytes)) continue;
+      if (!arguments_.discard && !holds(found->second)) continue;
       SweepRow done = found->second;
       done.variation = row.variation;
       done.product = row.product;
       row = std::move(done);
     }
+  }
+
+  // Whether the file is there as it was written; a sweep that discarded everything vouches for none.
+  [[nodiscard]] bool holds(const SweepRow& row) const {
+    std::error_code none;
+    const auto size = fs::file_size(beside(row.file), none);
+    return !none && row.written && static_cast<double>(size) == row.bytes &&
+           modification_time(beside(row.file)) == row.written;
   }
 
   void check_variations() {
@@ -191,26 +197,46 @@ class Sweeper {
     return sum;
   }
 
+  [[nodiscard]] const ProductSize& size_of(std::size_t variation, std::size_t product) const {
+    const auto open = std::ranges::lower_bound(open_, variation);
+    return checks_.sizes.at(static_cast<std::size_t>(open - open_.begin())).at(product);
+  }
+
   ExitStatus print_plan() {
+    write_out(streams_, arguments_.json ? plan_json() : plan_text());
+    if (!arguments_.quiet) announce();
+    return exit_done;
+  }
+
+  [[nodiscard]] std::string plan_json() const {
+    std::vector<SweepRow> rows = rows_;
+    for (SweepRow& row : rows) {
+      if (row.done || row.table) continue;
+      const ProductSize& size = size_of(row.variation, row.product);
+      row.run.rows = size.rows;
+      row.run.columns = size.columns;
+      row.bytes = size.bytes;
+    }
+    return sweep_json(frame("planned"), rows);
+  }
+
+  [[nodiscard]] std::string plan_text() const {
     std::string text;
     for (std::size_t i = 0; i < variations_.size(); ++i) {
-      const auto open = std::ranges::lower_bound(open_, variations_[i]);
-      const auto place = static_cast<std::size_t>(open - open_.begin());
       for (std::size_t product = 0; product < products_.size(); ++product) {
         const SweepRow& row = rows_[i * products_.size() + product];
         text += fmt::format("{}  {}  {}", variations_[i] + 1, sweep_->label(variations_[i]), row.file);
-        if (row.done)
+        if (row.done) {
           text += "  (done)\n";
-        else if (row.table)
+        } else if (row.table) {
           text += "  geometry table\n";
-        else
-          text += fmt::format("  {} x {} samples, {}\n", checks_.sizes[place][product].rows,
-                              checks_.sizes[place][product].columns, bytes_text(checks_.sizes[place][product].bytes));
+        } else {
+          const ProductSize& size = size_of(variations_[i], product);
+          text += fmt::format("  {} x {} samples, {}\n", size.rows, size.columns, bytes_text(size.bytes));
+        }
       }
     }
-    write_out(streams_, text);
-    if (!arguments_.quiet) announce();
-    return exit_done;
+    return text;
   }
 
   // Nothing is begun where an output stands in the way.
@@ -236,9 +262,11 @@ class Sweeper {
     if (problems.empty()) return;
     if (more > 0) problems.front().message = fmt::format("{}, and {} others", problems.front().message, more);
     if (!arguments_.force)
-      problems.front().hint =
-          "replace with --force, go on with what is not done with --resume, or choose another "
-          "folder with --out";
+      problems.front().hint = arguments_.resume
+                                  ? "it is not what this sweep would have made, or was changed since; replace with "
+                                    "--force, or choose another folder with --out"
+                                  : "replace with --force, go on with what is not done with --resume, or choose "
+                                    "another folder with --out";
     throw BadInput(std::move(problems));
   }
 

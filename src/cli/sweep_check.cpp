@@ -69,35 +69,50 @@ class Causes {
   std::mutex lock_;
 };
 
+// Of objects those at some positions.
+template <class Object>
+std::vector<Object> picked(const std::vector<Object>& objects, const std::vector<std::size_t>& positions) {
+  std::vector<Object> some;
+  for (const std::size_t position : positions) some.push_back(objects.at(position));
+  return some;
+}
+
 // Looks at one variation; used on several threads at once.
 class Looker {
  public:
-  Looker(const SweepToCheck& work, const StopFlag* stop) : work_(work), stop_(stop) {}
+  Looker(const SweepToCheck& work, const StopFlag* stop) : work_(work), stop_(stop) {
+    for (const ProductJob& job : work.products) (job.table ? tables_ : simulations_).push_back(job.index);
+  }
 
+  // What is not made is not looked at either: it may be as wrong as it likes.
   Problems look(std::size_t variation, std::vector<ProductSize>& sizes) const {
     const WorkControl alone{1, stop_};
     Problems problems;
-    const Scene scene = work_.sweep.scene(work_.base, variation, problems);
+    Scene scene = work_.sweep.scene(work_.base, variation, problems);
     if (!problems.empty()) return problems;
+    scene.simulations = picked(scene.simulations, simulations_);
+    scene.geometries = picked(scene.geometries, tables_);
     problems = check(scene, alone);
     if (!has_errors(problems)) {
       const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene, alone));
       std::ranges::move(survey(scene, resolved, alone), std::back_inserter(problems));
       if (!has_errors(problems)) sizes = sizes_of(scene, resolved);
     }
-    forget_other_products(problems);
+    number_as_in_script(problems);
     locate_script_values(problems);
     return ranked(std::move(problems));
   }
 
  private:
+  // @param scene  with the chosen products alone
   [[nodiscard]] std::vector<ProductSize> sizes_of(const Scene& scene,
                                                   const std::shared_ptr<const ResolvedScene>& resolved) const {
     std::vector<ProductSize> sizes;
+    std::size_t simulation = 0;
     for (const ProductJob& job : work_.products) {
       ProductSize size;
       if (!job.table) {
-        const Plan plan = make_plan(scene, job.index, resolved, Engine::reference, stop_);
+        const Plan plan = make_plan(scene, simulation++, resolved, Engine::reference, stop_);
         size.rows = plan.rows;
         size.columns = plan.columns;
         size.bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, work_.counts, false});
@@ -111,13 +126,13 @@ class Looker {
     return sizes;
   }
 
-  void forget_other_products(Problems& problems) const {
-    std::erase_if(problems, [this](const Problem& p) {
-      const bool table = p.subject.kind == "geometry";
-      if (!table && p.subject.kind != "simulation") return false;
-      return std::ranges::none_of(
-          work_.products, [&](const ProductJob& job) { return job.table == table && job.index == p.subject.index; });
-    });
+  void number_as_in_script(Problems& problems) const {
+    for (Problem& problem : problems) {
+      Subject& subject = problem.subject;
+      if (subject.kind != "simulation" && subject.kind != "geometry") continue;
+      const auto& positions = subject.kind == "simulation" ? simulations_ : tables_;
+      if (subject.index < positions.size()) subject.index = positions[subject.index];
+    }
   }
 
   // A place in the script is of no help where the value does not stand there.
@@ -129,6 +144,8 @@ class Looker {
 
   const SweepToCheck& work_;
   const StopFlag* stop_;
+  std::vector<std::size_t> simulations_;  // Positions of those that are chosen.
+  std::vector<std::size_t> tables_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* heading =
-    "sarsim sweep 1: stamp, file, bytes, seconds, engine, lsb_estimated, rows, columns, "
+    "sarsim sweep 2: stamp, file, bytes, written, seconds, engine, lsb_estimated, rows, columns, "
     "maximum_v, lsb_v, best_lsb_v, range_used, saturated, zero, end\n";
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -50,6 +50,14 @@ class CellReader {
     good_ = good_ && error == std::errc{} && end == text.data() + text.size();
     return value;
   }
+  // Nothing for "-".
+  std::optional<std::int64_t> time() {
+    const std::string& text = word();
+    if (text == "-") return std::nullopt;
+    const auto value = parse_integer(text);
+    good_ = good_ && value;
+    return value;
+  }
   [[nodiscard]] bool good() const { return good_; }
 
  private:
@@ -62,8 +70,9 @@ class CellReader {
 
 std::string journal_line(const SweepRow& row) {
   const RunReport& run = row.run;
-  std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, format_number(row.bytes),
-                                 format_number(row.seconds), row.engine, row.lsb_estimated ? 1 : 0);
+  std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, format_number(row.bytes),
+                                 row.written ? std::to_string(*row.written) : "-", format_number(row.seconds),
+                                 row.engine, row.lsb_estimated ? 1 : 0);
   line += fmt::format("\t{}\t{}", run.rows, run.columns);
   for (const double value : {run.maximum_v, run.lsb_v, run.best_lsb_v, run.range_used}) {
     line += '\t';
@@ -74,11 +83,12 @@ std::string journal_line(const SweepRow& row) {
 
 bool read_journal_line(const std::string& line, SweepRow& row) {
   const std::vector<std::string> cells = cells_of(line);
-  if (cells.size() != 15 || cells.back() != ".") return false;
+  if (cells.size() != 16 || cells.back() != ".") return false;
   CellReader reader(cells);
   row.stamp = reader.whole(16);
   row.file = reader.word();
   row.bytes = reader.number();
+  row.written = reader.time();
   row.seconds = reader.number();
   row.engine = reader.word();
   row.lsb_estimated = reader.whole() != 0;
@@ -92,6 +102,13 @@ bool read_journal_line(const std::string& line, SweepRow& row) {
   row.table = row.engine.empty();
   row.done = reader.good() && !row.file.empty();
   return row.done;
+}
+
+std::optional<std::int64_t> modification_time(const fs::path& file) {
+  std::error_code none;
+  const fs::file_time_type time = fs::last_write_time(file, none);
+  if (none) return std::nullopt;
+  return time.time_since_epoch().count();
 }
 
 SweepJournal::SweepJournal(fs::path path, bool keep) : path_(std::move(path)) {
@@ -130,7 +147,10 @@ std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std:
     std::ifstream file(path, std::ios::binary);
     for (std::string line; std::getline(file, line);) {
       SweepRow row;
-      if (read_journal_line(line, row)) rows.insert_or_assign(row.file, std::move(row));
+      if (!read_journal_line(line, row)) continue;
+      const auto known = rows.find(row.file);
+      const bool poorer = known != rows.end() && known->second.stamp == row.stamp && known->second.written;
+      if (row.written || !poorer) rows.insert_or_assign(row.file, std::move(row));
     }
   }
   return rows;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "cli/sweep_row.hpp"
@@ -28,12 +30,16 @@ class SweepJournal {
 };
 
 /// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
-/// `stem`-....journal in its folder. Of several lines about a product one with the latest is kept.
+/// `stem`-....journal in its folder. Of several lines about a product the latest is kept, but one without a file does
+/// not take the place of one with a file that is otherwise the same.
 [[nodiscard]] std::map<std::string, SweepRow> read_journals(const std::filesystem::path& folder,
                                                             const std::string& stem);
 
 /// A line of a journal, without its end, and back; false where it is none.
 [[nodiscard]] std::string journal_line(const SweepRow& row);
 [[nodiscard]] bool read_journal_line(const std::string& line, SweepRow& row);
+
+/// When a file's content was last changed, as a number that only serves to be compared; nothing where there is none.
+[[nodiscard]] std::optional<std::int64_t> modification_time(const std::filesystem::path& file);
 
 }  // namespace sarsim::cli

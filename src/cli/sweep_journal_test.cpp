@@ -87,6 +87,26 @@ TEST_F(SweepJournals, GoOnBehindALineThatWasCutOff) {
   EXPECT_EQ(rows.at("a.bin").stamp, 8U);  // The later line counts.
 }
 
+TEST_F(SweepJournals, TakeALineWithAFileForMoreThanOneWithout) {
+  SweepRow file = example("a.bin", 1);
+  file.written = -4711;
+  SweepRow back;
+  ASSERT_TRUE(read_journal_line(journal_line(file), back));
+  EXPECT_EQ(back.written, file.written);
+  {
+    SweepJournal journal(folder_ / "sweep.journal", false);
+    journal.add(file);
+    journal.add(example("a.bin", 1));
+    journal.add(example("b.bin", 1));
+  }
+  auto rows = read_journals(folder_, "sweep");
+  EXPECT_EQ(rows.at("a.bin").written, file.written);
+  EXPECT_FALSE(rows.at("b.bin").written);
+  { SweepJournal(folder_ / "sweep.journal", true).add(example("a.bin", 2)); }
+  rows = read_journals(folder_, "sweep");
+  EXPECT_FALSE(rows.at("a.bin").written);  // Of another scene: only the latest can fit.
+}
+
 TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {
   const fs::path path = folder_ / "sweep.journal";
   { SweepJournal(path, false).add(example("a.bin")); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "simulate/sink.hpp"
@@ -17,6 +18,7 @@ struct SweepRow {
   std::string file;         ///< In the folder of the sweep; the name that it would have where nothing is written.
   std::uint64_t stamp = 0;  ///< Of everything that its content depends on.
   double bytes = 0.0;
+  std::optional<std::int64_t> written;  ///< When its file was, `modification_time`; none where it was discarded.
   double seconds = 0.0;
   std::string engine;
   bool lsb_estimated = false;

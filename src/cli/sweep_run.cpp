@@ -12,6 +12,7 @@
 
 #include "base/number_text.hpp"
 #include "base/version.hpp"
+#include "cli/sweep_journal.hpp"
 #include "data/formats.hpp"
 #include "data/output_file.hpp"
 #include "data/sinks.hpp"
@@ -85,6 +86,7 @@ class VariationRunner {
         make_table(scene_.geometries.at(job.index), row);
       else
         make_recording(job.index, row);
+      if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
       row.done = true;
     } catch (const ImpossibleEcho& error) {
       row.failure = error.problem.message;

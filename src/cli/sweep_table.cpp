@@ -83,6 +83,8 @@ void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
   json.member("file", row.file).member("status", status_of(row));
   if (!row.failure.empty()) json.member("message", row.failure);
   if (row.done) json.member("bytes", row.bytes).member("seconds", row.seconds);
+  if (!row.done && row.run.rows > 0)  // What a sweep that was only planned would make.
+    json.member("rows", row.run.rows).member("columns", row.run.columns).member("bytes", row.bytes);
   if (row.done && !row.table) {
     const RunReport& run = row.run;
     json.member("rows", run.rows).member("columns", run.columns).member("maximum_v", run.maximum_v);

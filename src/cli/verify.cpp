@@ -2,6 +2,7 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 
@@ -93,19 +94,20 @@ std::string json_of(const verify::Record& record, const verify::Facts& facts, do
 }
 
 ExitStatus verify_program(const VerifyArguments& arguments, Streams& streams) {
+  std::optional<OutputFile> page;
   if (!arguments.html.empty()) {
     const Problems problems = problems_of_output(arguments.html, {}, arguments.force);
     if (has_errors(problems)) throw BadInput(problems);
+    page.emplace(arguments.html, arguments.force);  // Before anything is measured: where it cannot be, nobody waits.
   }
   const double begin_s = now_s();
   const verify::Record record = verify::verify_all({arguments.quick, streams.stop});
   const double seconds = now_s() - begin_s;
   const verify::Facts facts = facts_of(arguments, seconds);
-  if (!arguments.html.empty()) {
-    const std::string page = verify::page_of(record, facts);
-    OutputFile file(arguments.html, arguments.force);
-    file.write(std::as_bytes(std::span(page)));
-    file.commit();
+  if (page) {
+    const std::string text = verify::page_of(record, facts);
+    page->write(std::as_bytes(std::span(text)));
+    page->commit();
   }
   write_out(streams, arguments.json ? json_of(record, facts, seconds) : text_of(record, arguments.quiet));
   return verify::holding(record) == record.findings().size() ? exit_done : exit_failed;

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "data/npy_header.hpp"
 #include "data/sample_reader.hpp"
 
 namespace sarsim {
@@ -120,6 +121,35 @@ std::string whole_file(const std::filesystem::path& path) {
 
 std::filesystem::path header_path(std::filesystem::path data) { return data.replace_extension(".hdr"); }
 
+// What a NumPy array file says of itself; nothing for other files.
+std::optional<NpyHeader> array_header(const std::filesystem::path& data) {
+  std::ifstream stream(data, std::ios::binary);
+  std::string bytes(12, '\0');
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
+  const std::uint64_t size = npy_header_size(std::as_bytes(std::span(bytes)));
+  if (size == 0 || size > most_bytes) return std::nullopt;
+  bytes.resize(static_cast<std::size_t>(size));
+  stream.seekg(0);
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  auto parsed = parse_npy_header(std::as_bytes(std::span(bytes)));
+  if (auto* header = std::get_if<NpyHeader>(&parsed)) return std::move(*header);
+  return std::nullopt;
+}
+
+// Image and array of one stem share the name of the header, which can only be that of one of them.
+std::optional<Problem> misfit_of_array(const std::filesystem::path& data, const EnviHeader& header) {
+  const auto array = array_header(data);
+  if (!array) return std::nullopt;
+  const char* type = header.pixel == EnviHeader::Pixel::real_float ? "<f4" : "<c8";
+  const std::vector<std::uint64_t> shape{header.lines, header.samples};
+  if (array->type == type && !array->fortran_order && array->shape == shape &&
+      array->data_offset == header.header_offset)
+    return std::nullopt;
+  return file_problem(data.string(), "the header beside the array is that of another file",
+                      envi_header_of(data).string(), "", "keep files of one name in folders of their own");
+}
+
 }  // namespace
 
 std::optional<std::string> EnviHeader::field(std::string_view name) const {
@@ -171,7 +201,10 @@ std::filesystem::path envi_header_of(const std::filesystem::path& data) {
 }
 
 EnviWriter::EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace)
-    : header_(std::move(header)), data_(data, replace), text_(header_path(data), replace) {}
+    : header_(std::move(header)), data_(data, replace), text_(header_path(data), replace) {
+  if (data == header_path(data))
+    throw std::invalid_argument("an image and its header cannot both be '" + data.string() + "'");
+}
 
 void EnviWriter::append(std::span<const std::complex<float>> row) {
   if (row.size() != header_.samples || rows_ >= header_.lines)
@@ -194,6 +227,15 @@ void EnviWriter::finish() {
   text_.commit();
 }
 
+bool has_envi_header(const std::filesystem::path& data) {
+  const std::filesystem::path header_file = envi_header_of(data);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(header_file, ignored)) return false;
+  if (!array_header(data)) return true;
+  const EnviReading reading = read_envi_header(whole_file(header_file), header_file.string());
+  return reading.header && !misfit_of_array(data, *reading.header);
+}
+
 struct EnviImage::Closer {
   explicit Closer(int file) : descriptor(file) {}
   Closer(const Closer&) = delete;
@@ -214,6 +256,7 @@ std::pair<std::optional<EnviImage>, Problems> EnviImage::open(const std::filesys
   EnviReading reading = read_envi_header(whole_file(header_file), header_file.string());
   if (!reading.header) return {std::nullopt, std::move(reading.problems)};
   const EnviHeader& header = *reading.header;
+  if (auto misfit = misfit_of_array(data, header)) return {std::nullopt, {std::move(*misfit)}};
   const int descriptor = ::open(data.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0)

@@ -53,11 +53,15 @@ struct EnviReading {
 /// The header that belongs to a data file: "image.hdr" for "image.img", where that is there, otherwise "image.img.hdr".
 [[nodiscard]] std::filesystem::path envi_header_of(const std::filesystem::path& data);
 
+/// Whether a data file has a header beside it, and that is its own: what a NumPy array says of itself is what the
+/// header says. A header that cannot be read counts for other files, which cannot be read without.
+[[nodiscard]] bool has_envi_header(const std::filesystem::path& data);
+
 /// Writes an image row by row. Data and header appear under their names with `finish`, the data first; destroyed
 /// before, nothing stays behind. Throws like OutputFile.
 class EnviWriter {
  public:
-  /// @param data     the data file; the header takes its place with the extension ".hdr"
+  /// @param data     the data file; the header takes its place with the extension ".hdr", which it must not have itself
   EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace);
 
   /// One row of header.samples pixels; of a real image, their magnitudes are written.

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
+
+#include "data/npy_header.hpp"
 
 namespace sarsim {
 namespace {
@@ -55,6 +59,32 @@ TEST_F(Envi, ReadsWhatItWrote) {
   image->read(1, 1, read);
   EXPECT_EQ(read[0], second_row[1]);
   EXPECT_EQ(read[1], second_row[2]);
+}
+
+TEST_F(Envi, AnImageCannotHaveTheNameOfItsHeader) {
+  EXPECT_THROW(EnviWriter(file("image.hdr"), small_header(), false), std::invalid_argument);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Envi, TheHeaderOfAnArrayIsOneThatSaysWhatTheArraySays) {
+  const std::array<std::size_t, 2> shape{2, 3};
+  const std::string array = npy_header_text("<c8", shape);
+  write("image.npy", array + std::string(48, '\0'));
+  EXPECT_FALSE(has_envi_header(file("image.npy")));
+  EnviHeader header = small_header();
+  write("image.hdr", to_text(header));  // Of image.img: without an offset.
+  EXPECT_FALSE(has_envi_header(file("image.npy")));
+  EXPECT_FALSE(EnviImage::open(file("image.npy")).first);
+  header.header_offset = array.size();
+  write("image.hdr", to_text(header));
+  EXPECT_TRUE(has_envi_header(file("image.npy")));
+  EXPECT_TRUE(EnviImage::open(file("image.npy")).first);
+  header.samples = 2;
+  header.lines = 3;
+  write("image.hdr", to_text(header));
+  EXPECT_FALSE(has_envi_header(file("image.npy")));
+  write("image.hdr", "something else");
+  EXPECT_FALSE(has_envi_header(file("image.npy")));
 }
 
 TEST_F(Envi, WritesMagnitudesOfARealImage) {

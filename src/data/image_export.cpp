@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "data/count_range.hpp"
+#include "data/product_attributes.hpp"
+#include "receiver/converter.hpp"
 
 namespace sarsim {
 
@@ -36,27 +37,6 @@ double magnitude_of(const std::complex<double>& value) {
   return std::isfinite(magnitude) ? magnitude : 0.0;
 }
 
-// The A/D converter: round half up, clip; what is not a number is 0.
-class Converter {
- public:
-  explicit Converter(CountRange range)
-      : range_(range), lowest_(static_cast<double>(range.lowest())), highest_(static_cast<double>(range.highest())) {}
-
-  std::int64_t count(double value, bool& clipped) const {
-    if (std::isnan(value)) return 0;
-    const double rounded = std::floor(value + 0.5);
-    clipped = clipped || rounded < lowest_ || rounded > highest_;
-    if (rounded <= lowest_) return range_.lowest();
-    if (rounded >= highest_) return range_.highest();
-    return static_cast<std::int64_t>(rounded);
-  }
-
- private:
-  CountRange range_;
-  double lowest_;
-  double highest_;
-};
-
 double largest_magnitude(const ImageSource& source, const ImageWindow& window, const WorkControl& control) {
   double largest = 0.0;
   for_each_block(source, window, control, [&](std::size_t, const std::vector<std::complex<float>>& samples) {
@@ -84,37 +64,39 @@ Product product_of(const ImageSource& source, const ImageWindow& window, const I
   product.column_range_m = picked(std::move(axes.column_range_m), window.col0, window.col_step);
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
   product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;
+  take_origin(info.attributes, product);
   product.engine = "selection of " + info.path.filename().string();
   return product;
 }
 
+// What is not a number is 0.
+std::complex<double> number_of(std::complex<float> sample) {
+  const auto part = [](float value) { return std::isnan(value) ? 0.0 : static_cast<double>(value); };
+  return {part(sample.real()), part(sample.imag())};
+}
+
 // What the sink is given of one block.
 struct BlockMaker {
-  Converter converter;
-  double counts_of_value = 1.0;
+  Converter converter;  // Of the numbers as they are read.
   double volts_of_value = 1.0;
   bool counts = false;
-  std::vector<std::complex<double>> volts;
+  std::vector<std::complex<double>> values;
   std::vector<std::int64_t> numbers;
 
   // Fills the lists and adds to the report.
   void make(const std::vector<std::complex<float>>& samples, RunReport& report) {
-    volts.clear();
-    numbers.clear();
+    values.clear();
     for (const std::complex<float>& sample : samples) {
       const std::complex<double> value(sample);
       report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
-      if (!counts) {
-        volts.push_back(value * volts_of_value);
-        continue;
-      }
-      bool clipped = false;
-      const std::int64_t i = converter.count(value.real() * counts_of_value, clipped);
-      const std::int64_t q = converter.count(value.imag() * counts_of_value, clipped);
-      numbers.insert(numbers.end(), {i, q});
-      report.saturated += clipped ? 1 : 0;
-      report.zero += i == 0 && q == 0 ? 1 : 0;
+      values.push_back(counts ? number_of(sample) : value * volts_of_value);
     }
+    if (!counts) return;
+    numbers.resize(2 * values.size());
+    ConversionTally tally;
+    converter.convert(values, numbers, tally);
+    report.saturated += tally.saturated;
+    report.zero += tally.zero;
   }
 };
 
@@ -126,21 +108,19 @@ RunReport export_window(const ImageSource& source, const ImageWindow& window, co
   const auto begin = std::chrono::steady_clock::now();
   Product product = product_of(source, window, options);
   const auto sink = make_sink(path, product, options.sink);
-  const CountRange range{product.bits};
-  const auto steps = static_cast<double>(range.offset());
+  const double steps = full_scale_count(product.bits);
   const bool from_counts = source.info().counts;
   double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
   if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
   if (!(lsb_v > 0.0)) lsb_v = 1.0;
-  BlockMaker maker{
-      Converter(range), from_counts ? 1.0 : 1.0 / lsb_v, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
+  BlockMaker maker{{product.bits, from_counts ? 1.0 : lsb_v}, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
   RunReport report;
   report.rows = window.rows;
   report.columns = window.cols;
   for_each_block(source, window, control, [&](std::size_t row, const std::vector<std::complex<float>>& samples) {
     maker.make(samples, report);
     const std::size_t rows = samples.size() / window.cols;
-    sink->append(sink->encode({row, rows, window.cols, maker.volts, maker.numbers}), row, rows);
+    sink->append(sink->encode({row, rows, window.cols, maker.values, maker.numbers}), row, rows);
     if (progress) progress({row + rows, window.rows, window.cols});
   });
   report.lsb_v = lsb_v;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "data/data_test_support.hpp"
+#include "data/product_attributes.hpp"
 
 namespace sarsim {
 namespace {
@@ -84,6 +85,26 @@ TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
   EXPECT_DOUBLE_EQ(axes->row_carrier_hz[4], 1e9 + 14e6);
   EXPECT_DOUBLE_EQ(axes->column_range_m[3], 1000.0 + 7 * 1.5);
   EXPECT_EQ(stored->info().sample_rate_hz, 50e6);
+}
+
+TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
+  const TestFolder folder;
+  Product product = data_test::test_product(20, 9, 12);
+  product.radar = "Another";
+  product.processing = Processing::matched_filter;
+  product.options = {Profile::classic, 18446744073709551615U, PulseDefinition::band_limited, 1e-3};
+  data_test::write_test_file(folder / "a.h5", product, {FileFormat::hdf5, false, false, false});
+  const auto source = open_whole(folder / "a.h5");
+  ASSERT_TRUE(source);
+  ImageExport options;
+  options.sink.format = FileFormat::hdf5;
+  export_window(*source, part, folder / "b.h5", options);
+  Product back;
+  take_origin(open_whole(folder / "b.h5")->info().attributes, back);
+  EXPECT_EQ(back.radar, product.radar);
+  EXPECT_EQ(back.processing, product.processing);
+  EXPECT_EQ(back.options, product.options);
+  EXPECT_EQ(back.engine, "selection of a.h5");
 }
 
 TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {

@@ -249,6 +249,17 @@ Scene recording_scene() {
   return scene;
 }
 
+TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
+  Scene scene = recording_scene();
+  scene.simulations.push_back(scene.simulations[0]);
+  scene.simulations[1].file = "echo.asc";
+  scene.simulations[1].bits = 12;
+  ASSERT_TRUE(hints_from_scene(scene, "ECHO.asc"));
+  EXPECT_EQ(hints_from_scene(scene, "ECHO.asc")->bits, 12);
+  EXPECT_EQ(hints_from_scene(scene, "echo.bin")->bits, 10);
+  EXPECT_FALSE(hints_from_scene(scene, "echo.npy"));
+}
+
 TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   const auto hints = hints_from_scene(recording_scene(), "/data/echo.bin");
   ASSERT_TRUE(hints);

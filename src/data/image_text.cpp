@@ -67,6 +67,11 @@ struct TextSamples {
     if (!offset || !number.whole) return as_float(number.value + 0.0);  // "-0" of old programs is 0.
     return static_cast<float>(offset->without_offset(number.magnitude));
   }
+
+  // Whether a number is none of a converter whose offset is subtracted, which the first row alone made believe.
+  [[nodiscard]] bool misfits(const TextNumber& number) const {
+    return offset && (!number.whole || number.value < 0.0 || number.magnitude > 2 * offset->offset() + 1);
+  }
 };
 
 class TextImage final : public ImageSource {
@@ -123,9 +128,13 @@ class TextImage final : public ImageSource {
   void look_through(Recorder& recorder, std::uint64_t size) {
     std::size_t row = resume_.row;
     TextScanner scanner(file_, resume_.mark.offset, resume_.mark.line);
-    TextRowParser parser(scanner, layout_, [](const TextNumber&) {});
+    std::optional<double> misfit;
+    TextRowParser parser(scanner, layout_, [&](const TextNumber& number) {
+      if (!misfit && samples_.misfits(number)) misfit = number.value;
+    });
     while (!recorder.stop_wanted()) {
       scanner.skip_white_space();
+      misfit.reset();
       const TextMark mark{scanner.offset(), scanner.line()};
       const TextRow found = parser.parse();
       scanner.skip_white_space();
@@ -141,12 +150,26 @@ class TextImage final : public ImageSource {
         damaged_ = true;
         break;
       }
+      if (misfit) {
+        report_misfit(recorder, mark, *misfit);
+        break;
+      }
       if (found.values != samples_.values) report_uneven(recorder, found, row);
       recorder.row_begins(row, mark.offset, mark);
       recorder.rows_known(++row);
       recorder.part_done(static_cast<double>(scanner.offset()) / static_cast<double>(std::max<std::uint64_t>(size, 1)));
       if (last) break;
     }
+  }
+
+  void report_misfit(Recorder& recorder, const TextMark& mark, double value) {
+    Problem problem = file_problem(
+        file_.path().string(), "a value is not that of an A/D converter with an offset", fmt::format("{}", value),
+        fmt::format("0 to {}, as in the first row", 2 * samples_.offset->offset() + 1),
+        "give no number of A/D bits to have the values as they stand; the rows before it are shown");
+    problem.place.line = mark.line;
+    recorder.problem(std::move(problem));
+    damaged_ = true;
   }
 
   void report_uneven(Recorder& recorder, const TextRow& found, std::size_t row) {

@@ -51,6 +51,25 @@ TEST(ImageSource, RowsOfATextThatAreUnevenAreShownWithAWarning) {
   EXPECT_FALSE(has_errors(source->problems()));
 }
 
+TEST(ImageSource, ValuesThatNoConverterGivesEndAText) {
+  const TestFolder folder;
+  ImageHints hints;
+  hints.samples.bits = 8;
+  const auto rows_and_problems = [&](const char* text) {
+    const OpenedImage opened = ImageSource::open(put(folder / "a.csv", text), hints);
+    EXPECT_TRUE(opened.source) << text;
+    opened.source->wait_until_indexed(nullptr);
+    return std::pair(opened.source->rows(), text_of(opened.source->problems()));
+  };
+  EXPECT_EQ(rows_and_problems("0,0\n255,127\n"), std::pair(std::size_t{2}, std::string()));
+  for (const char* text : {"0,0\n127,127\n-5,3\n1,1\n", "0,0\n127,127\n256,3\n1,1\n", "0,0\n127,127\n1.5,3\n1,1\n"}) {
+    const auto [rows, problems] = rows_and_problems(text);
+    EXPECT_EQ(rows, 2U) << text;
+    EXPECT_THAT(problems, HasSubstr("a.csv:3")) << text;
+    EXPECT_THAT(problems, HasSubstr("0 to 255")) << text;
+  }
+}
+
 TEST(ImageSource, TextIsShownUpToTheFirstPlaceThatIsMalformed) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.csv", "1,2\n3,4\nfive,6\n7,8\n"));

@@ -72,7 +72,8 @@ bool each_piece(const RawFile& file, const Claim& claim, std::size_t step,
   throw UnfitParts({problem});
 }
 
-void verify_all(const std::vector<Piece>& pieces, const RunControl& control) {
+// Throws UnfitParts for a piece whose bytes are not there.
+void verify(const std::vector<Piece>& pieces, const RunControl& control) {
   parallel_ranges(pieces.size(), 1, {thread_count(control.threads), control.stop},
                   [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i)
@@ -115,8 +116,9 @@ class Joiner {
       complete = in_place() ? frame(joined.report) : concatenate(joined.report);
     }
     joined.report.seconds = seconds_of(pieces_);
+    // Before the file has its name: who dies in between leaves a file that --resume knows, or none.
     write_receipt(complete, joined);
-    publish_file(complete, task_.output, task_.replace);
+    publish(complete);
     return joined;
   }
 
@@ -129,7 +131,7 @@ class Joiner {
   }
 
   fs::path frame(const RunReport& report) {
-    if (task_.verify) verify_all(pieces_, control_);
+    verify(unchecked(), control_);
     const fs::path path = shared_rows_of(folder_);
     RawFile file(path, RawFile::Mode::write);
     write_frame(file, folder_ / "frame", task_.product.product, task_.product.options, report);
@@ -174,25 +176,47 @@ class Joiner {
   }
 
   fs::path convert(RunReport& report, double lsb_v) {
-    verify_all(pieces_, control_);
+    verify(pieces_, control_);
     fs::path path = folder_ / "joined";
     const auto sink = sink_at(path);
-    std::vector<RawFile> files;
-    for (const Journal& journal : task_.journals)
-      files.emplace_back(journal.claims.empty() ? RawFile() : RawFile(file_of(journal), RawFile::Mode::read));
-    const auto reader = [&]() -> RowReader {
-      return [&](std::size_t row, std::span<std::complex<double>> volts) {
-        const auto after =
-            std::ranges::upper_bound(pieces_, row, {}, [](const Piece& p) { return p.claim.rows.first; });
-        const Piece& piece = *std::prev(after);
-        const RawFile& file = files[static_cast<std::size_t>(piece.journal - task_.journals.data())];
-        const std::uint64_t offset = piece.claim.offset + (row - piece.claim.rows.first) * volts.size_bytes();
-        if (!file.read_at(offset, std::as_writable_bytes(volts))) throw_damaged(piece);
-      };
-    };
-    report = run_stored(recorded_, reader, lsb_v, *sink, control_);
+    report = run_stored(
+        recorded_, [&] { return reader(); }, lsb_v, *sink, control_);
     return path;
   }
+
+  // Of one thread, with one file open at a time: there may be more parts than a process may have files.
+  [[nodiscard]] RowReader reader() const {
+    struct Open {
+      const Journal* journal = nullptr;
+      RawFile file;
+    };
+    return [this, open = std::make_shared<Open>()](std::size_t row, std::span<std::complex<double>> volts) {
+      const auto after = std::ranges::upper_bound(pieces_, row, {}, [](const Piece& p) { return p.claim.rows.first; });
+      const Piece& piece = *std::prev(after);
+      if (open->journal != piece.journal) {
+        open->file = RawFile();
+        open->file = RawFile(file_of(*piece.journal), RawFile::Mode::read);
+        open->journal = piece.journal;
+      }
+      const std::uint64_t offset = piece.claim.offset + (row - piece.claim.rows.first) * volts.size_bytes();
+      if (!open->file.read_at(offset, std::as_writable_bytes(volts))) throw_damaged(piece);
+    };
+  }
+
+  // Pieces that nobody has looked at since they were written.
+  [[nodiscard]] std::vector<Piece> unchecked() const {
+    const auto first_row = [](const Claim& claim) { return claim.rows.first; };
+    std::vector<Claim> checked = task_.checked;
+    std::ranges::sort(checked, {}, first_row);
+    std::vector<Piece> pieces;
+    std::ranges::copy_if(pieces_, std::back_inserter(pieces), [&](const Piece& piece) {
+      const auto alike = std::ranges::equal_range(checked, piece.claim.rows.first, {}, first_row);
+      return std::ranges::none_of(alike, [&](const Claim& claim) { return same_bytes(claim, piece.claim); });
+    });
+    return pieces;
+  }
+
+  void publish(const fs::path& complete) const;
 
   void write_receipt(const fs::path& complete, const Joined& joined) const;
 
@@ -204,9 +228,19 @@ class Joiner {
 };
 
 fs::path receipt_of(const fs::path& output) {
-  fs::path path = output;
+  fs::path path = end_of_links(output);
   path += ".journal";
   return path;
+}
+
+void Joiner::publish(const fs::path& complete) const {
+  try {
+    publish_file(complete, task_.output, task_.replace);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(receipt_of(task_.output), ignored);
+    throw;
+  }
 }
 
 // Size and time of a file's content; both survive a change of its name.
@@ -254,7 +288,7 @@ std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
 }  // namespace
 
 fs::path parts_folder_of(const fs::path& output) {
-  fs::path folder = output;
+  fs::path folder = end_of_links(output);
   folder += ".parts";
   return folder;
 }

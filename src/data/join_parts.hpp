@@ -22,7 +22,8 @@ struct UnfitParts : std::runtime_error {
   Problems problems;
 };
 
-/// The folder beside an output in which its parts come together.
+/// The folder beside an output in which its parts come together; where the output is a link, beside what it means, so
+/// that both are on one disk.
 [[nodiscard]] std::filesystem::path parts_folder_of(const std::filesystem::path& output);
 
 /// The file of a folder that all parts share, with the rows at their places; and the one with what joining needs.
@@ -50,7 +51,9 @@ struct JoinTask {
   StoredProduct product;
   std::vector<Journal> journals;  ///< Without `join_problems`.
   bool replace = false;
-  bool verify = true;  ///< Also rows that stand at their places already are read and held against their checksums.
+  /// Of rows that stand at their places already: those that need not be read and held against their checksums, because
+  /// the caller has written them or done so.
+  std::vector<Claim> checked;
 };
 
 /// What the whole turned out to be.

@@ -177,6 +177,10 @@ std::vector<std::string> differences(const Identity& a, const std::string& here,
   return sentences;
 }
 
+bool same_bytes(const Claim& a, const Claim& b) {
+  return a.rows == b.rows && a.offset == b.offset && a.bytes == b.bytes && a.checksum == b.checksum;
+}
+
 std::size_t Journal::claimed_rows() const {
   std::size_t rows = 0;
   for (const Claim& claim : claims) rows += claim.rows.count;

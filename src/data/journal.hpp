@@ -50,6 +50,9 @@ struct Claim {
   ConversionTally tally;
 };
 
+/// Whether two speak of the same bytes.
+[[nodiscard]] bool same_bytes(const Claim& a, const Claim& b);
+
 /// A journal as read.
 struct Journal {
   std::filesystem::path path;

@@ -29,18 +29,6 @@ constexpr std::size_t longest_name = 255;  // NAME_MAX of every common file syst
   throw std::system_error(error, std::generic_category(), what);
 }
 
-// Follows links to the file they mean, which need not exist. A path that leads nowhere else is returned as it is.
-fs::path end_of_links(const fs::path& path) {
-  fs::path place = path;
-  for (int i = 0; i < most_links; ++i) {
-    std::error_code error;
-    const fs::path next = fs::read_symlink(place, error);
-    if (error) return place;
-    place = next.is_absolute() ? next : place.parent_path() / next;
-  }
-  throw_error(ELOOP, fmt::format("cannot create {}", path.string()));
-}
-
 int rename_without_replacing(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != ENOSYS && errno != EINVAL) return errno;
@@ -68,6 +56,17 @@ fs::path temporary_name(const fs::path& target) {
 }
 
 }  // namespace
+
+fs::path end_of_links(const fs::path& path) {
+  fs::path place = path;
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code error;
+    const fs::path next = fs::read_symlink(place, error);
+    if (error) return place;
+    place = next.is_absolute() ? next : place.parent_path() / next;
+  }
+  throw_error(ELOOP, fmt::format("cannot create {}", path.string()));
+}
 
 OutputFile::OutputFile(fs::path path, bool replace) : path_(std::move(path)), replace_(replace) {
   struct stat status {};

@@ -61,6 +61,10 @@ class OutputFile {
   bool failed_ = false;
 };
 
+/// Follows links to the file they mean, which need not exist. A path that leads nowhere else is returned as it is.
+/// @throws std::system_error where links lead in a circle
+[[nodiscard]] std::filesystem::path end_of_links(const std::filesystem::path& path);
+
 /// Makes changes of names in a file's folder last over a loss of power, where the file system can.
 void sync_folder_of(const std::filesystem::path& path) noexcept;
 

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <iterator>
 #include <span>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -213,7 +214,11 @@ void PartRun::verify(const WorkControl& control) {
     for (const Claim& claim : bad) rejected_rows_ += claim.rows.count;
     take_out(journal, bad);
   }
-  for (Journal& journal : journals_) journal = read_again(journal);
+  for (Journal& journal : journals_) {
+    journal = read_again(journal);
+    std::ranges::copy_if(journal.claims, std::back_inserter(checked_),
+                         [&](const Claim& claim) { return meet(claim.rows, task_.range); });
+  }
 }
 
 // The one case in which a journal is not only added to: another one without these entries takes its place.
@@ -228,17 +233,29 @@ void PartRun::take_out(const Journal& journal, const std::vector<Claim>& bad) {
   if (now.path == journal_path()) journal_ = std::move(file);
 }
 
+// The files of a part go when the recording is complete; otherwise somebody has taken them away.
+void PartRun::expect_complete() const {
+  const auto receipt = read_receipt(task_.output, task_.product);
+  if (receipt && differences(task_.identity, "", receipt->identity, "").empty()) return;
+  throw std::runtime_error(
+      fmt::format("files of part {} were taken out of the folder {} while it was being made: its "
+                  "pulses are lost. Make the part again.",
+                  task_.words, folder_.string()));
+}
+
 PartOutcome PartRun::finish(bool replace, const RunControl& control) {
   writer_->settle();
   PartOutcome outcome;
   const RawFile door = open_door(folder_);
-  if (!journal_.still_there()) {
+  if (!journal_.still_there() || !rows_.still_there()) {
     // The folder that the door has just been made in anew is empty.
     if (!fs::exists(product_file_of(folder_))) remove_parts(folder_);
+    expect_complete();
     outcome.elsewhere = true;
     return outcome;
   }
-  JoinTask join{task_.output, task_.product, read_journals(folder_), replace, false};
+  JoinTask join{task_.output, task_.product, read_journals(folder_), replace, checked_};
+  std::ranges::copy(writer_->claims(), std::back_inserter(join.checked));
   const std::size_t rows = task_.product.product.rows;
   outcome.rows_there = rows;
   for (const RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;

@@ -51,7 +51,10 @@ class PartRun {
   /// Rows whose journal vouched for bytes that are not there; they are missing again.
   [[nodiscard]] std::size_t rejected_rows() const { return rejected_rows_; }
   [[nodiscard]] PartWriter& writer() { return *writer_; }
-  /// Vouches for everything and, where the recording is whole and nothing is `apart`, completes it.
+  /// Vouches for everything and, where the recording is whole and nothing is `apart`, completes it. What others vouch
+  /// for is read once and held against their checksums.
+  /// @throws UnfitParts where it is not what they say; std::runtime_error where the part's own files have gone, though
+  ///         the recording is not complete
   [[nodiscard]] PartOutcome finish(bool replace, const RunControl& control);
 
  private:
@@ -63,6 +66,7 @@ class PartRun {
   void begin_journal();
   void begin_rows(bool anew);
   void verify(const WorkControl& control);
+  void expect_complete() const;
   void take_out(const Journal& journal, const std::vector<Claim>& bad);
 
   [[nodiscard]] std::filesystem::path journal_path() const { return folder_ / (task_.name + ".journal"); }
@@ -73,6 +77,7 @@ class PartRun {
   RowStore store_ = RowStore::placed;
   RowPlaces places_;
   std::vector<Journal> journals_;  // All that concern the part's rows.
+  std::vector<Claim> checked_;     // Of these, what was found to be there.
   RawFile journal_;                // The part's own, locked.
   RawFile rows_;
   std::vector<RowRange> missing_;

@@ -150,6 +150,103 @@ TEST(PartRun, ThatComesLateFindsTheRecordingComplete) {
   EXPECT_EQ(folder.entries(), 2U);
 }
 
+// Rows 0 to 6 were made, and vouched for, by a process that ended.
+StoredProduct begun_recording(const TestFolder& folder) {
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartRun early(task_for(folder / "out", stored, "a", {0, 7}), {});
+  EXPECT_FALSE(make(early, stored).joined.has_value());
+  return stored;
+}
+
+void expect_refused(PartRun& last, const StoredProduct& stored, const TestFolder& folder) {
+  try {
+    static_cast<void>(make(last, stored));
+    FAIL() << "rows that are not there were published";
+  } catch (const UnfitParts& unfit) {
+    EXPECT_THAT(unfit.problems.at(0).message, HasSubstr("are not what part a wrote"));
+  }
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  // The part that is to blame can be made again, and then it is the last.
+  PartTask again = task_for(folder / "out", stored, "a", {0, 7});
+  again.resume = true;
+  PartRun repaired(again, {});
+  EXPECT_GT(repaired.rejected_rows(), 0U);
+  EXPECT_TRUE(make(repaired, stored).joined.has_value());
+  data_test::write_test_file(folder / "whole", stored.product, stored.options);
+  EXPECT_EQ(contents(folder / "out"), contents(folder / "whole"));
+}
+
+TEST(PartRun, PublishesNothingWhereTheSharedFileWasLost) {
+  const TestFolder folder;
+  const StoredProduct stored = begun_recording(folder);
+  fs::remove(shared_rows_of(parts_folder_of(folder / "out")));
+  PartRun last(task_for(folder / "out", stored, "b", {7, 5}), {});
+  expect_refused(last, stored, folder);
+}
+
+TEST(PartRun, PublishesNothingWhereRowsOfOthersWereChanged) {
+  const TestFolder folder;
+  const StoredProduct stored = begun_recording(folder);
+  const fs::path samples = shared_rows_of(parts_folder_of(folder / "out"));
+  std::string bytes = contents(samples);
+  bytes[3] = static_cast<char>(bytes[3] ^ 1);
+  data_test::put(samples, bytes);
+  PartRun last(task_for(folder / "out", stored, "b", {7, 5}), {});
+  expect_refused(last, stored, folder);
+}
+
+TEST(PartRun, WhoseFolderIsDeletedSaysSo) {
+  const TestFolder folder;
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
+  fs::remove_all(parts_folder_of(folder / "out"));
+  try {
+    static_cast<void>(make(part, stored));
+    FAIL() << "a recording that is not there is called complete";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("were taken out of the folder"));
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST(PartRun, WhoseRowsAreTakenAwaySaysSo) {
+  const TestFolder folder;
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
+  fs::remove(shared_rows_of(parts_folder_of(folder / "out")));
+  EXPECT_THROW(static_cast<void>(make(part, stored)), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(PartRun, ThatComesLateIsNotCompletedByAFileOfAnotherRun) {
+  const TestFolder folder;
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartTask task = task_for(folder / "out", stored, "all", {0, rows});
+  PartRun part(task, {});
+  fs::remove_all(parts_folder_of(folder / "out"));
+  task.identity = {{"seed", "2"}};
+  {
+    PartRun other(task, {});
+    ASSERT_TRUE(make(other, stored).joined.has_value());
+  }
+  EXPECT_THROW(static_cast<void>(part.finish(false, {})), std::runtime_error);
+}
+
+TEST(PartRun, WorksBesideTheFileThatALinkMeans) {
+  const TestFolder folder;
+  const data_test::SmallDisk disk(folder / "disk", "size=1m");
+  if (!disk.mounted()) GTEST_SKIP() << "a second file system cannot be mounted here";
+  fs::create_symlink(folder / "disk" / "real", folder / "out");
+  const StoredProduct stored = stored_as(FileFormat::binary);
+  PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
+  EXPECT_TRUE(fs::exists(folder / "disk" / "real.parts"));
+  EXPECT_TRUE(make(part, stored).joined.has_value());
+  EXPECT_TRUE(fs::is_symlink(folder / "out"));
+  data_test::write_test_file(folder / "whole", stored.product, stored.options);
+  EXPECT_EQ(contents(folder / "disk" / "real"), contents(folder / "whole"));
+  EXPECT_TRUE(read_receipt(folder / "out", stored).has_value());
+}
+
 TEST(PartRun, DoesNotReplaceAFileThatAppearedMeanwhile) {
   const TestFolder folder;
   const StoredProduct stored = stored_as(FileFormat::binary);
@@ -158,6 +255,7 @@ TEST(PartRun, DoesNotReplaceAFileThatAppearedMeanwhile) {
   EXPECT_THROW(static_cast<void>(make(part, stored)), std::system_error);
   EXPECT_EQ(contents(folder / "out"), "precious");
   EXPECT_TRUE(fs::exists(folder / "out.parts" / "all.journal"));
+  EXPECT_FALSE(fs::exists(folder / "out.journal"));  // A receipt would be for a file that is not there.
 }
 
 TEST(Receipt, IsOfNoUseForAFileThatWasChanged) {

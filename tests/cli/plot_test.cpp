@@ -242,6 +242,12 @@ TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
     EXPECT_NEAR(rows[16 * i][0], coarse[i][0], 1e-9);
     EXPECT_NEAR(rows[16 * i][1], coarse[i][1], 1e-15);
   }
+  // Rows are counted, not what lies between them.
+  ASSERT_EQ(sarsim({"plot", "r.img", "--kind", "range", "--at-azimuth", "0", "--pulses", "5", "--csv", "d.csv"}).status,
+            0);
+  const auto five = numbers_of(text_of(folder_ / "d.csv"));
+  ASSERT_EQ(five.size(), 4U * 16U + 1U);
+  EXPECT_NEAR(five.back()[0] - five.front()[0], 4.0 * (coarse[1][0] - coarse[0][0]), 1e-6);
 }
 
 TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {

@@ -34,6 +34,11 @@ void redirect(int descriptor, const std::string& path) {
     const rlimit limit{bytes, bytes};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (start.most_open_files > 0) {
+    const auto files = static_cast<rlim_t>(start.most_open_files);
+    const rlimit limit{files, files};
+    setrlimit(RLIMIT_NOFILE, &limit);
+  }
   redirect(STDOUT_FILENO, out);
   redirect(STDERR_FILENO, err);
   std::vector<char*> pointers;

@@ -221,7 +221,8 @@ TEST_F(Search, WritesEveryFormat) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "d/a.hdr"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "p/a-detections.csv"));
   const Finished info = sarsim({"info", "d/a.h5", "--json"});
-  EXPECT_THAT(info.out, HasSubstr("256"));
+  EXPECT_TRUE(is_json(info.out, folder_));
+  EXPECT_THAT(info.out, testing::ContainsRegex("\"rows\": 256[,\n ]"));
 }
 
 TEST_F(Search, DetectsInTwoDimensionsAndByOrderedStatistics) {
@@ -278,6 +279,8 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--canceller", "four"}, "none, two, three");
   refused({"--cfar", "none", "--no-map"}, "leaves nothing to do");
   refused({"--out", "a.csv", "--detections", "a.csv"}, "the name of two outputs");
+  refused({"--out", "a.csv", "--detections", "./a.csv"}, "the name of two outputs");
+  refused({"--out", "a.hdr"}, "'a.hdr' is the name of two outputs");
   refused({"--simulation", "7"}, "no simulation 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
   refused({"--pixel", "0"}, "--pixel 0: must be above 0", true);
@@ -289,6 +292,19 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   const Finished profiles = sarsim({"doppler", examples + "stepped_srp.scr"});
   EXPECT_EQ(profiles.status, 2);
   EXPECT_THAT(profiles.err, HasSubstr("synthetic range profiles hold no pulses"));
+}
+
+TEST_F(Search, RefusesASecondTurnOfABeamThatStandsStill) {
+  std::string text = text_of(examples + "search_radar.scr");
+  const std::size_t rotating = text.find("ROTATING");
+  ASSERT_NE(rotating, std::string::npos);
+  text.replace(rotating, 8, "FIXED");
+  write_text(folder_ / "still.scr", text);
+  const Finished second = sarsim({"search", "still.scr", "--scan", "2", "--out", "p.img"});
+  EXPECT_EQ(second.status, 2);
+  EXPECT_THAT(second.err, HasSubstr("the antenna turns less often"));
+  EXPECT_THAT(entries("."), testing::ElementsAre("still.scr"));
+  EXPECT_EQ(sarsim({"search", "still.scr", "--scan", "1", "--out", "p.img"}).status, 0);
 }
 
 TEST_F(Search, EndsOnControlCWithoutLeavingAnything) {

@@ -80,6 +80,7 @@ def refusals(folder):
     for words, sentence in (
         (["run", "nothing.scr"], "nothing.scr"),
         (["run", "scene.scr", "--part", "1/2"], "MPI deals the pulses out by itself"),
+        (["run", "scene.scr", "--discard"], "measure with sarsim run --discard"),
         (["run", "scene.scr", "--out", "whole"], "the output exists already"),
         (["check", "scene.scr"], "unknown command 'check'"),
     ):

@@ -109,6 +109,20 @@ TEST_F(PartsOfScenes, MayBeMoreThanThereArePulses) {
   expect_same_bytes("whole/sim.bin", "parts/sim.bin");
 }
 
+// A limit of 1024 open files is usual, and parts may be ten thousand; here it is 24 and 40.
+TEST_F(PartsOfScenes, MayBeMoreThanAProcessMayHaveFiles) {
+  write_shaking_scene(41, "0");
+  ASSERT_EQ(run({"--out", "whole"}).status, 0);
+  for (int part = 1; part <= 40; ++part)
+    ASSERT_EQ(run({"--out", "o", "--part", std::to_string(part) + "/40", "--part-file"}).status, 0);
+  Start start;
+  start.folder = folder_;
+  start.most_open_files = 24;
+  const Finished merged = Program({"merge", "o/sim.bin.parts", "--threads", "4"}, start).finish();
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  expect_same_bytes("whole/sim.bin", "o/sim.bin");
+}
+
 TEST_F(PartsOfScenes, MakeEverySimulationAndTheFirstMakesTheTables) {
   SceneText scene;
   scene.files = {"one.bin", "two.asc"};

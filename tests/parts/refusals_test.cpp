@@ -151,6 +151,11 @@ TEST_F(PartRefusals, DevicesInPlaceOfTheFile) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(PartRefusals, AFolderThatIsNamedTwice) {
+  ASSERT_EQ(run({"--part", "1/2"}).status, 0);
+  expect_refusal(sarsim({"merge", "sim.bin.parts", "./sim.bin.parts"}), "is named twice");
+}
+
 TEST_F(PartRefusals, FoldersThatHoldNoParts) {
   expect_refusal(sarsim({"merge", "nowhere.parts"}), "there is no folder 'nowhere.parts'");
   fs::create_directory(folder_ / "empty.parts");

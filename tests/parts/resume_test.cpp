@@ -118,6 +118,33 @@ TEST_F(Resume, ComputesAgainWhatTheDiskHasLost) {
   expect_same_bytes("whole/sim.bin", "out/sim.bin");
 }
 
+TEST_F(Resume, NoticesThatOthersRowsWereLost) {
+  write_shaking_scene(60, "3e-5");
+  ASSERT_EQ(run({"--out", "whole"}).status, 0);
+  ASSERT_EQ(run({"--out", "out", "--part", "1/2", "--save-every", "0"}).status, 0);
+  fs::remove(folder_ / "out/sim.bin.parts/samples");
+  const Finished last = run({"--out", "out", "--part", "2/2"});
+  EXPECT_EQ(last.status, 2);
+  EXPECT_THAT(last.err, HasSubstr("are not what part 1/2 wrote"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/sim.bin"));
+  const Finished again = run({"--out", "out", "--part", "1/2", "--resume", "--json"});
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(member(again.out, "rejected_rows"), 30);
+  expect_same_bytes("whole/sim.bin", "out/sim.bin");
+}
+
+TEST_F(Resume, SaysSoWhereItsFolderWasDeleted) {
+  write_long_scene();
+  Program program({"run", "scene.scr", "--out", "out", "--resume", "--json", "--threads", "1"}, here());
+  ASSERT_TRUE(program.wait_for("sim.bin: 20 %", 60.0)) << program.err();
+  fs::remove_all(folder_ / "out/sim.bin.parts");
+  const Finished end = program.finish();
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("were taken out of the folder"));
+  EXPECT_THAT(end.out, HasSubstr("\"failed\""));
+  EXPECT_THAT(entries("out"), testing::IsEmpty());
+}
+
 TEST_F(Resume, LeavesOutAnEntryThatWasBeingWritten) {
   write_shaking_scene(60, "3e-5");
   ASSERT_EQ(run({"--out", "whole"}).status, 0);

@@ -52,6 +52,41 @@ TEST_F(SweepResume, MakesAgainWhatIsMissingOrOfAnotherSize) {
   EXPECT_GT(fs::file_size(folder_ / "sim_seed=2.bin"), 5U);
 }
 
+TEST_F(SweepResume, TakesNoFileOnTheWordOfASweepThatDiscardedItsOwn) {
+  SceneText scene;
+  write_scene(scene);
+  ASSERT_EQ(sweep({"--set", "seed=1..2"}).status, 0);
+  scene.noise_k = "400";
+  write_scene(scene);
+  ASSERT_EQ(sweep({"--set", "seed=1..2", "--discard", "--force"}).status, 0);
+  const Finished stale = sweep({"--set", "seed=1..2", "--resume"});
+  EXPECT_EQ(stale.status, 2) << stale.err;
+  EXPECT_THAT(stale.err, HasSubstr("exists already"));
+  EXPECT_THAT(stale.err, HasSubstr("replace with --force"));
+  EXPECT_THAT(stale.err, Not(HasSubstr("with --resume")));
+  ASSERT_EQ(sweep({"--set", "seed=1..2", "--resume", "--force"}).status, 0);
+  ASSERT_EQ(sweep({"--set", "seed=1..2", "--out", "fresh"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "sim_seed=1.bin"), text_of(folder_ / "fresh/sim_seed=1.bin"));
+}
+
+TEST_F(SweepResume, OfFiguresAloneLeavesTheFilesKnown) {
+  write_scene({});
+  ASSERT_EQ(sweep({"--set", "seed=1..2"}).status, 0);
+  const Finished figures = sweep({"--set", "seed=1..3", "--discard", "--resume"});
+  EXPECT_EQ(figures.status, 0) << figures.err;
+  EXPECT_THAT(figures.err, HasSubstr("2 done before, 1 to run"));
+  EXPECT_THAT(sweep({"--set", "seed=1..3", "--resume"}).err, HasSubstr("2 done before, 1 to run"));
+}
+
+TEST_F(SweepResume, NoticesAFileOfTheSameSizeThatWasChanged) {
+  write_scene({});
+  ASSERT_EQ(sweep({"--set", "seed=1..2"}).status, 0);
+  std::string bytes = text_of(folder_ / "sim_seed=2.bin");
+  bytes[100] = static_cast<char>(bytes[100] ^ 1);
+  write_text(folder_ / "sim_seed=2.bin", bytes);
+  EXPECT_EQ(sweep({"--set", "seed=1..2", "--resume"}).status, 2);
+}
+
 TEST_F(SweepResume, TakesNothingFromAnotherScene) {
   SceneText scene;
   write_scene(scene);

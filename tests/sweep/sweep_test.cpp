@@ -148,6 +148,37 @@ TEST_F(SweepCommand, MakesEveryProductOrTheChosenOnes) {
                           "table_Target1.rcs=2.txt", "two_Target1.rcs=1.bin", "two_Target1.rcs=2.bin"));
 }
 
+TEST_F(SweepCommand, PaysNoAttentionToProductsThatAreNotChosen) {
+  SceneText scene;
+  scene.files = {"one.bin", "two.bin"};
+  scene.geometry = "table.txt";
+  std::string text = scene.text();
+  const std::string first = "$SIMULATION Radar1 900 1400";
+  text.replace(text.find(first), first.size(), "$SIMULATION Radar1 900 800");
+  write_text(folder_ / "scene.scr", text);
+  const Finished dry = sarsim({"sweep", "scene.scr", "2", "table.txt", "--set", "seed=1..2", "--dry-run"});
+  EXPECT_EQ(dry.status, 0) << dry.err;
+  EXPECT_EQ(dry.out,
+            "1  seed=1  two_seed=1.bin  20 x 334 samples, 13.4 kB\n"
+            "1  seed=1  table_seed=1.txt  geometry table\n"
+            "2  seed=2  two_seed=2.bin  20 x 334 samples, 13.4 kB\n"
+            "2  seed=2  table_seed=2.txt  geometry table\n");
+  EXPECT_THAT(dry.err, HasSubstr("26.7 kB"));
+  const Finished made = sarsim({"sweep", "scene.scr", "2", "--set", "seed=1..2", "--out", "o"});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(sarsim({"sweep", "scene.scr", "1", "--set", "seed=1..2", "--out", "p"}).err, HasSubstr("scene.scr:8"));
+  EXPECT_FALSE(fs::exists(folder_ / "p"));
+}
+
+TEST_F(SweepCommand, ThatIsOnlyPlannedIsToldAsJson) {
+  write_scene({});
+  const Finished dry = sarsim({"sweep", "scene.scr", "--set", "seed=1..2", "--dry-run", "--json"});
+  EXPECT_EQ(dry.status, 0) << dry.err;
+  ASSERT_TRUE(is_json(dry.out, folder_)) << dry.out;
+  for (const char* text : {"\"planned\"", "sim_seed=2.bin", "\"columns\": 334", "\"not made\""})
+    EXPECT_THAT(dry.out, HasSubstr(text));
+}
+
 TEST_F(SweepCommand, ReportsAllProblemsOfAllVariationsBeforeAnythingRuns) {
   write_scene({});
   const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "Simulation1.sample_rate=10MHz,100MHz,200MHz", "--set",

@@ -1,5 +1,7 @@
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -36,6 +38,25 @@ TEST_F(VerifyCommand, SaysTheSameAsJson) {
   EXPECT_TRUE(is_json(verify.out, folder_));
   EXPECT_THAT(verify.out, HasSubstr("\"holds\": true"));
   EXPECT_THAT(verify.out, Not(HasSubstr("\"holds\": false")));
+}
+
+TEST_F(VerifyCommand, OpensItsPageBeforeItMeasures) {
+  const Finished nowhere = sarsim({"verify", "--html", "none/v.html"});
+  EXPECT_EQ(nowhere.status, 1);
+  EXPECT_EQ(nowhere.out, "");
+  Start start;
+  start.folder = folder_;
+  Program measuring({"verify", "--html", "v.html"}, start);
+  std::vector<std::string> there;
+  for (int i = 0; i < 1000 && there.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    there = entries(".");
+  }
+  measuring.send(SIGINT);
+  EXPECT_EQ(measuring.finish().status, 130);
+  ASSERT_EQ(there.size(), 1U);
+  EXPECT_THAT(there.front(), HasSubstr(".partial-"));  // Not the page: that is made of what was measured.
+  EXPECT_TRUE(entries(".").empty());
 }
 
 TEST_F(VerifyCommand, MakesAPageThatNeedsNothingElse) {

@@ -1,0 +1,196 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Which file is meant, which simulation wrote it, and which options concern it.
+class Inputs : public CommandTest {
+ protected:
+  // Two recordings whose names differ by the extension alone, of different shape.
+  void write_two_of_one_stem() const {
+    SceneText scene;
+    scene.files = {"r.bin", "r.asc"};
+    scene.lsb_mv = "3e-5";
+    std::string text = scene.text();
+    const std::size_t second = text.rfind("900 1400");
+    text.replace(second, 8, "900 1200");
+    text.replace(text.find("BINARY", second), 6, "ASCII");
+    write_text(folder_ / "scene.scr", text);
+  }
+
+  void expect_refusal(const std::vector<std::string>& words, const std::string& sentence) const {
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << sentence << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(sentence));
+  }
+
+  void expect_done(const std::vector<std::string>& words) const {
+    const Finished done = sarsim(words);
+    EXPECT_EQ(done.status, 0) << done.err;
+  }
+};
+
+TEST_F(Inputs, ArraysTakeNoHeaderOfAnImageBesideThem) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
+  const std::vector<std::string> plot{"plot", "sim.npy", "--kind", "pulse", "--csv", "a.csv", "--force"};
+  expect_done(plot);
+  const std::string alone = text_of(folder_ / "a.csv");
+  expect_done({"doppler", "scene.scr", "--out", "sim.img", "--quiet"});
+  ASSERT_TRUE(fs::exists(folder_ / "sim.hdr"));
+  expect_done(plot);
+  EXPECT_EQ(text_of(folder_ / "a.csv"), alone);
+  expect_refusal({"measure", "sim.npy"}, "the header beside the array is that of another file");
+}
+
+TEST_F(Inputs, ArraysTakeTheHeaderThatIsTheirs) {
+  write_scene({});
+  expect_done({"doppler", "scene.scr", "--out", "map.npy", "--quiet"});
+  expect_done({"plot", "map.npy", "--kind", "pulse", "--csv", "a.csv"});
+  EXPECT_THAT(text_of(folder_ / "a.csv"), HasSubstr("slant range [m]"));
+  expect_refusal({"plot", "map.npy", "--columns", "5", "--csv", "b.csv"}, "has a header, which says all");
+}
+
+TEST_F(Inputs, TheWholeNameOfAFileTellsItsSimulation) {
+  write_two_of_one_stem();
+  expect_done({"run", "scene.scr", "--quiet"});
+  for (const char* file : {"r.bin", "r.asc"})
+    expect_done({"doppler", file, "--script", "scene.scr", "--out", "m.img", "--force", "--quiet"});
+  EXPECT_THAT(sarsim({"info", "r.asc", "--script", "scene.scr", "--json"}).out, HasSubstr("\"rows\": 20"));
+}
+
+TEST_F(Inputs, ANameThatTwoSimulationsMayHaveMadeIsRefused) {
+  write_two_of_one_stem();
+  expect_done({"run", "scene.scr", "2", "--quiet"});
+  expect_done({"convert", "r.asc", "r.npy", "--script", "scene.scr"});
+  const std::vector<std::string> doppler{"doppler", "r.npy", "--script", "scene.scr", "--out", "m.img"};
+  expect_refusal(doppler, "'r.npy' may be what r.bin or what r.asc became");
+  std::vector<std::string> chosen = doppler;
+  chosen.insert(chosen.end(), {"--simulation", "2"});
+  expect_done(chosen);
+  expect_refusal({"info", "r.npy", "--script", "scene.scr"}, "may be what r.bin or what r.asc became");
+}
+
+TEST_F(Inputs, NamesThatRunGivesWithAnotherFormatAreKnown) {
+  write_two_of_one_stem();
+  expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
+  expect_done({"doppler", "r-2.npy", "--script", "scene.scr", "--out", "m.img"});
+}
+
+TEST_F(Inputs, RecordingsThatCarryTheirScriptTakeNoOptionsOfScripts) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/stepped_aircraft.scr";
+  expect_done({"run", scene, "--format", "hdf5", "--out", "d", "--quiet"});
+  ASSERT_EQ(entries("d").size(), 1U);
+  const std::string file = "d/" + entries("d").front();
+  expect_refusal({"profiles", file, "--seed", "5", "--out", "p.img"}, "--seed means nothing for '" + file + "'");
+  expect_refusal({"isar", file, "--profile", "classic", "--out", "p.img"}, "--profile means nothing");
+  expect_done({"profiles", file, "--script", scene, "--seed", "5", "--out", "p.img", "--quiet"});
+}
+
+TEST_F(Inputs, PlotRefusesWhatItWouldIgnore) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
+  const auto refused = [&](const char* input, const std::vector<std::string>& option, const char* sentence) {
+    std::vector<std::string> words{"plot", input, "--csv", "a.csv", "--kind", "pulse"};
+    words.insert(words.end(), option.begin(), option.end());
+    expect_refusal(words, option.front() + sentence);
+  };
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+           {"--rate", "1e8"}, {"--data", "compressed"}, {"--screen"}, {"--seed", "2"}, {"--radar", "Radar1"}})
+    refused("sim.npy", option, " means nothing for a file");
+  for (const std::vector<std::string>& option :
+       std::vector<std::vector<std::string>>{{"--columns", "3"}, {"--bits", "8"}, {"--script", "scene.scr"}})
+    refused("scene.scr", option, " means nothing for a script");
+  refused("sim.npy", {"--simulation", "1"}, " is a number in a script");
+  EXPECT_FALSE(fs::exists(folder_ / "a.csv"));
+}
+
+TEST_F(Inputs, PlotTakesTheSimulationOfAFileByItsNumber) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
+  fs::rename(folder_ / "sim.npy", folder_ / "other.npy");
+  const std::vector<std::string> plot{"plot",  "other.npy", "--kind",   "phase",    "--force",
+                                      "--csv", "a.csv",     "--script", "scene.scr"};
+  expect_refusal(plot, "no simulation of scene.scr writes 'other.npy'");
+  std::vector<std::string> chosen = plot;
+  chosen.insert(chosen.end(), {"--simulation", "1"});
+  expect_done(chosen);
+  chosen.back() = "2";
+  expect_refusal(chosen, "the script has no simulation 2");
+}
+
+TEST_F(Inputs, OutputsWithOneNameAreRefused) {
+  write_scene({});
+  expect_refusal({"plot", "scene.scr", "-o", "a.svg", "--csv", "./a.svg"}, "is the name of two outputs");
+  const std::string sentence = "'x.hdr' is the name of two outputs";
+  const std::string examples = SARSIM_SOURCE_DIR "/examples/";
+  expect_refusal({"focus", examples + "sar_r.scr", "--out", "x.hdr"}, sentence);
+  expect_refusal({"profiles", examples + "stepped_aircraft.scr", "--out", "x.hdr"}, sentence);
+  expect_refusal({"doppler", "scene.scr", "--out", "x.hdr"}, sentence);
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
+}
+
+TEST_F(Inputs, PicturesOfTextsThatAreNoConvertersAreRefused) {
+  write_text(folder_ / "a.csv", "0,0,0,0\n-5,3,7,-2\n");
+  const std::vector<std::string> plot{"plot", "a.csv", "--kind", "pulse", "--at-time", "1", "--csv", "p.csv"};
+  std::vector<std::string> with_bits = plot;
+  with_bits.insert(with_bits.end(), {"--bits", "8"});
+  expect_refusal(with_bits, "a value is not that of an A/D converter with an offset");
+  EXPECT_FALSE(fs::exists(folder_ / "p.csv"));
+  expect_done(plot);
+  EXPECT_THAT(text_of(folder_ / "p.csv"), HasSubstr("-5"));
+}
+
+TEST_F(Inputs, AnImageMustNameASimulation) {
+  expect_done({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--out", "r.img", "--quiet"});
+  const std::string header = text_of(folder_ / "r.hdr");
+  const std::string field = "simulation = {1}";
+  ASSERT_NE(header.find(field), std::string::npos);
+  for (const char* number : {"0", "-3", "0.5", "1e300", "one"}) {
+    std::string other = header;
+    other.replace(other.find(field), field.size(), std::string("simulation = {") + number + "}");
+    write_text(folder_ / "r.hdr", other);
+    expect_refusal({"measure", "r.img"}, "'simulation' is no number from 1");
+  }
+}
+
+TEST_F(Inputs, ImagesAndProfilesSayHowTheirEchoesWereMade) {
+  const std::string examples = SARSIM_SOURCE_DIR "/examples/";
+  write_text(folder_ / "sar.scr", "$OPTIONS SEED 4711\n" + text_of(examples + "sar_r.scr"));
+  expect_done({"focus", "sar.scr", "--out", "i.h5", "--quiet"});
+  expect_done({"profiles", examples + "stepped_aircraft.scr", "--seed", "4711", "--out", "p.h5", "--quiet"});
+  expect_done({"isar", examples + "turning_ship.scr", "--seed", "4711", "--out", "t.h5", "--quiet"});
+  for (const char* file : {"i.h5", "p.h5", "t.h5"}) {
+    const std::string said = sarsim({"info", file, "--json"}).out;
+    EXPECT_THAT(said, HasSubstr("\"seed\": \"4711\"")) << file;
+    EXPECT_THAT(said, testing::Not(HasSubstr("\"radar\": \"\""))) << file;
+  }
+}
+
+// The loader of programs ends with 127 where a library is missing, after saying which.
+TEST_F(Inputs, AnInstalledPictureProgramThatCannotStartSaysWhy) {
+  write_scene({});
+  fs::create_directory(folder_ / "bin");
+  fs::copy_file(SARSIM_PROGRAM, folder_ / "bin/sarsim");
+  const fs::path drawer = folder_ / "bin/sarsim-gui";
+  write_text(drawer, "#!/bin/sh\necho 'libOther.so: cannot open shared object file' >&2\nexit 127\n");
+  fs::permissions(drawer, fs::perms::owner_all);
+  const std::string command =
+      "cd '" + folder_.string() + "' && bin/sarsim plot scene.scr -o a.png 2> words; echo $? >> words";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_THAT(text_of(folder_ / "words"),
+              AllOf(HasSubstr("libOther.so"), testing::Not(HasSubstr("not installed")), testing::EndsWith("1\n")));
+}
+
+}  // namespace
+}  // namespace sarsim::test
