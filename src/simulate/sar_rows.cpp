@@ -139,7 +139,10 @@ Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
   const double more = std::ceil(last_s / interval_s) + 1.0;
-  recorded.range_end_m += 0.5 * plan.scene->conventions.light_speed_mps * more * interval_s;
+  const double half_c_mps = 0.5 * plan.scene->conventions.light_speed_mps;
+  // As the matched filter does: the echo of a target at CENTRE begins half a pulse before its range.
+  recorded.range_start_m -= half_c_mps * plan.pulse.lead_s;
+  recorded.range_end_m += half_c_mps * (more * interval_s - plan.pulse.lead_s);
   return recorded;
 }
 

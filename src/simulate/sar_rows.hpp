@@ -24,14 +24,16 @@ using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<
 /// Where the radar's antenna was when each pulse of a plan left it.
 [[nodiscard]] std::vector<TrackPoint> track_of(const Plan& plan);
 
-/// The simulation as focusing wants it recorded: raw, and longer by a pulse, so that echoes at the window's end can be
-/// compressed too. Its windows and its output format do not matter any more.
+/// The simulation as focusing wants it recorded: raw, longer by a pulse, so that echoes at the window's end can be
+/// compressed too, and for CENTRE half a pulse earlier, so that compressed samples begin where the script's window does
+/// and the receiver's noise is that of a compressed recording. Its windows and its output format do not matter any
+/// more.
 [[nodiscard]] Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan);
 
 /// Compressed echoes of a scene, computed when they are asked for. `plan` is of a simulation made by
 /// `recorded_for_sar`; its echoes are compressed by the matched filter of the physical profile, without a window
 /// (docs/theory/compression.md).
-/// @param samples  of a compressed row: those of the window before it was made longer
+/// @param samples  of a compressed row: those of the script's window, from its start on
 [[nodiscard]] EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples);
 
 /// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
