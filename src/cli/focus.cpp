@@ -150,8 +150,8 @@ class FocusRun {
     Problems& problems = input_.problems;
     std::ranges::move(problems_of_echoes(), std::back_inserter(problems));
     if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
-    std::ranges::move(remarks_on_sar(*input_.plan, input_.echoes, options_.doppler_centroid_hz),
-                      std::back_inserter(problems));
+    const DopplerBand kept{options_.doppler_centroid_hz, options_.doppler_bandwidth_hz};
+    std::ranges::move(remarks_on_sar(*input_.plan, input_.echoes, kept, control_), std::back_inserter(problems));
     problems = ranked(std::move(problems));
     if (!arguments_.quiet) print_problems(streams_, problems);
   }
