@@ -78,6 +78,8 @@ RecordedGain::RecordedGain(const Plan& plan, std::size_t columns, const WindowFu
   const std::size_t last = plan.compressor ? plan.compressor->output_index().at(columns - 1) : columns - 1;
   last_index_ = static_cast<double>(last);
   const TapWeights weights = tap_weights(plan, weight);
+  last_whole_ =
+      std::min(last_index_, static_cast<double>(plan.raw_grid.count) - static_cast<double>(weights.echo.size()));
   share_ = recorded_sums(weights.echo, plan.raw_grid.count);
   if (plan.stc_gain.empty()) {
     noise_ = recorded_sums(weights.noise, plan.raw_grid.count);
@@ -96,8 +98,12 @@ double RecordedGain::gain(double delay_s) const { return gain_.empty() ? 1.0 : v
 double RecordedGain::share(double delay_s) const {
   const double index = index_of(delay_s);
   if (!(index >= -0.5 && index <= last_index_ + 0.5)) return 0.0;
-  return value_at(share_, index);
+  return held(delay_s);
 }
+
+double RecordedGain::held(double delay_s) const { return value_at(share_, index_of(delay_s)); }
+
+double RecordedGain::last_whole_s() const { return first_delay_s_ + last_whole_ * interval_s_; }
 
 double RecordedGain::noise(double delay_s) const { return value_at(noise_, index_of(delay_s)); }
 

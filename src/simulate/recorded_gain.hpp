@@ -23,6 +23,10 @@ class RecordedGain {
   [[nodiscard]] double gain(double delay_s) const;
   /// What is recorded of an echo, 0 to 1: 1 but for those that a raw row ends with; 0 outside its columns.
   [[nodiscard]] double share(double delay_s) const;
+  /// The same wherever the echo begins: those, too, whose peak their Doppler frequency moves into the columns.
+  [[nodiscard]] double held(double delay_s) const;
+  /// Where echoes begin that are the last to be recorded whole, or the last column's, whichever is earlier.
+  [[nodiscard]] double last_whole_s() const;
   /// Power of white noise there, over that of noise without STC under the whole filter.
   [[nodiscard]] double noise(double delay_s) const;
 
@@ -31,7 +35,8 @@ class RecordedGain {
 
   double first_delay_s_;  // of the echo that begins with the first raw sample
   double interval_s_;
-  double last_index_;  // raw sample that the last column begins at
+  double last_index_;        // raw sample that the last column begins at
+  double last_whole_ = 0.0;  // raw sample
   std::vector<double> share_;
   std::vector<double> gain_;  // empty: 1
   std::vector<double> noise_;

@@ -40,6 +40,7 @@ TEST(RecordedGain, FallsOverTheLastPulseOfARawRowAndIsNoneOutside) {
   EXPECT_NEAR(gain.share(delay_of_sample(plan, 199.0)), 1.0 / 120.0, 1e-9);
   EXPECT_EQ(gain.share(delay_of_sample(plan, 200.0)), 0.0);
   EXPECT_EQ(gain.share(delay_of_sample(plan, -1.0)), 0.0);
+  EXPECT_NEAR(gain.last_whole_s(), delay_of_sample(plan, 80.0), 1e-15);
   // Under a triangle a quarter of the pulse holds an eighth of the weights.
   const RecordedGain tapered(plan, plan.columns, [](double x) { return 1.0 - std::abs(2.0 * x - 1.0); });
   EXPECT_NEAR(tapered.share(delay_of_sample(plan, 170.0)), 0.125, 0.005);
@@ -52,6 +53,8 @@ TEST(RecordedGain, OfCompressedRowsIsOneToTheirEnd) {
   const RecordedGain gain(plan, plan.columns, even);
   EXPECT_NEAR(gain.share(delay_of_sample(plan, 199.0)), 1.0, 1e-12);
   EXPECT_EQ(gain.share(delay_of_sample(plan, 200.0)), 0.0);
+  EXPECT_NEAR(gain.held(delay_of_sample(plan, 259.0)), 0.5, 0.01);
+  EXPECT_NEAR(gain.last_whole_s(), delay_of_sample(plan, 199.0), 1e-15);
 }
 
 TEST(RecordedGain, IsTheMeanOfTheReceiversGainOverTheEcho) {

@@ -16,10 +16,11 @@ namespace sarsim {
 /// Copies a row of a recording, in volts or in counts; called from many threads at once.
 using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<double>> out)>;
 
-/// What keeps a simulation from being focused whatever the method, all at once: synthetic range profiles, a carrier
-/// that changes from pulse to pulse, fewer than two pulses, samples that the classic profile places unevenly, a radar
-/// that rests.
-[[nodiscard]] Problems problems_of_sar(const Plan& plan);
+/// What keeps a simulation from being focused whatever the method, all at once: a carrier that changes from pulse to
+/// pulse, fewer than two pulses, a radar that rests; of recordings also synthetic range profiles and samples that the
+/// classic profile places unevenly.
+/// @param recorded  a file holds the echoes; otherwise they are simulated as focusing wants them
+[[nodiscard]] Problems problems_of_sar(const Plan& plan, bool recorded);
 
 /// Where the radar's antenna was when each pulse of a plan left it.
 [[nodiscard]] std::vector<TrackPoint> track_of(const Plan& plan);
@@ -44,8 +45,8 @@ using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<
 /// are none, or they lie on the flight's line, the point of the beam's axis in the middle of the recorded ranges.
 [[nodiscard]] Vec3 scene_middle_m(const Plan& plan);
 
-/// Doppler centroid as geometry has it: that of the echoes' power, over the targets and some pulses of the recording;
-/// that of the beam's axis at its middle where there are no targets.
+/// Doppler centroid as geometry has it: that of the echoes' power, over targets, surfaces and some pulses of the
+/// recording; where there are no echoes, that of the beam's axis at its middle, 0 for an antenna that has none.
 [[nodiscard]] double geometric_doppler_centroid_hz(const Plan& plan);
 
 }  // namespace sarsim

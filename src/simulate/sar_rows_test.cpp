@@ -106,10 +106,22 @@ TEST(GeometricDopplerCentroid, IsThatOfTheTargetsOrTheBeam) {
   empty.radars[0].beam_azimuth = Angle::from_deg(80.0);
   const double expected = 2.0 * 200.0 * 5.3e9 / 299792458.0 * std::sin(10.0 * pi / 180.0);
   EXPECT_NEAR(geometric_doppler_centroid_hz(make_plan(empty, 0)), expected, 0.01);
+  // An antenna without a beam points nowhere.
+  empty.radars[0].transmit_antenna.pattern = Antenna::Pattern::isotropic;
+  EXPECT_EQ(geometric_doppler_centroid_hz(make_plan(empty, 0)), 0.0);
 }
 
-std::string first_problem(const Scene& scene) {
-  const Problems problems = problems_of_sar(make_plan(scene, 0));
+TEST(GeometricDopplerCentroid, IsThatOfASurfaceWhereThereIsNothingElse) {
+  Scene scene = sar_scene(600.0, {}, 0.02);
+  // One of them shows the radar its back.
+  scene.surfaces.push_back({"Earth", {Vec3{0.0, 495.0, 0.0}, Vec3{0.0, 505.0, 0.0}, Vec3{10.0, 500.0, 0.0}}});
+  scene.surfaces.push_back({"Earth", {Vec3{0.0, 505.0, 0.0}, Vec3{0.0, 495.0, 0.0}, Vec3{10.0, 500.0, 0.0}}});
+  const double ahead = 500.0 / std::hypot(10000.0, 2000.0, 500.0);
+  EXPECT_NEAR(geometric_doppler_centroid_hz(make_plan(scene, 0)), 2.0 * 200.0 * 5.3e9 / 299792458.0 * ahead, 1.0);
+}
+
+std::string first_problem(const Scene& scene, bool recorded = false) {
+  const Problems problems = problems_of_sar(make_plan(scene, 0), recorded);
   return problems.empty() ? std::string() : problems.front().message;
 }
 
@@ -123,8 +135,22 @@ TEST(ProblemsOfSar, NameWhatNoMethodCanFocus) {
   stepped.radars[0].carrier_step_hz = 1e6;
   EXPECT_NE(first_problem(stepped).find("carrier changes"), std::string::npos);
   stepped.simulations[0].processing = Processing::srp;
-  EXPECT_NE(first_problem(stepped).find("synthetic range profiles"), std::string::npos);
+  EXPECT_NE(first_problem(stepped, true).find("synthetic range profiles"), std::string::npos);
   EXPECT_NE(first_problem(sar_scene(600.0, {{}}, 0.0012)).find("too few pulses"), std::string::npos);
+}
+
+TEST(ProblemsOfSar, RefuseOfRecordingsAloneWhatAScriptIsRecordedAnewWithout) {
+  Scene profiles = sar_scene(600.0, {{}});
+  profiles.simulations[0].processing = Processing::srp;
+  EXPECT_EQ(first_problem(profiles, false), "");
+  EXPECT_NE(first_problem(profiles, true).find("synthetic range profiles"), std::string::npos);
+  // 200.1 samples fill the window: the classic profile of 200 columns is spread over them.
+  Scene classic = sar_scene(600.0, {{}});
+  classic.simulations[0].processing = Processing::matched_filter;
+  classic.simulations[0].range_end_m = 10297.5;
+  classic.options.profile = Profile::classic;
+  EXPECT_EQ(first_problem(classic, false), "");
+  EXPECT_NE(first_problem(classic, true).find("the classic profile"), std::string::npos);
 }
 
 }  // namespace
