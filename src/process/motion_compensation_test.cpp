@@ -106,6 +106,24 @@ TEST(CompensateMotion, RestoresTheResponseOfThePointItIsMadeFor) {
   }
 }
 
+// Shifts of up to 78 samples: what is moved beyond the end of a pulse is not to be found at its beginning.
+TEST(CompensateMotion, LosesWhatIsMovedOutOfTheWindow) {
+  Pass pass = make_pass({}, {200.0, 0.0, 0.0});
+  for (std::size_t p = 0; p < 600; ++p)
+    for (std::size_t n = 490; n < 512; ++n)
+      pass.strayed.volts[p * 512 + n] =
+          static_cast<float>(std::exp(-0.1 * std::pow(static_cast<double>(n) - 501.0, 2)));
+  pass.how.resample = false;
+  const SarEchoes moved = compensate_motion(pass.strayed, pass.how, one);
+  float begin = 0.0F;
+  float end = 0.0F;
+  for (std::size_t p = 0; p < 600; ++p)
+    for (std::size_t n = 0; n < 512; ++n)
+      (n < 300 ? begin : end) = std::max(n < 300 ? begin : end, std::abs(moved.volts[p * 512 + n]));
+  EXPECT_GT(end, 0.9F);
+  EXPECT_LT(begin, 0.01F);
+}
+
 TEST(CompensateMotion, RestoresEverySampleOfAPointInTheMiddleOfTheBeam) {
   const Pass pass = make_pass({{{}}}, {1.0, 0.7, 0.0});
   // Side lobes lie at other ranges than their point: second order would turn them.
