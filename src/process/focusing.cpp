@@ -317,7 +317,10 @@ Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& option
 }
 
 Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
-  return common_problems(echoes, options).first;
+  Problems problems = common_problems(echoes, options).first;
+  if (echoes.samples == 1)
+    problems.push_back(error("back projection interpolates between samples", 1.0, "at least 2 in a row"));
+  return problems;
 }
 
 FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {

@@ -50,7 +50,7 @@ inline constexpr const char* track_field = "track";
 [[nodiscard]] Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
 
 /// What stands against focusing them by back projection: of these the errors that concern neither the track's shape nor
-/// the Fourier transforms.
+/// the Fourier transforms, and rows of a single sample.
 [[nodiscard]] Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
 
 /// The axes and the frame of the image that `focus_rows` makes, without values; also of tracks that it refuses, if only

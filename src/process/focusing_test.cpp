@@ -354,6 +354,10 @@ TEST(ProblemsOfFocusingInTime, MindNeitherTheTracksShapeNorTheBandButTheOptions)
   EXPECT_EQ(errors(small_echoes(), {.doppler_centroid_hz = 6950.0, .doppler_bandwidth_hz = 300.0}), 0U);
   EXPECT_EQ(errors(uneven, {.doppler_centroid_hz = 7065.0}), 1U);
   EXPECT_EQ(errors(small_echoes(), {.doppler_bandwidth_hz = 601.0}), 1U);
+  SarEchoes narrow = small_echoes();
+  narrow.samples = 1;
+  EXPECT_EQ(errors(narrow, {}), 1U);
+  EXPECT_EQ(first_error(narrow), "");
 }
 
 TEST(ProblemsOfFocusing, WarnOfATrackThatIsNotStraight) {

@@ -122,7 +122,7 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
 
 TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
   std::vector<Vec3> points;
-  for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 3.0 * i, 0.0});
+  for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 4.0 * i, 0.0});
   const auto [plan, rows] = sar_recording(sar_scene(300.0, points, 0.3));
   const std::vector<SarTarget> one = sar_targets(*plan, rows, {.threads = 1});
   const std::vector<SarTarget> three = sar_targets(*plan, rows, {.threads = 3});

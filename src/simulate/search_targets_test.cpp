@@ -150,6 +150,7 @@ TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
 
 TEST(SearchTargets, GrowWithTheReceiversGainOverTimeAsNoiseDoes) {
   Scene scene = pulse_scene(0.0, 64);
+  scene.targets[0].rcs_m2 = 1e6;
   scene.radars[0].noise_temperature_k = 290.0;
   SearchOptions options;
   options.pulses = 64;
