@@ -240,14 +240,15 @@ TEST(FittedTrack, IsTheLineOfAStraightFlight) {
 
 TEST(FittedTrack, IsTheLeastSquaresLineOfThreePoints) {
   // By hand: places 0, 0, 3 at times 0, 1, 2 fit to -0.5 + 1.5 t.
-  const ReferenceTrack line = fitted_track({{0.0, {}, {}}, {1.0, {}, {}}, {2.0, {0.0, 3.0, 0.0}, {}}});
+  const ReferenceTrack line =
+      fitted_track(std::vector<TrackPoint>{{0.0, {}, {}}, {1.0, {}, {}}, {2.0, {0.0, 3.0, 0.0}, {}}});
   EXPECT_NEAR(line.at(0.0).y, -0.5, 1e-12);
   EXPECT_NEAR(line.velocity_mps.y, 1.5, 1e-12);
   EXPECT_NEAR(line.time_s, 1.0, 1e-12);
 }
 
 TEST(FittedTrack, OfOnePulseFliesAsThePulseDoes) {
-  const ReferenceTrack line = fitted_track({{4.0, {1.0, 2.0, 3.0}, {5.0, 6.0, 7.0}}});
+  const ReferenceTrack line = fitted_track(std::vector<TrackPoint>{{4.0, {1.0, 2.0, 3.0}, {5.0, 6.0, 7.0}}});
   EXPECT_EQ(line.velocity_mps, (Vec3{5.0, 6.0, 7.0}));
   EXPECT_EQ(line.position_m, (Vec3{1.0, 2.0, 3.0}));
   EXPECT_EQ(fitted_track({}).velocity_mps, Vec3{});
