@@ -71,6 +71,9 @@ enum class SteppedUse {
 [[nodiscard]] BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
                                       const WorkControl& control, const ProgressReport& progress = {});
 
+/// Of many targets so many are held against profiles and images.
+inline constexpr std::size_t most_held_targets = 1000;
+
 /// Where a target is in the middle of a burst, and how strong.
 struct BurstTruth {
   std::size_t target = 0;  ///< Position in the scene's list, from 0.
@@ -84,6 +87,10 @@ struct BurstTruth {
 
 /// Two-way power of the strongest target's echo in the middle of each burst.
 [[nodiscard]] std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& control);
+
+/// The fastest speed that a search for the sharpest profiles can look through, to either side of 0
+/// (process/velocity_search.hpp).
+[[nodiscard]] double fastest_searched_mps(const SteppedRows& rows);
 
 /// Mean radial speed of targets and surfaces, weighted by the power of their echoes, over some bursts.
 [[nodiscard]] double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count);

@@ -150,6 +150,21 @@ TEST(ProfileSeries, ShowsTargetsWithTheReceiversGainOverTime) {
   }
 }
 
+TEST(ProfileSeries, IsHeldAgainstTheFirstThousandTargets) {
+  Scene scene = stepped_scene(0.02);
+  for (int i = 0; i < 1100; ++i) scene.targets.push_back(target_on("Earth", {3000.0 + 0.01 * i, 0.0, 0.0}));
+  const SteppedRows rows = rows_of(scene);
+  const ProfileSeries series = make_profiles(rows, {}, one);
+  const std::vector<HeldTarget> held = hold_against_scene(rows, series, {}, 0);
+  ASSERT_EQ(held.size(), most_held_targets);
+  EXPECT_EQ(held.back().truth.target, most_held_targets - 1);
+}
+
+TEST(FastestSearchedSpeed, IsTenThousandStepsOfAQuarterOfACellInABurst) {
+  const SteppedRows rows = rows_of(stepped_scene());
+  EXPECT_NEAR(fastest_searched_mps(rows), 10000.0 * 0.25 * cell_of(rows) / (31.0 / 4000.0), 1e-6);
+}
+
 TEST(MeanSpeed, IsThatOfSurfacesToo) {
   Scene scene = stepped_scene();
   scene.platforms.push_back(moving("Ship", {3000.0, 0.0, 0.0}, {-7.0, 0.0, 0.0}));

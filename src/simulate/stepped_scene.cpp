@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/recorded_gain.hpp"
@@ -67,6 +68,13 @@ std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& 
     }
   });
   return power;
+}
+
+double fastest_searched_mps(const SteppedRows& rows) {
+  const std::size_t pulses = rows.band->waveform().burst_pulses();
+  const double span_s = rows.pulse_time_s(pulses - 1) - rows.pulse_time_s(0);
+  return span_s > 0.0 ? 0.5 * most_searched_speeds * first_speed_step_mps(*rows.band, span_s)
+                      : std::numeric_limits<double>::infinity();
 }
 
 double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count) {
