@@ -190,7 +190,7 @@ std::string script_of_odd_times() {
   const std::string even = "CONSTANT                                 ! regular pulses\n500 ";
   const std::size_t at = text.find(even);
   EXPECT_NE(at, std::string::npos);
-  return text.replace(at, even.size() - 4, "USER\nINLINE\n3\n0, 2\n1, 1.8\n2, 2.2\n! ");
+  return text.replace(at, even.size() - 4, "OTHER\nLINEAR\nINLINE\n3\n0, 0.002\n1, 0.0018\n2, 0.0022\n! ");
 }
 
 TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
