@@ -126,27 +126,28 @@ class FocusRun {
     return input_.echoes.track.size() >= 2 && fit_straight(input_.echoes.track).speed_mps > 0.0;
   }
 
+  [[nodiscard]] Problems problems_of_echoes() const {
+    return algorithm() == FocusAlgorithm::back_projection ? problems_of_focusing_in_time(input_.echoes, options_)
+                                                          : problems_of_focusing(input_.echoes, options_);
+  }
+
   [[nodiscard]] double centroid_hz() const {
     const std::string& text = arguments_.centroid;
     if (const auto number = parse_number(text)) return *number;
     const bool measured = equal_ignoring_case(text, "measured");
     if (!measured && !equal_ignoring_case(text, "geometry"))
       throw BadInput(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
-    if (has_errors(problems_of_focusing(input_.echoes, options_))) return 0.0;
+    if (has_errors(problems_of_echoes())) return 0.0;
     const double geometry_hz = geometric_doppler_centroid_hz(*input_.plan);
     return measured ? measured_doppler_centroid_hz(input_.echoes, geometry_hz, control_) : geometry_hz;
   }
 
   void find_problems() {
     Problems& problems = input_.problems;
-    Problems found = problems_of_focusing(input_.echoes, options_);
-    // Back projection takes any track: of evenness and straightness it needs neither.
-    if (algorithm() == FocusAlgorithm::back_projection)
-      std::erase_if(found, [](const Problem& problem) { return problem.subject.field == track_field; });
-    std::ranges::move(found, std::back_inserter(problems));
+    std::ranges::move(problems_of_echoes(), std::back_inserter(problems));
     if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
-    std::ranges::move(remarks_on_sar(*input_.plan, input_.echoes, options_.doppler_centroid_hz),
-                      std::back_inserter(problems));
+    const DopplerBand kept{options_.doppler_centroid_hz, options_.doppler_bandwidth_hz};
+    std::ranges::move(remarks_on_sar(*input_.plan, input_.echoes, kept, control_), std::back_inserter(problems));
     problems = ranked(std::move(problems));
     if (!arguments_.quiet) print_problems(streams_, problems);
   }

@@ -19,13 +19,13 @@ namespace sarsim::cli {
 namespace {
 
 // The part of the flight during which targets are seen, the mean over targets.
-double aperture_m(const FocusInput& input) {
+double aperture_m(const FocusInput& input, const WorkControl& control) {
   const StraightTrack track = fit_straight(input.echoes.track);
   const double flight_m = track.speed_mps * track.interval_s * static_cast<double>(input.echoes.track.size());
   const SarWaveform& wave = input.echoes.waveform;
   double sum_m = 0.0;
   double count = 0.0;
-  for (const SarTarget& target : sar_targets(*input.plan, input.echoes)) {
+  for (const SarTarget& target : sar_targets(*input.plan, input.echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
     sum_m += 0.5 * wave.light_speed_mps / wave.carrier_hz * target.place.range_m * band_hz / track.speed_mps;
@@ -60,7 +60,7 @@ FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double
   constexpr double share_of_aperture = 0.1;
   constexpr double least_pixels = 16.0;
   const double length_m = static_cast<double>(rows.image.azimuth.count) * rows.image.azimuth.step_m;
-  finding.piece_m = piece_m > 0.0 ? piece_m : std::min(share_of_aperture * aperture_m(input), length_m);
+  finding.piece_m = piece_m > 0.0 ? piece_m : std::min(share_of_aperture * aperture_m(input, control), length_m);
   if (!(finding.piece_m >= least_pixels * rows.image.azimuth.step_m && finding.piece_m <= length_m))
     throw BadInput(fmt::format("autofocus cannot work on pieces of {:.4g} m", finding.piece_m),
                    fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image",

@@ -37,11 +37,12 @@ void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
 
 // Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
 // them nevertheless, and its image is to hold them.
-void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps) {
+void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps,
+                    const WorkControl& control) {
   double band_hz = 0.0;
   EchoRows echoes = input.echoes;
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const SarTarget& target : sar_targets(*input.plan, echoes)) {
+  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     const double above_hz = target.highest_doppler_hz - options.doppler_centroid_hz;
     const double below_hz = options.doppler_centroid_hz - target.lowest_doppler_hz;
@@ -93,7 +94,7 @@ FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& 
   FocusOptions plain = options;
   plain.method = FocusMethod::range_doppler;
   FocusedImage axes = image_of(input.echoes, plain);
-  refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps);
+  refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps, control);
   BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
   place_axes(axes, input, choice);

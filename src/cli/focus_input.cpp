@@ -14,7 +14,7 @@ FocusInput of_script(const RecordingArguments& arguments, const WorkControl& con
   focus.simulation = simulation;
   const Plan window = make_plan(input.scene, simulation, input.resolved);
   focus.problems = std::move(input.problems);
-  std::ranges::move(problems_of_sar(window), std::back_inserter(focus.problems));
+  std::ranges::move(problems_of_sar(window, false), std::back_inserter(focus.problems));
   if (has_errors(focus.problems)) throw BadInput(ranked(std::move(focus.problems)));
   Simulation& recorded = input.scene.simulations[simulation];
   recorded = recorded_for_sar(recorded, window);
@@ -24,7 +24,8 @@ FocusInput of_script(const RecordingArguments& arguments, const WorkControl& con
 }
 
 FocusInput of_file(const RecordingArguments& arguments) {
-  StoredRecording stored = open_recording(arguments, records_pulses, problems_of_sar);
+  StoredRecording stored =
+      open_recording(arguments, records_pulses, [](const Plan& plan) { return problems_of_sar(plan, true); });
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems)};
   focus.echoes = sar_rows_of_recording(focus.plan, stored.read);
   return focus;

@@ -77,6 +77,7 @@ class IsarRun {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
     input_ = open_stepped_input(arguments_.input, SteppedUse::isar, control_);
+    if (options_.motion == Motion::estimated) expect_searchable(options_.fastest_mps, input_.rows);
     find_platform();
     cut_bursts();
     expect_free_outputs();

@@ -167,11 +167,12 @@ void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFram
   theory.range->null *= farther.range_m - place.range_m;
 }
 
-std::vector<TargetTheory> theories_of(const OpenedImage& opened, const FocusInput& input) {
+std::vector<TargetTheory> theories_of(const OpenedImage& opened, const FocusInput& input, const WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
   EchoRows echoes = input.echoes;
   echoes.compensated = time_domain || opened.origin.motion != "none";
-  std::vector<TargetTheory> theories = theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain);
+  std::vector<TargetTheory> theories =
+      theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain, control);
   const StraightTrack track = fit_straight(echoes.track);
   const ImageFrame& frame = opened.image.frame;
   if (frame.plane == ImagePlane::slant_range) {
@@ -192,7 +193,7 @@ bool is_asked_for(const MeasureArguments& arguments, const TargetTheory& theory)
 
 std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
-  const std::vector<TargetTheory> theories = theories_of(opened, input);
+  const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };

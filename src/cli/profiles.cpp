@@ -68,6 +68,7 @@ class ProfilesRun {
     input_ = open_stepped_input(arguments_.input, SteppedUse::profiles, control_);
     if (arguments_.window.empty()) options_.window = input_.rows.plan->radar.window;
     expect_ranges();
+    if (options_.velocity == SeriesOptions::Velocity::estimated) expect_searchable(options_.fastest_mps, input_.rows);
     find_problems();
     series_ = profiles();
     expect_scans();

@@ -29,6 +29,16 @@ WindowFunction window_function(const std::string& option, const std::string& tex
   return [weight = weight_of(*window)](double x) { return weight(x - 0.5); };
 }
 
+void expect_searchable(double fastest_mps, const SteppedRows& rows) {
+  const double most_mps = fastest_searched_mps(rows);
+  if (fastest_mps <= most_mps) return;
+  throw BadInput(
+      fmt::format("--fastest: bursts this long tell so many speeds up to {} m/s apart that they cannot all be "
+                  "tried",
+                  format_number(fastest_mps)),
+      fmt::format("at most {:.6g} m/s", most_mps));
+}
+
 ProgressDisplay::Style display_style(const Streams& streams, bool quiet) {
   if (quiet) return ProgressDisplay::Style::none;
   return streams.terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;

@@ -20,6 +20,9 @@ struct VelocityChoice {
 /// The window that a text names, over 0 to 1, 1 where none is named; throws BadInput for another text.
 [[nodiscard]] WindowFunction window_function(const std::string& option, const std::string& text);
 
+/// Throws BadInput where a search for the speed of such bursts would try too many.
+void expect_searchable(double fastest_mps, const SteppedRows& rows);
+
 /// How progress is shown.
 [[nodiscard]] ProgressDisplay::Style display_style(const Streams& streams, bool quiet);
 

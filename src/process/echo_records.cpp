@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "base/constants.hpp"
+#include "math/sinc.hpp"
 
 namespace sarsim {
 
@@ -12,8 +12,6 @@ namespace {
 
 // Zeros beyond the last sample, so that the interpolated echo of one edge does not reach round to the other.
 constexpr std::size_t guard_samples = 32;
-
-double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 
 // Mean of a window over the band, by the midpoint rule.
 double mean_of(const WindowFunction& window) {

@@ -9,8 +9,8 @@
 
 namespace sarsim {
 
-/// Compressed echoes of a few pulses, ready to be read between samples: `factor` records for each sample, each the
-/// value at its place and what has to be added to reach the next one.
+/// Compressed echoes of a few pulses, ready to be read between samples (of which there are two or more): `factor`
+/// records for each sample, each the value at its place and what has to be added to reach the next one.
 ///
 /// Between records an echo is a straight line. Linear interpolation on a grid of f_up = factor sample_rate_hz is a
 /// convolution with a triangle, that is a filter sinc^2(f/f_up); the spectrum is divided by it beforehand, so that what

@@ -12,13 +12,10 @@ namespace {
 // Samples of a range row with what each method needs beyond those recorded.
 std::size_t padded_samples(const FocusFrame& frame) {
   const double samples = static_cast<double>(frame.samples);
-  const double fs = frame.waveform.sample_rate_hz;
   switch (frame.options.method) {
     case FocusMethod::omega_k: return static_cast<std::size_t>(std::ceil(samples * 4.0 / 3.0)) + SincTable::taps;
-    case FocusMethod::chirp_scaling: {
-      const double dispersed_s = dispersed_time_bandwidth * fs / std::pow(frame.waveform.bandwidth_hz, 2);
-      return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_s * fs)) + SincTable::taps;
-    }
+    case FocusMethod::chirp_scaling:
+      return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) + SincTable::taps;
     case FocusMethod::range_doppler: break;
   }
   return frame.samples + 2 * SincTable::taps;
@@ -101,10 +98,14 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   return frame;
 }
 
+double dispersed_samples(const SarWaveform& waveform) {
+  return dispersed_time_bandwidth * std::pow(waveform.sample_rate_hz / waveform.bandwidth_hz, 2);
+}
+
 double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine) {
   // Without the difference of two large numbers: with s = sqrt(...), s - f0 D = (2 f0 f + f^2)/(s + f0 D).
   const double f0 = frame.waveform.carrier_hz;
-  const double root = std::sqrt((f0 + range_hz) * (f0 + range_hz) - f0 * f0 * sine * sine);
+  const double root = std::sqrt(std::max(0.0, (f0 + range_hz) * (f0 + range_hz) - f0 * f0 * sine * sine));
   const double beyond = (2.0 * f0 + range_hz) * range_hz / (root + f0 * cosine) - range_hz / cosine;
   return 2.0 * frame.reference_range_m / frame.waveform.light_speed_mps * beyond;
 }

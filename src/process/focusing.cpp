@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -50,9 +52,13 @@ std::vector<float> range_weights(const FocusFrame& frame) {
 
 // What a row of the azimuth spectrum is multiplied by, apart from what depends on range.
 struct DopplerRow {
-  double cosine = 1.0;  ///< D; 0 for frequencies that no direction has.
-  float weight = 0.0F;
+  double cosine = 1.0;  ///< D.
+  float weight = 0.0F;  ///< 0 for frequencies that no direction has.
 };
+
+// Frequencies whose direction is within 2.6 degrees of the track count as those of none: the weight grows beyond all
+// bounds there, and so would the noise of a platform so slow that its pulses sample more than all directions.
+constexpr double most_sine = 0.999;
 
 std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const double band_hz = frame.options.doppler_bandwidth_hz;
@@ -61,8 +67,8 @@ std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double hz = frame.doppler_hz(k);
     const double sine = frame.sine(hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
-    rows[k].cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-    if (rows[k].cosine <= 0.0) continue;
+    if (!(std::abs(sine) < most_sine)) continue;
+    rows[k].cosine = std::sqrt(1.0 - sine * sine);
     const double kept = band_hz > 0.0 ? weight((hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
     rows[k].weight = static_cast<float>(kept / std::pow(rows[k].cosine, 1.5));
   }
@@ -81,8 +87,7 @@ double amplitude_scale(const FocusFrame& frame, const std::vector<float>& pulses
     return unit_chirp(frame) / (size * aperture_s);
   }
   double sum = 0.0;
-  for (const DopplerRow& row : rows)
-    if (row.cosine > 0.0) sum += static_cast<double>(row.weight) / std::pow(row.cosine, 1.5);
+  for (const DopplerRow& row : rows) sum += static_cast<double>(row.weight) / std::pow(row.cosine, 1.5);
   return 1.0 / (sum * frame.prf_hz() * unit_chirp(frame));
 }
 
@@ -169,9 +174,15 @@ class Focuser {
     constexpr double stationary_phase_turns = 0.125;  // of the spectrum of a chirp: pi/4
     const auto focus_column = [&](std::size_t n, std::span<std::complex<float>> column) {
       const double range_m = frame_.range.at(static_cast<double>(n));
-      const double spread = std::sqrt(std::abs(range_m));
+      // On the track itself, and before it, there is nothing to be focused.
+      if (!(range_m > 0.0)) {
+        std::ranges::fill(column, std::complex<float>());
+        return;
+      }
+      const double spread = std::sqrt(range_m);
       const auto size = static_cast<float>(band ? scale / spread : scale * spread);
       for (std::size_t k = 0; k < column.size(); ++k) {
+        if (rows[k].weight == 0.0F) continue;
         const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns;
         column[k] = size * rows[k].weight * product(column[k], turned(turns));
       }
@@ -218,11 +229,34 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
                              fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
   const double most_hz = 2.0 * track.speed_mps * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
-  const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * prf_hz;
-  if (!(reached_hz < 0.999 * most_hz))
+  if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
+    problems.push_back(error("the Doppler centroid is that of no direction", centroid_hz,
+                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_sine * most_hz),
+                             "check the centroid"));
+}
+
+// What only the methods in the frequency domain mind.
+void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
+                    Problems& problems) {
+  const SarWaveform& waveform = echoes.waveform;
+  const double most_hz = most_sine * 2.0 * track.speed_mps * waveform.carrier_hz / waveform.light_speed_mps;
+  const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
+  if (std::abs(options.doppler_centroid_hz) < most_hz && !(reached_hz < most_hz))
     problems.push_back(error("the Doppler frequencies of no direction are among those to be focused", reached_hz,
                              fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_hz),
-                             "check the centroid and the pulse repetition frequency"));
+                             "check the centroid, and keep a smaller band"));
+  if (options.method != FocusMethod::chirp_scaling) return;
+  // Rows are not to become many times longer; but short ones may.
+  constexpr double most_times = 8.0;
+  constexpr double short_row = 32768.0;
+  const double dispersed = dispersed_samples(waveform);
+  if (dispersed <= std::max(most_times * static_cast<double>(echoes.samples), short_row)) return;
+  problems.push_back(
+      error("chirp scaling needs rows much longer than those recorded, so much faster is the sampling "
+            "than the bandwidth asks for",
+            dispersed,
+            fmt::format("at most {:.0f} samples more in rows of {}, or {:.0f}", most_times, echoes.samples, short_row),
+            "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 
 void check_waveform(const SarWaveform& waveform, Problems& problems) {
@@ -252,24 +286,40 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& p
   problems.push_back(problem);
 }
 
-}  // namespace
-
-Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
+// What stands against any method; the track where there is a line to fit to it.
+std::pair<Problems, std::optional<StraightTrack>> common_problems(const EchoRows& echoes, const FocusOptions& options) {
   Problems problems;
   check_waveform(echoes.waveform, problems);
   if (echoes.samples < 1) problems.push_back(error("there are no samples to focus", 0.0, "at least 1"));
   if (echoes.track.size() < 2) {
     problems.push_back(error("too few pulses to focus", static_cast<double>(echoes.track.size()), "at least 2"));
-    return problems;
+    return {std::move(problems), std::nullopt};
   }
   const StraightTrack track = fit_straight(echoes.track);
   if (!(track.speed_mps > 0.0)) {
     problems.push_back(error("the antenna does not move", track.speed_mps, "a speed above 0",
                              "put the radar on a platform that follows a trajectory"));
-    return problems;
+    return {std::move(problems), std::nullopt};
   }
-  check_track(echoes, track, problems);
   if (!has_errors(problems)) check_options(echoes, options, track, problems);
+  return {std::move(problems), track};
+}
+
+}  // namespace
+
+Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
+  auto [problems, track] = common_problems(echoes, options);
+  if (!track) return problems;
+  const bool sound = !has_errors(problems);
+  check_track(echoes, *track, problems);
+  if (sound) check_spectrum(echoes, options, *track, problems);
+  return problems;
+}
+
+Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
+  Problems problems = common_problems(echoes, options).first;
+  if (echoes.samples == 1)
+    problems.push_back(error("back projection interpolates between samples", 1.0, "at least 2 in a row"));
   return problems;
 }
 

@@ -46,9 +46,13 @@ inline constexpr const char* track_field = "track";
 
 /// What stands against focusing these echoes in the frequency domain, all at once: no speed, pulses that are not evenly
 /// spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a track
-/// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape,
-/// which other methods may not mind, have the field `track_field`.
+/// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape
+/// have the field `track_field`.
 [[nodiscard]] Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
+
+/// What stands against focusing them by back projection: of these the errors that concern neither the track's shape nor
+/// the Fourier transforms, and rows of a single sample.
+[[nodiscard]] Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
 
 /// The axes and the frame of the image that `focus_rows` makes, without values; also of tracks that it refuses, if only
 /// they have two pulses and a speed.

@@ -197,6 +197,44 @@ TEST_P(EveryMethod, GivesTheSameBytesForAnyNumberOfThreadsAndFromDisk) {
   EXPECT_TRUE(one.values == disk.values);
 }
 
+// 5 m/s and 620 pulses a second: all directions lie within 177 Hz, and most of the spectrum is that of none.
+Setting slow_setting() {
+  Setting setting;
+  setting.speed_mps = 5.0;
+  setting.height_m = 20.0;
+  setting.ground_m = 100.0;
+  setting.prf_hz = 620.0;
+  setting.swath_m = 60.0;
+  return setting;
+}
+
+TEST_P(EveryMethod, FocusesEchoesOfASlowPlatformThatSendsManyPulses) {
+  const Setting setting = slow_setting();
+  const Vec3 point = point_at(setting, 0.31, setting.closest_m() + 4.2);
+  const SarEchoes echoes = make_echoes(setting, {{point, 3.0, {}}});
+  for (const double band_hz : {0.0, 12.0}) {
+    const FocusedImage image = focus(echoes, {.method = GetParam(), .doppler_bandwidth_hz = band_hz});
+    const PointResponse response = measured(image, point);
+    expect_in_place(response, place_of(image.frame, point), setting, 0.02);
+    EXPECT_NEAR(response.amplitude, 3.0, 0.06) << band_hz;
+    EXPECT_NEAR(phase_difference(response.phase_rad, expected_phase(setting, setting.closest_m() + 4.2)), 0.0, 0.02);
+    for (const std::complex<float>& value : image.values) ASSERT_TRUE(std::isfinite(std::norm(value)));
+  }
+}
+
+TEST_P(EveryMethod, IsFiniteWhereTheWindowBeginsAtTheAntenna) {
+  Setting setting;
+  setting.pulses = 64;
+  setting.swath_m = 60.0;
+  SarEchoes echoes = make_echoes(setting, {{point_at(setting, 0.0, setting.closest_m()), 1.0, {}}});
+  echoes.first_delay_s = 0.0;
+  const FocusedImage image = focus(echoes, {.method = GetParam(), .doppler_bandwidth_hz = 300.0});
+  ASSERT_EQ(image.range.first_m, 0.0);
+  for (const std::complex<float>& value : image.values) ASSERT_TRUE(std::isfinite(std::norm(value)));
+  for (std::size_t r = 0; r < image.azimuth.count; ++r)
+    ASSERT_EQ(image.values[r * image.range.count], std::complex<float>());
+}
+
 TEST(OmegaK, FocusesAtASquintOfTwentyDegrees) {
   Setting setting;
   setting.squint_rad = 20.0 * pi / 180.0;
@@ -272,7 +310,54 @@ TEST(ProblemsOfFocusing, NameWhatCannotBeFocused) {
   EXPECT_NE(first_error(one).find("too few pulses"), std::string::npos);
 
   EXPECT_NE(first_error(small_echoes(), {.doppler_bandwidth_hz = 601.0}).find("Doppler bandwidth"), std::string::npos);
-  EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 7000.0}).find("no direction"), std::string::npos);
+  EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 7065.0}).find("no direction"), std::string::npos);
+}
+
+TEST(ProblemsOfFocusing, NameABandThatReachesBeyondAllDirections) {
+  // Two speeds over the wavelength are 7071.6 Hz.
+  EXPECT_EQ(first_error(small_echoes(), {.doppler_centroid_hz = 6900.0, .doppler_bandwidth_hz = 300.0}), "");
+  EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 6950.0, .doppler_bandwidth_hz = 300.0})
+                .find("of no direction are among those"),
+            std::string::npos);
+}
+
+TEST(ProblemsOfFocusing, NameAllThatIsWrongAtOnce) {
+  SarEchoes uneven = small_echoes();
+  for (std::size_t p = 32; p < 64; ++p) uneven.track[p].time_s += 0.001;
+  std::string text;
+  for (const Problem& problem : problems_of_focusing(rows_of(uneven), {.doppler_bandwidth_hz = 601.0}))
+    text += problem.message + "\n";
+  EXPECT_NE(text.find("Doppler bandwidth"), std::string::npos);
+  EXPECT_NE(text.find("not evenly spaced"), std::string::npos);
+}
+
+TEST(ProblemsOfFocusing, NameSamplingTooFastForChirpScalingAlone) {
+  SarEchoes fine = small_echoes();
+  fine.waveform.bandwidth_hz = 2e6;
+  fine.waveform.sample_rate_hz = 75e6;
+  // 256 (75/2)^2 = 360000 samples beside 60.
+  EXPECT_NE(first_error(fine, {.method = FocusMethod::chirp_scaling}).find("chirp scaling needs rows much longer"),
+            std::string::npos);
+  EXPECT_EQ(first_error(fine, {.method = FocusMethod::range_doppler}), "");
+  EXPECT_EQ(first_error(fine), "");
+  fine.waveform.bandwidth_hz = 7.5e6;
+  EXPECT_EQ(first_error(fine, {.method = FocusMethod::chirp_scaling}), "");
+}
+
+TEST(ProblemsOfFocusingInTime, MindNeitherTheTracksShapeNorTheBandButTheOptions) {
+  const auto errors = [](const SarEchoes& echoes, const FocusOptions& options) {
+    return problems_of_focusing_in_time(rows_of(echoes), options).size();
+  };
+  SarEchoes uneven = small_echoes();
+  for (std::size_t p = 32; p < 64; ++p) uneven.track[p].time_s += 0.001;
+  EXPECT_EQ(errors(uneven, {.doppler_centroid_hz = 300.0}), 0U);
+  EXPECT_EQ(errors(small_echoes(), {.doppler_centroid_hz = 6950.0, .doppler_bandwidth_hz = 300.0}), 0U);
+  EXPECT_EQ(errors(uneven, {.doppler_centroid_hz = 7065.0}), 1U);
+  EXPECT_EQ(errors(small_echoes(), {.doppler_bandwidth_hz = 601.0}), 1U);
+  SarEchoes narrow = small_echoes();
+  narrow.samples = 1;
+  EXPECT_EQ(errors(narrow, {}), 1U);
+  EXPECT_EQ(first_error(narrow), "");
 }
 
 TEST(ProblemsOfFocusing, WarnOfATrackThatIsNotStraight) {

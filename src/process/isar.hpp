@@ -19,6 +19,11 @@ struct TargetPose {
   Vec3 turn_rate_radps;  ///< World: axis times rate, right-handed.
 };
 
+/// The track of an antenna in the target's own frame.
+/// @param poses  one for each point of it, else std::invalid_argument
+[[nodiscard]] std::vector<TrackPoint> track_from_target(const std::vector<TrackPoint>& track,
+                                                        const std::vector<TargetPose>& poses);
+
 /// The same echoes as the target sees them: the track of the antenna in the target's own frame, in which its points are
 /// at rest. Distances and range rates are those of the world, so any method for synthetic apertures focuses the target;
 /// back-projection does so for any motion, turning and travelling compensated exactly.

@@ -126,6 +126,34 @@ TEST(IsarRangeDopplerMaps, PutTheCentreAtRestAndPointsAsideAtTheirDoppler) {
   }
 }
 
+// A clutter point at rest near the end of the window, and a target that recedes by 137 samples in a burst: what follows
+// it out of the window on one side does not come back on the other.
+TEST(IsarRangeDopplerMaps, LoseWhatAFastTargetLeavesBehind) {
+  Turning t = turning_target({}, 128, 0.0, {0.0, 400.0, 0.0});
+  for (std::size_t p = 0; p < 128; ++p)
+    for (std::size_t n = 230; n < 256; ++n)
+      t.echoes.volts[p * 256 + n] = static_cast<float>(std::exp(-0.1 * std::pow(static_cast<double>(n) - 245.0, 2)));
+  const auto maps = isar_range_doppler_maps(t.echoes, t.poses, {128, 0, 0, {}}, one);
+  ASSERT_EQ(maps.size(), 1u);
+  float nearer = 0.0F;
+  float there = 0.0F;
+  for (std::size_t k = 0; k < 128; ++k)
+    for (std::size_t n = 0; n < 256; ++n) {
+      const float found = std::abs(maps[0].values[k * 256 + n]);
+      (n < 100 ? nearer : there) = std::max(n < 100 ? nearer : there, found);
+    }
+  EXPECT_GT(there, 0.01F);
+  EXPECT_LT(nearer, 1e-3F * there);
+}
+
+TEST(IsarRangeDopplerMaps, AreEmptyOfPulsesWhoseTargetIsElsewhere) {
+  // 16 km in the half second: far more samples than the window has.
+  const Turning t = turning_target({{{}}}, 256, 0.0, {0.0, 32000.0, 0.0});
+  const auto maps = isar_range_doppler_maps(t.echoes, t.poses, {256, 0, 0, {}}, one);
+  ASSERT_EQ(maps.size(), 1u);
+  for (const auto& value : maps[0].values) ASSERT_TRUE(std::isfinite(std::abs(value)));
+}
+
 TEST(IsarImages, RefuseWhatContradictsItself) {
   Turning t = turning_target({}, 10, 0.1);
   EXPECT_TRUE(isar_range_doppler_maps(t.echoes, t.poses, {11, 0, 0, {}}, one).empty());

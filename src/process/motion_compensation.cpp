@@ -15,7 +15,8 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t guard_samples = 32;  // zeros between the end of a pulse and its beginning, of its transform
+constexpr std::size_t guard_samples =
+    32;  // zeros beyond the largest shift, between the end of a pulse and its beginning
 
 void expect(bool right, const char* what) {
   if (!right) throw std::invalid_argument(what);
@@ -56,7 +57,8 @@ class PulseShift {
   double light_speed_mps_;
 };
 
-// Moves a pulse towards earlier times: y(t) = x(t + late), by the shift theorem.
+// Moves a pulse towards earlier times: y(t) = x(t + late), by the shift theorem; a circular one, but the zeros beyond
+// the pulse are at least as many as the shift.
 void advance(std::span<std::complex<double>> row, const Fft& fft, double late_samples) {
   const auto size = static_cast<double>(row.size());
   fft.forward(row);
@@ -140,7 +142,7 @@ class Compensator {
       : echoes_(echoes),
         how_(how),
         sight_(how.reference, how.scene_m, how.squint_rad),
-        fft_(good_fft_size(echoes.samples + guard_samples)) {}
+        fft_(good_fft_size(echoes.samples + largest_shift() + guard_samples)) {}
 
   /// In place.
   void compensate(std::size_t pulse, std::span<std::complex<float>> samples) const {
@@ -148,8 +150,11 @@ class Compensator {
     const PulseShift shift = shift_of(pulse);
     const double common_s = shift.late_s(sight_.range_m());
     std::vector<std::complex<double>> row(fft_.size());
-    std::ranges::copy(samples, row.begin());
-    advance(row, fft_, common_s * wave.sample_rate_hz);
+    // Beyond its own length a pulse is moved out of its window.
+    if (std::abs(common_s) * wave.sample_rate_hz < static_cast<double>(samples.size() + guard_samples)) {
+      std::ranges::copy(samples, row.begin());
+      advance(row, fft_, common_s * wave.sample_rate_hz);
+    }
     const std::complex<double> turn = turn_by(wave.carrier_hz * common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
     if (how_.second_order) turn_by_range(row, shift, echoes_, common_s);
@@ -166,6 +171,14 @@ class Compensator {
   }
 
  private:
+  // Of all pulses, in samples, at most to where a pulse leaves its window.
+  [[nodiscard]] std::size_t largest_shift() const {
+    double most = 0.0;
+    for (std::size_t p = 0; p < echoes_.track.size(); ++p)
+      most = std::max(most, std::abs(shift_of(p).late_s(sight_.range_m())));
+    const double samples = std::ceil(most * echoes_.waveform.sample_rate_hz);
+    return static_cast<std::size_t>(std::min(samples, static_cast<double>(echoes_.samples + guard_samples)));
+  }
   [[nodiscard]] PulseShift shift_of(std::size_t pulse) const {
     return {sight_, echoes_.track[pulse], how_.reference, echoes_.waveform.light_speed_mps};
   }

@@ -106,6 +106,24 @@ TEST(CompensateMotion, RestoresTheResponseOfThePointItIsMadeFor) {
   }
 }
 
+// Shifts of up to 78 samples: what is moved beyond the end of a pulse is not to be found at its beginning.
+TEST(CompensateMotion, LosesWhatIsMovedOutOfTheWindow) {
+  Pass pass = make_pass({}, {200.0, 0.0, 0.0});
+  for (std::size_t p = 0; p < 600; ++p)
+    for (std::size_t n = 490; n < 512; ++n)
+      pass.strayed.volts[p * 512 + n] =
+          static_cast<float>(std::exp(-0.1 * std::pow(static_cast<double>(n) - 501.0, 2)));
+  pass.how.resample = false;
+  const SarEchoes moved = compensate_motion(pass.strayed, pass.how, one);
+  float begin = 0.0F;
+  float end = 0.0F;
+  for (std::size_t p = 0; p < 600; ++p)
+    for (std::size_t n = 0; n < 512; ++n)
+      (n < 300 ? begin : end) = std::max(n < 300 ? begin : end, std::abs(moved.volts[p * 512 + n]));
+  EXPECT_GT(end, 0.9F);
+  EXPECT_LT(begin, 0.01F);
+}
+
 TEST(CompensateMotion, RestoresEverySampleOfAPointInTheMiddleOfTheBeam) {
   const Pass pass = make_pass({{{}}}, {1.0, 0.7, 0.0});
   // Side lobes lie at other ranges than their point: second order would turn them.
@@ -222,14 +240,15 @@ TEST(FittedTrack, IsTheLineOfAStraightFlight) {
 
 TEST(FittedTrack, IsTheLeastSquaresLineOfThreePoints) {
   // By hand: places 0, 0, 3 at times 0, 1, 2 fit to -0.5 + 1.5 t.
-  const ReferenceTrack line = fitted_track({{0.0, {}, {}}, {1.0, {}, {}}, {2.0, {0.0, 3.0, 0.0}, {}}});
+  const ReferenceTrack line =
+      fitted_track(std::vector<TrackPoint>{{0.0, {}, {}}, {1.0, {}, {}}, {2.0, {0.0, 3.0, 0.0}, {}}});
   EXPECT_NEAR(line.at(0.0).y, -0.5, 1e-12);
   EXPECT_NEAR(line.velocity_mps.y, 1.5, 1e-12);
   EXPECT_NEAR(line.time_s, 1.0, 1e-12);
 }
 
 TEST(FittedTrack, OfOnePulseFliesAsThePulseDoes) {
-  const ReferenceTrack line = fitted_track({{4.0, {1.0, 2.0, 3.0}, {5.0, 6.0, 7.0}}});
+  const ReferenceTrack line = fitted_track(std::vector<TrackPoint>{{4.0, {1.0, 2.0, 3.0}, {5.0, 6.0, 7.0}}});
   EXPECT_EQ(line.velocity_mps, (Vec3{5.0, 6.0, 7.0}));
   EXPECT_EQ(line.position_m, (Vec3{1.0, 2.0, 3.0}));
   EXPECT_EQ(fitted_track({}).velocity_mps, Vec3{});

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/constants.hpp"
+#include "process/turns.hpp"
 
 namespace sarsim {
 
 namespace {
-
-std::complex<double> turned_by(double turns) { return std::polar(1.0, 2.0 * pi * (turns - std::round(turns))); }
 
 ProfileAxis axis_of(const SteppedBand& band, double from_m, double to_m, std::size_t transform) {
   if (!(to_m >= from_m)) throw std::invalid_argument("range profile: the stretch of ranges is empty");
@@ -129,8 +127,8 @@ void ProfileMaker::transform_gate(std::span<const std::complex<double>> joined, 
   const double first_s = 2.0 * axis_.first_m / band_.waveform().light_speed_mps;
   work.assign(fft_.size(), {});
   for (std::size_t k = 0; k < band_.cells(); ++k)
-    work[k] =
-        weights_[k] * joined[gate * band_.cells() + k] * turned_by(static_cast<double>(k) * band_.cell_hz() * first_s);
+    work[k] = weights_[k] * joined[gate * band_.cells() + k] *
+              turned_exactly(static_cast<double>(k) * band_.cell_hz() * first_s);
   fft_.inverse(work);
 }
 
@@ -147,7 +145,7 @@ void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::
       held = gate_[i];
       transform_gate(joined, held, work);
     }
-    out[i] = work[i % fft_.size()] * turned_by(from_centre_hz * (first_s + static_cast<double>(i) * step_s));
+    out[i] = work[i % fft_.size()] * turned_exactly(from_centre_hz * (first_s + static_cast<double>(i) * step_s));
   }
 }
 

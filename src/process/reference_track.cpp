@@ -2,7 +2,7 @@
 
 namespace sarsim {
 
-ReferenceTrack fitted_track(const std::vector<TrackPoint>& track) {
+ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
   ReferenceTrack line;
   if (track.empty()) return line;
   const double share = 1.0 / static_cast<double>(track.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "process/sar_echoes.hpp"
 
@@ -17,7 +17,7 @@ struct ReferenceTrack {
 
 /// The line that fits the positions of a track best in the sense of least squares; `time_s` is the mean time. One
 /// pulse, or pulses at one time: its own velocity. No pulses: at rest at the origin.
-[[nodiscard]] ReferenceTrack fitted_track(const std::vector<TrackPoint>& track);
+[[nodiscard]] ReferenceTrack fitted_track(std::span<const TrackPoint> track);
 
 /// Distance of a point from the whole line; from `position_m` where the velocity is 0.
 [[nodiscard]] double distance_from(const ReferenceTrack& track, const Vec3& point_m);

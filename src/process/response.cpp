@@ -55,6 +55,22 @@ double compressed(double delay, double time_bandwidth) {
   return (1.0 - fraction) * (x == 0.0 ? 1.0 : std::sin(x) / x);
 }
 
+// The spectrum of a chirp, of 1/per_lag inverse bandwidths between samples, times that of its weighted matched filter.
+void set_weighted_chirp(std::vector<std::complex<double>>& spectrum, double time_bandwidth, double per_lag,
+                        const std::function<double(double)>& filter) {
+  std::vector<std::complex<double>> weighted(spectrum.size());
+  const double samples = time_bandwidth * per_lag;
+  for (std::size_t k = 0; k < spectrum.size() && static_cast<double>(k) < samples; ++k) {
+    const double fraction = static_cast<double>(k) / samples;
+    spectrum[k] = std::polar(1.0, pi * time_bandwidth * (fraction - 0.5) * (fraction - 0.5));
+    weighted[k] = filter(fraction) * spectrum[k];
+  }
+  const Fft fft(spectrum.size());
+  fft.forward(spectrum);
+  fft.forward(weighted);
+  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= std::conj(weighted[k]);
+}
+
 // Each bin by the mean of the weights over it: half of one at a band's edge.
 void weigh(std::vector<std::complex<double>>& spectrum, const SarWindow& window, double per_lag) {
   constexpr int parts = 8;
@@ -94,13 +110,16 @@ std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> 
   return figures;
 }
 
-ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth, double sampling) {
+ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth, double sampling,
+                                    const std::function<double(double)>& filter) {
   const bool chirp = time_bandwidth > 0.0;
   const double per_lag = chirp && sampling > 0.0 ? sampling : 16.0;  // samples to the inverse bandwidth
   const double lags = chirp ? std::max(2.0 * time_bandwidth, 256.0) : 4096.0;
   const std::size_t size = good_fft_size(static_cast<std::size_t>(lags * per_lag));
   std::vector<std::complex<double>> spectrum(size);
-  if (chirp) {
+  if (chirp && filter) {
+    set_weighted_chirp(spectrum, time_bandwidth, per_lag, filter);
+  } else if (chirp) {
     for (std::size_t i = 0; i < size; ++i) spectrum[i] = compressed(signed_index(i, size) / per_lag, time_bandwidth);
     Fft(size).forward(spectrum);
   } else {

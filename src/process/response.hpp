@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -31,7 +32,9 @@ inline constexpr double islr_null_widths = 10.0;
 /// @param window          over the band, the rest of which it sets to 0 unless it is rectangular
 /// @param sampling        sampling rate over bandwidth: what of a chirp's spectrum lies beyond half of it folds back.
 ///                        0: fine sampling
+/// @param filter          weights of the chirp's matched filter against the fraction of the pulse, besides the window
 [[nodiscard]] ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth = 0.0,
-                                                  double sampling = 0.0);
+                                                  double sampling = 0.0,
+                                                  const std::function<double(double)>& filter = {});
 
 }  // namespace sarsim

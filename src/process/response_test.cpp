@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
+
+#include "base/constants.hpp"
 
 namespace sarsim {
 namespace {
@@ -96,6 +99,18 @@ TEST(SarWindow, KnowsItsMean) {
   EXPECT_NEAR(mean_weight(window_from_text("hamming").value()), 0.54, 1e-9);
   EXPECT_NEAR(mean_weight(window_from_text("hann").value()), 0.5, 1e-9);
   EXPECT_NEAR(mean_weight(window_from_text("taylor").value()), 1.0, 1e-9);
+}
+
+TEST(TheoreticalFigures, TakeWeightsOfTheMatchedFilterLikeThoseOverTheBand) {
+  const auto even = [](double) { return 1.0; };
+  const ResponseFigures plain = theoretical_figures({}, 200.0, 2.0);
+  const ResponseFigures same = theoretical_figures({}, 200.0, 2.0, even);
+  EXPECT_NEAR(same.width, plain.width, 0.003 * plain.width);
+  EXPECT_NEAR(same.pslr_db, plain.pslr_db, 0.1);
+  const auto hamming = [](double x) { return 0.54 - 0.46 * std::cos(2.0 * pi * x); };
+  const ResponseFigures tapered = theoretical_figures({}, 200.0, 2.0, hamming);
+  EXPECT_NEAR(tapered.width, 1.303, 0.02);
+  EXPECT_LT(tapered.pslr_db, -35.0);
 }
 
 }  // namespace

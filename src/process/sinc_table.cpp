@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "math/sinc.hpp"
 #include "math/window.hpp"
 
 namespace sarsim {
@@ -17,8 +18,6 @@ double kaiser_beta(double band) {
   if (attenuation_db < 21.0) return 0.0;
   return 0.5842 * std::pow(attenuation_db - 21.0, 0.4) + 0.07886 * (attenuation_db - 21.0);
 }
-
-double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 
 std::complex<float> weighted_sum(const std::complex<float>* samples, const float* weights) {
   float real = 0.0F;

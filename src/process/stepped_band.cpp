@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/constants.hpp"
+#include "process/turns.hpp"
 
 namespace sarsim {
 
@@ -12,13 +12,6 @@ namespace {
 
 // Cells with less than this share of the strongest cell's spectrum are taken for empty: they hold little but noise.
 constexpr double least_share = 0.02;
-
-std::complex<double> turned_by(double turns) { return std::polar(1.0, 2.0 * pi * (turns - std::round(turns))); }
-
-// a b without the care for infinities that std::complex takes.
-std::complex<double> times(std::complex<double> a, std::complex<double> b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 std::size_t transform_size(const SteppedWaveform& w) {
   return w.subband_hz > 0.0 ? good_fft_size(w.samples + std::max(w.response.size(), w.filter.size())) : 1;
@@ -120,10 +113,10 @@ void SteppedBand::transform(std::span<const std::complex<double>> row, double fi
                             std::span<std::complex<double>> out) const {
   std::vector<std::complex<double>> work(fft_->size());
   for (std::size_t i = 0; i < row.size(); ++i)
-    work[i] = row[i] * turned_by(-first_hz * static_cast<double>(i) / waveform_.sample_rate_hz);
+    work[i] = row[i] * turned_exactly(-first_hz * static_cast<double>(i) / waveform_.sample_rate_hz);
   fft_->forward(work);
   for (std::size_t k = 0; k < out.size(); ++k)
-    out[k] = work[k] * turned_by(-(first_hz + static_cast<double>(k) * cell_hz_) * first_s);
+    out[k] = work[k] * turned_exactly(-(first_hz + static_cast<double>(k) * cell_hz_) * first_s);
 }
 
 void SteppedBand::place(std::size_t pulse, std::span<const std::complex<double>> row,
@@ -156,10 +149,10 @@ void SteppedBand::join(std::span<const std::complex<double>> values, std::span<c
     for (std::size_t k = 0; k < pulse_cells_; ++k) {
       const double hz = frequency_hz(first + k);
       const double turns = hz * moved.delay_s - (hz - carrier_hz) * early_s + 0.5 * doppler_hz * early_s;
-      const std::complex<double> factor = weight(first + k) * turned_by(turns);
+      const std::complex<double> factor = weight(first + k) * turned_exactly(turns);
       for (std::size_t g = 0; g < gates_; ++g) {
         const std::complex<double> value = values[p * values_per_pulse() + g * pulse_cells_ + k];
-        out[g * cells_ + first + k] += times(factor, value);
+        out[g * cells_ + first + k] += product(factor, value);
       }
     }
   }

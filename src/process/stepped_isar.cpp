@@ -4,20 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/constants.hpp"
 #include "process/turns.hpp"
 #include "process/work_matrix.hpp"
 
 namespace sarsim {
 
 namespace {
-
-std::complex<double> turned_by(double turns) { return std::polar(1.0, 2.0 * pi * (turns - std::round(turns))); }
-
-// a b without the care for infinities that std::complex takes.
-std::complex<double> times(std::complex<double> a, std::complex<double> b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 Vec3 unit(const Vec3& v) { return (1.0 / norm(v)) * v; }
 
@@ -67,13 +59,13 @@ FocusedImage empty_image(const ProfileMaker& maker, const IsarPlane& plane, cons
 void add_turned(const SteppedBand& band, std::size_t pulse, std::span<const std::complex<double>> values,
                 double delay_s, double turns, std::complex<double> factor, std::span<std::complex<double>> joined) {
   const std::size_t first = band.first_cell(pulse);
-  std::complex<double> turn = factor * turned_by(band.frequency_hz(first) * delay_s + turns);
-  const std::complex<double> next = turned_by(band.cell_hz() * delay_s);
+  std::complex<double> turn = factor * turned_exactly(band.frequency_hz(first) * delay_s + turns);
+  const std::complex<double> next = turned_exactly(band.cell_hz() * delay_s);
   for (std::size_t k = 0; k < band.pulse_cells(); ++k) {
-    const std::complex<double> here = times(turn, band.weight(first + k));
+    const std::complex<double> here = product(turn, band.weight(first + k));
     for (std::size_t g = 0; g < band.gates(); ++g)
-      joined[g * band.cells() + first + k] += times(here, values[g * band.pulse_cells() + k]);
-    turn = times(turn, next);
+      joined[g * band.cells() + first + k] += product(here, values[g * band.pulse_cells() + k]);
+    turn = product(turn, next);
   }
 }
 
@@ -122,12 +114,12 @@ class PulseTable {
     const std::size_t gate = band.gate_of(delay_s);
     if (gate == band.gates()) return 0.0;
     const auto turn = std::complex<double>(turned(turns + middle_hz_ * delay_s));
-    if (band.pulse_cells() == 1) return times(times(single_, values_[gate]), turn);
+    if (band.pulse_cells() == 1) return product(product(single_, values_[gate]), turn);
     const double periods = delay_s * band.cell_hz();
     const double index = (periods - std::floor(periods)) * static_cast<double>(table_.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(index), table_.size() - 2);
     const double share = index - static_cast<double>(i);
-    return times((1.0 - share) * table_[i] + share * table_[i + 1], turn);
+    return product((1.0 - share) * table_[i] + share * table_[i + 1], turn);
   }
 
  private:
@@ -242,7 +234,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const double path_m = norm(middle.position_m - points[i]);
-      sums[i] *= turned_by(-2.0 * image.carrier_hz * path_m / w.light_speed_mps);
+      sums[i] *= turned_exactly(-2.0 * image.carrier_hz * path_m / w.light_speed_mps);
       image.values[begin * columns + i] = std::complex<float>(sums[i]);
     }
     counter.add(sums.size());

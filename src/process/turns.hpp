@@ -3,6 +3,8 @@
 #include <cmath>
 #include <complex>
 
+#include "base/constants.hpp"
+
 namespace sarsim {
 
 /// exp(2 pi j turns) in float, for any |turns| below 2^51: the whole turns are taken away in double precision, the rest
@@ -22,8 +24,14 @@ inline std::complex<float> turned(double turns) {
   return {(quadrant == 1 || quadrant == 2) ? -a : a, quadrant >= 2 ? -b : b};
 }
 
+/// exp(2 pi j turns) in double: the whole turns are taken away first.
+inline std::complex<double> turned_exactly(double turns) {
+  return std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+}
+
 /// a b without the care for infinities that std::complex takes.
-inline std::complex<float> product(std::complex<float> a, std::complex<float> b) {
+template <class Real>
+inline std::complex<Real> product(std::complex<Real> a, std::complex<Real> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 

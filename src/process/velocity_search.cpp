@@ -103,6 +103,11 @@ std::vector<PulseMotion> motion_of_speed(std::span<const double> time_s, double 
 
 double middle_of(std::span<const double> time_s) { return 0.5 * (time_s.front() + time_s.back()); }
 
+double first_speed_step_mps(const SteppedBand& band, double span_s) {
+  const double cell_m = 0.5 * band.waveform().light_speed_mps / band.band_hz();
+  return 0.25 * cell_m / span_s;
+}
+
 VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps, double to_mps,
                                    const WorkControl& control) {
   const SteppedBand& band = maker.band();
@@ -110,14 +115,15 @@ VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes&
   if (bursts == 0 || echoes.values.size() != bursts * band.values_per_burst())
     throw std::invalid_argument("velocity search: the echoes are not those of whole bursts");
   if (!(to_mps > from_mps)) throw std::invalid_argument("velocity search: the interval of speeds is empty");
-  const double cell_m = 0.5 * band.waveform().light_speed_mps / band.band_hz();
   std::vector<double> speeds;
   double open_mps = 0.0;  // How far from each candidate of the round before the speed may be.
   std::vector<Candidate> kept;
   for (std::size_t used = 1;; used = std::min(2 * used, bursts)) {
     const Sharpness cost(maker, echoes, (bursts - used) / 2, used);
     // Half a cell: of smear, which goes with twice the time, or of walk.
-    const double step = std::min(0.25 * cell_m / cost.span_s(), (to_mps - from_mps) / 8.0);
+    const double step = std::min(first_speed_step_mps(band, cost.span_s()), (to_mps - from_mps) / 8.0);
+    if (kept.empty() && (to_mps - from_mps) / step > most_searched_speeds)
+      throw std::invalid_argument("velocity search: the interval holds too many speeds to try");
     speeds.clear();
     if (kept.empty()) {
       speeds = speeds_about(0.5 * (from_mps + to_mps), step, static_cast<int>(0.5 * (to_mps - from_mps) / step));

@@ -37,13 +37,21 @@ struct VelocityEstimate {
   double uncertainty_mps = 0.0;  ///< The last spacing of the search: what noise and a turning target add is not in it.
 };
 
+/// Speeds that the first round of a search tries at the most.
+inline constexpr double most_searched_speeds = 20000.0;
+
+/// Spacing of the speeds that a search over some time begins with: c/(8 B) over that time, a quarter of a cell.
+[[nodiscard]] double first_speed_step_mps(const SteppedBand& band, double span_s);
+
 /// The one speed that makes profiles sharpest: the entropy of their mean power is least where the smear within bursts
 /// and the walk from burst to burst are both taken out. Searched in rounds, first in the middle burst alone over the
 /// whole interval at steps of half a cell's smear, then over more and more bursts at steps of half a cell's walk about
 /// the eight that were best before. The same bytes for any number of threads.
 ///
 /// @param echoes  of one burst or more
-/// @throw  std::invalid_argument where the sizes contradict the band or the interval is empty; Interrupted
+/// @throw  std::invalid_argument where the sizes contradict the band, the interval is empty or the first round would
+/// try
+///         more than `most_searched_speeds`; Interrupted
 [[nodiscard]] VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps,
                                                  double to_mps, const WorkControl& control);
 

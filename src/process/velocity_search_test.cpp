@@ -92,6 +92,18 @@ TEST(EstimateVelocity, RefusesEchoesOfPartsOfBurstsAndEmptyIntervals) {
   EXPECT_THROW((void)estimate_velocity(maker, {}, -5.0, 5.0, one), std::invalid_argument);
 }
 
+TEST(EstimateVelocity, RefusesIntervalsOfTooManySpeeds) {
+  const SteppedBand band(test::sampled_waveform(3000.0, 2));
+  const ProfileMaker maker(band, {}, 3000.0, 3010.0, 2);
+  const BurstEchoes echoes = burst_echoes(band, nullptr, {moving_point(3005.0, 0.0)}, 0.0, interval_s);
+  // c/(8 B) over the burst.
+  const double span_s = echoes.time_s.back() - echoes.time_s.front();
+  const double step_mps = first_speed_step_mps(band, span_s);
+  EXPECT_NEAR(step_mps, exact_light_speed_mps / (8.0 * band.band_hz()) / span_s, 1e-9);
+  const double most_mps = 0.5 * most_searched_speeds * step_mps;
+  EXPECT_THROW((void)estimate_velocity(maker, echoes, -1.01 * most_mps, 1.01 * most_mps, one), std::invalid_argument);
+}
+
 TEST(EstimateVelocity, EndsWhenAskedTo) {
   const SteppedBand band(test::sampled_waveform(3000.0, 2));
   const ProfileMaker maker(band, {}, 3000.0, 3010.0, 2);

@@ -64,26 +64,41 @@ struct WorkMatrix::File {
   }
 };
 
+namespace {
+
+constexpr std::size_t copies_part = 8;  // of the memory, one over which columns are copied into
+
+}  // namespace
+
 WorkMatrix::WorkMatrix(std::size_t rows, std::size_t columns, std::size_t memory_bytes,
                        const std::filesystem::path& folder)
-    : rows_(rows), columns_(columns), stride_(columns + columns % 2) {
+    : rows_(rows), columns_(columns), stride_(columns + columns % 2), memory_bytes_(memory_bytes) {
   // Columns whose values lie a power of two apart would all compete for a few places of the cache.
   if (stride_ % 512 == 0) stride_ += 8;
   const std::size_t all = rows_ * stride_;
-  if (memory_bytes == 0 || all * sizeof(Value) <= memory_bytes) {
+  const std::size_t most = memory_bytes - memory_bytes / copies_part;
+  if (memory_bytes == 0 || all * sizeof(Value) <= most) {
     values_.resize(all);
     return;
   }
   file_ = std::make_unique<File>(folder);
   file_->reserve(all * sizeof(Value));
   // A piece holds at least a row and a column.
-  piece_values_ = std::max({memory_bytes / sizeof(Value), stride_, 2 * rows_});
+  piece_values_ = std::max({most / sizeof(Value), stride_, 2 * rows_});
   values_.resize(std::min(piece_values_, all));
 }
 
 WorkMatrix::~WorkMatrix() = default;
 WorkMatrix::WorkMatrix(WorkMatrix&&) noexcept = default;
 WorkMatrix& WorkMatrix::operator=(WorkMatrix&&) noexcept = default;
+
+std::size_t WorkMatrix::columns_at_once(unsigned threads) const {
+  // Cache lines are fetched whole: a group of columns is as wide as two of them where there is room.
+  constexpr std::size_t wide = 16;
+  if (memory_bytes_ == 0) return wide;
+  const std::size_t column_bytes = std::max(threads, 1U) * std::max<std::size_t>(rows_, 1) * sizeof(Value);
+  return std::clamp<std::size_t>(memory_bytes_ / copies_part / column_bytes, 1, wide);
+}
 
 std::vector<WorkMatrix::Piece> WorkMatrix::row_pieces(std::size_t first, std::size_t last) {
   if (!file_) return {{first, last - first, 0, columns_, stride_, values_.data() + first * stride_}};

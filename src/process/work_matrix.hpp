@@ -42,7 +42,9 @@ class WorkMatrix {
  public:
   using Value = std::complex<float>;
 
-  /// @param memory_bytes  what it may hold in memory, of the matrix or of pieces; 0: no limit
+  /// @param memory_bytes  what it may hold in memory, of the matrix or of pieces, an eighth of it for copies of
+  /// columns;
+  ///                      0: no limit
   /// @param folder        where the file is made; empty: the system's folder for temporary files.
   ///                      std::system_error where it cannot be
   WorkMatrix(std::size_t rows, std::size_t columns, std::size_t memory_bytes, const std::filesystem::path& folder = {});
@@ -58,10 +60,14 @@ class WorkMatrix {
   template <class Body>
   void each_row(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
                 const Body& body);
-  /// Calls body(column number, column) for the columns [first, last); columns are copies that are written back.
+  /// Calls body(column number, column) for the columns [first, last); columns are copies that are written back, of up
+  /// to 16 at once on each thread.
   template <class Body>
   void each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
                    const Body& body);
+
+  /// Columns that each of some threads copies at once: as many as fit their part of the memory, but one at least.
+  [[nodiscard]] std::size_t columns_at_once(unsigned threads) const;
 
   /// Copies `out.size()` values of a row, from column `first` on. Not at the same time as `each_row`.
   void read_row(std::size_t row, std::size_t first, std::span<Value> out) const;
@@ -83,6 +89,7 @@ class WorkMatrix {
   std::size_t rows_;
   std::size_t columns_;
   std::size_t stride_;  // even, so that every row begins at a multiple of 16 bytes
+  std::size_t memory_bytes_ = 0;
   std::size_t piece_values_ = 0;
   std::vector<Value> values_;  // the matrix, or a piece of it
   std::unique_ptr<File> file_;
@@ -107,8 +114,7 @@ void WorkMatrix::each_row(std::size_t first, std::size_t last, const WorkControl
 template <class Body>
 void WorkMatrix::each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
                              const Body& body) {
-  // Cache lines are fetched whole: a group of columns is as wide as two of them.
-  constexpr std::size_t group = 16;
+  const std::size_t group = columns_at_once(control.threads);
   const std::size_t length = rows_ + rows_ % 2;
   for (Piece& piece : column_pieces(first, last)) {
     load(piece);

@@ -48,6 +48,18 @@ TEST(WorkMatrix, IsGoneThroughByRowsAndColumnsInMemoryAndOnDisk) {
 
 TEST(WorkMatrix, StaysInMemoryWhereThatIsEnough) { EXPECT_FALSE(WorkMatrix(10, 10, 100000).on_disk()); }
 
+TEST(WorkMatrix, CountsCopiesOfColumnsInItsMemory) {
+  // An eighth of 64 kB holds 10 columns of 100 values of 8 bytes, on one thread.
+  EXPECT_EQ(WorkMatrix(100, 10, 64000).columns_at_once(1), 10U);
+  EXPECT_EQ(WorkMatrix(100, 10, 64000).columns_at_once(3), 3U);
+  EXPECT_EQ(WorkMatrix(100, 10, 64000).columns_at_once(100), 1U);
+  EXPECT_EQ(WorkMatrix(100, 10, 1000000).columns_at_once(2), 16U);
+  EXPECT_EQ(WorkMatrix(100, 10, 0).columns_at_once(100), 16U);
+  // 8000 bytes of the matrix and an eighth of all for copies.
+  EXPECT_TRUE(WorkMatrix(100, 10, 9000).on_disk());
+  EXPECT_FALSE(WorkMatrix(100, 10, 9200).on_disk());
+}
+
 TEST(WorkMatrix, NamesTheFolderWhereItCannotMakeItsFile) {
   try {
     const WorkMatrix matrix(100, 100, 1, "/no/such/folder");

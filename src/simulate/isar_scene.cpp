@@ -182,6 +182,7 @@ void lay_upon_image(IsarImage& made) {
 }
 
 void find_points(IsarImage& made) {
+  made.points.resize(std::min(made.points.size(), most_held_targets));
   const ImageReader reader = reader_of(made.image);
   for (HeldPoint& point : made.points) {
     double search_m = 3.0 * std::min(made.cross_range_resolution_m, made.range_resolution_m);

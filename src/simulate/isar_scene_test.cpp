@@ -124,6 +124,15 @@ TEST(IsarImage, FindsTheMotionInTheEchoes) {
   }
 }
 
+TEST(IsarImage, HoldsTheFirstThousandTargetsAgainstIt) {
+  Scene scene = ship_scene(true);
+  while (scene.targets.size() < 1100) scene.targets.push_back(target_on("Ship", {1.0, 1.0, 0.0}, 1e-6));
+  const SteppedRows rows = rows_of(scene);
+  const IsarImage made = make_isar_image(rows, 0, 4, options_for(rows), two);
+  ASSERT_EQ(made.points.size(), most_held_targets);
+  EXPECT_EQ(made.points.back().target, most_held_targets - 1);
+}
+
 TEST(IsarImage, TakesAGivenTurningForItsScale) {
   const SteppedRows rows = rows_of(ship_scene(true));
   IsarOptions options = options_for(rows);

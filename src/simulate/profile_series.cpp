@@ -166,6 +166,7 @@ std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const Profil
   std::vector<HeldTarget> targets;
   for (const BurstTruth& truth : truth_of_burst(rows, profile.burst)) {
     if (!(truth.amplitude > 0.0)) continue;
+    if (targets.size() == most_held_targets) break;
     HeldTarget target;
     target.truth = truth;
     const double left_mps = truth.speed_mps - scan.speed_mps;

@@ -85,7 +85,8 @@ struct HeldTarget {
   std::optional<ProfilePeak> found;  ///< The largest peak within half the distance to the next target.
 };
 
-/// The targets of the scene, as the profile of one burst shows them; those without echoes left out.
+/// The targets of the scene, as the profile of one burst shows them; those without echoes left out. Of many the first
+/// `most_held_targets` are looked at.
 /// @param row  of a series that `make_profiles` made
 [[nodiscard]] std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const ProfileSeries& series,
                                                          const SeriesOptions& options, std::size_t row);

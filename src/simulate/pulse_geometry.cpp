@@ -115,21 +115,36 @@ void PulseGeometry::expect_possible(std::string_view kind, std::size_t index, co
   throw ImpossibleEcho(std::move(problem));
 }
 
+std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& sheet, const Vec3& normal_world,
+                                                       const Vec3& point_m, const Pointing& pointing) const {
+  static const Interpolator none;
+  const Pose& pose = poses_[sheet.platform];
+  Sight sight;
+  sight.look_world_m = world_position_m(pose, point_m) - radar_pose().position_world_m;
+  sight.velocity_world_mps = world_velocity_mps(pose, point_m) - radar_pose().velocity_world_mps;
+  const double law = reflectivity(ReflectivityLaw::cosine, none, incidence_rad(normal_world, sight.look_world_m));
+  if (law <= 0.0) return std::nullopt;
+  const ScattererView view = seen(sight, sheet.point_rcs_m2 * law, pointing);
+  // A plane through the radar shows it neither side.
+  if (view.distance_m == 0.0) return std::nullopt;
+  return view;
+}
+
+std::optional<ScattererView> PulseGeometry::sheet_view(std::size_t sheet, std::size_t point,
+                                                       const Pointing& pointing) const {
+  const ScattererSheet& surface = scene_->sheets[sheet];
+  const Vec3 normal_world = poses_[surface.platform].world_from_platform * surface.normal_platform;
+  return point_view(surface, normal_world, surface.points_m[point], pointing);
+}
+
 void PulseGeometry::add_sheet(std::size_t index, const Pointing& pointing, EchoBatch& echoes) const {
   const ScattererSheet& sheet = scene_->sheets[index];
-  const Pose& pose = poses_[sheet.platform];
-  const Vec3 normal_world = pose.world_from_platform * sheet.normal_platform;
-  static const Interpolator none;
+  const Vec3 normal_world = poses_[sheet.platform].world_from_platform * sheet.normal_platform;
   for (const Vec3& point_m : sheet.points_m) {
-    Sight sight;
-    sight.look_world_m = world_position_m(pose, point_m) - radar_pose().position_world_m;
-    sight.velocity_world_mps = world_velocity_mps(pose, point_m) - radar_pose().velocity_world_mps;
-    const double law = reflectivity(ReflectivityLaw::cosine, none, incidence_rad(normal_world, sight.look_world_m));
-    if (law <= 0.0) continue;
-    const ScattererView v = seen(sight, sheet.point_rcs_m2 * law, pointing);
-    if (v.distance_m == 0.0) continue;  // A plane through the radar shows it neither side.
-    expect_possible("surface", index, v);
-    echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
+    const std::optional<ScattererView> v = point_view(sheet, normal_world, point_m, pointing);
+    if (!v) continue;
+    expect_possible("surface", index, *v);
+    echoes.add(v->delay_s, v->amplitude_sqrt_w, v->speed_mps);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,10 @@ class PulseGeometry {
   /// Same, with the pointing at hand.
   [[nodiscard]] ScattererView view(std::size_t index, const Pointing& pointing) const;
 
+  /// Point `point` of surface `sheet` at the current pulse; nothing where it shows the radar its back or its edge.
+  [[nodiscard]] std::optional<ScattererView> sheet_view(std::size_t sheet, std::size_t point,
+                                                        const Pointing& pointing) const;
+
   /// All echoes of the current pulse: targets in order, then the points of the surfaces. Replaces `echoes`.
   /// Throws ImpossibleEcho where a target stands at the radar's own position, outruns light or is too strong.
   void echoes(EchoBatch& echoes) const;
@@ -54,6 +59,8 @@ class PulseGeometry {
  private:
   struct Sight;  // position and velocity relative to the radar
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const Pointing& pointing) const;
+  [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const Vec3& normal_world,
+                                                        const Vec3& point_m, const Pointing& pointing) const;
   void add_sheet(std::size_t index, const Pointing& pointing, EchoBatch& echoes) const;
 
   const ResolvedScene* scene_;

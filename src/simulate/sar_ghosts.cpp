@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -24,10 +25,9 @@ struct Middle {
   [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(std::llround(moment / amplitude)); }
 };
 
-SarTarget target_of(const SarLooks& looks, const EchoRows& echoes, std::size_t number) {
+SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const SarLook> seen) {
   SarTarget target;
   target.target = number;
-  const std::vector<SarLook>& seen = looks.of(number);
   Middle middle;
   double strongest = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -39,12 +39,13 @@ SarTarget target_of(const SarLooks& looks, const EchoRows& echoes, std::size_t n
   target.place = looks.place(seen[middle.index()], seen[middle.index()].doppler_hz);
   target.lowest_doppler_hz = INFINITY;
   target.highest_doppler_hz = -INFINITY;
-  const double last_s = echoes.first_delay_s + static_cast<double>(echoes.samples - 1) / echoes.waveform.sample_rate_hz;
+  constexpr double rounding = 1e-6;
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
     target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, look.doppler_hz);
     target.highest_doppler_hz = std::max(target.highest_doppler_hz, look.doppler_hz);
-    target.in_swath = target.in_swath && look.delay_s >= echoes.first_delay_s && look.delay_s <= last_s;
+    target.in_swath = target.in_swath && look.share > 0.0;
+    target.whole = target.whole && look.share > 1.0 - rounding;
   }
   return target;
 }
@@ -56,18 +57,21 @@ struct Fold {
   ImagePlace most{-INFINITY, -INFINITY};
 };
 
-void add_ghosts(const SarLooks& looks, std::size_t target, double centroid_hz, std::vector<SarGhost>& ghosts) {
+// Of the looks whose Doppler frequencies are kept.
+void add_ghosts(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen, const DopplerBand& kept,
+                std::vector<SarGhost>& ghosts) {
   constexpr double smallest_share = 0.01;
   const double prf_hz = 1.0 / looks.track().interval_s;
-  const std::vector<SarLook>& seen = looks.of(target);
   std::map<int, Fold> fold_of;
   double all = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     all += seen[i].amplitude;
-    const int folds = static_cast<int>(std::lround((seen[i].doppler_hz - centroid_hz) / prf_hz));
+    const int folds = static_cast<int>(std::lround((seen[i].doppler_hz - kept.centroid_hz) / prf_hz));
     if (folds == 0) continue;
+    const double folded_hz = seen[i].doppler_hz - folds * prf_hz;
+    if (kept.width_hz > 0.0 && std::abs(folded_hz - kept.centroid_hz) > 0.5 * kept.width_hz) continue;
     Fold& fold = fold_of[folds];
-    const ImagePlace place = looks.place(seen[i], seen[i].doppler_hz - folds * prf_hz);
+    const ImagePlace place = looks.place(seen[i], folded_hz);
     fold.middle.add(static_cast<double>(i), seen[i].amplitude);
     fold.least = {std::min(fold.least.azimuth_m, place.azimuth_m), std::min(fold.least.range_m, place.range_m)};
     fold.most = {std::max(fold.most.azimuth_m, place.azimuth_m), std::max(fold.most.range_m, place.range_m)};
@@ -82,6 +86,12 @@ void add_ghosts(const SarLooks& looks, std::size_t target, double centroid_hz, s
                       .range_m = fold.most.range_m - fold.least.range_m,
                       .share = fold.middle.amplitude / all});
   }
+}
+
+std::vector<SarGhost> in_order(const std::vector<std::vector<SarGhost>>& ghosts_of) {
+  std::vector<SarGhost> all;
+  for (const std::vector<SarGhost>& ghosts : ghosts_of) all.insert(all.end(), ghosts.begin(), ghosts.end());
+  return all;
 }
 
 // "1, 2, 3 and 5 more"
@@ -102,9 +112,7 @@ Problem remark(Severity severity, std::string message, std::string hint) {
   return problem;
 }
 
-void remark_on_wrapping(const SarLooks& looks, std::size_t targets, double centroid_hz, Problems& problems) {
-  std::vector<SarGhost> ghosts;
-  for (std::size_t t = 0; t < targets; ++t) add_ghosts(looks, t, centroid_hz, ghosts);
+void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, Problems& problems) {
   if (ghosts.empty()) return;
   std::vector<std::size_t> wrapped;
   double nearest_m = INFINITY;
@@ -122,8 +130,8 @@ void remark_on_wrapping(const SarLooks& looks, std::size_t targets, double centr
           "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
           "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to {:.0f} "
           "m",
-          wrapped.size(), targets, target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest, nearest_m,
-          farthest_m),
+          wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
+          nearest_m, farthest_m),
       "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 
@@ -139,15 +147,30 @@ void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) 
                             "record a wider window of ranges"));
 }
 
+void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& problems) {
+  std::vector<std::size_t> cut;
+  for (const SarTarget& target : targets)
+    if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.push_back(target.target);
+  if (cut.empty()) return;
+  problems.push_back(remark(
+      Severity::warning,
+      fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
+                  "only the beginning of their echoes: their images are weaker, and wider in range",
+                  cut.size(), targets.size(), target_list(cut)),
+      "record farther, by half of c times the pulse width, or focus the script"));
+}
+
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
-void remark_on_beam(const Plan& plan, const SarLooks& looks, Problems& problems) {
+void remark_on_beam(const Plan& plan, const SarLooks& looks, const DopplerBand& kept, Problems& problems) {
   if (plan.radar.transmit.kind != AntennaPattern::Kind::sinx) return;
   const double wavelength_m =
       plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(plan.pulses.first);
   const double half_width = 0.5 * std::min(plan.radar.transmit.azimuth_beamwidth_rad, 3.1);
   const double band_hz = 4.0 * looks.track().speed_mps / wavelength_m * std::sin(half_width);
   const double prf_hz = 1.0 / looks.track().interval_s;
-  if (band_hz <= prf_hz) return;
+  // What is beyond the kept band wraps around into it only from one repetition frequency away.
+  const double kept_hz = kept.width_hz > 0.0 ? std::min(kept.width_hz, prf_hz) : prf_hz;
+  if (band_hz <= 2.0 * prf_hz - kept_hz) return;
   problems.push_back(remark(Severity::note,
                             fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
                                         "that the pulses sample: points off its middle may wrap around",
@@ -167,29 +190,38 @@ void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
 
 }  // namespace
 
-std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes) {
+std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes, const WorkControl& control) {
   const SarLooks looks(plan, echoes);
-  std::vector<SarTarget> targets;
-  for (std::size_t t = 0; t < plan.scene->scatterers.size(); ++t) targets.push_back(target_of(looks, echoes, t));
+  std::vector<SarTarget> targets(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) { targets[t] = target_of(looks, t, seen); });
   return targets;
 }
 
-std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, double centroid_hz) {
+std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                 const WorkControl& control) {
   const SarLooks looks(plan, echoes);
-  std::vector<SarGhost> ghosts;
-  for (std::size_t t = 0; t < plan.scene->scatterers.size(); ++t) add_ghosts(looks, t, centroid_hz, ghosts);
-  return ghosts;
+  std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
+  looks.each(control,
+             [&](std::size_t t, std::span<const SarLook> seen) { add_ghosts(looks, t, seen, kept, ghosts_of[t]); });
+  return in_order(ghosts_of);
 }
 
-Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, double centroid_hz) {
+Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept, const WorkControl& control) {
   constexpr std::size_t most_targets = 4096;
   Problems problems;
   remark_on_sampling(echoes.waveform, problems);
   if (plan.scene->scatterers.size() > most_targets) return problems;
   const SarLooks looks(plan, echoes);
-  remark_on_wrapping(looks, plan.scene->scatterers.size(), centroid_hz, problems);
-  remark_on_swath(sar_targets(plan, echoes), problems);
-  remark_on_beam(plan, looks, problems);
+  std::vector<SarTarget> targets(looks.targets());
+  std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    targets[t] = target_of(looks, t, seen);
+    add_ghosts(looks, t, seen, kept, ghosts_of[t]);
+  });
+  remark_on_wrapping(looks, in_order(ghosts_of), problems);
+  remark_on_swath(targets, problems);
+  remark_on_cut_echoes(targets, problems);
+  remark_on_beam(plan, looks, kept, problems);
   return problems;
 }
 

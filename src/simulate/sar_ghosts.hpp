@@ -8,6 +8,12 @@
 
 namespace sarsim {
 
+/// The Doppler frequencies that focusing keeps.
+struct DopplerBand {
+  double centroid_hz = 0.0;
+  double width_hz = 0.0;  ///< 0: all that the pulses sample.
+};
+
 /// A false image of a target: what of its echoes has Doppler frequencies beyond half the pulse repetition frequency
 /// from the centroid is taken for another frequency, and focused elsewhere.
 struct SarGhost {
@@ -24,22 +30,30 @@ struct SarGhost {
 struct SarTarget {
   std::size_t target = 0;
   ImagePlace place;                ///< From distance and Doppler: a moving target R u/v beside where it is.
-  double amplitude = 0.0;          ///< Mean of its echoes over all pulses, volts.
+  double amplitude = 0.0;          ///< Mean of its whole echoes over all pulses, volts.
   double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
   double highest_doppler_hz = 0.0;
   bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
+  bool whole = true;     ///< And not so near to the end of a raw recording that the rest of its echo is missing.
 };
 
 /// All targets, as the geometry has them.
 /// @param echoes  their waveform, track and window; no rows are read
-[[nodiscard]] std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes);
+/// @throw  Interrupted
+[[nodiscard]] std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes,
+                                                 const WorkControl& control = {});
 
-/// Ghosts of all targets at a Doppler centroid, by target and fold; those below a hundredth of their target left out.
-[[nodiscard]] std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, double centroid_hz);
+/// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
+/// less is kept than the pulses sample, only what folds into it is there.
+/// @throw  Interrupted
+[[nodiscard]] std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                               const WorkControl& control = {});
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
-/// appear, targets outside the swath, a beam that holds more Doppler frequencies than the pulses sample, ranges sampled
-/// more coarsely than the band allows.
-[[nodiscard]] Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, double centroid_hz);
+/// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
+/// the pulses sample, ranges sampled more coarsely than the band allows. Of more than 4096 targets nothing is said.
+/// @throw  Interrupted
+[[nodiscard]] Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                      const WorkControl& control = {});
 
 }  // namespace sarsim

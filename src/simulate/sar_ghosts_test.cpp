@@ -40,7 +40,7 @@ TEST(SarTargets, AreOutOfTheSwathWhereTheirEchoesLeaveIt) {
 
 TEST(SarGhosts, AreNoneWhereThePulsesSampleEverything) {
   const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 190.0, 0.0}, {0.0, -190.0, 0.0}}));
-  EXPECT_TRUE(sar_ghosts(*plan, rows, 0.0).empty());
+  EXPECT_TRUE(sar_ghosts(*plan, rows, {}).empty());
 }
 
 // Of an image, within some distance of a place.
@@ -58,7 +58,7 @@ double energy(const FocusedImage& image, const ImagePlace& place, double azimuth
 TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
   // At 300 Hz a point 205 m ahead of the middle reaches 281 Hz: above 150 Hz it wraps around.
   const auto [plan, rows] = sar_recording(sar_scene(300.0, {{0.0, 205.0, 0.0}}));
-  const std::vector<SarGhost> ghosts = sar_ghosts(*plan, rows, 0.0);
+  const std::vector<SarGhost> ghosts = sar_ghosts(*plan, rows, {});
   ASSERT_EQ(ghosts.size(), 1U);
   EXPECT_EQ(ghosts[0].folds, 1);
   EXPECT_NEAR(ghosts[0].place.azimuth_m, 205.0 - 300.0 * 0.056565 * 10198.0 / 400.0, 1.0);
@@ -71,10 +71,10 @@ TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
   EXPECT_NEAR(ghost / (ghost + truth), ghosts[0].share, 0.03);
 }
 
-std::string remarks(const Scene& scene, double centroid_hz = 0.0) {
+std::string remarks(const Scene& scene, const DopplerBand& kept = {}) {
   const auto [plan, rows] = sar_recording(scene);
   std::string text;
-  for (const Problem& problem : remarks_on_sar(*plan, rows, centroid_hz)) text += to_string(problem) + "\n";
+  for (const Problem& problem : remarks_on_sar(*plan, rows, kept)) text += to_string(problem) + "\n";
   return text;
 }
 
@@ -94,6 +94,57 @@ TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
   const std::string text = remarks(scene);
   EXPECT_NE(text.find("1 of 2 targets (2) leave the recorded ranges"), std::string::npos) << text;
   EXPECT_NE(text.find("Doppler band of 3661 Hz"), std::string::npos) << text;
+}
+
+TEST(RemarksOnSar, AreSilencedByABandIntoWhichNothingFolds) {
+  // From 50 to 250 m behind it: 35 to 173 Hz, of which 300 pulses a second fold those above 150 Hz to -150 ... -127 Hz.
+  const Scene scene = sar_scene(300.0, {{0.0, 150.0, 0.0}}, 0.5);
+  EXPECT_NE(remarks(scene), "");
+  EXPECT_NE(remarks(scene, {.width_hz = 280.0}), "");
+  EXPECT_EQ(remarks(scene, {.width_hz = 240.0}), "");
+}
+
+TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
+  // 40 m before the end of the window, of which the last 120 m can be compressed in part alone.
+  const Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
+  const auto plan = shared_plan(scene);
+  const EchoRows recorded = sar_rows_of_recording(plan, [](std::size_t, std::span<std::complex<double>>) {});
+  const std::vector<SarTarget> targets = sar_targets(*plan, recorded);
+  EXPECT_TRUE(targets[0].in_swath);
+  EXPECT_FALSE(targets[0].whole);
+  EXPECT_TRUE(targets[1].whole);
+  const Problems problems = remarks_on_sar(*plan, recorded, {});
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
+      << problems[0].message;
+  EXPECT_EQ(remarks(scene), "");
+}
+
+TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 4.0 * i, 0.0});
+  const auto [plan, rows] = sar_recording(sar_scene(300.0, points, 0.3));
+  const std::vector<SarTarget> one = sar_targets(*plan, rows, {.threads = 1});
+  const std::vector<SarTarget> three = sar_targets(*plan, rows, {.threads = 3});
+  ASSERT_EQ(one.size(), 50U);
+  for (std::size_t t = 0; t < one.size(); ++t) {
+    EXPECT_EQ(one[t].target, t);
+    EXPECT_EQ(one[t].amplitude, three[t].amplitude);
+    EXPECT_EQ(one[t].place.azimuth_m, three[t].place.azimuth_m);
+  }
+  const auto ghosts = sar_ghosts(*plan, rows, {}, {.threads = 1});
+  const auto same = sar_ghosts(*plan, rows, {}, {.threads = 3});
+  ASSERT_EQ(ghosts.size(), same.size());
+  ASSERT_FALSE(ghosts.empty());
+  for (std::size_t i = 0; i < ghosts.size(); ++i) EXPECT_EQ(ghosts[i].share, same[i].share);
+}
+
+TEST(SarTargets, EndWhenAskedTo) {
+  const auto [plan, rows] = sar_recording(sar_scene(300.0, {{}}, 0.3));
+  StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), Interrupted);
+  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, {.threads = 2, .stop = &stop}), Interrupted);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "simulate/row_space.hpp"
+#include "simulate/sampled_views.hpp"
 #include "simulate/worker_pool.hpp"
 
 namespace sarsim {
@@ -52,9 +53,9 @@ EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
 
 }  // namespace
 
-Problems problems_of_sar(const Plan& plan) {
+Problems problems_of_sar(const Plan& plan, bool recorded) {
   Problems problems;
-  if (plan.simulation.processing == Processing::srp)
+  if (recorded && plan.simulation.processing == Processing::srp)
     problems.push_back(sar_problem("synthetic range profiles cannot be focused", "SRP", "RAW or MF processing",
                                    "focus a recording of chirps"));
   if (plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
@@ -65,7 +66,7 @@ Problems problems_of_sar(const Plan& plan) {
   if (plan.pulses.count() < 2)
     problems.push_back(sar_problem("too few pulses to focus", fmt::format("{}", plan.pulses.count()), "at least 2",
                                    "record for longer"));
-  const bool compressed = plan.simulation.processing == Processing::matched_filter;
+  const bool compressed = recorded && plan.simulation.processing == Processing::matched_filter;
   const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
   if (!even)
     problems.push_back(sar_problem("the classic profile repeats or leaves out samples of this compressed recording", "",
@@ -94,7 +95,10 @@ Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
   const double more = std::ceil(last_s / interval_s) + 1.0;
-  recorded.range_end_m += 0.5 * plan.scene->conventions.light_speed_mps * more * interval_s;
+  const double half_c_mps = 0.5 * plan.scene->conventions.light_speed_mps;
+  // As the matched filter does: the echo of a target at CENTRE begins half a pulse before its range.
+  recorded.range_start_m -= half_c_mps * plan.pulse.lead_s;
+  recorded.range_end_m += half_c_mps * (more * interval_s - plan.pulse.lead_s);
   return recorded;
 }
 
@@ -144,26 +148,26 @@ Vec3 scene_middle_m(const Plan& plan) {
 
 double geometric_doppler_centroid_hz(const Plan& plan) {
   constexpr std::int64_t looks = 65;
-  constexpr std::size_t most_targets = 4096;
+  constexpr std::size_t most_echoes = 4096;
   PulseGeometry geometry(*plan.scene, plan.radar);
   const std::int64_t pulses = plan.pulses.count();
-  const std::size_t step = plan.scene->scatterers.size() / most_targets + 1;
   double power = 0.0;
   double sum = 0.0;
   for (std::int64_t look = 0; look < std::min(looks, pulses); ++look) {
     geometry.set_pulse(plan.pulses.first +
                        look * (pulses - 1) / std::max<std::int64_t>(std::min(looks, pulses) - 1, 1));
-    const Pointing pointing = geometry.pointing();
-    for (std::size_t t = 0; t < plan.scene->scatterers.size(); t += step) {
-      const ScattererView view = geometry.view(t, pointing);
+    each_sampled_view(*plan.scene, geometry, most_echoes, [&](const ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum -= weight * view.speed_mps;
-    }
+    });
   }
   const double per_speed =
       2.0 * plan.radar.carrier.carrier_hz(plan.pulses.first) / plan.scene->conventions.light_speed_mps;
   if (power > 0.0) return per_speed * sum / power;
+  const bool isotropic = plan.radar.transmit.kind == AntennaPattern::Kind::isotropic &&
+                         plan.radar.receive.kind == AntennaPattern::Kind::isotropic;
+  if (isotropic) return 0.0;
   geometry.set_pulse(plan.pulses.first + pulses / 2);
   return per_speed * dot(geometry.radar_pose().velocity_world_mps, geometry.pointing().axis_world());
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "base/constants.hpp"
 #include "simulate/sar_looks.hpp"
@@ -69,7 +71,7 @@ std::optional<ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) 
 
 // Sum of the weights that focusing divides by: over the pulses, or over those that sweep the whole band.
 double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const FocusOptions& options,
-                      const SarWaveform& waveform, const std::vector<SarLook>& seen, double range_m) {
+                      const SarWaveform& waveform, std::span<const SarLook> seen, double range_m) {
   if (options.doppler_bandwidth_hz <= 0.0) {
     double sum = 0.0;
     for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen[i]);
@@ -83,12 +85,33 @@ double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const F
   return mean_weight(options.azimuth_window) * options.doppler_bandwidth_hz / (rate_hzps * interval_s);
 }
 
+bool is_plain_chirp(const Pulse& pulse) {
+  return pulse.kind == Pulse::Kind::chirp && pulse.envelope == Pulse::Envelope::rectangular;
+}
+
+// Of the radar, over the pulse, where it is in compressed data; nothing for an even one.
+WindowFunction recorded_window(const Plan& plan) {
+  if (plan.simulation.processing != Processing::matched_filter) return {};
+  constexpr int points = 64;
+  for (int i = 0; i <= points; ++i)
+    if (plan.radar.window(static_cast<double>(i) / points) != 1.0) return plan.radar.window;
+  return {};
+}
+
+// What weighs the samples of a pulse: windows over the band of a chirp are windows over its time.
+WindowFunction pulse_weight(const Plan& plan, const SarWindow& window) {
+  const WindowFunction recorded = recorded_window(plan);
+  if (plan.radar.pulse.kind != Pulse::Kind::chirp) return recorded;
+  return [recorded, focused = weight_of(window)](double x) {
+    return focused(std::clamp(x, 0.0, 1.0) - 0.5) * (recorded ? recorded(x) : 1.0);
+  };
+}
+
 std::optional<ResponseFigures> range_theory(const Plan& plan, const SarWaveform& waveform, const SarWindow& window) {
-  const Pulse& pulse = plan.radar.pulse;
-  if (pulse.kind != Pulse::Kind::chirp || pulse.envelope != Pulse::Envelope::rectangular) return std::nullopt;
+  if (!is_plain_chirp(plan.radar.pulse)) return std::nullopt;
   const double band_hz = std::abs(waveform.bandwidth_hz);
-  ResponseFigures figures =
-      theoretical_figures(window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz);
+  ResponseFigures figures = theoretical_figures(window, band_hz * waveform.pulse_width_s,
+                                                waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = 0.5 * waveform.light_speed_mps / band_hz;
   figures.width *= cell_m;
   figures.null *= cell_m;
@@ -96,19 +119,22 @@ std::optional<ResponseFigures> range_theory(const Plan& plan, const SarWaveform&
 }
 
 TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const EchoRows& echoes,
-                       const FocusOptions& options, std::size_t number) {
+                       const FocusOptions& options, const std::optional<ResponseFigures>& range, std::size_t number,
+                       std::span<const SarLook> seen) {
   TargetTheory theory;
   theory.target = number;
-  const std::vector<SarLook>& seen = looks.of(number);
   std::vector<Tone> tones;
   double sum = 0.0;
+  double whole = 0.0;
   double moment = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const double part = weights.of(i, seen[i]) * seen[i].amplitude;
     if (!(part > 0.0) || !weights.sampled(seen[i])) continue;
-    sum += part;
-    moment += part * static_cast<double>(i);
-    tones.push_back({seen[i].doppler_hz / looks.track().speed_mps, part});
+    whole += part;
+    if (!(seen[i].share > 0.0)) continue;
+    sum += part * seen[i].share;
+    moment += part * seen[i].share * static_cast<double>(i);
+    tones.push_back({seen[i].doppler_hz / looks.track().speed_mps, part * seen[i].share});
   }
   if (!(sum > 0.0)) return theory;
   const SarLook& middle = seen[static_cast<std::size_t>(std::llround(moment / sum))];
@@ -117,21 +143,23 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
   const double turns = 2.0 * theory.place.range_m * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
   theory.phase_rad = std::remainder(-2.0 * pi * turns, 2.0 * pi);
   theory.azimuth = figures_of_tones(tones);
+  // A pulse of which a part is missing has another spectrum.
+  constexpr double unseen = 1e-3;
+  if (sum > (1.0 - unseen) * whole) theory.range = range;
   return theory;
 }
 
 }  // namespace
 
 std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes, const FocusOptions& options,
-                                            bool time_domain) {
-  const SarLooks looks(plan, echoes);
+                                            bool time_domain, const WorkControl& control) {
+  const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
   const LookWeights weights(looks, options, echoes.track.size(), time_domain);
   const std::optional<ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
-  std::vector<TargetTheory> theories;
-  for (std::size_t t = 0; t < looks.targets(); ++t) {
-    theories.push_back(theory_of(looks, weights, echoes, options, t));
-    theories.back().range = range;
-  }
+  std::vector<TargetTheory> theories(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);
+  });
   return theories;
 }
 

@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "base/number_text.hpp"
 #include "process/canceller.hpp"
+#include "simulate/recorded_gain.hpp"
 #include "simulate/survey.hpp"
 
 namespace sarsim {
@@ -48,6 +49,7 @@ class Remarks {
     }
     if (options_.canceller > 0) blind_speeds();
     window();
+    cut_echoes();
     dwell();
     if (options_.detect) detector();
     return std::move(problems_);
@@ -133,6 +135,28 @@ class Remarks {
         "pulse, nearer",
         fmt::format("{:.6g} m", plan_.simulation.range_end_m), fmt::format("at most {:.6g} m, c PRI/2", most_m),
         "lower the PRF, or record less far");
+  }
+
+  // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
+  void cut_echoes() {
+    if (plan_.simulation.processing != Processing::raw) return;
+    const double half_c_mps = 0.5 * plan_.scene->conventions.light_speed_mps;
+    const double whole_m = half_c_mps * RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s();
+    const double last_m = half_c_mps * (plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s);
+    std::size_t count = 0;
+    double farthest_m = 0.0;
+    for (const TargetSurvey& target : survey_.targets) {
+      if (!target.in_window || target.nearest_m > last_m || target.farthest_m <= whole_m) continue;
+      ++count;
+      farthest_m = std::max(farthest_m, target.farthest_m);
+    }
+    if (count == 0) return;
+    warn(fmt::format(
+             "{} of {} targets lie within a pulse's length of the end of the raw recording, which holds only the "
+             "beginning of their echoes: they show weaker",
+             count, survey_.targets.size()),
+         fmt::format("{:.6g} m", farthest_m), fmt::format("at most {:.6g} m", whole_m),
+         "record farther, by half of c times the pulse width, or take the script");
   }
 
   void dwell() {

@@ -121,5 +121,16 @@ TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
   EXPECT_TRUE(mentions(remarks_on_search(plan_of(fine), train_of(64)), Severity::warning, "a target hides itself"));
 }
 
+TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
+  // A pulse of 1499 m in a window of 1700 m: echoes from 4901 m on are cut.
+  Scene scene = noisy_scene(0.0);
+  scene.simulations[0].range_end_m = 6400.0;
+  EXPECT_TRUE(mentions(remarks_on_search(make_plan(scene, 0), train_of(64)), Severity::warning,
+                       "1 of 1 targets lie within a pulse's length of the end"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), Severity::warning, "of the end"));
+  scene.simulations[0].range_end_m = 6600.0;
+  EXPECT_FALSE(mentions(remarks_on_search(make_plan(scene, 0), train_of(64)), Severity::warning, "of the end"));
+}
+
 }  // namespace
 }  // namespace sarsim

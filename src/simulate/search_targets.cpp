@@ -70,6 +70,7 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
     : rows_(rows),
       options_(options),
       geometry_(*rows.plan->scene, rows.plan->radar),
+      gain_(*rows.plan, rows.samples(), rows.plan->radar.window),
       weights_(pulse_weights(coherent_interval(options))),
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
   const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
@@ -114,7 +115,7 @@ void SearchTargets::add_look(const SearchInterval& interval, std::size_t look, s
     const ScattererView view = geometry_.view(t, pointing);
     TargetSight& sight = sights[t];
     sight.range_m += share * 0.5 * scene.conventions.light_speed_mps * view.delay_s;
-    sight.amplitude_v += share * view.amplitude_sqrt_w;
+    sight.amplitude_v += share * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
     sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / scene.conventions.light_speed_mps;
     if (look != looks / 2) continue;
     const Scatterer& scatterer = scene.scatterers[t];
@@ -140,7 +141,8 @@ void SearchTargets::place(const SearchInterval& interval, TargetSight& sight) co
   }
   sight.amplitude_v *= response(sight.doppler_hz, cell_hz);
   if (!(sight.amplitude_v > 0.0)) return;
-  const double noise_w = noise_w_[sight.row];
+  const double delay_s = 2.0 * rows_.range_m[sight.column] / rows_.plan->scene->conventions.light_speed_mps;
+  const double noise_w = noise_w_[sight.row] * gain_.noise(delay_s);
   sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "simulate/recorded_gain.hpp"
 #include "simulate/search_intervals.hpp"
 
 namespace sarsim {
@@ -18,9 +19,11 @@ struct TargetSight {
   double seen_doppler_hz = 0.0;  ///< Within half the PRF.
   std::size_t row = 0;           ///< Cell of the map.
   std::size_t column = 0;
-  bool in_window = false;    ///< Its cell is among those recorded.
-  double amplitude_v = 0.0;  ///< In the map, at the middle of a range cell; Doppler between the cells taken off.
-  double snr = 0.0;          ///< Power over that of the receiver's noise there; infinite without noise.
+  bool in_window = false;  ///< Its cell is among those recorded.
+  /// In the map, at the middle of a range cell; Doppler between the cells taken off. With the receiver's gain over time
+  /// (STC); of echoes that the end of a raw recording cuts, what there is of them.
+  double amplitude_v = 0.0;
+  double snr = 0.0;  ///< Power over that of the receiver's noise there; infinite without noise.
 };
 
 /// What became of a target.
@@ -59,6 +62,7 @@ class SearchTargets {
   const PulseRows& rows_;
   const SearchOptions& options_;
   PulseGeometry geometry_;
+  RecordedGain gain_;
   std::vector<double> weights_;
   std::vector<double> noise_w_;  // of each row of a map
   double prf_hz_;

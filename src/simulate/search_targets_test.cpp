@@ -125,6 +125,45 @@ TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
   EXPECT_FALSE(finding.best);
 }
 
+// Rows of what a run of the scene would record.
+PulseRows recorded_rows(const Scene& scene) {
+  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
+  const auto recording = std::make_shared<const Recording>(record(*plan));
+  return pulse_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
+    std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
+  });
+}
+
+TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
+  // A pulse of 1499 m, of which 749.5 m fit between target and the end of the window: by symmetry half of the weights.
+  Scene scene = pulse_scene(0.0, 64);
+  scene.radars[0].noise_temperature_k = 290.0;
+  SearchOptions options;
+  options.pulses = 64;
+  scene.simulations[0].range_end_m = 7000.0;
+  const TargetSight whole = findings_of(recorded_rows(scene), options).at(0).sight;
+  scene.simulations[0].range_end_m = 5749.5;
+  const TargetSight half = findings_of(recorded_rows(scene), options).at(0).sight;
+  EXPECT_NEAR(half.amplitude_v / whole.amplitude_v, 0.5, 0.02);
+  EXPECT_NEAR(half.snr / whole.snr, 0.5, 0.03);
+}
+
+TEST(SearchTargets, GrowWithTheReceiversGainOverTimeAsNoiseDoes) {
+  Scene scene = pulse_scene(0.0, 64);
+  scene.targets[0].rcs_m2 = 1e6;
+  scene.radars[0].noise_temperature_k = 290.0;
+  SearchOptions options;
+  options.pulses = 64;
+  const TargetFinding plain = findings_of(pulse_rows_of(scene), options).at(0);
+  scene.radars[0].stc = Radar::Stc::user;
+  scene.radars[0].stc_gain.part = {lines({{0.0, 7.0}, {20000.0, 7.0}})};
+  const TargetFinding loud = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_NEAR(loud.sight.amplitude_v / plain.sight.amplitude_v, 7.0, 1e-9);
+  EXPECT_NEAR(loud.sight.snr / plain.sight.snr, 1.0, 1e-9);
+  ASSERT_TRUE(plain.best && loud.best);
+  EXPECT_NEAR(loud.best->magnitude_v / plain.best->magnitude_v, 7.0, 1e-5);
+}
+
 TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
   // A long pulse of little bandwidth: 240 m/s shift its peak by 16 kHz/(1 MHz/100 us) = 1.6 us, 240 m.
   for (const double bandwidth_hz : {1e6, -1e6}) {

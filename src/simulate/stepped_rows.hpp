@@ -56,8 +56,8 @@ enum class SteppedUse {
 /// @param speed_mps  that is compensated; nothing: none
 [[nodiscard]] Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps);
 
-/// The simulation as it is wanted recorded: raw, and longer by a pulse at its end. For one sample of each pulse also
-/// the sampling frequency stays the script's.
+/// The simulation as it is wanted recorded: raw, longer by a pulse at its end and, for CENTRE, by half a pulse, in
+/// whole samples, at its start. The sampling frequency stays the script's.
 [[nodiscard]] Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan);
 
 /// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
@@ -71,12 +71,15 @@ enum class SteppedUse {
 [[nodiscard]] BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
                                       const WorkControl& control, const ProgressReport& progress = {});
 
+/// Of many targets so many are held against profiles and images.
+inline constexpr std::size_t most_held_targets = 1000;
+
 /// Where a target is in the middle of a burst, and how strong.
 struct BurstTruth {
   std::size_t target = 0;  ///< Position in the scene's list, from 0.
   double range_m = 0.0;    ///< c/2 times its delay.
   double speed_mps = 0.0;
-  double amplitude = 0.0;  ///< Mean over the pulses of the burst, volts.
+  double amplitude = 0.0;  ///< Mean over the pulses of the burst, volts, with the receiver's gain over time (STC).
 };
 
 /// The targets of the scene at a burst.
@@ -85,7 +88,11 @@ struct BurstTruth {
 /// Two-way power of the strongest target's echo in the middle of each burst.
 [[nodiscard]] std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& control);
 
-/// Mean radial speed of the targets, weighted by the power of their echoes, over some bursts.
+/// The fastest speed that a search for the sharpest profiles can look through, to either side of 0
+/// (process/velocity_search.hpp).
+[[nodiscard]] double fastest_searched_mps(const SteppedRows& rows);
+
+/// Mean radial speed of targets and surfaces, weighted by the power of their echoes, over some bursts.
 [[nodiscard]] double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count);
 
 /// The platform that carries the strongest targets (by cross-section), the radar's own left out; nothing where there

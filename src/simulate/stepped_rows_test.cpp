@@ -129,6 +129,52 @@ TEST(ProfileSeries, IsTheSameOfARecordingRawOrCompressed) {
   }
 }
 
+TEST(ProfileSeries, ShowsTargetsWithTheReceiversGainOverTime) {
+  for (const auto kind : {Radar::Pulse::mono, Radar::Pulse::chirp}) {
+    Scene scene = stepped_scene(0.02);
+    if (kind == Radar::Pulse::chirp) make_chirped(scene);
+    scene.radars[0].stc = Radar::Stc::range_law;
+    scene.targets.push_back(target_on("Earth", {3003.3, 0.0, 0.0}));
+    const SteppedRows rows = rows_of(scene);
+    SeriesOptions options;
+    options.window = rows.plan->radar.window;
+    const ProfileSeries series = make_profiles(rows, options, one);
+    const std::vector<HeldTarget> held = hold_against_scene(rows, series, options, 1);
+    ASSERT_EQ(held.size(), 1u);
+    ASSERT_TRUE(held[0].found);
+    EXPECT_NEAR(held[0].found->amplitude / held[0].truth.amplitude, 1.0, 0.05) << static_cast<int>(kind);
+    // R^2 at the middle of an echo of 30 m undoes the spreading of R^2.
+    if (kind == Radar::Pulse::chirp) continue;
+    const double wavelength_m = c / (9e9 + 15.5 * 5e6);
+    EXPECT_NEAR(held[0].truth.amplitude / equation_amplitude(1.0, 1.0, wavelength_m), 1.01, 0.01);
+  }
+}
+
+TEST(ProfileSeries, IsHeldAgainstTheFirstThousandTargets) {
+  Scene scene = stepped_scene(0.02);
+  for (int i = 0; i < 1100; ++i) scene.targets.push_back(target_on("Earth", {3000.0 + 0.01 * i, 0.0, 0.0}));
+  const SteppedRows rows = rows_of(scene);
+  const ProfileSeries series = make_profiles(rows, {}, one);
+  const std::vector<HeldTarget> held = hold_against_scene(rows, series, {}, 0);
+  ASSERT_EQ(held.size(), most_held_targets);
+  EXPECT_EQ(held.back().truth.target, most_held_targets - 1);
+}
+
+TEST(FastestSearchedSpeed, IsTenThousandStepsOfAQuarterOfACellInABurst) {
+  const SteppedRows rows = rows_of(stepped_scene());
+  EXPECT_NEAR(fastest_searched_mps(rows), 10000.0 * 0.25 * cell_of(rows) / (31.0 / 4000.0), 1e-6);
+}
+
+TEST(MeanSpeed, IsThatOfSurfacesToo) {
+  Scene scene = stepped_scene();
+  scene.platforms.push_back(moving("Ship", {3000.0, 0.0, 0.0}, {-7.0, 0.0, 0.0}));
+  // Towards the radar and away from it: one of them shows it its back.
+  scene.surfaces.push_back({"Ship", {Vec3{0.0, -2.0, 0.0}, Vec3{0.0, 2.0, 0.0}, Vec3{0.0, 0.0, 4.0}}});
+  scene.surfaces.push_back({"Ship", {Vec3{0.0, 2.0, 0.0}, Vec3{0.0, -2.0, 0.0}, Vec3{0.0, 0.0, 4.0}}});
+  const SteppedRows rows = rows_of(scene);
+  EXPECT_NEAR(mean_speed_mps(rows, 0, rows.bursts), -7.0, 1e-3);
+}
+
 TEST(ProfileSeries, ShiftsAndSmearsMovingTargetsAndCompensatesThem) {
   Scene scene = stepped_scene(0.1);
   scene.platforms.push_back(moving("Jet", {3010.0, 0.0, 0.0}, {4.0, 0.0, 0.0}));

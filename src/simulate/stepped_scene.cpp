@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulate/pulse_geometry.hpp"
+#include "simulate/recorded_gain.hpp"
+#include "simulate/sampled_views.hpp"
 #include "simulate/stepped_rows.hpp"
 
 namespace sarsim {
@@ -28,12 +31,15 @@ std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burs
   const double half_light_mps = 0.5 * plan.scene->conventions.light_speed_mps;
   std::vector<BurstTruth> truth(plan.scene->scatterers.size());
   PulseGeometry geometry(*plan.scene, plan.radar);
+  const bool compressed = plan.simulation.processing == Processing::matched_filter;
+  const RecordedGain gain(
+      plan, plan.columns, compressed ? plan.radar.window : [](double) { return 1.0; });
   for (std::size_t p = 0; p < pulses; ++p) {
     geometry.set_pulse(pulse_of(rows, burst, p));
     const Pointing pointing = geometry.pointing();
     for (std::size_t t = 0; t < truth.size(); ++t) {
       const ScattererView view = geometry.view(t, pointing);
-      truth[t].amplitude += view.amplitude_sqrt_w / static_cast<double>(pulses);
+      truth[t].amplitude += view.amplitude_sqrt_w * gain.gain(view.delay_s) / static_cast<double>(pulses);
       // The middle of the burst lies on the pulse there, or between two.
       const double share = p == (pulses - 1) / 2 || p == pulses / 2 ? (pulses % 2 == 1 ? 1.0 : 0.5) : 0.0;
       truth[t].range_m += share * half_light_mps * view.delay_s;
@@ -64,24 +70,27 @@ std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& 
   return power;
 }
 
+double fastest_searched_mps(const SteppedRows& rows) {
+  const std::size_t pulses = rows.band->waveform().burst_pulses();
+  const double span_s = rows.pulse_time_s(pulses - 1) - rows.pulse_time_s(0);
+  return span_s > 0.0 ? 0.5 * most_searched_speeds * first_speed_step_mps(*rows.band, span_s)
+                      : std::numeric_limits<double>::infinity();
+}
+
 double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count) {
   constexpr std::size_t most_looks = 17;
-  const Plan& plan = *rows.plan;
-  const std::size_t targets = plan.scene->scatterers.size();
   const std::size_t looks = std::min(count, most_looks);
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   double power = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < looks; ++i) {
     const std::size_t burst = first + (looks > 1 ? i * (count - 1) / (looks - 1) : 0);
     geometry.set_pulse(pulse_of(rows, burst, rows.band->waveform().burst_pulses() / 2));
-    const Pointing pointing = geometry.pointing();
-    for (std::size_t t = 0; t < targets; t += targets / most_targets + 1) {
-      const ScattererView view = geometry.view(t, pointing);
+    each_sampled_view(*rows.plan->scene, geometry, most_targets, [&](const ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum += weight * view.speed_mps;
-    }
+    });
   }
   return power > 0.0 ? sum / power : 0.0;
 }

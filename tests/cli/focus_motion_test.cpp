@@ -225,18 +225,44 @@ TEST_F(FocusMotion, SaysWhatDoesNotGoTogether) {
   refused({"--motion-compensation", "third"}, "none, first, second");
 }
 
-TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
+// Intervals of 2, 1.8 and 2.2 ms one after the other.
+std::string script_of_odd_times() {
   std::string text = text_of(strip);
   const std::string even = "CONSTANT                                 ! regular pulses\n500 ";
   const std::size_t at = text.find(even);
-  ASSERT_NE(at, std::string::npos);
-  text.replace(at, even.size() - 4, "OTHER\nLINEAR\nINLINE\n3\n0, 2e-3\n1, 1.8e-3\n2, 2.2e-3\n! ");
-  write_text(folder_ / "odd.scr", text);
+  EXPECT_NE(at, std::string::npos);
+  return text.replace(at, even.size() - 4, "OTHER\nLINEAR\nINLINE\n3\n0, 0.002\n1, 0.0018\n2, 0.0022\n! ");
+}
+
+TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
+  write_text(folder_ / "odd.scr", script_of_odd_times());
   const Finished focus = sarsim({"focus", "odd.scr", "--quiet"});
   EXPECT_EQ(focus.status, 2);
   EXPECT_THAT(focus.err, HasSubstr("the distance between pulses changes by up to"));
   EXPECT_THAT(focus.err, HasSubstr("use --algorithm back-projection"));
   EXPECT_EQ(sarsim({"focus", "odd.scr", "--quiet", "--algorithm", "back-projection"}).status, 0);
+}
+
+TEST_F(FocusMotion, OfPulsesAtOddTimesKeepsItsDopplerCentroid) {
+  // The last part of the flight alone: all targets are left behind.
+  const auto late = [](std::string text) {
+    const std::string start = "-2.7                                     ! (s) slow time, start";
+    const std::size_t at = text.find(start);
+    EXPECT_NE(at, std::string::npos);
+    return text.replace(at, 4, "1.2");
+  };
+  write_text(folder_ / "even.scr", late(text_of(strip)));
+  write_text(folder_ / "odd.scr", late(script_of_odd_times()));
+  const auto centroid_hz = [&](const char* script, const char* kind) {
+    const Finished focus = sarsim({"focus", script, "--quiet", "--json", "--force", "--algorithm", "back-projection",
+                                   "--doppler-centroid", kind});
+    EXPECT_EQ(focus.status, 0) << focus.err;
+    return number_of(focus.out, "doppler_centroid_hz");
+  };
+  const double even_hz = centroid_hz("even.scr", "geometry");
+  EXPECT_GT(even_hz, 30.0);
+  EXPECT_NEAR(centroid_hz("odd.scr", "geometry"), even_hz, 1.0);
+  EXPECT_NEAR(centroid_hz("odd.scr", "measured"), even_hz, 20.0);
 }
 
 }  // namespace
