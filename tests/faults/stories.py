@@ -107,7 +107,7 @@ def run_stories():
             scene(moving(200, lsb="0" if word == "ascii" else "1e-6")),
             force="",
             resumes=True,
-            working=(f"sim.{extension}.parts*",),
+            working=(f"sim.{extension}.parts*", f"sim.{extension}.journal"),
         )
 
 

@@ -263,19 +263,20 @@ class SceneMaker {
 
 Scene random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); }
 
-void visit_functions(const Scene& scene, const FunctionVisitor& visit) {
+namespace {
+
+// Calls look(block, function) for every user-defined function of a scene, which may be const.
+template <class AnyScene, class Look>
+void each_function(AnyScene& scene, const Look& look) {
   namespace blocks = function_blocks;
-  const auto look = [&](const FunctionBlock& block, const auto& function) {
-    visit(block, function.part, function.file);
-  };
-  for (const Platform& platform : scene.platforms) {
+  for (auto& platform : scene.platforms) {
     look(blocks::trajectory, platform.trajectory_m);
     look(blocks::rotation, platform.rotation_deg);
     look(blocks::position_envelope, platform.position_envelope);
     look(blocks::rotation_envelope, platform.rotation_envelope);
   }
-  for (const Target& target : scene.targets) look(blocks::target_gain, target.gain_db);
-  for (const Radar& radar : scene.radars) {
+  for (auto& target : scene.targets) look(blocks::target_gain, target.gain_db);
+  for (auto& radar : scene.radars) {
     look(blocks::pulse_iq, radar.pulse_iq);
     look(blocks::envelope_gain, radar.envelope_gain);
     look(blocks::pri, radar.pri_s);
@@ -286,6 +287,17 @@ void visit_functions(const Scene& scene, const FunctionVisitor& visit) {
     look(blocks::window_gain, radar.window_gain);
     look(blocks::stc_gain, radar.stc_gain);
   }
+}
+
+}  // namespace
+
+void visit_functions(const Scene& scene, const FunctionVisitor& visit) {
+  each_function(scene,
+                [&](const FunctionBlock& block, const auto& function) { visit(block, function.part, function.file); });
+}
+
+void keep_inline(Scene& scene) {
+  each_function(scene, [](const FunctionBlock&, auto& function) { function.file.clear(); });
 }
 
 DataFileLoader loader_of(const Scene& scene) {

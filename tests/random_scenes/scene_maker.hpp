@@ -21,6 +21,9 @@ using FunctionVisitor =
     std::function<void(const FunctionBlock& block, std::span<const SampledFunction> parts, const std::string& file)>;
 void visit_functions(const Scene& scene, const FunctionVisitor& visit);
 
+/// Puts the points of all functions into the script.
+void keep_inline(Scene& scene);
+
 /// Finds the data files that a scene names, as if they had been written beside its script.
 [[nodiscard]] DataFileLoader loader_of(const Scene& scene);
 

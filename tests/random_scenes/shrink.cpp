@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "random_scenes/scene_maker.hpp"
+
 namespace sarsim::test {
 
 namespace {
@@ -97,7 +99,7 @@ void plainer_radars(std::vector<Change>& changes, const Scene& scene) {
 }
 
 std::vector<Change> plainer(const Scene& scene) {
-  std::vector<Change> changes;
+  std::vector<Change> changes{keep_inline};
   leave_out(changes, &Scene::targets, scene);
   leave_out(changes, &Scene::surfaces, scene);
   leave_out(changes, &Scene::geometries, scene);
