@@ -120,6 +120,14 @@ TEST(SpectralKernel, FoldsBandLimitedPulsesOfMoreThanTheSampledBand) {
     }
 }
 
+// A third of a sample in which the pulse goes through five cycles.
+TEST(SpectralKernel, FollowsBandLimitedPulsesThatAreFarShorterThanASample) {
+  const SampleGrid grid = test_grid(50);
+  EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 0.34, 30.0);
+  pulse.band_limited.emplace(pulse.pulse, 15.0 / test_interval_s, 1.0 / test_interval_s, pulse.pulse.width_s);
+  expect_promise(pulse, grid, random_echoes(60, grid, 1.0, 20.0));
+}
+
 // Spectra are kept from call to call; they must follow the carrier as it steps, and the span of Doppler.
 TEST(SpectralKernel, FollowsSteppedCarriersAndChangingSpeeds) {
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 120.0, 0.9);
