@@ -181,7 +181,7 @@ def faults_of_pairs(stage, before, after):
 
 def names_a_file(err, stage, path):
     """Whether a message names a file that the story makes, its folder, or the path of the call that failed."""
-    names = {pathlib.Path(path).name, pathlib.Path(path).parent.name}
+    names = {pathlib.Path(path).name, pathlib.Path(path).parent.name, "temporary file in"}
     for made in (*stage.story.makes, *stage.story.working):
         names |= {pathlib.Path(made).name, *(part for part in pathlib.Path(made).parts)}
     return any(name and name.rstrip("*") in err for name in names)

@@ -118,7 +118,7 @@ def tool_stories():
         ("sim.bin",),
         scene(moving(200)),
         [("run", "scene.scr", "--part", f"{k}/2", "--part-file") for k in (1, 2)],
-        working=("sim.bin.parts*",),
+        working=("sim.bin.parts*", "sim.bin.journal"),
     )
     yield Story(
         "merge_encoded",
@@ -126,7 +126,7 @@ def tool_stories():
         ("sim.asc",),
         scene(moving(200, "ASCII", "sim.asc", "0")),
         [("run", "scene.scr", "--part", f"{k}/2", "--part-file") for k in (1, 2)],
-        working=("sim.asc.parts*",),
+        working=("sim.asc.parts*", "sim.asc.journal"),
     )
     for target in ("b.csv", "b.npy", "b.asc", "b.brk", "b.bin", "b.h5"):
         yield Story(
@@ -188,7 +188,7 @@ def image_stories():
     yield Story(
         "isar_several",
         ("isar", "s.scr", "--bursts", "8", "--magnitude"),
-        ("s-isar-1.img", "s-isar-1.hdr", "s-isar-2.img", "s-isar-2.hdr"),
+        [f"s-isar-{n}{part}.{end}" for n in (1, 2) for part in ("", "-magnitude") for end in ("img", "hdr")],
         scene(STEPPED, "s.scr"),
     )
 
