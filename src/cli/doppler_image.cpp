@@ -67,8 +67,13 @@ void MapImageWriter::finish() {
     envi_->finish();
     return;
   }
+  std::optional<OutputFile> text;
+  if (format_from_path(path_) == FileFormat::npy) {
+    text.emplace(std::filesystem::path(path_).replace_extension(".hdr"), replace_);
+    write_npy_header(*text);
+  }
   sink_->finish(report_);
-  if (format_from_path(path_) == FileFormat::npy) write_npy_header();
+  if (text) text->commit();
 }
 
 EnviHeader MapImageWriter::header() const {
@@ -82,15 +87,14 @@ EnviHeader MapImageWriter::header() const {
 }
 
 // NPY files are flat behind their header: one for ENVI beside them makes their axes known.
-void MapImageWriter::write_npy_header() const {
+void MapImageWriter::write_npy_header(OutputFile& file) const {
   EnviHeader text = header();
   text.pixel = EnviHeader::Pixel::complex_float;
   const std::array<std::size_t, 2> shape{image_.rows, image_.columns};
   text.header_offset = npy_header_text("<c8", shape).size();
-  OutputFile file(std::filesystem::path(path_).replace_extension(".hdr"), replace_);
   const std::string bytes = to_text(text);
   file.write(std::as_bytes(std::span(bytes)));
-  file.commit();
+  file.secure();
 }
 
 }  // namespace sarsim::cli

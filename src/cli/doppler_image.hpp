@@ -44,7 +44,7 @@ class MapImageWriter {
 
  private:
   [[nodiscard]] EnviHeader header() const;
-  void write_npy_header() const;
+  void write_npy_header(OutputFile& file) const;
 
   std::filesystem::path path_;
   MapImage image_;

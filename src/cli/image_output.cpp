@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "data/formats.hpp"
@@ -91,13 +92,12 @@ void write_samples(const FocusedRows& image, const ImageOrigin& origin, FileForm
 }
 
 // NPY files are flat behind their header: one for ENVI beside them makes their axes known.
-void write_npy_header(const FocusedImage& image, EnviHeader header, const fs::path& path, bool replace) {
+void write_npy_header(OutputFile& file, const FocusedImage& image, EnviHeader header) {
   const std::array<std::size_t, 2> shape{image.azimuth.count, image.range.count};
   header.header_offset = npy_header_text("<c8", shape).size();
-  OutputFile file(fs::path(path).replace_extension(".hdr"), replace);
   const std::string text = to_text(header);
   file.write(std::as_bytes(std::span(text)));
-  file.commit();
+  file.secure();
 }
 
 }  // namespace
@@ -122,8 +122,13 @@ void write_image(const FocusedRows& image, const ImageOrigin& origin, const fs::
     write_envi(image, std::move(header), path, replace, magnitude, stop);
     return;
   }
+  std::optional<OutputFile> text;
+  if (*format == FileFormat::npy) {
+    text.emplace(fs::path(path).replace_extension(".hdr"), replace);
+    write_npy_header(*text, image.image, std::move(header));
+  }
   write_samples(image, origin, *format, path, replace, stop);
-  if (*format == FileFormat::npy) write_npy_header(image.image, std::move(header), path, replace);
+  if (text) text->commit();
 }
 
 }  // namespace sarsim::cli

@@ -29,6 +29,8 @@ struct InfoArguments {
 
 // Whether the beginning of a file holds a command of the script language at the start of a line.
 bool begins_like_script(const std::string& path) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure)) return false;
   std::ifstream file(path, std::ios::binary);
   std::string text(1U << 16U, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

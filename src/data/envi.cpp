@@ -223,6 +223,8 @@ void EnviWriter::finish() {
   if (rows_ != header_.lines) throw std::logic_error("rows of this image are missing");
   const std::string text = to_text(header_);
   text_.write(std::as_bytes(std::span(text)));
+  data_.secure();
+  text_.secure();
   data_.commit();
   text_.commit();
 }

@@ -162,17 +162,31 @@ void OutputFile::resize(std::uint64_t size) {
   }
 }
 
-void OutputFile::commit() {
+void OutputFile::secure() {
   if (descriptor_ < 0) throw std::logic_error("OutputFile: completed twice: " + path_.string());
   if (failed_) throw std::logic_error("OutputFile: completed after a failed write: " + path_.string());
-  // EINVAL and ENOTSUP: this kind of file has nothing to synchronise.
-  if (!direct_ && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno, "complete");
+  if (!direct_) synchronise();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0 && errno != EINTR) {
     const int error = errno;
     discard();
     fail(error, "complete");
   }
+  secured_ = true;
+}
+
+void OutputFile::synchronise() {
+  while (::fsync(descriptor_) != 0) {
+    if (errno == EINTR) continue;
+    if (errno == EINVAL || errno == ENOTSUP) return;  // This kind of file has nothing to synchronise.
+    fail(errno, "complete");
+  }
+}
+
+void OutputFile::commit() {
+  if (committed_) throw std::logic_error("OutputFile: completed twice: " + path_.string());
+  if (!secured_) secure();
+  committed_ = true;
   if (!direct_) publish();
 }
 

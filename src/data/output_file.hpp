@@ -34,7 +34,10 @@ class OutputFile {
   void read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
   /// Makes the file so long, with zeros; no effect on devices and pipes.
   void resize(std::uint64_t size);
-  /// Brings the content to the disk and gives the file its name. Nothing may be written afterwards.
+  /// Brings the content to the disk. Nothing may be written afterwards, and of `commit` only the change of names is
+  /// left: files that mean nothing without each other are all secured before the first gets its name.
+  void secure();
+  /// Gives the file its name, once it is secured.
   void commit();
 
   /// The name that the caller gave.
@@ -48,6 +51,7 @@ class OutputFile {
   [[noreturn]] void fail(int error, const char* action) const;
   void open_directly();
   void create_temporary(unsigned mode);
+  void synchronise();
   void publish();
   void discard() noexcept;
 
@@ -59,6 +63,8 @@ class OutputFile {
   bool direct_ = false;
   bool seekable_ = true;
   bool failed_ = false;
+  bool secured_ = false;
+  bool committed_ = false;
 };
 
 /// Follows links to the file they mean, which need not exist. A path that leads nowhere else is returned as it is.

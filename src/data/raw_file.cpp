@@ -38,7 +38,8 @@ int flock_patiently(int descriptor, int operation) {
 }  // namespace
 
 RawFile::RawFile(fs::path path, Mode mode) : path_(std::move(path)) {
-  descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
+  do descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
+  while (descriptor_ < 0 && errno == EINTR);
   if (descriptor_ < 0) fail(mode == Mode::read ? "read" : "open");
 }
 
@@ -90,10 +91,13 @@ bool RawFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
 
 void RawFile::allocate(std::uint64_t bytes) {
   if (bytes == 0) return;
-  if (::fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) == 0) return;
-  // A full disk is better known now; a file system that cannot promise room only learns the size.
-  if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT) fail("make room for");
-  if (size() < bytes) resize(bytes);
+  while (::fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) != 0) {
+    if (errno == EINTR) continue;
+    // A full disk is better known now; a file system that cannot promise room only learns the size.
+    if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT) fail("make room for");
+    if (size() < bytes) resize(bytes);
+    return;
+  }
 }
 
 void RawFile::resize(std::uint64_t bytes) {
@@ -102,8 +106,11 @@ void RawFile::resize(std::uint64_t bytes) {
 }
 
 void RawFile::sync() {
-  // EINVAL and ENOTSUP: this kind of file has nothing to synchronise.
-  if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("bring to the disk");
+  while (::fdatasync(descriptor_) != 0) {
+    if (errno == EINTR) continue;
+    if (errno == EINVAL || errno == ENOTSUP) return;  // This kind of file has nothing to synchronise.
+    fail("bring to the disk");
+  }
 }
 
 bool RawFile::try_lock() { return flock_patiently(descriptor_, LOCK_EX | LOCK_NB) != EWOULDBLOCK; }

@@ -50,8 +50,9 @@ PulseBody::PulseBody(const EchoPulse& pulse, double interval_s, std::size_t edge
       width_(static_cast<double>(edge_samples)),
       step_table_(kaiser_step(beta)) {
   const double margin = std::sqrt(1.0 + (beta / pi) * (beta / pi)) / width_;
+  // The sampled band as a rule; more where a pulse keeps its own band and is sampled more slowly than that.
   if (pulse.band_limited)
-    half_band_ = beta > beta_of_skirts ? 0.75 : 0.5;
+    half_band_ = std::max(0.5, pulse.band_limited->half_band_hz() * interval_s) * (beta > beta_of_skirts ? 1.5 : 1.0);
   else
     half_band_ =
         0.5 * bandwidth_hz(pulse.pulse) * interval_s * (pulse.pulse.kind == Pulse::Kind::user ? 2.0 : 1.0) + margin;

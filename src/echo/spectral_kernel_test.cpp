@@ -107,6 +107,27 @@ TEST(SpectralKernel, AddsShortPulsesLikeTheReference) {
       expect_promise(test_pulse(kind, samples, 0.8), grid, random_echoes(20, grid, samples, 100.0));
 }
 
+// A pulse may keep a band of its own that the samples do not hold: it folds as the reference folds it.
+TEST(SpectralKernel, FoldsBandLimitedPulsesOfMoreThanTheSampledBand) {
+  const SampleGrid grid = test_grid(150);
+  for (const double half_band : {0.575, 0.74, 1.3})
+    for (const double kept : {0.0, 1.5}) {
+      EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 60.0, 2.0 * half_band);
+      pulse.band_limited.emplace(pulse.pulse, half_band / test_interval_s, 1.0 / test_interval_s,
+                                 kept * pulse.pulse.width_s);
+      SCOPED_TRACE(half_band);
+      expect_promise(pulse, grid, random_echoes(20, grid, 60.0, 20.0));
+    }
+}
+
+// A third of a sample in which the pulse goes through five cycles.
+TEST(SpectralKernel, FollowsBandLimitedPulsesThatAreFarShorterThanASample) {
+  const SampleGrid grid = test_grid(50);
+  EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 0.34, 30.0);
+  pulse.band_limited.emplace(pulse.pulse, 15.0 / test_interval_s, 1.0 / test_interval_s, pulse.pulse.width_s);
+  expect_promise(pulse, grid, random_echoes(60, grid, 1.0, 20.0));
+}
+
 // Spectra are kept from call to call; they must follow the carrier as it steps, and the span of Doppler.
 TEST(SpectralKernel, FollowsSteppedCarriersAndChangingSpeeds) {
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 120.0, 0.9);

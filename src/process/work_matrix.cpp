@@ -39,10 +39,11 @@ struct WorkMatrix::File {
                             std::string("cannot ") + what + " '" + folder.string() + "'");
   }
   void reserve(std::size_t bytes) const {
-    if (const int error = ::posix_fallocate(descriptor, 0, static_cast<off_t>(bytes)); error != 0) {
-      errno = error;
-      fail("make room for a temporary file in");
-    }
+    int error = EINTR;
+    while (error == EINTR) error = ::posix_fallocate(descriptor, 0, static_cast<off_t>(bytes));
+    if (error == 0) return;
+    errno = error;
+    fail("make room for a temporary file in");
   }
   void read(std::size_t offset, std::span<std::byte> bytes) const {
     while (!bytes.empty()) {
@@ -57,7 +58,8 @@ struct WorkMatrix::File {
     while (!bytes.empty()) {
       const ssize_t done = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
       if (done < 0 && errno == EINTR) continue;
-      if (done < 0) fail("write a temporary file in");
+      if (done == 0) errno = EIO;
+      if (done <= 0) fail("write a temporary file in");
       offset += static_cast<std::size_t>(done);
       bytes = bytes.subspan(static_cast<std::size_t>(done));
     }

@@ -13,6 +13,13 @@ std::int64_t to_count(double value) {
   return static_cast<std::int64_t>(value);
 }
 
+// -C, or the number next to it towards 0 that a double holds: rounded the other way it would be a count too many.
+double lowest_count(int bits) {
+  constexpr int exact_bits = 54;
+  const double full_scale = full_scale_count(bits);
+  return -(bits > exact_bits ? std::nextafter(full_scale, 0.0) : full_scale);
+}
+
 // Nearest whole number, halves upwards. Not floor(x + 1/2): that sum is itself rounded, which costs a count just below
 // 1/2 and at the odd counts from 2^52 on.
 double rounded_half_up(double value) {
@@ -32,7 +39,7 @@ void ConversionTally::add(const ConversionTally& other) {
 
 void Converter::convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
                         ConversionTally& tally) const {
-  const double lowest = -full_scale_count(bits);
+  const double lowest = lowest_count(bits);
   const double highest = full_scale_count(bits) + 1.0;
   double largest_power = 0.0;
   for (std::size_t i = 0; i < volts.size(); ++i) {

@@ -59,7 +59,18 @@ TEST(Converter, IsExactToFiftyThreeBitsAndSoundBeyond) {
   EXPECT_EQ(count_of(60, 0x1p52 + 1.0), 4503599627370497);  // odd, and no double has a half beside it
   EXPECT_EQ(count_of(60, -0x1p52 - 3.0), -4503599627370499);
   EXPECT_EQ(count_of(64, 1e30), std::numeric_limits<std::int64_t>::max());
-  EXPECT_LE(count_of(64, -1e30), -std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(count_of(64, -1e30), -9223372036854774784);  // -(2^63 - 2^10), the next double
+}
+
+// Beyond 54 bits C itself is no double; what it is rounded to may not have a bit too many.
+TEST(Converter, ClipsToWhatFitsForEveryNumberOfBits) {
+  for (int bits = 2; bits < 64; ++bits) {
+    const std::int64_t beyond = std::int64_t{1} << (bits - 1);
+    EXPECT_EQ(count_of(bits, 1e30), beyond) << bits;
+    EXPECT_GT(count_of(bits, -1e30), -beyond) << bits;
+    EXPECT_LT(count_of(bits, -1e30), -beyond + (bits > 54 ? beyond >> 52 : 2)) << bits;
+  }
+  EXPECT_GT(count_of(64, -1e30), std::numeric_limits<std::int64_t>::min());
 }
 
 TEST(Converter, PutsIBeforeQAndDividesByTheLeastSignificantBit) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/check_objects.hpp"
+#include "scene/limits.hpp"
 
 namespace sarsim {
 
@@ -48,6 +49,25 @@ void check_targets(Findings& findings, NameCheck& platforms, const std::vector<T
   }
 }
 
+// Surfaces are small one by one and may be many: all are filled with points.
+void check_surfaces_together(Findings& findings, const std::vector<Surface>& surfaces) {
+  double area_m2 = 0.0;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const auto& [a, b, c] = surfaces[i].corner_m;
+    const double more_m2 = 0.5 * norm(cross(b - a, c - a));
+    if (!(more_m2 <= largest_surface_m2)) continue;  // Reported by itself.
+    area_m2 += more_m2;
+    if (area_m2 <= largest_surface_m2) continue;
+    findings.about("surface", i);
+    findings.error("corner_m", {.message = "the surfaces together are too large to be filled with points, one per "
+                                           "square metre",
+                                .found = value_text(area_m2, "m2") + " up to this one",
+                                .expected = value_text(largest_surface_m2, "m2") + " or less of all surfaces",
+                                .hint = "Corners are given in metres."});
+    return;
+  }
+}
+
 }  // namespace
 
 void check_options(Findings& findings, const RunOptions& options) {
@@ -61,6 +81,7 @@ Problems check(const Scene& scene, const WorkControl& control) {
   platforms.check_definitions(findings);
   check_each(findings, "platform", scene.platforms, [&](const Platform& p) { check_platform(findings, p); });
   check_each(findings, "surface", scene.surfaces, [&](const Surface& s) { check_surface(findings, platforms, s); });
+  check_surfaces_together(findings, scene.surfaces);
   check_targets(findings, platforms, scene.targets, control);
   radars.check_definitions(findings);
   check_each(findings, "radar", scene.radars, [&](const Radar& r) { check_radar(findings, platforms, r); });

@@ -101,7 +101,11 @@ bool check_row_length(Findings& findings, const Simulation& simulation, const Ra
     return false;
   }
   const bool kept = simulation.processing == Processing::matched_filter || pulse == PulseDefinition::band_limited;
-  const double pulse_samples = radar.pulse_width_s * simulation.sample_rate_hz * simulation.width_factor;
+  // A pulse that keeps its own band is filtered by 28 of its half bands before and after (decision 7).
+  const auto band_hz = nominal_bandwidth_hz(radar);
+  const bool own_band = pulse == PulseDefinition::band_limited && simulation.oversampling > 1.0 && band_hz;
+  const double skirts_s = own_band ? 112.0 / std::max(*band_hz, 1.0 / radar.pulse_width_s) : 0.0;
+  const double pulse_samples = (radar.pulse_width_s * simulation.width_factor + skirts_s) * simulation.sample_rate_hz;
   if (!kept || !(pulse_samples > longest_row)) return true;
   report_long_row(
       findings, "sample_rate_hz", "a pulse", pulse_samples,

@@ -98,6 +98,17 @@ TEST(CheckRecording, RefusesAPulseThatNoMemoryHoldsWhereItIsKept) {
   EXPECT_THAT(check(scene)[0].message, HasSubstr("a pulse of 1.1e+07 samples is too long"));
 }
 
+// The filter that keeps the band of a long pulse is a hundred times as long as the pulse.
+TEST(CheckRecording, RefusesABandLimitedPulseWhoseFilterNoMemoryHolds) {
+  Scene scene = with_simulation([](Simulation& s) { s.time_end_s = s.time_start_s; });
+  scene.options.pulse = PulseDefinition::band_limited;
+  scene.radars[0].pulse = Radar::Pulse::mono;
+  scene.radars[0].pulse_width_s = 2e5 / scene.simulations[0].sample_rate_hz;
+  EXPECT_FALSE(has_errors(check(scene)));
+  scene.simulations[0].oversampling = 2.0;
+  EXPECT_THAT(check(scene)[0].message, HasSubstr("is too long"));
+}
+
 TEST(CheckRecording, RefusesARangeWindowWithoutSample) {
   // floor(2 fs length/c + 1/2) is 0 below c/(4 fs) = 0.49965 m and 1 from there on.
   const auto length = [](double m) {

@@ -214,6 +214,16 @@ TEST(Check, RefusesASurfaceOfTooManyPoints) {
               testing::HasSubstr("too large"));
 }
 
+TEST(Check, RefusesSurfacesThatAreTooLargeTogether) {
+  Scene scene = sound_scene();
+  scene.surfaces.clear();
+  const std::size_t before = scene.surfaces.size();
+  for (int i = 0; i < 3; ++i) scene.surfaces.push_back({"Earth", {Vec3{}, Vec3{4e3, 0.0, 0.0}, Vec3{0.0, 4e3, 0.0}}});
+  EXPECT_THAT(expect_error(scene, {"surface", before + 2, "corner_m"}).message, testing::HasSubstr("together"));
+  scene.surfaces.pop_back();
+  EXPECT_FALSE(has_errors(check(scene)));
+}
+
 TEST(Check, SaysOfAnObjectWithAnErrorOnlyTheError) {
   Scene scene = sound_scene();
   scene.targets[0].rcs_m2 = -1.0;  // A warning.

@@ -139,7 +139,8 @@ DataFileText load(const fs::path& script_folder, const std::string& name) {
   for (const fs::path& place : places_to_look(script_folder, name)) {
     std::error_code ignored;
     if (fs::exists(place, ignored)) {
-      FileBytes bytes = read_bytes(place);
+      // Nobody stands at the other end of a pipe that a script names, and one would wait for ever.
+      FileBytes bytes = fs::is_fifo(place, ignored) ? FileBytes{{}, "is not a file"} : read_bytes(place);
       if (bytes.failure.empty()) return {place.string(), std::move(bytes.text), {}};
       return {place.string(), {}, fmt::format("data file {}: {}", place.string(), bytes.failure)};
     }

@@ -33,7 +33,9 @@ EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, c
   pulse.lead_s = simulation.pulse_position == Simulation::PulsePosition::centre ? 0.5 * radar.pulse.width_s : 0.0;
   if (scene.options.pulse == PulseDefinition::band_limited) {
     const bool nominal = simulation.oversampling > 1.0;
-    const double half_band_hz = 0.5 * (nominal ? bandwidth_hz(radar.pulse) : simulation.sample_rate_hz);
+    // A chirp of less than a cycle is no narrower than a pulse without one.
+    const double own_band_hz = std::max(bandwidth_hz(radar.pulse), 1.0 / radar.pulse.width_s);
+    const double half_band_hz = 0.5 * (nominal ? own_band_hz : simulation.sample_rate_hz);
     const double kept_s = nominal ? simulation.width_factor * radar.pulse.width_s : 0.0;
     pulse.band_limited.emplace(radar.pulse, half_band_hz, 1.0 / interval_s, kept_s);
   }

@@ -47,6 +47,21 @@ TEST(Plan, PhysicalSamplesAreTheSamplingIntervalApart) {
   EXPECT_EQ(make_plan(scene, 0).raw_grid.count, 45u + 19u);  // 20 taps
 }
 
+// Less than a cycle of sweep leaves the band of a pulse of that length.
+TEST(Plan, ChirpsOfNoBandwidthKeepTheBandOfAnUnmodulatedPulse) {
+  Scene scene = one_target_scene();
+  scene.options.pulse = PulseDefinition::band_limited;
+  scene.simulations[0].oversampling = 2.0;
+  const auto half_band_hz = [&] { return make_plan(scene, 0).pulse.band_limited.value().half_band_hz(); };
+  const double plain_hz = half_band_hz();
+  EXPECT_EQ(plain_hz, 0.5 / scene.radars[0].pulse_width_s);
+  scene.radars[0].pulse = Radar::Pulse::chirp;
+  for (const double bandwidth_hz : {0.0, 1e-3, -1e3}) {
+    scene.radars[0].bandwidth_hz = bandwidth_hz;
+    EXPECT_EQ(half_band_hz(), plain_hz) << bandwidth_hz;
+  }
+}
+
 TEST(Plan, ClassicRawSamplesDivideTheWindow) {
   Scene scene = one_target_scene();
   scene.options.profile = Profile::classic;

@@ -63,8 +63,8 @@ struct BandLimitedPulse::Taps {
   std::array<double, taps> weight;
 };
 
-BandLimitedPulse::BandLimitedPulse(const Pulse& pulse, double half_band_hz, double sample_rate_hz,
-                                   double kept_width_s) {
+BandLimitedPulse::BandLimitedPulse(const Pulse& pulse, double half_band_hz, double sample_rate_hz, double kept_width_s)
+    : half_band_hz_(half_band_hz) {
   samples_per_interval_ = static_cast<std::ptrdiff_t>(std::ceil(8.0 * half_band_hz / sample_rate_hz - 1e-9));
   samples_per_interval_ = std::max<std::ptrdiff_t>(samples_per_interval_, 1);
   table_rate_hz_ = sample_rate_hz * static_cast<double>(samples_per_interval_);

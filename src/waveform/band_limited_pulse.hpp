@@ -31,6 +31,9 @@ class BandLimitedPulse {
   /// ... and from this time on.
   [[nodiscard]] double last_s() const { return last_s_; }
 
+  /// F, half of the band [Hz].
+  [[nodiscard]] double half_band_hz() const { return half_band_hz_; }
+
   /// Value at `t_s` after the leading edge of the hard-edged pulse. A time closer than 1e-9 of a sampling interval to
   /// `first_s` or `last_s` counts as on it (decision 8).
   [[nodiscard]] std::complex<double> value(double t_s) const;
@@ -44,6 +47,7 @@ class BandLimitedPulse {
   [[nodiscard]] Taps taps_at(double fraction) const;
   void fill_table(const Pulse& pulse, double half_band_hz);
 
+  double half_band_hz_ = 0.0;
   double first_s_ = 0.0;
   double last_s_ = 0.0;
   double table_start_s_ = 0.0;

@@ -87,7 +87,13 @@ std::vector<double> Pulse::breaks_s() const {
   if (kind == Kind::user)
     for (const Interpolator* part : {&in_phase, &quadrature})
       for (const Knot& knot : part->knots()) add(knot.x * width_s);
-  if (envelope == Envelope::linear) add(rise_s), add(width_s - fall_s);
+  if (envelope == Envelope::linear) {
+    // A rise that meets the fall goes no further.
+    const bool meet = rise_s + fall_s > width_s;
+    const double meeting_s = meet ? width_s * (rise_s / (rise_s + fall_s)) : 0.0;
+    add(meet ? meeting_s : rise_s);
+    add(meet ? meeting_s : width_s - fall_s);
+  }
   if (envelope == Envelope::user)
     for (const Knot& knot : envelope_gain.knots()) add(knot.x * width_s);
   std::ranges::sort(breaks);

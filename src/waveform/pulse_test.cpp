@@ -144,6 +144,9 @@ TEST(Pulse, BreaksAreTheBordersAndKnotsInside) {
   pulse.rise_s = 0.25;
   pulse.fall_s = 0.5;  // its corner coincides with the third border
   EXPECT_EQ(pulse.breaks_s(), (std::vector<double>{0.25, 0.5, 1.0, 1.5}));
+  pulse.rise_s = 1.5;  // meets the fall before either is over
+  pulse.fall_s = 1.0;
+  EXPECT_EQ(pulse.breaks_s(), (std::vector<double>{0.5, 1.0, 1.2, 1.5}));
   pulse.kind = Pulse::Kind::user;
   pulse.in_phase = function({{0.0, 0.0}, {0.375, 1.0}, {1.0, 0.0}});
   pulse.quadrature = function({{0.0, 0.0}, {0.75, 1.0}, {1.5, 0.0}});

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Lets system calls of every command that writes fail, one after the other.
+
+    fault_test.py [--all] [--tries N] [--seed S] [STORY...]
+
+Whatever fails, a command either ends well and has made what it should, or ends with a status and a message that names
+the file; what was there under a name stays as it was, and nothing unfinished is left. With --all every call is made to
+fail in every way; otherwise N tries of each story, chosen by the seed.
+"""
+
+import argparse
+import collections
+import pathlib
+import random
+import shutil
+import sys
+
+from faults import FAULTS, count_calls, program, stages, try_fault
+from stories import all_stories
+
+
+def tries_of(stage, arguments, chance):
+    """(fault, number of the call, whether over an earlier result)."""
+    chosen = []
+    for earlier in (False, True) if stage.story.force else (False,):
+        for fault in FAULTS:
+            calls = len(count_calls(stage, fault, earlier)) if arguments.all else None
+            if arguments.all:
+                chosen += [(fault, at, earlier) for at in range(1, calls + 1)]
+    if arguments.all:
+        return chosen
+    return [draw(stage, chance) for _ in range(2 if stage.story.slow else arguments.tries)]
+
+
+_counts = {}
+
+
+def draw(stage, chance):
+    fault = chance.choice(FAULTS)
+    earlier = bool(stage.story.force) and chance.random() < 0.7
+    key = (stage.story.name, fault.name, earlier)
+    if key not in _counts:
+        _counts[key] = count_calls(stage, fault, earlier)
+    calls = _counts[key]
+    # Of many writes alike, the first, the last and any between; others are rare and more telling.
+    kinds = sorted({call for call, _ in calls})
+    if not kinds:
+        return fault, 1, earlier
+    kind = chance.choice(kinds)
+    return fault, chance.choice([i for i, (call, _) in enumerate(calls, 1) if call == kind]), earlier
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("stories", nargs="*")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--tries", type=int, default=8)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    known = all_stories()
+    pictures = (pathlib.Path(program()).parent / "sarsim-gui").exists()
+    names = arguments.stories or [name for name, story in known.items() if pictures or not story.gui]
+    chance = random.Random(arguments.seed)
+    told, tried = [], collections.Counter()
+    with stages(known[name] for name in names) as chosen:
+        for stage in chosen:
+            for fault, at, earlier in tries_of(stage, arguments, chance):
+                found = try_fault(stage, fault, at, earlier)
+                if found is None:
+                    continue
+                tried[stage.story.name] += 1
+                told += found
+                for text in found:
+                    print(text, flush=True)
+            shutil.rmtree(stage.root)
+    print(f"{sum(tried.values())} faults in {len(tried)} stories, {len(told)} failures")
+    sys.exit(1 if told else 0)
+
+
+if __name__ == "__main__":
+    main()

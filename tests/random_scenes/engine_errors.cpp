@@ -1,0 +1,156 @@
+#include "random_scenes/engine_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "base/constants.hpp"
+
+namespace sarsim::test {
+
+namespace {
+
+using Row = std::vector<std::complex<double>>;
+
+double norm_of(const Row& row) {
+  double sum = 0.0;
+  for (const std::complex<double>& sample : row) sum += std::norm(sample);
+  return std::sqrt(sum);
+}
+
+// ||p||^2 in samples, of the pulse before it is confined to a band. One that is shorter than a sample counts as one.
+double pulse_energy(const Plan& plan) {
+  constexpr std::size_t points = 2000;
+  const Pulse& pulse = plan.pulse.pulse;
+  double sum = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(points);
+    const double power = std::norm(pulse.value(share * pulse.width_s));
+    sum += power;
+    largest = std::max(largest, power);
+  }
+  return std::max(sum / static_cast<double>(points) * pulse.width_s / plan.raw_grid.interval_s, largest);
+}
+
+// Largest magnitude of a filter's response.
+double filter_gain(const RangeCompressor& compressor) {
+  const auto& taps = compressor.filter().taps;
+  const Fft fft(good_fft_size(8 * taps.size()));
+  Row response(fft.size());
+  std::ranges::copy(taps, response.begin());
+  fft.forward(response);
+  double largest = 0.0;
+  for (const std::complex<double>& value : response) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// Largest singular value of a range profile's sum over the steps: a discrete transform behind weights.
+double profile_gain(const RangeProfiler& profiler) {
+  Row sums(profiler.gates() * profiler.steps());
+  Row bins(sums.size());
+  double largest = 0.0;
+  for (std::size_t n = 0; n < profiler.steps(); ++n) {
+    std::ranges::fill(sums, std::complex<double>());
+    sums[n * profiler.gates()] = 1.0;
+    profiler.profile(sums, bins);
+    largest = std::max(largest, norm_of(bins));
+  }
+  return largest;
+}
+
+// What is allowed for the rows of a plan.
+class Allowance {
+ public:
+  Allowance(const Plan& plan, double tolerance)
+      : plan_(plan), tolerance_(tolerance), geometry_(*plan.scene, plan.radar), energy_(pulse_energy(plan)) {
+    longer_.first_s -= margin * longer_.interval_s;
+    longer_.count += 2 * margin;
+    if (plan.compressor) gain_ *= filter_gain(*plan.compressor);
+    if (plan.profiler) gain_ *= profile_gain(*plan.profiler);
+    double largest = plan.stc_gain.empty() ? 1.0 : 0.0;
+    for (const double gain : plan.stc_gain) largest = std::max(largest, std::abs(gain));
+    gain_ *= largest;
+  }
+
+  // Largest gain of what follows the echoes.
+  [[nodiscard]] double gain() const { return gain_; }
+
+  double of_row(std::size_t row) {
+    const std::int64_t first = plan_.first_pulse_of_row(row);
+    if (!plan_.profiler) return gain_ * of_pulse(first);
+    const std::int64_t per_step = plan_.radar.carrier.pulses_per_step();
+    double squares = 0.0;
+    for (std::int64_t step = 0; step < plan_.radar.carrier.steps(); ++step) {
+      double sum = 0.0;
+      for (std::int64_t p = 0; p < per_step; ++p) sum += of_pulse(first + step * per_step + p);
+      squares += std::pow(sum / static_cast<double>(per_step), 2);
+    }
+    return gain_ * std::sqrt(squares);
+  }
+
+ private:
+  // The promise for one pulse, and the rounding of its phases: f tau turns in double precision. An echo that begins or
+  // ends just outside the row counts as well: an engine's error need not end where the echo does.
+  double of_pulse(std::int64_t pulse) {
+    geometry_.set_pulse(pulse);
+    geometry_.echoes(echoes_);
+    double squares = 0.0;
+    double longest_s = 0.0;
+    for (std::size_t k = 0; k < echoes_.size(); ++k) {
+      const SampleSpan on = touched_samples(plan_.pulse, longer_, echoes_.delay_s[k]);
+      if (on.begin >= on.end) continue;
+      squares += echoes_.amplitude_sqrt_w[k] * echoes_.amplitude_sqrt_w[k];
+      longest_s = std::max(longest_s, std::abs(echoes_.delay_s[k]));
+    }
+    const double rounding = 1e-14 * geometry_.carrier_hz() * longest_s;
+    return (tolerance_ + rounding) * std::sqrt(squares * energy_);
+  }
+
+  static constexpr std::size_t margin = 2;  // Samples.
+
+  const Plan& plan_;
+  SampleGrid longer_ = plan_.raw_grid;
+  double tolerance_;
+  PulseGeometry geometry_;
+  EchoBatch echoes_;
+  double energy_;
+  double gain_ = 1.0;
+};
+
+bool all_finite(const Row& row) {
+  return std::ranges::all_of(row, [](const std::complex<double>& sample) {
+    return std::isfinite(sample.real()) && std::isfinite(sample.imag());
+  });
+}
+
+}  // namespace
+
+EngineErrors compare_rows(const Plan& fast, const Plan& reference, double tolerance) {
+  constexpr double vanishing_v = 1e-37;  // Echoes of this size are no numbers of single precision.
+  constexpr double rounding = 1e-13;     // Of whatever else stands in the row, such as noise.
+  RowMaker fast_rows(fast);
+  RowMaker plain_rows(reference);
+  Allowance allowance(reference, tolerance);
+  Row got(fast.columns);
+  Row expected(reference.columns);
+  EngineErrors errors;
+  for (std::size_t row = 0; row < reference.rows; ++row) {
+    fast_rows.make_row(row, got);
+    plain_rows.make_row(row, expected);
+    errors.finite = errors.finite && all_finite(got) && all_finite(expected);
+    const double vanishing = vanishing_v * allowance.gain() * std::sqrt(static_cast<double>(got.size()));
+    const double allowed = allowance.of_row(row) + rounding * norm_of(expected) + vanishing;
+    for (std::size_t i = 0; i < got.size(); ++i) got[i] -= expected[i];
+    const double error = norm_of(got);
+    if (error == 0.0) continue;
+    const double share = error / allowed;  // Infinite where nothing should have been there.
+    if (share <= errors.worst_share) continue;
+    errors.worst_share = share;
+    errors.worst_row = row;
+  }
+  return errors;
+}
+
+}  // namespace sarsim::test

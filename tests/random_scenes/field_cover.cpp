@@ -1,0 +1,146 @@
+#include "random_scenes/field_cover.hpp"
+
+#include <array>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include "random_scenes/scene_maker.hpp"
+#include "script/reader.hpp"
+#include "script/scene_grammar.hpp"
+#include "script/writer.hpp"
+
+namespace sarsim::test {
+
+namespace {
+
+// The most values of a field that are worth remembering.
+constexpr std::size_t enough = 50;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string word_at(const std::vector<std::string>& lines, const Place& place) {
+  if (place.line == 0 || place.line > lines.size() || place.column == 0) return {};
+  const std::string& line = lines[place.line - 1];
+  const std::size_t begin = std::min(place.column - 1, line.size());
+  if (begin < line.size() && line[begin] == '"') return line.substr(begin, line.find('"', begin + 1) - begin);
+  return line.substr(begin, line.find_first_of(" ,\t!", begin) - begin);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t objects_of(const Scene& scene, const std::string& kind) {
+  if (kind == "platform") return scene.platforms.size();
+  if (kind == "surface") return scene.surfaces.size();
+  if (kind == "target") return scene.targets.size();
+  if (kind == "radar") return scene.radars.size();
+  if (kind == "simulation") return scene.simulations.size();
+  if (kind == "geometry") return scene.geometries.size();
+  return 1;
+}
+
+}  // namespace
+
+FieldCover::FieldCover(const std::filesystem::path& script_folder) {
+  read_tables(text_of(script_folder / "scene_grammar.hpp"));
+  read_tables(text_of(script_folder / "radar_grammar.hpp"));
+  if (values_.size() < 50 || keywords_.size() < 50)
+    throw std::runtime_error("the grammar's tables were not understood");
+  for (const FunctionBlock* block : function_blocks::all) {
+    for (const auto& method : script::interpolations)
+      blocks_[std::string(block->words) + " by " + std::string(method.word)] = 0;
+    blocks_[std::string(block->words) + " INLINE"] = 0;
+    blocks_[std::string(block->words) + " in a FILE"] = 0;
+  }
+}
+
+void FieldCover::read_tables(const std::string& text) {
+  static const std::regex part(
+      R"re(namespace (?:sarsim::script::)?(\w+)_grammar \{|Field \w+\{\s*"([^"]+)"|\{"([A-Z0-9_]{3,})",)re");
+  std::string kind;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), part); match != std::sregex_iterator(); ++match) {
+    if ((*match)[1].matched) kind = (*match)[1];
+    if ((*match)[2].matched) values_[{kind, (*match)[2]}];
+    if ((*match)[3].matched && !kind.empty()) keywords_[{kind, (*match)[3]}] = 0;
+  }
+}
+
+void FieldCover::note(const Scene& scene) {
+  const std::string text = write_script(scene);
+  note_fields(scene, text);
+  note_fields(scene, spelled_otherwise(text));
+  note_keywords(text);
+  note_keywords(spelled_otherwise(text));
+  note_blocks(scene);
+}
+
+// A member of a member that a script leaves out has the place of what is in front of its '.'.
+void FieldCover::note_fields(const Scene& scene, const std::string& text) {
+  const ScriptReading reading = read_script(text, "scene.scr", loader_of(scene));
+  const std::vector<std::string> lines = lines_of(text);
+  for (auto& [field, seen] : values_)
+    for (std::size_t i = 0; i < objects_of(reading.scene, field.first) && seen.size() < enough; ++i) {
+      const Place place = reading.places.find({field.first, i, field.second});
+      const std::size_t dot = field.second.find('.');
+      const std::string owner = dot == std::string::npos ? "" : field.second.substr(0, dot);
+      if (place == Place{} || place == reading.places.find({field.first, i, owner})) continue;
+      if (const std::string word = word_at(lines, place); !word.empty()) seen.insert(word);
+    }
+}
+
+void FieldCover::note_keywords(const std::string& text) {
+  std::string kind;
+  for (const std::string& line : lines_of(text)) {
+    std::istringstream words(line.substr(0, line.find('!')));
+    for (std::string word; words >> word;) {
+      for (char& c : word)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+      if (word.front() == '$') {
+        kind.clear();
+        for (const char c : word.substr(1)) kind += static_cast<char>(c - 'A' + 'a');
+      } else if (const auto known = keywords_.find({kind, word}); known != keywords_.end()) {
+        ++known->second;
+      }
+    }
+  }
+}
+
+void FieldCover::note_blocks(const Scene& scene) {
+  visit_functions(scene,
+                  [&](const FunctionBlock& block, std::span<const SampledFunction> parts, const std::string& file) {
+                    const std::string words(block.words);
+                    bool used = false;
+                    for (const SampledFunction& part : parts) {
+                      if (part.knots.empty()) continue;
+                      used = true;
+                      for (const auto& method : script::interpolations)
+                        if (method.value == part.method) ++blocks_.at(words + " by " + std::string(method.word));
+                    }
+                    if (used) ++blocks_.at(words + (file.empty() ? " INLINE" : " in a FILE"));
+                  });
+}
+
+std::vector<std::string> FieldCover::missing() const {
+  std::vector<std::string> names;
+  for (const auto& [field, seen] : values_)
+    if (seen.size() < 2) names.push_back(field.first + "." + field.second);
+  for (const auto& [keyword, times] : keywords_)
+    if (times == 0) names.push_back(keyword.first + " " + keyword.second);
+  for (const auto& [block, times] : blocks_)
+    if (times == 0) names.push_back(block);
+  return names;
+}
+
+}  // namespace sarsim::test

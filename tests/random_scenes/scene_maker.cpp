@@ -1,0 +1,334 @@
+#include "random_scenes/scene_maker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+#include "base/constants.hpp"
+#include "random_scenes/radar_maker.hpp"
+
+namespace sarsim::test {
+
+namespace {
+
+constexpr std::array<const char*, 6> platform_words{"Ship",   "Vehicle 7",   "Ballon-\xC3\xB6",
+                                                    "Kite!x", "\"Q\" tower", "drone_3"};
+
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(std::uint64_t seed) : chance_(seed), functions_(chance_) {}
+
+  Scene make() {
+    set_layout();
+    set_options();
+    add_platforms();
+    for (int i = chance_.integer(1, chance_.one_in(40) ? 300 : chance_.one_in(4) ? 25 : 8); i > 0; --i)
+      scene_.targets.push_back(target());
+    if (chance_.one_in(3))
+      for (int i = chance_.integer(1, 2); i > 0; --i) scene_.surfaces.push_back(surface());
+    for (int i = chance_.one_in(4) ? 2 : 1; i > 0; --i) add_radar(i);
+    for (int i = chance_.one_in(4) ? 2 : 1; i > 0; --i) scene_.simulations.push_back(simulation(i));
+    if (chance_.one_in(3)) scene_.geometries.push_back(geometry());
+    return scene_;
+  }
+
+ private:
+  [[nodiscard]] double sample_m() const { return 0.5 * exact_light_speed_mps / layout_.sample_rate_hz; }
+
+  void set_layout() {
+    layout_.sample_rate_hz = chance_.size(1e6, 1e9);
+    layout_.window_m = sample_m() * chance_.size(1.0, 400.0);
+    layout_.spread_m = std::min(5e3, std::max(1.0, layout_.window_m * chance_.between(0.1, 0.8)));
+    layout_.range_m = 2.0 * layout_.spread_m + chance_.size(30.0, 5e4);
+    layout_.stepped = chance_.one_in(4);
+    layout_.interval_s = chance_.size(2e-5, 0.2);
+    layout_.start_s = layout_.interval_s * chance_.integer(-20, 200);
+    layout_.duration_s = layout_.interval_s * chance_.integer(1, 10);
+    radar_position_m_ = layout_.range_m * chance_.direction();
+    largest_speed_mps_ = chance_.size(0.1, chance_.one_in(25) ? 3e5 : 2000.0);
+  }
+
+  void set_options() {
+    RunOptions& options = scene_.options;
+    if (chance_.one_in(3)) options.profile = Profile::classic;
+    if (chance_.coin()) options.seed = chance_.bits();
+    if (chance_.one_in(3)) options.pulse = PulseDefinition::band_limited;
+    if (chance_.one_in(3)) options.tolerance = chance_.size(1e-9, 0.1);
+    layout_.profile = options.profile;
+  }
+
+  // The world where it is not defined, or a platform of that name; one for radars, and some for targets.
+  void add_platforms() {
+    radars_on_earth_ = chance_.one_in(6);
+    if (radars_on_earth_ || chance_.coin()) {
+      scene_.platforms.push_back(platform("Earth", radars_on_earth_ ? radar_position_m_ : Vec3{}));
+      if (!radars_on_earth_) target_platforms_.emplace_back("Earth");
+    } else {
+      target_platforms_.emplace_back("Earth");
+    }
+    if (!radars_on_earth_) scene_.platforms.push_back(platform("Carrier of radars", radar_position_m_));
+    const int most = radars_on_earth_ ? 1 : 0;
+    for (int i = chance_.integer(most, 2); i > 0; --i) {
+      const std::string name = platform_words[chance_.below(3) + 3 * static_cast<std::size_t>(i - 1)];
+      scene_.platforms.push_back(platform(name, chance_.vector(0.3 * layout_.spread_m)));
+      target_platforms_.push_back(name);
+    }
+    std::ranges::rotate(scene_.platforms,
+                        scene_.platforms.begin() + static_cast<std::ptrdiff_t>(chance_.below(scene_.platforms.size())));
+  }
+
+  UserFunction<3> path(const Vec3& about_m) {
+    UserFunction<3> path;
+    const double around_s = chance_.one_in(3) ? 0.0 : chance_.size(0.01, 10.0);
+    const double low = layout_.start_s - around_s;
+    const double high = layout_.start_s + layout_.duration_s + around_s;
+    const double middle = 0.5 * (low + high);
+    const std::array<double, 3> start{about_m.x, about_m.y, about_m.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double speed = chance_.between(-largest_speed_mps_, largest_speed_mps_);
+      const double bend = chance_.coin() ? 0.0 : 0.1 * speed * (high - low);
+      path.part[axis] = functions_.points(chance_.integer(1, 5), low, high, [&](double t) {
+        return start[axis] + speed * (t - middle) + bend * chance_.between(-1.0, 1.0);
+      });
+      if (start[axis] == 0.0 && chance_.one_in(8)) path.part[axis].knots.clear();
+    }
+    functions_.name_file(path);
+    return path;
+  }
+
+  UserFunction<3> turning() {
+    UserFunction<3> function;
+    for (SampledFunction& axis : function.part)
+      axis = functions_.curve(4, layout_.start_s, layout_.start_s + layout_.duration_s, -180.0, 180.0);
+    if (chance_.one_in(6)) function.part[chance_.below(3)].knots.clear();
+    functions_.name_file(function);
+    return function;
+  }
+
+  // Responses to white noise: none, or at least two points.
+  UserFunction<3> envelope(double largest) {
+    UserFunction<3> function;
+    for (SampledFunction& axis : function.part)
+      if (!chance_.one_in(4))
+        axis = functions_.points(chance_.integer(2, 5), chance_.coin() ? 0.0 : chance_.between(-0.1, 0.1),
+                                 chance_.size(0.2, 5.0), [&](double) { return chance_.between(-largest, largest); });
+    functions_.name_file(function);
+    return function;
+  }
+
+  std::array<Angle, 3> angles(double largest_deg) {
+    return {chance_.angle(largest_deg), chance_.angle(largest_deg), chance_.angle(largest_deg)};
+  }
+
+  Platform platform(const std::string& name, const Vec3& about_m) {
+    Platform platform;
+    platform.name = name;
+    platform.path = chance_.one_of<Platform::Path>(2);
+    if (platform.path == Platform::Path::stationary) {
+      platform.position_m = about_m;
+    } else {
+      platform.trajectory_m = path(about_m);
+      platform.aligned = chance_.coin();
+    }
+    platform.rotation_kind = chance_.one_in(3) ? Platform::Rotation::user : Platform::Rotation::constant;
+    if (platform.rotation_kind == Platform::Rotation::user)
+      platform.rotation_deg = turning();
+    else if (chance_.coin())
+      platform.rotation = angles(180.0);
+    if (chance_.one_in(3)) platform.rotation_rate = angles(chance_.size(0.01, 300.0));
+    set_errors(platform);
+    return platform;
+  }
+
+  void set_errors(Platform& platform) {
+    platform.position_error = chance_.one_in(3) ? Platform::MotionError::envelope : Platform::MotionError::gaussian;
+    if (platform.position_error == Platform::MotionError::gaussian)
+      platform.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
+    else
+      platform.position_envelope = envelope(chance_.size(1e-4, 1.0));
+    platform.rotation_error = chance_.one_in(3) ? Platform::MotionError::envelope : Platform::MotionError::gaussian;
+    if (platform.rotation_error == Platform::MotionError::gaussian) {
+      const Vec3 deg = chance_.magnitudes(1e-4, 1.0);
+      platform.rotation_stddev = {Angle::from_deg(deg.x), Angle::from_deg(deg.y), Angle::from_deg(deg.z)};
+    } else {
+      platform.rotation_envelope = envelope(chance_.size(1e-4, 1.0));
+    }
+  }
+
+  // As the platform is called, in other case, or by its beginning.
+  std::string reference_to(const std::string& name) {
+    std::string other = name;
+    if (chance_.one_in(4))
+      std::ranges::transform(other, other.begin(),
+                             [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+    if (chance_.one_in(4)) other.resize(std::max<std::size_t>(3, name.size() - 2));
+    const std::size_t meant = find_platform(scene_, name);
+    return meant != not_found && find_platform(scene_, other) == meant ? other : name;
+  }
+
+  std::string target_platform() { return reference_to(target_platforms_[chance_.below(target_platforms_.size())]); }
+
+  Target target() {
+    Target target;
+    target.platform = target_platform();
+    if (!chance_.one_in(8)) target.position_m = chance_.vector(layout_.spread_m);
+    if (chance_.one_in(4)) target.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
+    target.rcs_m2 = chance_.one_in(20) ? chance_.between(-1.0, 0.0) : chance_.size(1e-3, 1e4);
+    if (chance_.one_in(3)) target.rcs_stddev_m2 = chance_.size(1e-3, 1e2);
+    target.reflectivity = chance_.one_of<Target::Reflectivity>(2);
+    if (target.reflectivity == Target::Reflectivity::isotropic) return target;
+    target.azimuth = chance_.angle(360.0);
+    target.elevation = chance_.angle(180.0);
+    if (chance_.one_in(3)) target.azimuth_stddev = Angle::from_deg(chance_.size(1e-2, 20.0));
+    if (chance_.one_in(3)) target.elevation_stddev = Angle::from_deg(chance_.size(1e-2, 20.0));
+    target.gain = chance_.one_of<Target::Gain>(2);
+    if (target.gain == Target::Gain::cosine) return target;
+    target.gain_db.part[0] = functions_.curve(6, chance_.between(0.0, 30.0), chance_.between(40.0, 180.0), -60.0, 10.0);
+    functions_.name_file(target.gain_db);
+    return target;
+  }
+
+  Surface surface() {
+    Surface surface;
+    surface.platform = target_platform();
+    const Vec3 at = chance_.vector(0.5 * layout_.spread_m);
+    for (Vec3& corner : surface.corner_m) corner = at + chance_.vector(8.0);
+    return surface;
+  }
+
+  void add_radar(int number) {
+    Radar radar = random_radar(chance_, functions_, layout_, radar_position_m_);
+    radar.name = number == 2 ? "Second radar" : "R1";
+    radar.platform = reference_to(radars_on_earth_ ? "Earth" : "Carrier of radars");
+    scene_.radars.push_back(std::move(radar));
+  }
+
+  // Between whole pulses, so that rounding decides nothing.
+  template <class Product>
+  const Radar& set_window(Product& product) {
+    const Radar& radar = scene_.radars[chance_.below(scene_.radars.size())];
+    product.radar = radar.name;
+    const int burst = layout_.stepped ? radar.carrier_steps * radar.pulses_per_step : 1;
+    const int pulses = layout_.stepped ? burst * chance_.integer(1, 2) : chance_.integer(1, 10);
+    const bool extra = !layout_.stepped || chance_.coin();
+    const int first = extra ? chance_.integer(-20, 200) : burst * chance_.integer(-3, 30);
+    product.time_start_s = layout_.interval_s * (first - 0.25);
+    product.time_end_s = layout_.interval_s * (first + pulses - 0.75 + (extra ? burst : 0));
+    product.range_start_m = layout_.range_m - layout_.window_m * chance_.between(0.1, 0.9);
+    // A target at rest in the middle then has an edge of its pulse on a sample.
+    if (chance_.one_in(4)) product.range_start_m = layout_.range_m - sample_m() * chance_.integer(0, 20);
+    product.range_end_m = product.range_start_m + layout_.window_m;
+    return radar;
+  }
+
+  Simulation simulation(int number) {
+    Simulation simulation;
+    const Radar& radar = set_window(simulation);
+    simulation.bits = chance_.integer(1, 64);
+    simulation.sample_rate_hz = layout_.sample_rate_hz;
+    if (chance_.coin()) simulation.lsb_v = chance_.size(1e-14, 1e-3);
+    simulation.format = chance_.one_of<FileFormat>(6);
+    const bool profiles = radar.carrier == Radar::Carrier::stepped && radar.carrier_steps > 1 && layout_.stepped;
+    simulation.processing = profiles && chance_.coin() ? Processing::srp : chance_.one_of<Processing>(2);
+    simulation.file = number == 2 ? "the other.dat" : "out/sim.bin";
+    simulation.pulse_position = chance_.one_of<Simulation::PulsePosition>(2);
+    if (chance_.coin()) simulation.oversampling = chance_.between(1.0, 4.0);
+    if (chance_.coin()) simulation.width_factor = chance_.between(1.0, 3.0);
+    return simulation;
+  }
+
+  GeometryTable geometry() {
+    GeometryTable table;
+    set_window(table);
+    table.separator = chance_.one_of<GeometryTable::Separator>(2);
+    table.columns = chance_.integer(0, 255);
+    table.file = chance_.coin() ? "geometry.txt" : "g.csv";
+    return table;
+  }
+
+  Chance chance_;
+  FunctionMaker functions_;
+  Scene scene_;
+  Layout layout_;
+  Vec3 radar_position_m_;
+  double largest_speed_mps_ = 0.0;
+  bool radars_on_earth_ = false;
+  std::vector<std::string> target_platforms_;
+};
+
+}  // namespace
+
+Scene random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); }
+
+namespace {
+
+// Calls look(block, function) for every user-defined function of a scene, which may be const.
+template <class AnyScene, class Look>
+void each_function(AnyScene& scene, const Look& look) {
+  namespace blocks = function_blocks;
+  for (auto& platform : scene.platforms) {
+    look(blocks::trajectory, platform.trajectory_m);
+    look(blocks::rotation, platform.rotation_deg);
+    look(blocks::position_envelope, platform.position_envelope);
+    look(blocks::rotation_envelope, platform.rotation_envelope);
+  }
+  for (auto& target : scene.targets) look(blocks::target_gain, target.gain_db);
+  for (auto& radar : scene.radars) {
+    look(blocks::pulse_iq, radar.pulse_iq);
+    look(blocks::envelope_gain, radar.envelope_gain);
+    look(blocks::pri, radar.pri_s);
+    look(blocks::carrier_list, radar.carrier_list_hz);
+    look(blocks::transmit_gain, radar.transmit_antenna.gain_db);
+    look(blocks::receive_gain, radar.receive_antenna.gain_db);
+    look(blocks::beam_target, radar.beam_target_world_m);
+    look(blocks::window_gain, radar.window_gain);
+    look(blocks::stc_gain, radar.stc_gain);
+  }
+}
+
+}  // namespace
+
+void visit_functions(const Scene& scene, const FunctionVisitor& visit) {
+  each_function(scene,
+                [&](const FunctionBlock& block, const auto& function) { visit(block, function.part, function.file); });
+}
+
+void keep_inline(Scene& scene) {
+  each_function(scene, [](const FunctionBlock&, auto& function) { function.file.clear(); });
+}
+
+DataFileLoader loader_of(const Scene& scene) {
+  std::map<std::string, std::string> texts;
+  visit_functions(scene,
+                  [&](const FunctionBlock& block, std::span<const SampledFunction> parts, const std::string& file) {
+                    if (!file.empty()) texts[file] = write_data_file(parts, block);
+                  });
+  return [texts](const std::string& name) {
+    const auto found = texts.find(name);
+    if (found == texts.end()) return DataFileText{"", "", "data file not found"};
+    return DataFileText{name, found->second, ""};
+  };
+}
+
+std::string spelled_otherwise(const std::string& script) {
+  std::string text = "$options Profile Physical pulse ideal\n";
+  std::istringstream lines(script);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("SINX ", 0) == 0) line.replace(0, 4, "SIMPLE");
+    // A line of a keyword alone begins with capitals and says nothing else before its comment.
+    const std::size_t length = line.find_first_of(" !");
+    const bool name = line.find("! Name ") != std::string::npos || line.find("! Platform ") != std::string::npos;
+    const bool keyword = !name && length != std::string::npos && length > 2 &&
+                         line.find_first_not_of(' ', length) != std::string::npos &&
+                         line[line.find_first_not_of(' ', length)] == '!';
+    if (keyword && std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(length), is_capital))
+      for (std::size_t i = 0; i < length; ++i) line[i] = static_cast<char>(line[i] - 'A' + 'a');
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace sarsim::test
