@@ -480,6 +480,26 @@ TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   EXPECT_FALSE(hints_from_scene(recording_scene(), "other.bin"));
 }
 
+TEST(HintsFromScene, AreNotToBeHadOfWindowsThatNoMemoryHolds) {
+  Scene scene = recording_scene();
+  scene.simulations[0].range_end_m = 1e12;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AreNotToBeHadOfARadarWithMistakes) {
+  Scene scene = recording_scene();
+  scene.radars[0].prf_hz = 0.0;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AskNothingOfTargets) {
+  Scene scene = recording_scene();
+  scene.targets.emplace_back().platform = "Nowhere";
+  const auto hints = hints_from_scene(scene, "echo.bin");
+  ASSERT_TRUE(hints);
+  EXPECT_EQ(hints->columns, 100U);
+}
+
 // --- Files much larger than memory ------------------------------------------------------------------------------
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
