@@ -47,7 +47,11 @@ class TimeBar : public QWidget {
   void time_changed(double time_s);
   void playing_changed(bool playing);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void show_icons();
   void add_buttons();
   void add_fields();
   void lay_out();
