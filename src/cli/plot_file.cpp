@@ -297,7 +297,7 @@ Plotted picture(const PlotArguments& a, const Input& input, const Part& part, co
   if (!a.csv.empty()) throw BadInput("the picture of a file has no table", "sarsim convert gives its values as CSV");
   EchoWindow look;
   take_look(a, DisplayQuantity::magnitude, look);
-  ImageLook wanted;
+  FileLook wanted;
   wanted.first_row = part.rows.begin;
   wanted.rows = part.rows.end - part.rows.begin;
   wanted.first_column = part.columns.begin;

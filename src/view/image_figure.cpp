@@ -95,12 +95,12 @@ struct Shown {
   double zero_db_v = 1.0;
   ColourLimits limits;
 
-  [[nodiscard]] double value(const ImageLook& look, std::size_t i) const {
+  [[nodiscard]] double value(const FileLook& look, std::size_t i) const {
     return value_of(look.quantity, samples[i], zero_db_v);
   }
 };
 
-Shown shown(Samples samples, const Extent& across, const Extent& up, const ImageLook& look) {
+Shown shown(Samples samples, const Extent& across, const Extent& up, const FileLook& look) {
   Shown out{std::move(samples), {}, 1.0, {}};
   out.statistics = statistics_of(out.samples);
   if (look.limits.percentile < 100.0)
@@ -113,7 +113,7 @@ Shown shown(Samples samples, const Extent& across, const Extent& up, const Image
 }
 
 // Files that others made, and pictures, do not say what their numbers are.
-std::string unit_for(const ImageSource& source, const ImageLook& look) {
+std::string unit_for(const ImageSource& source, const FileLook& look) {
   if (look.unit) return *look.unit;
   const ImageInfo& info = source.info();
   const bool unknown = info.counts || info.format == ImageFormat::custom || info.format == ImageFormat::sun_raster;
@@ -125,7 +125,7 @@ std::string largest_text(double largest, const std::string& unit, bool counts) {
   return fmt::format("Highest magnitude: {:.6g}{}", largest, counts ? " counts" : "");
 }
 
-void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, const Extent& up, const ImageLook& look,
+void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, const Extent& up, const FileLook& look,
                 const std::string& volts) {
   const std::vector<Rgb> colours = colour_table(look.map, look.sliders, look.inverted);
   const bool cyclic = kind_for(look.quantity) == ColourMapKind::cyclic;
@@ -174,7 +174,7 @@ std::function<double(double)> reach_of(const Shown& seen, DisplayQuantity quanti
 }
 
 void add_curves(FigurePanel& panel, const Shown& seen, const Extent& across, const Extent& up, const Places& columns,
-                const Places& rows, const ImageLook& look) {
+                const Places& rows, const FileLook& look) {
   const auto reach = reach_of(seen, look.quantity);
   const bool per_row = look.draw_as == DrawAs::curves_per_pulse;
   const double spacing =
@@ -197,9 +197,9 @@ std::size_t curves_in(std::size_t pixels) {
 
 }  // namespace
 
-Figure image_figure(const ImageSource& source, const ImageLook& wanted, const PlotSize& size,
+Figure image_figure(const ImageSource& source, const FileLook& wanted, const PlotSize& size,
                     const WorkControl& control) {
-  ImageLook look = wanted;
+  FileLook look = wanted;
   const std::size_t seen_rows = look.rows > 0 ? look.rows : source.rows();
   if (look.draw_as == DrawAs::automatic)
     look.draw_as = seen_rows <= curves_in(size.height_px) ? DrawAs::curves_per_pulse : DrawAs::pixels;

@@ -22,7 +22,7 @@ struct ImagePlaces {
 };
 
 /// How a file is looked at: the part that is seen, in rows and columns of the file, and the look.
-struct ImageLook {
+struct FileLook {
   std::size_t first_row = 0;
   std::size_t rows = 0;  ///< 0: all.
   std::size_t first_column = 0;
@@ -47,7 +47,7 @@ struct ImageLook {
 /// is above, also where the step of the rows is negative.
 /// @param size  device pixels at most
 /// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
-[[nodiscard]] Figure image_figure(const ImageSource& source, const ImageLook& look, const PlotSize& size,
+[[nodiscard]] Figure image_figure(const ImageSource& source, const FileLook& look, const PlotSize& size,
                                   const WorkControl& control = {});
 
 }  // namespace sarsim

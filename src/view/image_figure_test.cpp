@@ -37,7 +37,7 @@ class ImageFigure : public testing::Test {
     std::filesystem::remove(path_);
   }
 
-  [[nodiscard]] FigurePanel panel(const ImageLook& look, const PlotSize& size = {100, 100}) const {
+  [[nodiscard]] FigurePanel panel(const FileLook& look, const PlotSize& size = {100, 100}) const {
     return image_figure(*source_, look, size).panels.at(0);
   }
 
@@ -58,7 +58,7 @@ TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {
 
 // A map's first row is its northern one.
 TEST_F(ImageFigure, HasTheLargerPlacesAboveWhereTheStepIsNegative) {
-  ImageLook look;
+  FileLook look;
   look.row_places = ImagePlaces{"North", "m", 500.0, -100.0};
   const FigurePanel shown = panel(look);
   EXPECT_EQ(shown.y.first, -50.0);
@@ -72,7 +72,7 @@ TEST_F(ImageFigure, HasTheLargerPlacesAboveWhereTheStepIsNegative) {
 }
 
 TEST_F(ImageFigure, LosesAPointBetweenPixelsUnlessThePeakOfEachIsShown) {
-  ImageLook look;
+  FileLook look;
   EXPECT_NE(image_figure(*source_, look, {2, 3}).note, "Highest magnitude: 100");
   look.pixel_rule = PixelRule::peak;
   const Figure figure = image_figure(*source_, look, {2, 3});
@@ -85,7 +85,7 @@ TEST_F(ImageFigure, LosesAPointBetweenPixelsUnlessThePeakOfEachIsShown) {
 }
 
 TEST_F(ImageFigure, PeaksOfPartsAtTheEndAreOfWhatIsThere) {
-  ImageLook look;
+  FileLook look;
   look.pixel_rule = PixelRule::peak;
   const Figure figure = image_figure(*source_, look, {3, 4});
   EXPECT_EQ(figure.panels[0].image->width, 2U);
@@ -94,7 +94,7 @@ TEST_F(ImageFigure, PeaksOfPartsAtTheEndAreOfWhatIsThere) {
 }
 
 TEST_F(ImageFigure, StandsAtThePlacesThatTheLookNames) {
-  ImageLook look;
+  FileLook look;
   look.first_row = 2;
   look.row_places = ImagePlaces{"Azimuth", "m", -10.0, 0.5};
   look.column_places = ImagePlaces{"Slant range", "m", 1000.0, 2.0};
@@ -107,7 +107,7 @@ TEST_F(ImageFigure, StandsAtThePlacesThatTheLookNames) {
 }
 
 TEST_F(ImageFigure, AsSlicesHasACurveForEachRowWhoseLargestFillsThreeEighthsOfTheSpacing) {
-  ImageLook look;
+  FileLook look;
   look.draw_as = DrawAs::curves_per_pulse;
   const FigurePanel shown = panel(look, {200, 200});
   EXPECT_FALSE(shown.image);
@@ -118,7 +118,7 @@ TEST_F(ImageFigure, AsSlicesHasACurveForEachRowWhoseLargestFillsThreeEighthsOfTh
 }
 
 TEST_F(ImageFigure, AsSlicesPerRangeGoesUpwardsAndAside) {
-  ImageLook look;
+  FileLook look;
   look.draw_as = DrawAs::curves_per_range;
   const FigurePanel shown = panel(look, {200, 200});
   ASSERT_EQ(shown.curves.size(), columns);
@@ -127,7 +127,7 @@ TEST_F(ImageFigure, AsSlicesPerRangeGoesUpwardsAndAside) {
 }
 
 TEST_F(ImageFigure, LeavesOutSlicesThatWouldBeNearerThanTwentyPixels) {
-  ImageLook look;
+  FileLook look;
   look.draw_as = DrawAs::curves_per_pulse;
   const FigurePanel shown = panel(look, {200, 60});
   ASSERT_EQ(shown.curves.size(), 3U);
@@ -136,7 +136,7 @@ TEST_F(ImageFigure, LeavesOutSlicesThatWouldBeNearerThanTwentyPixels) {
 }
 
 TEST_F(ImageFigure, ChoosesSlicesByItselfWhereRowsAreFarApart) {
-  ImageLook look;
+  FileLook look;
   look.draw_as = DrawAs::automatic;
   EXPECT_FALSE(panel(look, {200, 120}).image);
   EXPECT_TRUE(panel(look, {200, 119}).image);
@@ -144,7 +144,7 @@ TEST_F(ImageFigure, ChoosesSlicesByItselfWhereRowsAreFarApart) {
 
 TEST_F(ImageFigure, SaysAUnitOnlyWhereItIsKnown) {
   EXPECT_EQ(panel({}).colour_bar->unit, "");
-  ImageLook look;
+  FileLook look;
   look.unit = "V";
   const Figure figure = image_figure(*source_, look, {100, 100});
   EXPECT_EQ(figure.panels[0].colour_bar->unit, "V");
@@ -152,7 +152,7 @@ TEST_F(ImageFigure, SaysAUnitOnlyWhereItIsKnown) {
 }
 
 TEST_F(ImageFigure, RefusesAPartThatIsNotThere) {
-  ImageLook look;
+  FileLook look;
   look.first_column = columns;
   EXPECT_THROW((void)panel(look), std::invalid_argument);
 }
