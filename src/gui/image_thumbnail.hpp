@@ -25,6 +25,7 @@ class ImageThumbnail : public QWidget {
 
  signals:
   void centre_wanted(double column, double row);
+  void centre_dragged(double column, double row);  ///< On from where it was wanted, with the button held.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -33,7 +34,7 @@ class ImageThumbnail : public QWidget {
 
  private:
   [[nodiscard]] QRectF place() const;
-  void point_to(QPointF pixel);
+  [[nodiscard]] QPointF sample_at(QPointF pixel) const;
 
   QImage picture_;
   std::size_t rows_ = 1;
