@@ -54,6 +54,11 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] static QStringList window_names();
   void set_appearance(Appearance appearance);
 
+  /// What would be lost with the window, in words: runs, files that are being written, images that are being made.
+  [[nodiscard]] QStringList work_under_way() const;
+  /// Asked once before closing ends all of that. A message box unless replaced.
+  std::function<bool(const QStringList& work)> ask_end_work;
+
  protected:
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
@@ -79,6 +84,8 @@ class MainWindow : public QMainWindow {
   void show_state();
   void commit_typed();
   bool may_go();
+  bool may_end_work();
+  void end_work();
   void add_new(AnyObject object);
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);
