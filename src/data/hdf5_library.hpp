@@ -2,23 +2,39 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <string>
 #include <utility>
 
 namespace sarsim {
 
-/// While it lives, the HDF5 library prints no errors from this thread.
-class QuietHdf5 {
+/// The lock that a thread holds while it is inside the HDF5 library. The library has one of its own, but a process
+/// that forks while another thread is in there leaves that lock closed for ever in the child; so whoever forks holds
+/// this one.
+[[nodiscard]] inline std::mutex& hdf5_lock() {
+  static std::mutex lock;
+  return lock;
+}
+
+/// While it lives, no other thread is inside the HDF5 library and the library prints no errors. All calls into the
+/// library are made under one; they may be nested.
+class Hdf5Use {
  public:
-  QuietHdf5() {
+  Hdf5Use() {
+    if (uses_++ == 0) hdf5_lock().lock();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  QuietHdf5(const QuietHdf5&) = delete;
-  QuietHdf5& operator=(const QuietHdf5&) = delete;
-  ~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  Hdf5Use(const Hdf5Use&) = delete;
+  Hdf5Use& operator=(const Hdf5Use&) = delete;
+  ~Hdf5Use() {
+    H5Eset_auto2(H5E_DEFAULT, function_, data_);
+    if (--uses_ == 0) hdf5_lock().unlock();
+  }
 
  private:
+  // Of this thread. A lock that counts by itself would not know its thread again in a child process.
+  static inline thread_local unsigned uses_ = 0;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
@@ -44,7 +60,7 @@ class Hdf5Handle {
   /// Closes now; false where the library reports a failure. The identifier is given up either way.
   bool close() {
     if (id_ < 0) return true;
-    const QuietHdf5 quiet;
+    const Hdf5Use use;
     return close_(std::exchange(id_, -1)) >= 0;
   }
 

@@ -114,6 +114,7 @@ H5FD_class_t driver_class() {
 }  // namespace
 
 Hdf5Output::Hdf5Output(OutputFile& file) : file_(file) {
+  const Hdf5Use use;
   const H5FD_class_t driver = driver_class();
   driver_ = Hdf5Handle(H5FDregister(&driver), H5FDunregister);
   if (!driver_) throw std::runtime_error("cannot write " + file.path().string() + ": HDF5: " + hdf5_error_text());

@@ -51,14 +51,14 @@ class Hdf5Reader final : public SampleReader {
 
   void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
     if (out.empty()) return;
-    const QuietHdf5 quiet;
+    const Hdf5Use use;
     if (!read_part(samples_, memory_.get(), first, count, out.data()))
       throw std::runtime_error("cannot read " + name_ + ": HDF5: " + hdf5_error_text());
   }
 
   [[nodiscard]] std::optional<SampleAxes> axes() const override {
     if (old_layout_) return std::nullopt;
-    const QuietHdf5 quiet;
+    const Hdf5Use use;
     auto time = read_axis("/pulse_time_s", info().rows);
     auto carrier = read_axis("/carrier_hz", info().rows);
     auto range = read_axis("/slant_range_m", info().columns);
@@ -192,7 +192,7 @@ std::optional<Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Data
 }
 
 OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   const std::string name = path.string();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
@@ -202,7 +202,7 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
   if (!file)
     return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
-                                      "the file is damaged or of another format, which --from can name"));
+                                      "the file is damaged or of another format"));
   const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
   auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
   if (auto* problem = std::get_if<Problem>(&opened)) return refused(name, std::move(*problem));
@@ -268,7 +268,7 @@ OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_byt
         read_through(*opened.reader);
         return good;
       },
-      patience_s);
+      patience_s, &hdf5_lock());
   if (trial.result != TrialResult::passed)
     return refused(path.string(),
                    file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",

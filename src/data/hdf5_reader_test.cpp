@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <functional>
 #include <numeric>
+#include <string>
+#include <thread>
 
 #include "data/data_test_support.hpp"
 #include "data/hdf5_library.hpp"
@@ -73,6 +76,31 @@ TEST(Hdf5Reader, ReadsChunkedAndCompressedSamples) {
             (std::vector<std::complex<double>>{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}}));
   EXPECT_FALSE(opened.file->axes());
   EXPECT_EQ(opened.file->info().bits, 0);
+}
+
+// A file is tried in a child process; that must not begin with a copy of the library that another thread has locked.
+TEST(Hdf5Reader, OpensFilesWhileOtherThreadsReadAndWriteSome) {
+  const TestFolder folder;
+  write_test_file(folder / "a.h5", test_product(20, 10, 8), {FileFormat::hdf5});
+  write_test_file(folder / "read.h5", test_product(2000, 100, 8), {FileFormat::hdf5});
+  const auto other = SampleFile::open(folder / "read.h5");
+  ASSERT_TRUE(other.file) << text_of(other.problems);
+  std::atomic<bool> ended = false;
+  std::thread reads([&] {
+    while (!ended) (void)read_all(*other.file);
+  });
+  std::thread writes([&] {
+    while (!ended) write_test_file(folder / "write.h5", test_product(200, 10, 8), {FileFormat::hdf5, true});
+  });
+  std::string refused;
+  for (int i = 0; i < 60 && refused.empty(); ++i) {
+    const auto opened = SampleFile::open(folder / "a.h5");
+    if (!opened.file) refused = "opening number " + std::to_string(i) + ": " + text_of(opened.problems);
+  }
+  ended = true;
+  reads.join();
+  writes.join();
+  EXPECT_EQ(refused, "");
 }
 
 TEST(Hdf5Reader, ReadsTheLayoutOf2015) {

@@ -116,7 +116,7 @@ Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const Product& product, co
     : product_(product), encoding_(encoding), file_(path, replace), order_(product.rows), output_(file_) {
   if (!file_.seekable())
     throw std::system_error(ESPIPE, std::generic_category(), "cannot write HDF5 into a pipe: " + path.string());
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   create_file();
   sample_type_ = complex_type(part_type(encoding_));
   write_attributes();
@@ -181,7 +181,7 @@ void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, s
   order_.expect(first_row, rows);
   if (bytes.size() != rows * product_.columns * 2 * component_bytes(encoding_))
     throw std::logic_error("encoded rows of the wrong size");
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   expect(write_part(samples_.get(), sample_type_.get(), first_row, rows, product_.columns, bytes.data()));
   write_row_axes(first_row, rows);
   order_.take(rows);
@@ -189,13 +189,13 @@ void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, s
 
 void Hdf5Sink::append_axes(std::size_t first_row, std::size_t rows) {
   order_.expect(first_row, rows);
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   write_row_axes(first_row, rows);
   order_.take(rows);
 }
 
 std::uint64_t Hdf5Sink::samples_offset() const {
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   const haddr_t offset = H5Dget_offset(samples_.get());
   expect(offset != HADDR_UNDEF);
   return offset;
@@ -203,7 +203,7 @@ std::uint64_t Hdf5Sink::samples_offset() const {
 
 void Hdf5Sink::finish(const RunReport& report) {
   order_.expect_all();
-  const QuietHdf5 quiet;
+  const Hdf5Use use;
   expect(write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
   for (Hdf5Handle* handle : {&slant_range_, &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})

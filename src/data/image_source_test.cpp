@@ -260,6 +260,26 @@ TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
   EXPECT_FALSE(hints_from_scene(scene, "echo.npy"));
 }
 
+TEST(HintsFromScene, AreNotToBeHadOfWindowsThatNoMemoryHolds) {
+  Scene scene = recording_scene();
+  scene.simulations[0].range_end_m = 1e12;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AreNotToBeHadOfARadarWithMistakes) {
+  Scene scene = recording_scene();
+  scene.radars[0].prf_hz = 0.0;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AskNothingOfTargets) {
+  Scene scene = recording_scene();
+  scene.targets.emplace_back().platform = "Nowhere";
+  const auto hints = hints_from_scene(scene, "echo.bin");
+  ASSERT_TRUE(hints);
+  EXPECT_EQ(hints->columns, 100U);
+}
+
 TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   const auto hints = hints_from_scene(recording_scene(), "/data/echo.bin");
   ASSERT_TRUE(hints);

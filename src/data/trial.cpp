@@ -71,14 +71,21 @@ std::string everything_from(int pipe_end) {
   }
 }
 
+// The lock is open again in both processes.
+pid_t fork_under(std::mutex* lock) {
+  if (lock == nullptr) return ::fork();
+  const std::scoped_lock hold(*lock);
+  return ::fork();
+}
+
 }  // namespace
 
-TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds) {
+TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock) {
   const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
   const rlim_t mapped = mapped_bytes();
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
-  const pid_t process = ::fork();
+  const pid_t process = fork_under(lock);
   if (process < 0) {
     ::close(ends[0]);
     ::close(ends[1]);

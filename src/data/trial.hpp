@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace sarsim {
@@ -20,7 +21,10 @@ struct TrialReport {
 /// The child has its own copy of everything; but for the text, what it computes is lost. An exception counts as
 /// survival with an empty text. The child prints nothing and may map at most 512 MB more than this process; one that
 /// still runs after `seconds` is ended. The text may have up to 60 000 bytes.
+/// @param lock  that of the library: no other thread may be inside it while the child begins, because the child would
+///              have its copy of what that thread was changing, for ever; null for none
 /// @throws std::system_error where no child can be made
-[[nodiscard]] TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds);
+[[nodiscard]] TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds,
+                                    std::mutex* lock = nullptr);
 
 }  // namespace sarsim

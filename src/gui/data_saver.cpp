@@ -1,6 +1,5 @@
 #include "gui/data_saver.hpp"
 
-#include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -33,10 +32,6 @@ fs::path folder_of(const Document& document) {
 DataSaver::DataSaver(Session& session, QWidget* owner) : QObject(owner), session_(session) {
   queue_ = new SaveQueue(owner);
   queue_->setWindowFlag(Qt::Window);
-  ask_cancel = [owner] {
-    return QMessageBox::question(owner, tr("Saving"), tr("Data are still being saved. Cancel that?"),
-                                 QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
-  };
   connect(queue_, &SaveQueue::ended, this, [this](std::size_t run, SaveState state) {
     const Severity severity = state == SaveState::failed ? Severity::error : Severity::note;
     session_.log(severity, queue_->report(run).section('\n', 0, 0));
@@ -72,13 +67,6 @@ void DataSaver::take(const SaveDataDialog& dialog) {
   queue_->add({std::move(scene), last, choice->file, dialog.replace()});
   queue_->show();
   queue_->raise();
-}
-
-bool DataSaver::may_close() {
-  if (!queue_->busy()) return true;
-  if (!ask_cancel()) return false;
-  queue_->cancel_all();
-  return true;
 }
 
 }  // namespace sarsim

@@ -2,8 +2,6 @@
 
 #include <QObject>
 
-#include <functional>
-
 #include "gui/session.hpp"
 
 class QWidget;
@@ -27,11 +25,6 @@ class DataSaver : public QObject {
   SaveDataDialog* ask(const Simulation& simulation, SimulationWindow& from);
   /// Does what was chosen.
   void take(const SaveDataDialog& dialog);
-  /// True where nothing is being saved, or the user wants it to end; then it is told to.
-  [[nodiscard]] bool may_close();
-
-  /// Asked before runs are cancelled by closing. A message box unless replaced.
-  std::function<bool()> ask_cancel;
 
  private:
   Session& session_;

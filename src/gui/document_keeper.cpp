@@ -208,21 +208,23 @@ void DocumentKeeper::close() {
   recovery_.forget();
 }
 
+DocumentKeeper::Version DocumentKeeper::version_of(const std::filesystem::path& path) {
+  std::error_code gone;
+  Version version{path, std::filesystem::last_write_time(path, gone), std::filesystem::file_size(path, gone)};
+  return gone ? Version{path, {}, 0} : version;
+}
+
 void DocumentKeeper::look_at_disk() {
   if (asking_ || session_.document().path().empty() || !window_->isVisible()) return;
-  if (QApplication::activeModalWidget() != nullptr || !session_.document().changed_on_disk()) return;
+  if (QApplication::activeModalWidget() != nullptr) return;
+  // Taken before the file is read: what changes later has another one.
+  Version version = version_of(session_.document().path());
+  if (version == seen_) return;
+  seen_ = std::move(version);
+  if (!session_.document().changed_on_disk()) return;
   asking_ = true;
   const QString path = text_of(session_.document().path());
-  const bool unsaved = session_.document().changed();
-  const auto button = QMessageBox::question(
-      window_, tr("File changed on disk"),
-      unsaved ? tr("'%1' was changed by another program. Read it again and lose the changes made here?").arg(path)
-              : tr("'%1' was changed by another program. Read it again?").arg(path),
-      QMessageBox::Yes | QMessageBox::No, unsaved ? QMessageBox::No : QMessageBox::Yes);
-  if (button == QMessageBox::Yes)
-    open_file(path);
-  else
-    look_.stop();
+  if (ask_read_again(session_.document().changed())) open_file(path);
   asking_ = false;
 }
 

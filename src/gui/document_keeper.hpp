@@ -4,8 +4,10 @@
 #include <QStringList>
 #include <QTimer>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gui/session.hpp"
@@ -38,6 +40,8 @@ class DocumentKeeper : public QObject {
   std::function<Answer(const std::filesystem::path& document)> ask_recovery;
   std::function<QString()> ask_open_name;
   std::function<QString()> ask_save_name;
+  /// Asked when another program has changed the file of the document: whether to read it anew.
+  std::function<bool(bool unsaved)> ask_read_again;
 
   /// Each returns false where the user cancelled or it failed; failures are told to the user.
   /// @{
@@ -58,6 +62,9 @@ class DocumentKeeper : public QObject {
   /// Writes the copy for recovery now, as is done two seconds after a change; false where there is nothing to keep or
   /// the disk refused.
   bool keep_copy();
+  /// Looks whether the file is still what was opened or saved, as is done every two seconds. A version that the user
+  /// does not want is not asked about again.
+  void look_at_disk();
   /// Paths, the newest first, at most ten that still exist.
   [[nodiscard]] QStringList recent() const;
   /// Where the examples are, or an empty path.
@@ -75,7 +82,6 @@ class DocumentKeeper : public QObject {
   void make_questions();
   [[nodiscard]] DataAnswer data_question(const std::vector<DataFileWrite>& files) const;
   void recover(const Recovery::Copy& copy);
-  void look_at_disk();
   void tell(const QString& what, const QString& why);
 
   Session& session_;
@@ -84,6 +90,16 @@ class DocumentKeeper : public QObject {
   QTimer keep_soon_;
   QTimer look_;
   bool asking_ = false;
+  // The version of the file that was last looked into.
+  struct Version {
+    std::filesystem::path path;
+    std::filesystem::file_time_type time;
+    std::uintmax_t bytes = 0;
+
+    friend bool operator==(const Version&, const Version&) = default;
+  };
+  [[nodiscard]] static Version version_of(const std::filesystem::path& path);
+  std::optional<Version> seen_;
 };
 
 }  // namespace sarsim

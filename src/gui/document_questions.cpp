@@ -37,6 +37,15 @@ void DocumentKeeper::make_questions() {
     dialog.selectFile(path.empty() ? QString("scene.scr") : text_of(path));
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
   };
+  ask_read_again = [this](bool unsaved) {
+    const QString path = text_of(session_.document().path());
+    return QMessageBox::question(
+               window_, tr("File changed on disk"),
+               unsaved
+                   ? tr("'%1' was changed by another program. Read it again and lose the changes made here?").arg(path)
+                   : tr("'%1' was changed by another program. Read it again?").arg(path),
+               QMessageBox::Yes | QMessageBox::No, unsaved ? QMessageBox::No : QMessageBox::Yes) == QMessageBox::Yes;
+  };
   ask_data = [this](const std::vector<DataFileWrite>& files) { return data_question(files); };
   ask_recovery = [this](const std::filesystem::path& document) {
     const QString name = document.empty() ? tr("a scene that was never saved") : text_of(document);

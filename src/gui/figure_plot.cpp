@@ -101,6 +101,7 @@ void FigurePlot::rebuild() {
   panels_.clear();
   plotLayout()->clear();
   legend = nullptr;
+  qDeleteAll(findChildren<QCPMarginGroup*>(QString(), Qt::FindDirectChildrenOnly));  // Nobody else takes them away.
   setBackground(QBrush(ink(Role::background)));
   int row = 0;
   if (!figure_.title.empty()) add_text(row++, QString::fromStdString(figure_.title), true);

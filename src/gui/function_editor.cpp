@@ -131,26 +131,37 @@ void FunctionEditor::connect_points() {
   connect(table_, &FunctionTable::current_changed, this, [this] { plot_->set_current(table_->current()); });
   connect(plot_, &FunctionPlot::knot_clicked, table_, &FunctionTable::set_current);
   connect(plot_, &FunctionPlot::window_changed, this, &FunctionEditor::show_window);
-  connect(plot_, &FunctionPlot::drag_began, this, [this] { before_drag_ = draft_; });
+  connect(plot_, &FunctionPlot::drag_began, this, [this] {
+    before_drag_ = draft_;
+    dragging_ = true;
+  });
   connect(plot_, &FunctionPlot::dragged, this, [this](std::size_t knot, Knot to) {
+    if (!dragging_) return;
     const std::size_t at = move_knot(shown(draft_), knot, to, info_);
     plot_->set_function(shown(draft_));
     table_->show_knot(at, shown(draft_).knots[at]);
   });
   connect(plot_, &FunctionPlot::drag_ended, this, [this](std::size_t knot, Knot to) {
+    if (!dragging_) return;
     FunctionDraft next = before_drag_;
     move_knot(shown(next), knot, to, info_);
     draft_ = before_drag_;
     change(std::move(next));
     table_->set_current(knot);
   });
-  connect(plot_, &FunctionPlot::drag_cancelled, this, [this] {
-    draft_ = before_drag_;
-    show_draft();
-  });
+  connect(plot_, &FunctionPlot::drag_cancelled, this, &FunctionEditor::take_drag_back);
+}
+
+// False where nothing is dragged.
+bool FunctionEditor::take_drag_back() {
+  if (!std::exchange(dragging_, false)) return false;
+  draft_ = before_drag_;
+  show_draft();
+  return true;
 }
 
 void FunctionEditor::change(FunctionDraft next) {
+  dragging_ = false;  // What is held may be gone.
   problems_->clear();
   if (next == draft_) {
     show_draft();
@@ -164,14 +175,14 @@ void FunctionEditor::change(FunctionDraft next) {
 }
 
 void FunctionEditor::undo() {
-  if (state_ == 0) return;
+  if (take_drag_back() || state_ == 0) return;
   problems_->clear();
   draft_ = states_[--state_];
   show_draft();
 }
 
 void FunctionEditor::redo() {
-  if (state_ + 1 >= states_.size()) return;
+  if (take_drag_back() || state_ + 1 >= states_.size()) return;
   problems_->clear();
   draft_ = states_[++state_];
   show_draft();

@@ -79,6 +79,7 @@ class FunctionEditor : public QDialog {
   void make_undo();
   void connect_points();
 
+  bool take_drag_back();
   void change(FunctionDraft next);
   void show_draft();
   void show_source();
@@ -106,6 +107,7 @@ class FunctionEditor : public QDialog {
   std::vector<FunctionDraft> states_;  // every one since the beginning
   std::size_t state_ = 0;
   FunctionDraft before_drag_;
+  bool dragging_ = false;
   std::size_t part_ = 0;
   std::string own_file_;  // read or written here, or the function's from the beginning
 

@@ -42,6 +42,7 @@ class GeometryWindow : public QWidget {
   /// Writes the table to a file, as text in its columns or as CSV with all of them; progress and Cancel are shown.
   void save_to(const std::filesystem::path& path, bool csv);
   [[nodiscard]] bool saving() const { return job_.running(); }
+  void cancel_saving() { job_.cancel(); }
 
  public slots:
   /// Asks for a name and writes the table.

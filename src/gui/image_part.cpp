@@ -21,11 +21,12 @@ struct Places {
   std::size_t step = 1;
 };
 
-Places places(double from, double to, std::size_t pixels, std::size_t size) {
+Places places(double from, double to, std::size_t pixels, std::size_t size, bool peak) {
   const double span = to - from;
+  const double ratio = span / static_cast<double>(std::max<std::size_t>(pixels, 1));
   Places result;
-  result.step =
-      std::max<std::size_t>(1, static_cast<std::size_t>(span / static_cast<double>(std::max<std::size_t>(pixels, 1))));
+  // More of them than pixels would not all be drawn; of peaks none may get lost.
+  result.step = std::max<std::size_t>(1, static_cast<std::size_t>(peak ? std::ceil(ratio) : ratio));
   const auto step = static_cast<double>(result.step);
   const double low = std::max(0.0, std::floor((from - margin * span) / step));
   const double last = std::floor((static_cast<double>(size) - 1.0) / step);
@@ -116,9 +117,9 @@ ImageView scaled_about(const ImageView& view, double column, double row, double 
 }
 
 ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px, std::size_t rows,
-                       std::size_t columns) {
-  const Places down = places(view.row_first, view.row_last, height_px, rows);
-  const Places across = places(view.column_first, view.column_last, width_px, columns);
+                       std::size_t columns, bool peak) {
+  const Places down = places(view.row_first, view.row_last, height_px, rows, peak);
+  const Places across = places(view.column_first, view.column_last, width_px, columns, peak);
   if (down.count == 0 || across.count == 0) return {};
   return {down.first, down.count, across.first, across.count, down.step, across.step};
 }

@@ -37,8 +37,9 @@ struct ImageView {
 
 /// The samples to read for a view on so many device pixels: about one for each pixel, a quarter of the view more on all
 /// sides to be moved into it, at multiples of the steps so that the same ones are met again. Empty where none is seen.
+/// @param peak  at most one for each pixel: they stand for those between them, so all must be drawn
 [[nodiscard]] ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px,
-                                     std::size_t rows, std::size_t columns);
+                                     std::size_t rows, std::size_t columns, bool peak = false);
 /// The samples that a view shows, all of them.
 [[nodiscard]] ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns);
 

@@ -69,18 +69,23 @@ void ImageThumbnail::paintEvent(QPaintEvent*) {
   painter.drawRect(mark());
 }
 
-void ImageThumbnail::point_to(QPointF pixel) {
+// Column and row.
+QPointF ImageThumbnail::sample_at(QPointF pixel) const {
   const QRectF all = place();
-  emit centre_wanted((pixel.x() - all.left()) / all.width() * static_cast<double>(columns_) - 0.5,
-                     (pixel.y() - all.top()) / all.height() * static_cast<double>(rows_) - 0.5);
+  return {(pixel.x() - all.left()) / all.width() * static_cast<double>(columns_) - 0.5,
+          (pixel.y() - all.top()) / all.height() * static_cast<double>(rows_) - 0.5};
 }
 
 void ImageThumbnail::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) point_to(event->position());
+  if (event->button() != Qt::LeftButton) return;
+  const QPointF sample = sample_at(event->position());
+  emit centre_wanted(sample.x(), sample.y());
 }
 
 void ImageThumbnail::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons().testFlag(Qt::LeftButton)) point_to(event->position());
+  if (!event->buttons().testFlag(Qt::LeftButton)) return;
+  const QPointF sample = sample_at(event->position());
+  emit centre_dragged(sample.x(), sample.y());
 }
 
 }  // namespace sarsim

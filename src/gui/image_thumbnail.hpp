@@ -26,7 +26,8 @@ class ImageThumbnail : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 200}; }
 
  signals:
-  void centre_wanted(double column, double row);  ///< The view is to have this place in its middle.
+  void centre_wanted(double column, double row);   ///< The view is to have this place in its middle.
+  void centre_dragged(double column, double row);  ///< On from where it was wanted, with the button held.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -35,7 +36,7 @@ class ImageThumbnail : public QWidget {
 
  private:
   [[nodiscard]] QRectF place() const;
-  void point_to(QPointF pixel);
+  [[nodiscard]] QPointF sample_at(QPointF pixel) const;
 
   QImage picture_;
   std::size_t rows_ = 1;

@@ -6,10 +6,13 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <bit>
 #include <utility>
 
+#include "gui/figure_plot.hpp"
 #include "gui/image_controls.hpp"
 #include "gui/image_thumbnail.hpp"
 #include "gui/problem_line.hpp"
@@ -36,6 +39,13 @@ std::optional<OverviewCache> cache_for(const ImageSource& source, const ImageHin
                                                  std::to_string(source.info().bits));
 }
 
+// What tells a file from another one that has been given its name; nothing where there is none.
+std::optional<std::pair<dev_t, ino_t>> number_of(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
 unsigned coarser_log2(unsigned base, std::size_t samples) {
   unsigned log2 = base;
   while ((samples >> log2) > coarse_side) ++log2;
@@ -56,6 +66,8 @@ void ImageViewer::open(const std::filesystem::path& path, const ImageHints& hint
     return;
   }
   auto result = std::make_shared<OpenedImage>();
+  // Asked for before the file is opened: one that is replaced meanwhile is opened once more.
+  file_number_ = number_of(path);
   disconnect(&opening_, nullptr, this, nullptr);
   connect(&opening_, &BackgroundJob::ended, this, [this, result](JobEnd end, const QString& failure) {
     if (std::exchange(open_again_, false)) {
@@ -79,8 +91,7 @@ void ImageViewer::take_source(OpenedImage& result) {
   source_ = std::move(result.source);
   open_problems_ = std::move(result.problems);
   read_failure_.clear();
-  statistics_.reset();
-  reading_.reset();
+  forget_readings();
   state_->clear();
   std::error_code ignored;
   file_bytes_ = std::filesystem::file_size(path_, ignored);
@@ -124,6 +135,17 @@ void ImageViewer::take_source(OpenedImage& result) {
   show_problems();
   change_view(plot_->view());
   emit opened();
+}
+
+// What was said of the file before.
+void ImageViewer::forget_readings() {
+  statistics_.reset();
+  reading_.reset();
+  for (QLabel* label : {read_out_, difference_, figures_, point_}) label->clear();
+  for (QWidget* shown :
+       {static_cast<QWidget*>(difference_), static_cast<QWidget*>(point_), static_cast<QWidget*>(histogram_)})
+    shown->hide();
+  for (FigurePlot* plot : {row_cut_, column_cut_}) plot->set_figure({});
 }
 
 void ImageViewer::begin_overview() {
@@ -187,6 +209,11 @@ void ImageViewer::look_at_file() {
   const auto time = std::filesystem::last_write_time(path_, failure);
   const bool follows = follow_file_->isChecked();
   if (failure || opening_.running()) return;  // A file that is gone can still be read where it is open.
+  // What is open would never tell of another file that has taken the name, however large that is.
+  if (follows && number_of(path_) != file_number_) {
+    refresh();
+    return;
+  }
   if (!source_) {
     if (follows && (bytes != file_bytes_ || time != file_time_)) refresh();
     file_bytes_ = bytes;
@@ -231,10 +258,11 @@ void ImageViewer::set_look(const PartLook& look) {
   look_ = look;
   controls_->show_look(look_, source_ ? source_->info().value : ImageValue::complex, value_unit());
   if (overview_shown_) show_overview();
+  if (statistics_) show_statistics();
   read_soon();
 }
 
-void ImageViewer::change_view(const ImageView& view) {
+void ImageViewer::change_view(const ImageView& view, bool tell) {
   if (!source_) return;
   const ImageView wanted = mended(view, rows_, source_->columns());
   const bool moved = wanted != plot_->view();
@@ -244,7 +272,7 @@ void ImageViewer::change_view(const ImageView& view) {
   forward_->setEnabled(history_.can_go_forward());
   read_soon();
   if (!plot_->selection()) measure_soon();
-  if (moved) emit view_changed(wanted, controls_->link());
+  if (moved && tell) emit view_changed(wanted, controls_->link());
 }
 
 void ImageViewer::go_to(const ImageView& view) {
@@ -276,7 +304,8 @@ void ImageViewer::follow(const ImageView& view, AxisLink link) {
     wanted.row_first = view.row_first;
     wanted.row_last = view.row_last;
   }
-  if (wanted != plot_->view()) change_view(wanted);
+  // Told by the leader to all; where this image is smaller, its own view must not throw the leader about.
+  if (wanted != plot_->view()) change_view(wanted, false);
 }
 
 void ImageViewer::refresh() {
@@ -293,7 +322,7 @@ void ImageViewer::read_part() {
   if (!source_) return;
   const QSize size = plot_->device_size();
   ImageWindow window = window_for(plot_->view(), static_cast<std::size_t>(size.width()),
-                                  static_cast<std::size_t>(size.height()), rows_, source_->columns());
+                                  static_cast<std::size_t>(size.height()), rows_, source_->columns(), look_.peak);
   if (window.samples() == 0) {
     plot_->set_part(nullptr, {}, {});
     return;

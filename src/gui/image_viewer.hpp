@@ -3,9 +3,12 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "data/image_source.hpp"
 #include "gui/background_job.hpp"
@@ -57,6 +60,8 @@ class ImageViewer : public QWidget {
   [[nodiscard]] const std::optional<PointReading>& reading() const { return reading_; }
   /// What is seen, with axes, to be written to a file.
   [[nodiscard]] Figure figure() const;
+  /// Whether samples are being written to a file.
+  [[nodiscard]] bool exporting() const { return exporting_.running(); }
   /// What is wrong, as the window says it; empty where nothing is.
   [[nodiscard]] QString problem_words() const;
 
@@ -81,8 +86,9 @@ class ImageViewer : public QWidget {
   void copy_picture();
   /// Asks for a name and writes the picture with its axes.
   void save_picture();
-  /// Asks for a name and a format.
+  /// Asks for a name and a format, and whether an existing file may be replaced.
   void export_chosen();
+  void cancel_export() { exporting_.cancel(); }
   /// Writes what is chosen in the background; `exported` follows. An existing file is replaced.
   void export_to(const QString& path, sarsim::FileFormat format);
 
@@ -106,10 +112,12 @@ class ImageViewer : public QWidget {
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
   void take_source(OpenedImage& result);
+  void forget_readings();
   void begin_overview();
   void look_at_file();
   void take_rows(std::size_t rows);
-  void change_view(const ImageView& view);
+  /// @param tell  other viewers, by `view_changed`
+  void change_view(const ImageView& view, bool tell = true);
   void read_soon();
   void read_part();
   void take_part(const PartResult& result);
@@ -136,6 +144,7 @@ class ImageViewer : public QWidget {
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;
+  std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
   PartLook look_;
   bool look_set_ = false;
   ViewHistory<ImageView> history_;

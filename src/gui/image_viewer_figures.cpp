@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "data/image_export.hpp"
+#include "gui/export_question.hpp"
 #include "gui/figure_plot.hpp"
 #include "gui/image_viewer.hpp"
 #include "gui/problem_line.hpp"
@@ -80,23 +81,14 @@ void set_span(FigureAxis& axis, const std::vector<double>& values) {
   axis.last += more;
 }
 
-struct ExportKind {
-  FileFormat format;
-  const char* name;
-  const char* ending;
-};
-constexpr ExportKind export_kinds[] = {{FileFormat::hdf5, "HDF5", "h5"},
-                                       {FileFormat::npy, "NumPy", "npy"},
-                                       {FileFormat::csv, "CSV", "csv"},
-                                       {FileFormat::binary, "Sarsim BINARY", "bin"},
-                                       {FileFormat::ascii, "Sarsim ASCII", "asc"},
-                                       {FileFormat::bracket, "Sarsim BRACKET", "brk"}};
-
 }  // namespace
 
 QString ImageViewer::value_unit() const {
-  return source_ && source_->info().value == ImageValue::complex && !source_->info().counts ? QStringLiteral("V")
-                                                                                            : QString();
+  if (!source_) return {};
+  const ImageInfo& info = source_->info();
+  // A file that is described by hand does not say what its numbers are.
+  const bool volts = info.value == ImageValue::complex && !info.counts && info.format != ImageFormat::custom;
+  return volts ? QStringLiteral("V") : QString();
 }
 
 QString ImageViewer::unit() const {
@@ -232,8 +224,9 @@ void ImageViewer::measure() {
   connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double) {
     figures_->setText(tr("Measuring: %1 %").arg(static_cast<int>(100 * share)));
   });
-  connect(&measuring_, &BackgroundJob::ended, this, [this, result](JobEnd end, const QString& failure) {
+  connect(&measuring_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
     if (std::exchange(measure_again_, false)) return measure();
+    if (of != source_) return;  // Another file is shown by now.
     statistics_.reset();
     if (end == JobEnd::done) statistics_ = *result;
     show_statistics();
@@ -295,7 +288,8 @@ void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
   if (!source_ || pointing_.running()) return;
   auto result = std::make_shared<std::variant<PointReading, Problem>>();
   disconnect(&pointing_, nullptr, this, nullptr);
-  connect(&pointing_, &BackgroundJob::ended, this, [this, result](JobEnd end, const QString& failure) {
+  connect(&pointing_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
+    if (of != source_) return;  // Another file is shown by now.
     reading_.reset();
     if (end == JobEnd::failed) return show_reading(failure);
     if (end != JobEnd::done) return;
@@ -370,15 +364,8 @@ void ImageViewer::copy_picture() { QApplication::clipboard()->setImage(plot_->pl
 void ImageViewer::save_picture() { ask_and_save_picture(*this, figure(), "image.png"); }
 
 void ImageViewer::export_chosen() {
-  if (exporting_.running()) return exporting_.cancel();
-  QStringList filters;
-  for (const ExportKind& kind : export_kinds) filters << QStringLiteral("%1 (*.%2)").arg(kind.name, kind.ending);
-  QString chosen_filter = filters.front();
-  QString path = QFileDialog::getSaveFileName(this, tr("Export samples"), {}, filters.join(";;"), &chosen_filter);
-  if (path.isEmpty()) return;
-  const ExportKind& kind = export_kinds[std::max<qsizetype>(0, filters.indexOf(chosen_filter))];
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".") + kind.ending;
-  export_to(path, kind.format);
+  if (exporting()) return cancel_export();
+  if (const auto choice = ask_export(this)) export_to(choice->path, choice->format);
 }
 
 void ImageViewer::export_to(const QString& path, FileFormat format) {

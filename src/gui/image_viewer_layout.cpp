@@ -130,6 +130,7 @@ QWidget* ImageViewer::make_tool_row() {
   layout->setContentsMargins(0, 0, 0, 0);
   back_ = add_tool(layout, tr("Back"), "image_back", tr("The view before (Backspace)"));
   forward_ = add_tool(layout, tr("Forward"), "image_forward", tr("The view that was left by going back"));
+  for (QToolButton* button : {back_, forward_}) button->setEnabled(false);
   connect(add_tool(layout, tr("Full Image"), "image_whole", tr("Show everything (Home)")), &QToolButton::clicked, this,
           &ImageViewer::show_whole);
   connect(add_tool(layout, tr("Refresh"), "image_refresh", tr("Open the file anew, as it is now")),
@@ -196,13 +197,17 @@ void ImageViewer::connect_all() {
   connect(controls_, &ImageControls::edited, this, &ImageViewer::set_look);
   connect(controls_, &ImageControls::link_changed, this,
           [this] { emit view_changed(plot_->view(), controls_->link()); });
-  connect(thumbnail_, &ImageThumbnail::centre_wanted, this, [this](double column, double row) {
+  const auto about = [this](double column, double row) -> ImageView {
     const ImageView& v = plot_->view();
-    go_to({column - v.columns() / 2.0, column + v.columns() / 2.0, row - v.rows() / 2.0, row + v.rows() / 2.0});
-  });
+    return {column - v.columns() / 2.0, column + v.columns() / 2.0, row - v.rows() / 2.0, row + v.rows() / 2.0};
+  };
+  connect(thumbnail_, &ImageThumbnail::centre_wanted, this,
+          [this, about](double column, double row) { go_to(about(column, row)); });
+  connect(thumbnail_, &ImageThumbnail::centre_dragged, this,
+          [this, about](double column, double row) { change_view(about(column, row)); });
   connect(plot_, &ImagePlot::view_wanted, this, &ImageViewer::go_to);
   connect(plot_, &ImagePlot::drag_began, this, [this] { history_.leave(plot_->view()); });
-  connect(plot_, &ImagePlot::view_dragged, this, &ImageViewer::change_view);
+  connect(plot_, &ImagePlot::view_dragged, this, [this](const ImageView& view) { change_view(view); });
   connect(plot_, &ImagePlot::back_wanted, this, &ImageViewer::go_back);
   connect(plot_, &ImagePlot::whole_wanted, this, &ImageViewer::show_whole);
   connect(plot_, &ImagePlot::resized, this, &ImageViewer::read_soon);

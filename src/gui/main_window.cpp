@@ -6,6 +6,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
@@ -20,7 +21,10 @@
 #include "gui/image_viewers.hpp"
 #include "gui/log_panel.hpp"
 #include "gui/object_tree.hpp"
+#include "gui/product_window.hpp"
 #include "gui/property_panel.hpp"
+#include "gui/run_panel.hpp"
+#include "gui/save_queue.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
 #include "gui/script_editor.hpp"
@@ -54,6 +58,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new Do
   make_docks();
   make_menus();
   make_tool_bar();
+  ask_end_work = [this](const QStringList& work) {
+    QMessageBox box(QMessageBox::Question, tr("Close"), tr("This is still under way and would be ended:"),
+                    QMessageBox::Yes | QMessageBox::No, this);
+    box.setInformativeText(work.join('\n') + "\n\n" + tr("End it and close?"));
+    box.setDefaultButton(QMessageBox::No);
+    return box.exec() == QMessageBox::Yes;
+  };
   connect(scene_, &ScenePanel::edit_requested, this, &MainWindow::edit_object);
   connect(scene_, &ScenePanel::delete_wanted, tree_, &ObjectTree::delete_selection);
   connect(scene_, &ScenePanel::menu_requested, this, &MainWindow::show_object_menu);
@@ -243,11 +254,38 @@ void MainWindow::reset_layout() {
   for (const auto& [name, dock] : docks_) dock->show();
 }
 
+QStringList MainWindow::work_under_way() const {
+  QStringList work;
+  if (saver_->queue().busy()) work << tr("Data of simulation windows are being saved.");
+  if (simulations_->run_panel().running()) work << tr("A stored simulation is being run.");
+  for (const ImageViewer* viewer : image_viewers_->viewers())
+    if (viewer->exporting())
+      work << tr("Samples of %1 are being exported.").arg(QString::fromStdString(viewer->path().filename().string()));
+  if (geometry_ != nullptr && geometry_->saving()) work << tr("A geometry table is being saved.");
+  if (products_ != nullptr && products_->busy()) work << tr("An image is being made from echoes.");
+  return work;
+}
+
+bool MainWindow::may_end_work() {
+  const QStringList work = work_under_way();
+  return work.isEmpty() || ask_end_work(work);
+}
+
+void MainWindow::end_work() {
+  saver_->queue().cancel_all();
+  simulations_->run_panel().cancel();
+  for (ImageViewer* viewer : image_viewers_->viewers()) viewer->cancel_export();
+  if (geometry_ != nullptr) geometry_->cancel_saving();
+  if (products_ != nullptr) products_->stop();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!saver_->may_close() || !may_go()) {
+  // Nothing ends before every question is answered.
+  if (!may_go() || !may_end_work()) {
     event->ignore();
     return;
   }
+  end_work();
   QSettings settings;
   settings.setValue("window/geometry", saveGeometry());
   settings.setValue("window/state", saveState(layout_version));

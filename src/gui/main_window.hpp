@@ -59,6 +59,11 @@ class MainWindow : public QMainWindow {
   /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
   void set_guide(GuideSite guide) { guide_ = std::move(guide); }
 
+  /// What would be lost with the window, in words: runs, files that are being written, images that are being made.
+  [[nodiscard]] QStringList work_under_way() const;
+  /// Asked once before closing ends all of that. A message box unless replaced.
+  std::function<bool(const QStringList& work)> ask_end_work;
+
  protected:
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
@@ -84,6 +89,8 @@ class MainWindow : public QMainWindow {
   void show_state();
   void commit_typed();
   bool may_go();
+  bool may_end_work();
+  void end_work();
   void add_new(AnyObject object);
   void edit_object(ObjectId id);
   void edit_function(ObjectId id, const QString& field);

@@ -12,6 +12,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <thread>
 
 #include "data/recording_hints.hpp"
 #include "gui/image_part.hpp"
@@ -19,10 +23,25 @@
 
 namespace sarsim {
 
+// What is to be found out of a file.
+struct FoundOut {
+  std::vector<RawGuess> guesses;
+  std::optional<SampleFileHints> known;  // to the scene
+  bool readable = true;                  // by its content
+};
+
+// What comes of a file, read as the fields say.
+struct FilePreview {
+  bool readable = false;
+  Problems problems;
+  QImage picture;
+};
+
 namespace {
 
 constexpr int preview_side = 256;
 constexpr int preview_after_ms = 150;
+constexpr std::size_t most_bits = 64;
 
 void show_row(QFormLayout* form, QWidget* field, bool shown) {
   field->setVisible(shown);
@@ -30,6 +49,62 @@ void show_row(QFormLayout* form, QWidget* field, bool shown) {
 }
 
 std::size_t whole_number(const QLineEdit* edit) { return edit->text().trimmed().toULongLong(); }
+
+// Reads the file.
+FoundOut find_out(const std::filesystem::path& file, const Scene& scene) {
+  FoundOut found;
+  auto guessed = guess_raw_layout(file);
+  if (auto* const guesses = std::get_if<std::vector<RawGuess>>(&guessed)) found.guesses = std::move(*guesses);
+  found.known = hints_from_scene(scene, file);
+  ImageHints hints;
+  if (found.known) {
+    hints.samples.columns = found.known->columns;
+    hints.samples.bits = found.known->bits;
+  }
+  std::error_code ignored;
+  found.readable = !std::filesystem::is_regular_file(file, ignored) || ImageSource::open(file, hints).source != nullptr;
+  return found;
+}
+
+// Rows of a text come to be known little by little.
+void wait_for_rows(const ImageSource& source, const StopFlag& stop) {
+  constexpr auto patience = std::chrono::seconds(2);
+  constexpr auto step = std::chrono::milliseconds(10);
+  for (auto waited = std::chrono::milliseconds(0); source.indexed() < 1.0; waited += step) {
+    if (stop.requested()) throw Interrupted();
+    if (waited >= patience && source.rows() > 0) return;
+    std::this_thread::sleep_for(step);
+  }
+}
+
+QImage picture_of(const ImageSource& source) {
+  const ImageView all = whole_view(source.rows(), source.columns());
+  ImagePart part;
+  part.window = window_for(all, preview_side, preview_side, source.rows(), source.columns());
+  part.value = source.info().value;
+  if (part.window.samples() == 0) return {};
+  std::vector<std::complex<float>> samples(part.window.samples());
+  source.read_window(part.window, samples);
+  part.samples.assign(samples.begin(), samples.end());
+  if (part.value == ImageValue::rgb) {
+    part.colours.resize(part.window.samples());
+    source.read_rgb(part.window, part.colours);
+  }
+  PartLook look = look_for(part.value, source.info().format == ImageFormat::sun_raster);
+  look.limits.percentile = 99.0;
+  return paint(part, look, all).image.scaled(preview_side, preview_side);
+}
+
+FilePreview preview_of(const std::filesystem::path& file, const ImageHints& hints, const StopFlag& stop) {
+  FilePreview preview;
+  const OpenedImage opened = ImageSource::open(file, hints);
+  preview.problems = opened.problems;
+  preview.readable = opened.source != nullptr;
+  if (!opened.source) return preview;
+  wait_for_rows(*opened.source, stop);
+  preview.picture = picture_of(*opened.source);
+  return preview;
+}
 
 constexpr ImageValue raw_values[] = {ImageValue::complex, ImageValue::real, ImageValue::magnitude, ImageValue::power};
 
@@ -64,10 +139,12 @@ OpenImageDialog::OpenImageDialog(QWidget* parent) : QDialog(parent) {
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   soon_.setSingleShot(true);
-  connect(&soon_, &QTimer::timeout, this, &OpenImageDialog::show_preview);
+  connect(&soon_, &QTimer::timeout, this, &OpenImageDialog::begin_preview);
+  connect(&finding_, &LatestWork::ended, this, &OpenImageDialog::show_found);
+  connect(&previewing_, &LatestWork::ended, this, &OpenImageDialog::show_preview);
   show_layout({});
   show_rows();
-  show_preview();
+  begin_preview();
   setMinimumWidth(fontMetrics().averageCharWidth() * 110);
 }
 
@@ -95,7 +172,7 @@ void OpenImageDialog::make_file_row(QFormLayout* form) {
   kind_->addItems({tr("Found from its content"), tr("Sarsim BINARY"), tr("Sarsim ASCII"), tr("Sarsim BRACKET"),
                    tr("CSV"), tr("Custom: described below")});
   form->addRow(tr("Format"), kind_);
-  connect(kind_, &QComboBox::activated, this, &OpenImageDialog::changed);
+  connect(kind_, &QComboBox::activated, this, &OpenImageDialog::choose);
 }
 
 QLineEdit* OpenImageDialog::add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip) {
@@ -104,7 +181,7 @@ QLineEdit* OpenImageDialog::add_number(QFormLayout* form, const QString& label, 
   edit->setAccessibleName(label);
   edit->setToolTip(tip);
   form->addRow(label, edit);
-  connect(edit, &QLineEdit::textEdited, this, &OpenImageDialog::changed);
+  connect(edit, &QLineEdit::textEdited, this, &OpenImageDialog::choose);
   return edit;
 }
 
@@ -143,8 +220,8 @@ void OpenImageDialog::make_raw_rows(QFormLayout* form) {
   q_first_->setObjectName("open_image_q_first");
   form->addRow(big_endian_);
   form->addRow(q_first_);
-  for (QComboBox* box : {number_, value_}) connect(box, &QComboBox::activated, this, &OpenImageDialog::changed);
-  for (QCheckBox* box : {big_endian_, q_first_}) connect(box, &QCheckBox::toggled, this, &OpenImageDialog::changed);
+  for (QComboBox* box : {number_, value_}) connect(box, &QComboBox::activated, this, &OpenImageDialog::choose);
+  for (QCheckBox* box : {big_endian_, q_first_}) connect(box, &QCheckBox::clicked, this, &OpenImageDialog::choose);
 }
 
 void OpenImageDialog::find_file() {
@@ -155,51 +232,59 @@ void OpenImageDialog::find_file() {
 void OpenImageDialog::show_file(const QString& path, const ImageHints& hints) {
   path_->setText(path);
   take_file();
-  if (hints.raw) {
-    kind_->setCurrentIndex(custom);
-    show_layout(*hints.raw);
-  } else if (hints.samples.columns > 0 || hints.samples.bits > 0) {
-    if (hints.samples.columns > 0) columns_->setText(QString::number(hints.samples.columns));
-    if (hints.samples.bits > 0) bits_->setText(QString::number(hints.samples.bits));
-  }
+  if (hints.raw) show_layout(*hints.raw);
+  if (const auto kind = kind_of(hints)) kind_->setCurrentIndex(*kind);
+  if (hints.samples.columns > 0) columns_->setText(QString::number(hints.samples.columns));
+  if (hints.samples.bits > 0) bits_->setText(QString::number(hints.samples.bits));
+  chosen_ = kind_of(hints).has_value();
   changed();
 }
 
-// Everything that the file itself and the scene say.
+// What a file says of itself and what the scene says of it; a damaged file may take long.
 void OpenImageDialog::take_file() {
+  found_ = std::make_shared<FoundOut>();
   guesses_.clear();
   guess_->clear();
-  const std::filesystem::path file = path_->text().toStdString();
-  try {
-    auto found = guess_raw_layout(file);
-    if (auto* const guesses = std::get_if<std::vector<RawGuess>>(&found)) guesses_ = std::move(*guesses);
-  } catch (const std::exception& error) {
-    problems_->show_texts(Severity::error, {QString::fromUtf8(error.what())});
-  }
+  columns_->clear();
+  bits_->clear();
+  kind_->setCurrentIndex(by_content);
+  chosen_ = false;
+  preview_->setPixmap({});
+  preview_->setText(tr("Looking..."));
+  problems_->clear();
+  open_->setEnabled(false);
+  finding_.run([file = std::filesystem::path(path_->text().toStdString()), scene = scene_, into = found_](
+                   const StopFlag&, const BackgroundJob::Report&) { *into = find_out(file, scene); });
+  changed();
+}
+
+// What was chosen or typed meanwhile stays.
+void OpenImageDialog::show_found(bool good, const QString& failure) {
+  if (!good) problems_->show_texts(Severity::error, {failure});
+  const FoundOut& found = *found_;
+  guesses_ = found.guesses;
   for (const RawGuess& guess : guesses_)
     guess_->addItem(QString::fromStdString(to_string(guess.layout)) + " (" + QString::fromStdString(guess.reason) +
                     ")");
-  if (!guesses_.empty()) show_layout(guesses_.front().layout);
-  if (const auto known = hints_from_scene(scene_, file)) {
-    columns_->setText(QString::number(known->columns));
-    bits_->setText(QString::number(known->bits));
+  if (found.known && columns_->text().isEmpty() && bits_->text().isEmpty()) {
+    columns_->setText(QString::number(found.known->columns));
+    bits_->setText(QString::number(found.known->bits));
   }
-  // What does not describe itself begins with the best guess.
-  kind_->setCurrentIndex(by_content);
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(file, ignored) && !ImageSource::open(file, hints()).source && !guesses_.empty())
-    kind_->setCurrentIndex(custom);
+  if (!chosen_) {
+    if (!guesses_.empty()) show_layout(guesses_.front().layout);
+    // What does not describe itself begins with the best guess.
+    kind_->setCurrentIndex(found.readable || guesses_.empty() ? by_content : custom);
+  }
   changed();
 }
 
 void OpenImageDialog::take_guess(int index) {
   if (index < 0 || static_cast<std::size_t>(index) >= guesses_.size()) return;
   show_layout(guesses_[static_cast<std::size_t>(index)].layout);
-  changed();
+  choose();
 }
 
 void OpenImageDialog::show_layout(const RawLayout& layout) {
-  showing_ = true;
   header_->setText(QString::number(layout.header_bytes));
   width_->setText(QString::number(layout.width));
   height_->setText(QString::number(layout.height));
@@ -208,7 +293,6 @@ void OpenImageDialog::show_layout(const RawLayout& layout) {
   offset_->setText(QString::number(layout.offset));
   big_endian_->setChecked(layout.big_endian);
   q_first_->setChecked(layout.q_first);
-  showing_ = false;
 }
 
 RawLayout OpenImageDialog::layout() const {
@@ -237,14 +321,31 @@ ImageHints OpenImageDialog::hints() const {
     default: break;
   }
   hints.samples.columns = whole_number(columns_);
-  hints.samples.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), 64));
+  hints.samples.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), most_bits));
   return hints;
 }
 
 bool OpenImageDialog::has_preview() const { return !preview_->pixmap(Qt::ReturnByValue).isNull(); }
 
+std::optional<OpenImageDialog::Kind> OpenImageDialog::kind_of(const ImageHints& hints) {
+  if (hints.raw) return custom;
+  if (!hints.samples.format) return std::nullopt;
+  switch (*hints.samples.format) {
+    case FileFormat::binary: return binary;
+    case FileFormat::ascii: return ascii;
+    case FileFormat::bracket: return bracket;
+    case FileFormat::csv: return csv;
+    default: return by_content;
+  }
+}
+
+// By the user.
+void OpenImageDialog::choose() {
+  chosen_ = true;
+  changed();
+}
+
 void OpenImageDialog::changed() {
-  if (showing_) return;
   show_rows();
   soon_.start(preview_after_ms);
 }
@@ -262,45 +363,55 @@ void OpenImageDialog::show_rows() {
   q_first_->setEnabled(value_->currentIndex() == 0);
 }
 
-void OpenImageDialog::show_preview() {
-  preview_->setPixmap({});
-  open_->setEnabled(!path_->text().isEmpty());
-  if (path_->text().isEmpty()) {
-    preview_->setText(tr("Preview"));
+QStringList OpenImageDialog::objections() const {
+  QStringList texts;
+  const auto object = [&](const QLineEdit* edit, bool understood) {
+    if (edit->isVisibleTo(this) && !edit->text().trimmed().isEmpty() && !understood)
+      texts << tr("%1: '%2' is no number that it can be").arg(edit->accessibleName(), edit->text().trimmed());
+  };
+  for (const QLineEdit* edit : {columns_, bits_, header_, width_, height_}) {
+    bool whole = false;
+    const qulonglong number = edit->text().trimmed().toULongLong(&whole);
+    object(edit, whole && (edit != bits_ || number <= most_bits));
+  }
+  bool number = false;
+  const double offset = offset_->text().trimmed().toDouble(&number);
+  object(offset_, number && std::isfinite(offset));
+  return texts;
+}
+
+void OpenImageDialog::begin_preview() {
+  const QStringList wrong = objections();
+  open_->setEnabled(!path_->text().isEmpty() && wrong.isEmpty() && !finding_.busy());
+  if (path_->text().isEmpty() || !wrong.isEmpty() || finding_.busy()) {
+    previewing_.cancel();
+    if (!wrong.isEmpty()) problems_->show_texts(Severity::error, wrong);
+    if (!finding_.busy()) show_picture({}, path_->text().isEmpty() ? tr("Preview") : tr("No preview"));
     return;
   }
-  try {
-    OpenedImage opened = ImageSource::open(path_->text().toStdString(), hints());
-    QStringList texts;
-    for (const Problem& problem : opened.problems) texts << problem_text(problem);
-    if (texts.isEmpty())
-      problems_->clear();
-    else
-      problems_->show_texts(opened.source ? Severity::warning : Severity::error, texts.mid(0, 4));
-    open_->setEnabled(opened.source != nullptr);
-    preview_->setText(opened.source ? tr("Nothing to show yet") : tr("No preview"));
-    if (!opened.source) return;
-    const ImageSource& source = *opened.source;
-    const ImageView all = whole_view(source.rows(), source.columns());
-    ImagePart part;
-    part.window = window_for(all, preview_side, preview_side, source.rows(), source.columns());
-    part.value = source.info().value;
-    if (part.window.samples() == 0) return;
-    std::vector<std::complex<float>> samples(part.window.samples());
-    source.read_window(part.window, samples);
-    part.samples.assign(samples.begin(), samples.end());
-    if (part.value == ImageValue::rgb) {
-      part.colours.resize(part.window.samples());
-      source.read_rgb(part.window, part.colours);
-    }
-    PartLook look = look_for(part.value, source.info().format == ImageFormat::sun_raster);
-    look.limits.percentile = 99.0;
-    const QImage picture = paint(part, look, all).image;
-    preview_->setPixmap(QPixmap::fromImage(picture.scaled(preview_side, preview_side)));
-  } catch (const std::exception& error) {
-    open_->setEnabled(false);
-    problems_->show_texts(Severity::error, {QString::fromUtf8(error.what())});
-  }
+  shown_ = std::make_shared<FilePreview>();
+  previewing_.run([file = std::filesystem::path(path_->text().toStdString()), hints = hints(), into = shown_](
+                      const StopFlag& stop, const BackgroundJob::Report&) { *into = preview_of(file, hints, stop); });
+}
+
+void OpenImageDialog::show_preview(bool good, const QString& failure) {
+  QStringList texts;
+  if (!good) texts << failure;
+  for (const Problem& problem : shown_->problems) texts << problem_text(problem);
+  const bool readable = good && shown_->readable;
+  if (texts.isEmpty())
+    problems_->clear();
+  else
+    problems_->show_texts(readable ? Severity::warning : Severity::error, texts.mid(0, 4));
+  open_->setEnabled(readable);
+  show_picture(shown_->picture, readable ? tr("The file holds no samples yet") : tr("No preview"));
+}
+
+void OpenImageDialog::show_picture(const QImage& picture, const QString& instead) {
+  if (picture.isNull())
+    preview_->setText(instead);
+  else
+    preview_->setPixmap(QPixmap::fromImage(picture));
 }
 
 }  // namespace sarsim

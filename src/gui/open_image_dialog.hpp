@@ -1,11 +1,15 @@
 #pragma once
 
 #include <QDialog>
+#include <QImage>
 #include <QTimer>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "data/image_source.hpp"
+#include "gui/latest_work.hpp"
 #include "scene/scene.hpp"
 
 class QCheckBox;
@@ -19,6 +23,8 @@ class QSpinBox;
 namespace sarsim {
 
 class ProblemLine;
+struct FilePreview;
+struct FoundOut;
 
 /// Which file is to be looked at and how it is stored: by itself, one of Sarsim's formats, or described by hand with
 /// guesses to choose from. A preview shows what comes of it.
@@ -47,18 +53,24 @@ class OpenImageDialog : public QDialog {
   void make_sample_rows(QFormLayout* form);
   void make_raw_rows(QFormLayout* form);
   QLineEdit* add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip);
+  [[nodiscard]] static std::optional<Kind> kind_of(const ImageHints& hints);
   void find_file();
   void take_file();
+  void show_found(bool good, const QString& failure);
   void take_guess(int index);
   void show_layout(const RawLayout& layout);
   [[nodiscard]] RawLayout layout() const;
+  void choose();
   void changed();
   void show_rows();
-  void show_preview();
+  [[nodiscard]] QStringList objections() const;
+  void begin_preview();
+  void show_preview(bool good, const QString& failure);
+  void show_picture(const QImage& picture, const QString& instead);
 
   Scene scene_;
   std::vector<RawGuess> guesses_;
-  bool showing_ = false;
+  bool chosen_ = false;  // The user has said how the file is read.
   QFormLayout* form_ = nullptr;
   QLineEdit* path_ = nullptr;
   QComboBox* kind_ = nullptr;
@@ -77,6 +89,10 @@ class OpenImageDialog : public QDialog {
   ProblemLine* problems_ = nullptr;
   QPushButton* open_ = nullptr;
   QTimer soon_;
+  std::shared_ptr<FoundOut> found_;
+  std::shared_ptr<FilePreview> shown_;
+  LatestWork finding_;
+  LatestWork previewing_;
 };
 
 }  // namespace sarsim

@@ -223,12 +223,12 @@ void ProductWindow::make() {
   const QString script = folder_->filePath("scene.scr");
   made_ = folder_->filePath(QString(products[static_cast<std::size_t>(product_->currentIndex())].command) + ".npy");
   try {
-    const std::string& text = session_.document().text();
+    // Names of data files may lead out of the folder, to files of others.
+    const std::string text = self_contained_script(session_.document());
     QFile file(script);
     if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
       throw std::runtime_error(file.errorString().toStdString());
     file.close();
-    write_data(data_to_write(session_.document(), script.toStdString()));
   } catch (const std::exception& failure) {
     fail({tr("Error: the scene could not be written for the command: %1").arg(failure.what())});
     return;

@@ -15,6 +15,7 @@
 #include "simulate/impossible_echo.hpp"
 #include "simulate/run.hpp"
 #include "simulate/survey.hpp"
+#include "view/save_estimate.hpp"
 
 namespace sarsim {
 
@@ -200,10 +201,10 @@ QString saturation_warning(const RunSummary& summary) {
 }
 
 QString estimate_text(const RunEstimate& estimate) {
-  return RunJob::tr("%1 x %2 samples, %3, about %4, %5 of memory, %6 engine")
+  return RunJob::tr("%1 x %2 samples, %3, %4, %5 of memory, %6 engine")
       .arg(estimate.rows)
       .arg(estimate.columns)
-      .arg(text_of(estimate.bytes), QString::fromStdString(duration_text(estimate.seconds)),
+      .arg(text_of(estimate.bytes), QString::fromStdString(about_duration_text(estimate.seconds)),
            text_of(estimate.memory_bytes), estimate.engine);
 }
 

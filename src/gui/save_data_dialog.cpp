@@ -144,7 +144,8 @@ void SaveDataDialog::make_converter_group(QFormLayout* form) {
   lsb_from_->setCurrentIndex(static_cast<int>(choice_.lsb));
   lsb_ = add_line(form, tr("LSB value"), "save_lsb", tr("Voltage of one step; a number without unit is in mV"));
   connect(bits_, &QSpinBox::valueChanged, this, &SaveDataDialog::take_rest);
-  connect(lsb_from_, &QComboBox::currentIndexChanged, this, &SaveDataDialog::take_rest);
+  if (choice_.recording.lsb_v > 0.0) lsb_->setText(text_of(quantity_text(choice_.recording.lsb_v, Quantity::voltage)));
+  connect(lsb_from_, &QComboBox::currentIndexChanged, this, &SaveDataDialog::take_lsb_choice);
   connect(lsb_, &QLineEdit::textEdited, this, &SaveDataDialog::take_rest);
 }
 
@@ -210,6 +211,14 @@ void SaveDataDialog::take_multiple() {
   refresh();
 }
 
+// Back to a value of one's own: the field has shown others meanwhile.
+void SaveDataDialog::take_lsb_choice() {
+  const bool given = static_cast<LsbChoice>(lsb_from_->currentIndex()) == LsbChoice::given;
+  if (given && choice_.recording.lsb_v > 0.0)
+    lsb_->setText(text_of(quantity_text(choice_.recording.lsb_v, Quantity::voltage)));
+  take_rest();
+}
+
 void SaveDataDialog::take_rest() {
   choice_.recording.bits = bits_->value();
   choice_.lsb = static_cast<LsbChoice>(lsb_from_->currentIndex());
@@ -233,7 +242,6 @@ void SaveDataDialog::show_lsb() {
   lsb_->setReadOnly(!given);
   lsb_->setEnabled(given);
   const double lsb_v = simulation().lsb_v;
-  if (given && lsb_->text().isEmpty() && lsb_v > 0.0) lsb_->setText(text_of(quantity_text(lsb_v, Quantity::voltage)));
   if (given) return;
   lsb_->setText(lsb_v > 0.0 ? QStringLiteral("%1 mV").arg(1e3 * lsb_v, 0, 'g', 6) : QString());
   lsb_->setPlaceholderText(choice_.lsb == LsbChoice::estimated ? tr("unknown until the picture is complete")
@@ -286,13 +294,23 @@ void SaveDataDialog::refresh() {
   if (sound_)
     problems_->clear();
   else
-    problems_->show_texts(Severity::error, texts);
+    show_objections(texts);
   buttons_->button(QDialogButtonBox::Save)->setEnabled(sound_);
   if (sound_)
     plan();
   else
     planning_.cancel();
   if (!sound_) estimate_->clear();
+}
+
+// Text that breaks into lines asks for no room by itself: the dialog would press its fields together.
+void SaveDataDialog::show_objections(const QStringList& texts) {
+  problems_->show_texts(Severity::error, texts);
+  // From the inside outwards: each tells the next that it needs another height.
+  problems_->layout()->activate();
+  layout()->activate();
+  const int needed = layout()->totalHeightForWidth(width());
+  if (needed > height()) resize(width(), needed);
 }
 
 void SaveDataDialog::plan() {
@@ -310,7 +328,7 @@ void SaveDataDialog::show_forecast(bool good, const QString& failure) {
     for (const Problem& problem : forecast_->problems) texts << problem_text(problem);
   estimate_->setText(good && forecast_->estimate ? QString::fromStdString(sarsim::text_of(*forecast_->estimate))
                                                  : QString());
-  if (!texts.isEmpty()) problems_->show_texts(Severity::error, texts.mid(0, 5));
+  if (!texts.isEmpty()) show_objections(texts.mid(0, 5));
   sound_ = texts.isEmpty();
   // What cannot be run yet may still be kept in the script, to be mended there.
   buttons_->button(QDialogButtonBox::Save)->setEnabled(sound_ || choice_.target == SaveTarget::script);

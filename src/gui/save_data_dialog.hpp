@@ -65,7 +65,9 @@ class SaveDataDialog : public QDialog {
   void make_questions();
   void take_rate();
   void take_multiple();
+  void take_lsb_choice();
   void take_rest();
+  void show_objections(const QStringList& texts);
   void show_lsb();
   void select_file();
   void follow_format();

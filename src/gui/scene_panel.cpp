@@ -53,6 +53,7 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   connect(&session_, &Session::document_replaced, this, [this] {
     new_document_ = true;
     followed_.reset();
+    dragged_.reset();
     time_bar_->set_playing(false);
   });
   connect(&session_, &Session::scene_changed, this, &ScenePanel::take_scene);
@@ -161,6 +162,7 @@ void ScenePanel::begin_drag(ObjectId id) {
   if (!has_object(session_.scene(), id)) return;
   session_.end_run();
   dragged_ = object_of(session_.scene(), id);
+  written_ = *dragged_;
   platform_from_world_ = Mat3();
   if (id.kind == ObjectKind::platform) return;
   const std::size_t carrier = find_platform(session_.scene(), carrier_of(session_.scene(), id));
@@ -170,6 +172,11 @@ void ScenePanel::begin_drag(ObjectId id) {
 
 void ScenePanel::drag(ObjectId id, const Vec3& delta_world_m) {
   if (!dragged_) return;
+  // Undone, removed or edited elsewhere meanwhile: what the hand holds is no longer there.
+  if (!has_object(session_.scene(), id) || object_of(session_.scene(), id) != written_) {
+    dragged_.reset();
+    return;
+  }
   AnyObject object = *dragged_;
   Vec3* const position = position_of(object);
   if (position == nullptr) return;
@@ -180,6 +187,7 @@ void ScenePanel::drag(ObjectId id, const Vec3& delta_world_m) {
   const bool target = id.kind == ObjectKind::target;
   session_.perform(replace_object(session_.scene(), id, std::move(object), target ? "Move target" : "Move platform",
                                   "drag " + std::string(name_of(id.kind)) + std::to_string(id.index)));
+  written_ = object_of(session_.scene(), id);
 }
 
 }  // namespace sarsim

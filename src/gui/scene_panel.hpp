@@ -60,6 +60,7 @@ class ScenePanel : public QWidget {
   QLabel* direction_ = nullptr;
   std::optional<ObjectId> followed_;
   std::optional<AnyObject> dragged_;  // as it was when the drag began
+  AnyObject written_;                 // as the drag last wrote it
   Mat3 platform_from_world_;          // of what carries it
   bool new_document_ = true;
 };

@@ -21,7 +21,7 @@ namespace sarsim {
 /// Mouse: left drag turns, on a target or platform moves it in the view plane (with Shift to round coordinates); middle
 /// drag, or Shift and left drag on empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at
 /// the cursor. Left click selects, with Ctrl adds; double click edits; right click asks for a menu.
-/// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; Ctrl and 1, 2, 3 look from above, the front, the side;
+/// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; 1, 2 and 3 look from above, the front, the side;
 /// Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected ones be
 /// deleted; Escape takes a drag back.
 class SceneWidget : public QWidget {
@@ -110,6 +110,7 @@ class SceneWidget : public QWidget {
   void set_hovered(std::optional<ObjectId> id);
   void begin_gesture(Qt::KeyboardModifiers modifiers);
   void follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
+  void end_gesture();
   void take_gesture_back();
   void click(Qt::KeyboardModifiers modifiers, QPoint global);
   [[nodiscard]] bool knows_key(const QKeyEvent& event) const;

@@ -45,7 +45,10 @@ bool SceneWidget::movable(ObjectId id) const {
 // --- Mouse ----------------------------------------------------------------------------------------------------------
 
 void SceneWidget::mousePressEvent(QMouseEvent* event) {
-  if (press_.gesture != Gesture::none) return;
+  if (press_.gesture != Gesture::none) {
+    if (event->button() != press_.button) return;
+    end_gesture();  // Its release went elsewhere.
+  }
   press_ = {};
   press_.button = event->button();
   press_.gesture = Gesture::pressed;
@@ -111,8 +114,18 @@ void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers mod
   }
 }
 
+// Leaves everything as the gesture made it.
+void SceneWidget::end_gesture() {
+  const Gesture gesture = press_.gesture;
+  press_.gesture = Gesture::none;
+  if (gesture == Gesture::move) emit drag_ended();
+  redraw();  // With all detail again.
+}
+
 void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at_px = device_point(event->position());
+  // A dialog or another window may have taken the release.
+  if (press_.gesture != Gesture::none && !event->buttons().testFlag(press_.button)) end_gesture();
   if (press_.gesture == Gesture::none) {
     set_hovered(picked_at(at_px));
     return;
@@ -125,13 +138,9 @@ void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
 
 void SceneWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != press_.button || press_.gesture == Gesture::none) return;
-  const Gesture gesture = press_.gesture;
-  press_.gesture = Gesture::none;
-  if (gesture == Gesture::pressed)
-    click(event->modifiers(), event->globalPosition().toPoint());
-  else if (gesture == Gesture::move)
-    emit drag_ended();
-  redraw();  // With all detail again.
+  const bool clicked = press_.gesture == Gesture::pressed;
+  end_gesture();
+  if (clicked) click(event->modifiers(), event->globalPosition().toPoint());
 }
 
 void SceneWidget::click(Qt::KeyboardModifiers modifiers, QPoint global) {
@@ -193,7 +202,7 @@ bool SceneWidget::knows_key(const QKeyEvent& event) const {
     case Qt::Key_Home: return true;
     case Qt::Key_1:
     case Qt::Key_2:
-    case Qt::Key_3: return event.modifiers().testFlag(Qt::ControlModifier);
+    case Qt::Key_3: return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     case Qt::Key_Escape: return press_.gesture != Gesture::none;
     default: return false;
   }

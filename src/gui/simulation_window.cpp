@@ -75,6 +75,7 @@ SimulationWindow::SimulationWindow(Session& session, EchoWindow window, bool sho
     : QWidget(parent), session_(session), window_(std::move(window)), show_all_(show_all) {
   setObjectName("simulation_window");
   scene_ = std::make_shared<Scene>(session_.scene());
+  revision_ = session_.document().revision();
   controls_ = new EchoControls(this);
   plot_ = new EchoPlot(this);
   cuts_ = new FigurePlot(this);
@@ -224,6 +225,7 @@ void SimulationWindow::connect_all() {
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &SimulationWindow::compute);
   connect(&session_, &Session::scene_changed, this, [this] {
+    follow_radar();
     scene_ = std::make_shared<Scene>(session_.scene());
     show_state();
     compute_soon();
@@ -245,6 +247,17 @@ void SimulationWindow::connect_all() {
     show_cuts();
     emit changed();
   });
+}
+
+// The radar is known by its name, which the last edit may have changed.
+void SimulationWindow::follow_radar() {
+  const Document& document = session_.document();
+  const bool edited = document.revision() != revision_ && document.last_edit().has_value();
+  revision_ = document.revision();
+  const std::size_t before = find_radar(*scene_, window_.recording.radar);
+  if (!edited || before == not_found) return;
+  const auto now = moved({ObjectKind::radar, before}, document.last_edit()->edit, document.last_edit()->forwards);
+  if (now && has_object(document.scene(), *now)) window_.recording.radar = document.scene().radars[now->index].name;
 }
 
 double SimulationWindow::bandwidth_hz() const {
@@ -320,8 +333,10 @@ void SimulationWindow::compute_soon() {
 void SimulationWindow::compute() {
   if (!isVisible() && testAttribute(Qt::WA_WState_ExplicitShowHide)) return;
   finished_ = false;
-  if (radar_of(*scene_, window_) == nullptr) {
+  computing_ = radar_of(*scene_, window_) != nullptr;
+  if (!computing_) {
     preview_->cancel();
+    progress_->hide();
     plot_->set_matrix(nullptr);
     problems_->show_texts(
         Severity::error, {tr("The scene has no radar '%1'; choose another one").arg(text_of(window_.recording.radar))});
@@ -329,7 +344,7 @@ void SimulationWindow::compute() {
   }
   request_ = preview_->show({scene_, window_, plot_->plot_size(), Engine::automatic, show_all_});
   QTimer::singleShot(progress_after_ms, this,
-                     [this, request = request_] { progress_->setVisible(!finished_ && request == request_); });
+                     [this, request = request_] { progress_->setVisible(computing_ && request == request_); });
 }
 
 // On a thread that computes: only the newest is kept, and looked at when the window has time for it.
@@ -374,12 +389,14 @@ void SimulationWindow::show_event() {
   show_read_out();
   show_cuts();
   if (!finished_) return;
+  computing_ = false;
   progress_->hide();
   emit finished();
 }
 
 void SimulationWindow::show_failure(const Problems& problems) {
   finished_ = false;
+  computing_ = false;
   progress_->hide();
   plot_->set_matrix(nullptr);
   highest_->setText(tr("Highest magnitude: unknown"));

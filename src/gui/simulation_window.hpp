@@ -97,6 +97,7 @@ class SimulationWindow : public QWidget {
   void connect_all();
   void change_view(const EchoView& view);
   void take_state(const EchoWindow& window);
+  void follow_radar();
   void compute();
   void compute_soon();
   void take_event(const PreviewEvent& event);
@@ -109,6 +110,7 @@ class SimulationWindow : public QWidget {
 
   Session& session_;
   std::shared_ptr<const Scene> scene_;
+  std::uint64_t revision_ = 0;  // of the document, which `scene_` is of
   EchoWindow window_;
   ViewHistory<EchoView> history_;
   bool show_all_ = false;
@@ -128,6 +130,7 @@ class SimulationWindow : public QWidget {
   std::mutex lock_;                     // of `latest_`
   std::optional<PreviewEvent> latest_;  // from the threads that compute
   std::uint64_t request_ = 0;
+  bool computing_ = false;
   bool finished_ = false;
   std::unique_ptr<Preview> preview_;  // last: ends before what its events touch
 };

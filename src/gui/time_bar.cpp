@@ -2,9 +2,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
@@ -51,14 +53,23 @@ std::optional<double> taken_from(QLineEdit& field) {
   return reading.value;
 }
 
-QToolButton* make_button(QWidget* parent, const char* name, const QString& text, QStyle::StandardPixmap icon,
-                         const QString& tip) {
+// The style's own are dark, whatever they stand on.
+QIcon drawn_in(const QColor& colour, const QIcon& icon) {
+  constexpr int most_side = 64;
+  QPixmap picture = icon.pixmap(most_side, most_side);
+  QPainter painter(&picture);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+  painter.fillRect(picture.rect(), colour);
+  painter.end();
+  return picture;
+}
+
+QToolButton* make_button(QWidget* parent, const char* name, const QString& text, const QString& tip) {
   auto* button = new QToolButton(parent);
   button->setObjectName(QLatin1String(name));
   button->setText(text);
   button->setAccessibleName(text);
   button->setToolTip(tip);
-  button->setIcon(parent->style()->standardIcon(icon));
   button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   button->setFocusPolicy(Qt::StrongFocus);
   return button;
@@ -82,6 +93,7 @@ TimeBar::TimeBar(QWidget* parent) : QWidget(parent) {
   add_buttons();
   add_fields();
   lay_out();
+  show_icons();
   timer_.setInterval(frame_ms);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &TimeBar::advance);
@@ -95,12 +107,10 @@ TimeBar::~TimeBar() {
 }
 
 void TimeBar::add_buttons() {
-  earlier_button_ = make_button(this, "earlier_button", tr("Earlier"), QStyle::SP_MediaSeekBackward,
-                                tr("Earlier: one step back; held, ten steps a second"));
-  play_button_ =
-      make_button(this, "play_button", tr("Play"), QStyle::SP_MediaPlay, tr("Play or stop: let the time run"));
-  later_button_ = make_button(this, "later_button", tr("Later"), QStyle::SP_MediaSeekForward,
-                              tr("Later: one step on; held, ten steps a second"));
+  earlier_button_ =
+      make_button(this, "earlier_button", tr("Earlier"), tr("Earlier: one step back; held, ten steps a second"));
+  play_button_ = make_button(this, "play_button", tr("Play"), tr("Play or stop: let the time run"));
+  later_button_ = make_button(this, "later_button", tr("Later"), tr("Later: one step on; held, ten steps a second"));
   for (QToolButton* button : {earlier_button_, later_button_}) {
     button->setAutoRepeat(true);
     button->setAutoRepeatDelay(3 * repeat_ms);
@@ -241,8 +251,22 @@ void TimeBar::set_playing(bool play) {
   }
   play_button_->setText(play ? tr("Stop") : tr("Play"));
   play_button_->setAccessibleName(play_button_->text());
-  play_button_->setIcon(style()->standardIcon(play ? QStyle::SP_MediaStop : QStyle::SP_MediaPlay));
+  show_icons();
   emit playing_changed(play);
+}
+
+void TimeBar::show_icons() {
+  const auto show = [this](QToolButton* button, QStyle::StandardPixmap icon) {
+    button->setIcon(drawn_in(palette().color(QPalette::ButtonText), style()->standardIcon(icon)));
+  };
+  show(earlier_button_, QStyle::SP_MediaSeekBackward);
+  show(play_button_, playing() ? QStyle::SP_MediaStop : QStyle::SP_MediaPlay);
+  show(later_button_, QStyle::SP_MediaSeekForward);
+}
+
+void TimeBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) show_icons();
 }
 
 void TimeBar::advance() {

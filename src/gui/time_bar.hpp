@@ -49,7 +49,11 @@ class TimeBar : public QWidget {
   void time_changed(double time_s);    ///< Another time was chosen, or has come.
   void playing_changed(bool playing);  ///< Playing began or ended.
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void show_icons();
   void add_buttons();
   void add_fields();
   void lay_out();

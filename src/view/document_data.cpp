@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "script/reader.hpp"
+#include "script/writer.hpp"
 #include "view/text_file.hpp"
 
 namespace sarsim {
@@ -32,6 +33,18 @@ std::set<std::string> files_of(const Scene& scene) {
   add_names(scene.targets, names);
   add_names(scene.radars, names);
   return names;
+}
+
+void forget_files(Scene& scene) {
+  for (Platform& p : scene.platforms)
+    for (auto* function : {&p.trajectory_m, &p.rotation_deg, &p.position_envelope, &p.rotation_envelope})
+      function->file.clear();
+  for (Target& target : scene.targets) target.gain_db.file.clear();
+  for (Radar& r : scene.radars)
+    for (std::string* file : {&r.pulse_iq.file, &r.envelope_gain.file, &r.pri_s.file, &r.carrier_list_hz.file,
+                              &r.transmit_antenna.gain_db.file, &r.receive_antenna.gain_db.file,
+                              &r.beam_target_world_m.file, &r.window_gain.file, &r.stc_gain.file})
+      file->clear();
 }
 
 // Where a reader of the script looks first; names from systems that part folders with a backslash may mean either.
@@ -72,6 +85,14 @@ std::vector<DataFileWrite> data_to_write(const Document& document, const fs::pat
     files.push_back({name, std::move(path), std::move(wanted.text), replaces});
   }
   return files;
+}
+
+std::string self_contained_script(const Document& document) {
+  if (files_of(document.scene()).empty() || document.text_broken() || has_errors(document.problems()))
+    return document.text();
+  Scene scene = document.scene();
+  forget_files(scene);
+  return write_script(scene);
 }
 
 void write_data(const std::vector<DataFileWrite>& files) {

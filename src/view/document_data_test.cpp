@@ -55,6 +55,22 @@ class DataFiles : public testing::Test {
 
 }  // namespace
 
+TEST_F(DataFiles, AreWithinASelfContainedScript) {
+  Document document = opened();
+  set_gain(document, -12.5);
+  const std::string text = self_contained_script(document);
+  EXPECT_EQ(text.find("FILE"), std::string::npos) << text;
+  write("new/b.scr", text);
+  EXPECT_EQ(gain_in(file("new/b.scr")), -12.5);
+}
+
+TEST_F(DataFiles, AbsentOrFaultyLeaveASelfContainedScriptAsItIsTyped) {
+  write("new/none.scr", directional_script("none.dat"));
+  EXPECT_EQ(self_contained_script(opened("new/none.scr")), directional_script("none.dat"));
+  write("new/plain.scr", "! a remark\n$TARGET Earth 1 2 3 0 0 0 1 0 ISOTROPIC\n");
+  EXPECT_EQ(self_contained_script(opened("new/plain.scr")), opened("new/plain.scr").text());
+}
+
 TEST_F(DataFiles, StayAsTheyAreWhereNothingWasEditedAndTheScriptStays) {
   EXPECT_TRUE(data_to_write(opened(), file("old/a.scr")).empty());
   EXPECT_TRUE(data_to_write(opened(), file("old/b.scr")).empty());

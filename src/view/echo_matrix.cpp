@@ -90,9 +90,11 @@ SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rul
     row.of_pixel = rows;
   }
   SamplePlaces places;
-  places.selection.pick = rule == PixelRule::peak ? SampleSelection::Pick::peak : SampleSelection::Pick::first;
+  // A compressed echo may be a single sample wide, which a subset would leave out; its row is computed whole anyway.
+  const PixelRule across = s.processing == Processing::raw ? rule : PixelRule::peak;
+  places.selection.pick = across == PixelRule::peak ? SampleSelection::Pick::peak : SampleSelection::Pick::first;
   places.selection.rows = spans_of(row.element, plan.rows, rule);
-  places.selection.columns = spans_of(column.element, plan.columns, rule);
+  places.selection.columns = spans_of(column.element, plan.columns, across);
   places.row = std::move(row.element);
   places.column = std::move(column.element);
   places.row_of_pixel = std::move(row.of_pixel);

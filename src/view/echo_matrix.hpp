@@ -26,7 +26,8 @@ struct SamplePlaces {
 
 /// For each pixel the sample nearest to it in time and range (docs/guide/simulation-window.md). With more samples or
 /// pulses than pixels that is a subset of the recording's; with PixelRule::peak the samples in between belong to the
-/// nearest pixel. Columns of a synthetic range profile, whose ranges overlap, are spread evenly.
+/// nearest pixel, as those of one pulse do in any case where data are compressed: their peaks may be one sample wide.
+/// Columns of a synthetic range profile, whose ranges overlap, are spread evenly.
 [[nodiscard]] SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rule);
 
 /// Room for samples that is used again: a new matrix at every step of a drag would otherwise spend longer on fresh

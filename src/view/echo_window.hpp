@@ -51,7 +51,7 @@ enum class RowPlacing {
 
 /// What stands for the samples of a pixel where there are more of them than pixels.
 enum class PixelRule {
-  sample,  ///< One of them, so that what is seen is a subset of the recording.
+  sample,  ///< One of them, so that what is seen is a subset of the recording; of compressed data one pulse's largest.
   peak,    ///< The largest of them.
 };
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <span>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -39,17 +41,37 @@ struct Difference {
   double largest = 0.0;  // over the largest magnitude of the recording
 };
 
+// Of a shown peak: from the nearest of the saved samples that it stands for, and in magnitude from the largest.
+double off_peak(std::complex<double> peak, std::span<const std::complex<double>> saved) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const std::complex<double>& sample : saved) {
+    nearest = std::min(nearest, std::abs(peak - sample));
+    largest = std::max(largest, std::abs(sample));
+  }
+  return std::max(nearest, std::abs(std::abs(peak) - largest));
+}
+
 // Between what is shown and what is saved, where their samples coincide: every `finer`-th column that is shown.
 Difference difference(const EchoMatrix& matrix, const Plan& saved, std::size_t finer) {
   const Recording recording = record(saved);
+  const std::span<const std::complex<double>> samples(recording.samples);
+  const SampleSelection& selection = matrix.places().selection;
   Difference d;
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t k = 0; k < matrix.columns(); ++k) {
+      const std::size_t row = matrix.places().row[i] * saved.columns;
+      if (selection.pick == SampleSelection::Pick::peak && finer == 1) {
+        const IndexSpan span = selection.columns[k];
+        const double off = off_peak(matrix.row(i)[k], samples.subspan(row + span.begin, span.end - span.begin));
+        d.largest = std::max(d.largest, off / recording.report.maximum_v);
+        ++d.samples;
+        continue;
+      }
       if (matrix.places().column[k] % finer != 0) continue;
       const std::size_t column = matrix.places().column[k] / finer;
       if (column >= saved.columns) continue;
-      const std::complex<double> expected = recording.samples[matrix.places().row[i] * saved.columns + column];
-      d.largest = std::max(d.largest, std::abs(matrix.row(i)[k] - expected) / recording.report.maximum_v);
+      d.largest = std::max(d.largest, std::abs(matrix.row(i)[k] - samples[row + column]) / recording.report.maximum_v);
       ++d.samples;
     }
   return d;
@@ -396,6 +418,35 @@ TEST(SamplePlaces, OfPeaksHoldEverySampleOfTheRecordingOnce) {
   };
   nearest(places.row, places.selection.rows);
   nearest(places.column, places.selection.columns);
+}
+
+// A target's peak may be a single sample wide, which one sample in so many would leave out.
+TEST(SamplePlaces, OfCompressedDataHoldEverySampleOfAPulse) {
+  Scene scene = flight_scene();
+  scene.simulations = {simulation_of(flight_window(Processing::matched_filter), 20e6)};
+  const Plan plan = make_plan(scene, 0);
+  const SamplePlaces places = place_samples(plan, {37, 23}, PixelRule::sample);
+  EXPECT_EQ(places.selection.pick, SampleSelection::Pick::peak);
+  std::size_t next = 0;
+  for (const IndexSpan& span : places.selection.columns) {
+    EXPECT_EQ(span.begin, next);
+    next = span.end;
+  }
+  EXPECT_EQ(next, plan.columns);
+  for (const IndexSpan& span : places.selection.rows) EXPECT_EQ(span.end, span.begin + 1);
+}
+
+TEST(Preview, ShowsThePeakOfACompressedTargetOnFewPixels) {
+  Scene scene = flight_scene();
+  scene.radars[0].noise_temperature_k = 0.0;
+  EchoWindow window = flight_window(Processing::matched_filter);
+  const Plan plan = saved_plan(scene, simulation_of(window, 20e6), Engine::reference);
+  const PreviewEvent event = shown(scene, window, {20, 400}, Engine::reference);
+  ASSERT_EQ(event.kind, Kind::finished);
+  double largest_v = 0.0;
+  for (std::size_t i = 0; i < event.matrix->rows(); ++i)
+    largest_v = std::max(largest_v, event.matrix->row_statistics(i).largest_v);
+  EXPECT_DOUBLE_EQ(largest_v, record(plan).report.maximum_v);
 }
 
 TEST(SampleRoom, IsUsedAgainByTheNextMatrix) {

@@ -36,6 +36,14 @@ class FigurePlotTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void another_figure_leaves_nothing_of_the_one_before() {
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    const qsizetype groups = plot.findChildren<QCPMarginGroup*>().size();
+    for (int i = 0; i < 5; ++i) plot.set_figure(four_cells());
+    QCOMPARE(plot.findChildren<QCPMarginGroup*>().size(), groups);
+  }
+
   void cells_stand_where_the_axes_say() {
     FigurePlot plot;
     plot.resize(600, 400);

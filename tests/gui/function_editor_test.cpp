@@ -121,6 +121,35 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(bench.stored().part[0].knots[1], (Knot{1.0, 150.0}));
   }
 
+  void undo_in_a_drag_takes_the_drag_back() {
+    const Bench bench;
+    bench.press(bench.plot->knot_pixel(1));
+    bench.move(bench.pixel(1.4, 77.0));
+    bench.editor->undo();
+    QCOMPARE(bench.knots()[1], (Knot{1.0, 150.0}));
+    bench.move(bench.pixel(1.5, 70.0));
+    bench.release(bench.pixel(1.5, 70.0));
+    QCOMPARE(bench.knots()[1], (Knot{1.0, 150.0}));
+  }
+
+  void undoing_an_inserted_last_sample_while_it_is_dragged_is_harmless() {
+    const Bench bench;
+    const std::size_t count = bench.knots().size();
+    bench.editor->table().set_current(count - 1);
+    bench.click("function_insert");
+    QCOMPARE(bench.knots().size(), count + 1);
+    bench.plot->fit();
+    const QPointF at = bench.plot->knot_pixel(count);
+    bench.press(at);
+    bench.move(at + QPointF(-20.0, 10.0));
+    bench.editor->undo();
+    bench.editor->undo();
+    QCOMPARE(bench.knots().size(), count);
+    bench.move(at + QPointF(-30.0, 20.0));
+    bench.release(at + QPointF(-30.0, 20.0));
+    QCOMPARE(bench.knots().size(), count);
+  }
+
   void a_dragged_point_stays_between_its_neighbours() {
     const Bench bench;
     bench.drag(bench.plot->knot_pixel(1), bench.pixel(2.9, 50.0));

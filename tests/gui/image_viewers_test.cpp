@@ -70,8 +70,8 @@ class ImageViewersTest : public QObject {
     OpenImageDialog dialog;
     dialog.show();
     dialog.show_file(QString::fromStdString(path.string()), {});
+    QTRY_VERIFY_WITH_TIMEOUT(dialog.hints().raw.has_value(), patience_ms);
     QVERIFY(!dialog.guesses().empty());
-    QVERIFY(dialog.hints().raw.has_value());
     QCOMPARE(dialog.hints().raw->number, RawNumber::float32);
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
     auto* const width = dialog.findChild<QLineEdit*>("open_image_width");

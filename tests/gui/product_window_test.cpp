@@ -4,8 +4,17 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <signal.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "gui/document_keeper.hpp"
 #include "gui/image_viewer.hpp"
@@ -13,6 +22,9 @@
 #include "gui/main_window.hpp"
 #include "gui/problem_line.hpp"
 #include "gui/product_window.hpp"
+#include "script/data_file.hpp"
+#include "script/function_block.hpp"
+#include "script/writer.hpp"
 
 namespace sarsim {
 
@@ -114,6 +126,32 @@ class ProductWindowTest : public QObject {
     QVERIFY(bench.main.image_viewers().viewers().empty());
   }
 
+  // A name like ../gain.dat means another file from the folder that the command works in.
+  void writes_no_data_files() {
+    const QTemporaryDir folder;
+    const std::filesystem::path root = folder.path().toStdString();
+    for (const char* name : {"scenes", "tmp"}) std::filesystem::create_directory(root / name);
+    Document document = Document::open(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
+    Scene scene = document.scene();
+    scene.radars[0].stc = Radar::Stc::user;
+    scene.radars[0].stc_gain.part[0].knots = {{0.0, 1.0}, {1e6, 1.0}};
+    scene.radars[0].stc_gain.file = "../gain.dat";
+    std::ofstream(root / "gain.dat") << write_data_file(scene.radars[0].stc_gain.part, function_blocks::stc_gain);
+    std::ofstream(root / "scenes" / "a.scr") << write_script(scene);
+    std::ofstream(root / "tmp" / "gain.dat") << "precious";
+    const QByteArray before = qgetenv("TMPDIR");
+    qputenv("TMPDIR", QByteArray::fromStdString((root / "tmp").string()));
+    {
+      Bench bench("sar_r.scr");
+      QVERIFY(bench.main.documents().open_file(QString::fromStdString((root / "scenes" / "a.scr").string())));
+      QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    }
+    before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+    std::string kept;
+    std::getline(std::ifstream(root / "tmp" / "gain.dat"), kept);
+    QCOMPARE(kept, std::string("precious"));
+  }
+
   void says_what_the_scene_lacks() {
     Bench bench("sar_r.scr");
     bench.choose("products_kind", "profiles");
@@ -139,10 +177,12 @@ class ProductWindowTest : public QObject {
     Bench bench("sar_r.scr");
     bench.choose("products_choice", "back-projection");
     bench.window->make();
-    QElapsedTimer timer;
-    timer.start();
+    auto* const process = bench.window->findChild<QProcess*>();
+    QVERIFY(process->waitForStarted(patience_ms));
+    const auto number = static_cast<pid_t>(process->processId());
+    QVERIFY(number > 0 && ::kill(number, 0) == 0);
     delete bench.window;
-    QVERIFY(timer.elapsed() < 3000);
+    QVERIFY2(::kill(number, 0) != 0 && errno == ESRCH, "the command still runs");
   }
 };
 

@@ -41,6 +41,32 @@ class TimeBarTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void its_buttons_can_be_seen_on_any_ground_data() {
+    QTest::addColumn<QColor>("ink");
+    QTest::newRow("light") << QColor(20, 20, 20);
+    QTest::newRow("dark") << QColor(235, 235, 235);
+  }
+  void its_buttons_can_be_seen_on_any_ground() {
+    QFETCH(QColor, ink);
+    Bench bench;
+    QPalette palette = bench.bar.palette();
+    palette.setColor(QPalette::ButtonText, ink);
+    bench.bar.setPalette(palette);
+    QApplication::processEvents();
+    for (const char* name : {"earlier_button", "play_button", "later_button"}) {
+      const QImage picture = bench.get<QToolButton>(name)->icon().pixmap(16, 16).toImage();
+      int drawn = 0;
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+          const QColor pixel = picture.pixelColor(x, y);
+          if (pixel.alpha() < 255) continue;
+          ++drawn;
+          QVERIFY2(std::abs(pixel.lightness() - ink.lightness()) < 8, name);
+        }
+      QVERIFY2(drawn > 0, name);
+    }
+  }
+
   void every_part_has_its_name_and_is_spoken() {
     const Bench bench;
     QCOMPARE(bench.bar.objectName(), QString("time_bar"));
