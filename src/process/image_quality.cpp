@@ -237,18 +237,22 @@ struct Peak {
   Complex value;
 };
 
-// The maximum of |I|^2 near the middle of a chip.
+// The maximum of |I|^2 near the middle of a chip: Newton's method on its logarithm, which is concave over a whole main
+// lobe, whereas |I|^2 is so only within 0.4 of a cell of the peak, nearer than the nearest sample may be.
 Peak peak_of(const Chip& chip) {
   Peak peak;
   for (int iteration = 0; iteration < 8; ++iteration) {
     const auto [i, iu, iv, iuu, iuv, ivv] = chip.jet(peak.u, peak.v);
     peak.value = i;
-    const auto real = [](Complex a, Complex b) { return (std::conj(a) * b).real(); };
-    const double pu = real(i, iu);
-    const double pv = real(i, iv);
-    const double puu = real(i, iuu) + std::norm(iu);
-    const double puv = real(i, iuv) + real(iu, iv);
-    const double pvv = real(i, ivv) + std::norm(iv);
+    const double power = std::norm(i);
+    if (!(power > 0.0)) break;
+    const auto share = [power](Complex a, Complex b) { return (std::conj(a) * b).real() / power; };
+    // Halves of the derivatives of log |I|^2.
+    const double pu = share(i, iu);
+    const double pv = share(i, iv);
+    const double puu = share(i, iuu) + share(iu, iu) - 2.0 * pu * pu;
+    const double puv = share(i, iuv) + share(iu, iv) - 2.0 * pu * pv;
+    const double pvv = share(i, ivv) + share(iv, iv) - 2.0 * pv * pv;
     const double determinant = puu * pvv - puv * puv;
     if (!(determinant > 0.0 && puu < 0.0)) break;  // no maximum near
     const double du = std::clamp(-(pvv * pu - puv * pv) / determinant, -0.5, 0.5);

@@ -283,7 +283,7 @@ class ViewerFilesTest : public QObject {
     QVERIFY(bench.shown);
     bench.viewer.findChild<QToolButton*>("image_show_statistics")->setChecked(true);
     QTRY_VERIFY_WITH_TIMEOUT(bench.viewer.statistics().has_value(), patience_ms);
-    bench.viewer.plot().set_cursor(0, ImagePlace{10.0, 10.0});
+    bench.viewer.plot().set_cursor(0, SamplePlace{10.0, 10.0});
     QTRY_VERIFY(!bench.words("image_read_out").isEmpty());
     bench.viewer.read_point_at(3, 4);
     QTRY_VERIFY_WITH_TIMEOUT(!bench.words("image_reading").isEmpty(), patience_ms);
@@ -311,7 +311,7 @@ class ViewerFilesTest : public QObject {
     hints.raw = RawLayout{.width = 32, .number = RawNumber::float32};
     viewer.open(path, hints);
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    viewer.plot().set_cursor(0, ImagePlace{10.0, 10.0});
+    viewer.plot().set_cursor(0, SamplePlace{10.0, 10.0});
     auto* const words = viewer.findChild<QLabel*>("image_read_out");
     QTRY_VERIFY(words->text().contains("Magnitude"));
     QVERIFY2(!words->text().contains(" V ") && !words->text().contains("dBV"), qPrintable(words->text()));
