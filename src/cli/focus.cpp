@@ -193,8 +193,10 @@ class FocusRun {
                                   to_string(motion_), strays_m_);
     if (!arguments_.quiet && arguments_.autofocus)
       streams_.err << fmt::format(
-          "  autofocus took out {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after\n",
-          autofocus_.rms_rad, autofocus_.piece_m, autofocus_.entropy_before, autofocus_.entropy_after);
+          "  autofocus {} {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after{}\n",
+          autofocus_.applied ? "took out" : "would take out", autofocus_.rms_rad, autofocus_.piece_m,
+          autofocus_.entropy_before, autofocus_.entropy_after,
+          autofocus_.applied ? "" : "; the image is left as it was, which is sharper");
     if (!arguments_.json) return;
     JsonWriter json;
     json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
@@ -221,7 +223,10 @@ class FocusRun {
       json.null();
       return;
     }
-    json.begin_object().member("piece_m", autofocus_.piece_m).member("rms_rad", autofocus_.rms_rad);
+    json.begin_object()
+        .member("applied", autofocus_.applied)
+        .member("piece_m", autofocus_.piece_m)
+        .member("rms_rad", autofocus_.rms_rad);
     json.member("entropy_before", autofocus_.entropy_before).member("entropy_after", autofocus_.entropy_after);
     json.end_object();
   }

@@ -12,11 +12,13 @@
 
 namespace sarsim::cli {
 
+/// How `sarsim focus` makes its image.
 enum class FocusAlgorithm { range_doppler, chirp_scaling, omega_k, back_projection };
 
 /// As the command line and image headers call it.
 [[nodiscard]] const char* word_of(FocusAlgorithm algorithm);
 
+/// What the columns of its image are.
 enum class FocusGrid { slant, ground };
 
 /// What `sarsim focus` was told; the words as they stand there.

@@ -70,6 +70,7 @@ FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double
   StripmapAutofocusResult result = autofocus_strip(blurred, finding.piece_m, {}, control);
   finding.entropy_before = image_entropy(blurred);
   finding.entropy_after = image_entropy(result.image);
+  finding.applied = finding.entropy_after < finding.entropy_before;
 
   const StraightTrack track = fit_straight(input.echoes.track);
   const double first_m = track.speed_mps * track.time_s(0.0);
@@ -84,7 +85,7 @@ FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double
   if (!finding.along_m.empty()) finding.rms_rad = std::sqrt(sum / static_cast<double>(finding.along_m.size()));
 
   FocusedRows sharp;
-  const auto image = std::make_shared<FocusedImage>(std::move(result.image));
+  const auto image = std::make_shared<const FocusedImage>(finding.applied ? std::move(result.image) : blurred);
   sharp.image = rows.image;
   sharp.on_disk = rows.on_disk;
   sharp.read = [image](std::size_t row, std::span<std::complex<float>> out) {

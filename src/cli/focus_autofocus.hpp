@@ -17,6 +17,7 @@ struct AutofocusFinding {
   double rms_rad = 0.0;           ///< Of phase_rad along the flight.
   double entropy_before = 0.0;
   double entropy_after = 0.0;
+  bool applied = false;  ///< Not where the image would have lost sharpness: it is then as it was.
 };
 
 /// Phase gradient autofocus of a strip (process/autofocus.hpp), in memory. BadInput where that is not enough, or the

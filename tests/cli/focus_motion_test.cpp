@@ -200,9 +200,20 @@ TEST_F(FocusMotion, ThatNavigationDoesNotKnowIsTakenOutByAutofocus) {
   EXPECT_LT(mean_of(magnitudes_of(measure.out, "amplitude_error_db")), 0.6);
   EXPECT_LT(number_of(focus.out, "entropy_after"), 0.9 * number_of(focus.out, "entropy_before"));
   EXPECT_THAT(focus.err, HasSubstr("autofocus took out"));
+  EXPECT_THAT(focus.out, HasSubstr("\"applied\": true"));
   const std::string csv = text_of(folder_ / "phase.csv");
   EXPECT_THAT(csv, testing::StartsWith("along_m,phase_rad\n"));
   EXPECT_LT(residual_rad(csv, error_m), 0.4);
+}
+
+TEST_F(FocusMotion, LeavesAnImageAloneThatAutofocusWouldNotSharpen) {
+  const std::string script = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
+  const Finished focus = sarsim({"focus", script, "--out", "a.img", "--autofocus", "--json"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  ASSERT_EQ(sarsim({"focus", script, "--out", "b.img", "--quiet"}).status, 0);
+  const bool applied = focus.out.find("\"applied\": true") != std::string::npos;
+  EXPECT_EQ(number_of(focus.out, "entropy_after") < number_of(focus.out, "entropy_before"), applied);
+  EXPECT_EQ(text_of(folder_ / "a.img") == text_of(folder_ / "b.img"), !applied);
 }
 
 TEST_F(FocusMotion, SaysWhatDoesNotGoTogether) {

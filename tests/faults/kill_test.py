@@ -49,7 +49,7 @@ def long_stories():
         stories.scene(stories.moving(4000)),
         force="",
         resumes=True,
-        working=("sim.bin.parts*",),
+        working=("sim.bin.parts*", "sim.bin.journal"),
     )
 
 

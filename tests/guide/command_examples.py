@@ -83,7 +83,7 @@ class Stage:
             self.sarsim("run", "scene.scr", "1", "--format", form, "--force")
 
     def make(self, section):
-        for name in ("sar_r", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
+        for name in ("sar_r", "stripmap_motion", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
             self.write(f"{name}.scr", self.example(name))
         self.write("old.scr", SCENE)
         kinds = {
@@ -100,7 +100,7 @@ class Stage:
         if section in ("run", "info", "geometry"):
             self.write("sar_r.scr", SCENE)
         if section == "check":
-            for name in ("mti", "search_radar", "stepped_aircraft", "turning_ship"):
+            for name in ("stripmap_motion", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
                 (self.folder / f"{name}.scr").unlink()
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "big.h5")
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "recording.h5")
