@@ -26,8 +26,8 @@ FigureCurve measured_curve(const ResponseCut& cut, double reach_m) {
   return curve;
 }
 
-FigureCurve level(std::string name, double db, double half_m) {
-  return {.name = std::move(name), .role = Role::selected, .x = {-half_m, half_m}, .y = {db, db}};
+FigureCurve level(std::string name, Role role, double db, double half_m) {
+  return {.name = std::move(name), .role = role, .x = {-half_m, half_m}, .y = {db, db}};
 }
 
 FigurePanel panel_of(const char* name, const ResponseCut& cut, const ResponseFigures& found,
@@ -43,9 +43,10 @@ FigurePanel panel_of(const char* name, const ResponseCut& cut, const ResponseFig
   panel.y = {.label = "Power", .unit = "dB", .first = lowest_db, .last = 3.0, .twin = {}};
   panel.curves.push_back(measured_curve(cut, reach_m));
   if (theory) {
+    panel.curves.push_back(level(fmt::format("width by theory, {:.3f} m", theory->width), Role::curve_2, half_power_db,
+                                 0.5 * theory->width));
     panel.curves.push_back(
-        level(fmt::format("width by theory, {:.3f} m", theory->width), half_power_db, 0.5 * theory->width));
-    panel.curves.push_back(level(fmt::format("PSLR by theory, {:.2f} dB", theory->pslr_db), theory->pslr_db, reach_m));
+        level(fmt::format("PSLR by theory, {:.2f} dB", theory->pslr_db), Role::curve_3, theory->pslr_db, reach_m));
   }
   return panel;
 }

@@ -1,0 +1,46 @@
+// `sarsim measure`: one target alone, pictures of its response.
+
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Measure : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    ASSERT_EQ(sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--quiet"}).status, 0);
+  }
+};
+
+TEST_F(Measure, TakesOneTargetAlone) {
+  const Finished measure = sarsim({"measure", "sar_r.img", "--target", "5"});
+  ASSERT_EQ(measure.status, 0) << measure.err;
+  EXPECT_THAT(measure.out, HasSubstr("target 5 "));
+  EXPECT_THAT(measure.out, Not(HasSubstr("target 4 ")));
+  const Finished none = sarsim({"measure", "sar_r.img", "--target", "25"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.err, HasSubstr("there is no target 25"));
+  EXPECT_THAT(none.err, HasSubstr("the script has 24"));
+}
+
+TEST_F(Measure, DrawsTheCutsThroughATarget) {
+#ifndef SARSIM_HAS_GUI
+  GTEST_SKIP() << "built without the graphical program, which draws";
+#endif
+  const std::vector<std::string> words{"measure", "sar_r.img", "--target", "5", "--cuts", "pictures"};
+  ASSERT_EQ(sarsim(words).status, 0);
+  EXPECT_EQ(entries("pictures"), std::vector<std::string>{"target-5.png"});
+  EXPECT_EQ(text_of(folder_ / "pictures/target-5.png").substr(1, 3), "PNG");
+  const Finished again = sarsim(words);
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("exists"));
+}
+
+}  // namespace
+}  // namespace sarsim::test
