@@ -10,6 +10,7 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <vector>
 
 #include "data/sinks.hpp"
@@ -44,31 +45,29 @@ inline std::complex<double> sample(std::size_t row, std::size_t column) {
   return {std::round(1000.0 * sinc(0.9 * down) * sinc(0.9 * across)), 2.0};
 }
 
-/// Writes `count` rows of `columns` samples as a recording of counts.
-inline void write_samples(const fs::path& path, FileFormat format, std::size_t count = rows) {
+/// Writes `count` rows of `width` samples of whole numbers as a recording.
+inline void write_samples(const fs::path& path, const SinkOptions& options, std::size_t count, std::size_t width,
+                          const std::function<std::complex<double>(std::size_t row, std::size_t column)>& value) {
   Product product;
   product.radar = "radar";
   product.rows = count;
-  product.columns = columns;
+  product.columns = width;
   product.bits = 12;
   product.lsb_v = 1.0;
   product.sample_rate_hz = 1e6;
   product.row_time_s = [](std::size_t row) { return 1e-3 * static_cast<double>(row); };
   product.row_carrier_hz = [](std::size_t) { return 1e10; };
   product.column_range_m = [](std::size_t column) { return 1000.0 + static_cast<double>(column); };
-  SinkOptions options;
-  options.format = format;
-  options.counts = true;
   const auto sink = make_sink(path, product, options);
   std::vector<std::complex<double>> volts;
   std::vector<std::int64_t> counts;
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < columns; ++k) {
-      volts.push_back(sample(i, k));
-      counts.push_back(static_cast<std::int64_t>(volts.back().real()));
-      counts.push_back(static_cast<std::int64_t>(volts.back().imag()));
+    for (std::size_t k = 0; k < width; ++k) {
+      volts.push_back(value(i, k));
+      counts.push_back(std::llround(volts.back().real()));
+      counts.push_back(std::llround(volts.back().imag()));
     }
-  Block block{0, count, columns, {}, {}};
+  Block block{0, count, width, {}, {}};
   if (sink->wants_counts())
     block.counts = counts;
   else
@@ -76,9 +75,17 @@ inline void write_samples(const fs::path& path, FileFormat format, std::size_t c
   sink->append(sink->encode(block), 0, count);
   RunReport report;
   report.rows = count;
-  report.columns = columns;
+  report.columns = width;
   report.lsb_v = 1.0;
   sink->finish(report);
+}
+
+/// The point in its plain, as counts.
+inline void write_samples(const fs::path& path, FileFormat format, std::size_t count = rows) {
+  SinkOptions options;
+  options.format = format;
+  options.counts = true;
+  write_samples(path, options, count, columns, sample);
 }
 
 /// Rows of a test's data: every format of samples, as an int in the column "format".

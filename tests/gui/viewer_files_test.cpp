@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "data/sinks.hpp"
 #include "gui/image_controls.hpp"
 #include "gui/image_plot.hpp"
 #include "gui/image_thumbnail.hpp"
@@ -26,6 +25,7 @@
 #include "gui/main_window.hpp"
 #include "gui/open_image_dialog.hpp"
 #include "gui/small_scene.hpp"
+#include "image_viewer_bench.hpp"
 
 /// Viewers of files and what they do with files: replaced ones, exports, looks, descriptions.
 namespace sarsim {
@@ -40,39 +40,10 @@ using Values = std::function<std::complex<double>(std::size_t row, std::size_t c
 
 void write_samples(const fs::path& path, FileFormat format, std::size_t rows, std::size_t columns,
                    const Values& value) {
-  Product product;
-  product.radar = "radar";
-  product.rows = rows;
-  product.columns = columns;
-  product.bits = 12;
-  product.lsb_v = 1.0;
-  product.sample_rate_hz = 1e6;
-  product.row_time_s = [](std::size_t row) { return 1e-3 * static_cast<double>(row); };
-  product.row_carrier_hz = [](std::size_t) { return 1e10; };
-  product.column_range_m = [](std::size_t column) { return 1000.0 + static_cast<double>(column); };
   SinkOptions options;
   options.format = format;
   options.replace = true;
-  const auto sink = make_sink(path, product, options);
-  std::vector<std::complex<double>> volts;
-  std::vector<std::int64_t> counts;
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t k = 0; k < columns; ++k) {
-      volts.push_back(value(i, k));
-      counts.push_back(std::llround(volts.back().real()));
-      counts.push_back(std::llround(volts.back().imag()));
-    }
-  Block block{0, rows, columns, {}, {}};
-  if (sink->wants_counts())
-    block.counts = counts;
-  else
-    block.volts = volts;
-  sink->append(sink->encode(block), 0, rows);
-  RunReport report;
-  report.rows = rows;
-  report.columns = columns;
-  report.lsb_v = 1.0;
-  sink->finish(report);
+  test::write_samples(path, options, rows, columns, value);
 }
 
 std::complex<double> some_value(std::size_t row, std::size_t column) {
