@@ -210,6 +210,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} days", hours / 24.0);
 }
 
+std::string about_duration_text(double seconds) {
+  std::string text = duration_text(seconds);
+  return text.starts_with("below") ? text : "about " + text;
+}
+
 bool equal_ignoring_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

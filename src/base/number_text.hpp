@@ -34,6 +34,9 @@ void append_number(std::string& text, double value, int exponent_shift = 0);
 /// A duration for people to read: "0.25 s", "3 min 20 s", "5 h 07 min".
 [[nodiscard]] std::string duration_text(double seconds);
 
+/// "about 3 s"; "below 1 ms" is about enough as it is.
+[[nodiscard]] std::string about_duration_text(double seconds);
+
 /// Case-insensitive comparison in ASCII.
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 

@@ -197,6 +197,8 @@ TEST(DurationText, ChoosesTheUnit) {
   EXPECT_EQ(duration_text(200.0), "3 min 20 s");
   EXPECT_EQ(duration_text(5.0 * 3600.0 + 7.0 * 60.0), "5 h 07 min");
   EXPECT_EQ(duration_text(3.5 * 24.0 * 3600.0), "3.5 days");
+  EXPECT_EQ(about_duration_text(3.0), "about 3 s");
+  EXPECT_EQ(about_duration_text(0.0), "below 1 ms");
 }
 
 // A remainder is cut, not rounded: no "1 min 60 s".

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sarsim {
@@ -40,6 +41,18 @@ struct Problem {
 };
 
 using Problems = std::vector<Problem>;
+
+/// A problem of no certain place and object.
+[[nodiscard]] inline Problem problem_of(Severity severity, std::string message, std::string found, std::string expected,
+                                        std::string hint) {
+  Problem problem;
+  problem.severity = severity;
+  problem.message = std::move(message);
+  problem.found = std::move(found);
+  problem.expected = std::move(expected);
+  problem.hint = std::move(hint);
+  return problem;
+}
 
 /// True where at least one problem is an error.
 [[nodiscard]] bool has_errors(const Problems& problems);

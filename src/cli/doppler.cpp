@@ -7,8 +7,8 @@
 
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "cli/doppler_image.hpp"
 #include "cli/doppler_work.hpp"
+#include "cli/image_writer.hpp"
 #include "cli/options.hpp"
 
 namespace sarsim::cli {
@@ -32,8 +32,8 @@ class DopplerRun {
                           static_cast<std::size_t>(std::max<std::int64_t>(plan.pulses.count() - order, 1)));
         },
         [](const PulseRows&) { return 0.0; });
-    std::optional<MapImageWriter> image;
-    if (!arguments_.no_map) image.emplace(work_.output(), map_image(), arguments_.force, largest());
+    std::optional<ImageWriter> image;
+    if (!arguments_.no_map) image.emplace(work_.output(), content_of_image(), arguments_.force, largest());
     work_.detect({}, [&](const SearchInterval& interval) {
       if (image) append(interval, *image);
     });
@@ -69,7 +69,7 @@ class DopplerRun {
     return static_cast<double>(largest);
   }
 
-  void append(const SearchInterval& interval, MapImageWriter& image) const {
+  void append(const SearchInterval& interval, ImageWriter& image) const {
     const std::span<const std::complex<float>> values = interval.map.values;
     for (std::size_t row = 0; row < interval.map.frequencies; ++row)
       image.append(values.subspan(row * interval.map.samples, interval.map.samples));
@@ -101,34 +101,34 @@ class DopplerRun {
     return product;
   }
 
-  [[nodiscard]] MapImage map_image() const {
+  [[nodiscard]] ImageContent content_of_image() const {
     const SearchOptions& options = work_.options();
-    MapImage image;
-    image.rows = work_.intervals() * options.rows();
-    image.columns = work_.rows().samples();
-    image.description = fmt::format(
+    ImageContent content;
+    content.header.lines = work_.intervals() * options.rows();
+    content.header.samples = work_.rows().samples();
+    content.header.description = fmt::format(
         "Range-Doppler maps by sarsim {}, one below the other: lines along Doppler, samples along slant range",
         program_version);
     const Repetition& repetition = work_.plan().radar.repetition;
     const std::int64_t first = work_.plan().pulses.first;
     const double time_s = time_of(repetition, first, first + static_cast<std::int64_t>(options.recorded_pulses()) - 1);
     const auto number = [](double value) { return fmt::format("{}", value); };
-    image.fields = {{"map", "range doppler"},
-                    {"intervals", fmt::format("{}", work_.intervals())},
-                    {"frequencies", fmt::format("{}", options.rows())},
-                    {"interval first s", number(time_s)},
-                    {"interval step s", number(static_cast<double>(options.step_pulses()) / prf_hz())},
-                    {"doppler first hz", number(first_doppler_hz())},
-                    {"doppler step hz", number(doppler_step_hz())},
-                    {"speed first mps", number(speed_of(first_doppler_hz()))},
-                    {"speed step mps", number(speed_of(doppler_step_hz()))},
-                    {"range first m", number(work_.rows().range_m.front())},
-                    {"range step m", number(range_step_m())},
-                    {"carrier hz", number(carrier_hz())},
-                    {"light speed mps", number(work_.plan().scene->conventions.light_speed_mps)}};
-    std::ranges::move(work_.origin_fields(), std::back_inserter(image.fields));
-    image.product = axes();
-    return image;
+    content.header.fields = {{"map", "range doppler"},
+                             {"intervals", fmt::format("{}", work_.intervals())},
+                             {"frequencies", fmt::format("{}", options.rows())},
+                             {"interval first s", number(time_s)},
+                             {"interval step s", number(static_cast<double>(options.step_pulses()) / prf_hz())},
+                             {"doppler first hz", number(first_doppler_hz())},
+                             {"doppler step hz", number(doppler_step_hz())},
+                             {"speed first mps", number(speed_of(first_doppler_hz()))},
+                             {"speed step mps", number(speed_of(doppler_step_hz()))},
+                             {"range first m", number(work_.rows().range_m.front())},
+                             {"range step m", number(range_step_m())},
+                             {"carrier hz", number(carrier_hz())},
+                             {"light speed mps", number(work_.plan().scene->conventions.light_speed_mps)}};
+    std::ranges::move(work_.origin_fields(), std::back_inserter(content.header.fields));
+    content.product = axes();
+    return content;
   }
 
   void report() {

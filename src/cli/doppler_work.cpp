@@ -1,13 +1,13 @@
 #include "cli/doppler_work.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <ostream>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/version.hpp"
 #include "cli/image_output.hpp"
@@ -21,8 +21,6 @@ namespace sarsim::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // What the machine has; without end where it does not say.
 double memory_bytes() {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -7,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
@@ -19,6 +19,7 @@
 #include "cli/output_names.hpp"
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
+#include "cli/window_option.hpp"
 #include "process/sar_track.hpp"
 #include "simulate/sar_ghosts.hpp"
 #include "simulate/sar_rows.hpp"
@@ -28,8 +29,6 @@ namespace sarsim::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // One run of the command, from its input to the image's files.
 class FocusRun {

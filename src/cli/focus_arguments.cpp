@@ -39,13 +39,6 @@ const char* word_of(FocusAlgorithm algorithm) {
   return "omega-k";
 }
 
-SarWindow window_of(const std::string& option, const std::string& text) {
-  if (text.empty()) return {};
-  if (const auto window = window_from_text(text)) return *window;
-  throw BadInput(fmt::format("{}: '{}' is no window", option, text),
-                 "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
-}
-
 std::size_t memory_of(const std::string& text) {
   if (text.empty()) return half_of_free_memory();
   static constexpr std::string_view units = "KMGT";

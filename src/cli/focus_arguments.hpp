@@ -50,9 +50,6 @@ struct FocusArguments {
 /// Adds them all to a command.
 void add_focus_arguments(CLI::App& app, FocusArguments& arguments);
 
-/// The window that an option names; BadInput where it names none.
-[[nodiscard]] SarWindow window_of(const std::string& option, const std::string& text);
-
 /// Bytes of --memory: a number with K, M, G or T (of 1024) behind it; half of what is free where it is empty. BadInput
 /// where it is no size.
 [[nodiscard]] std::size_t memory_of(const std::string& text);

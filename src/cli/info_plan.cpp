@@ -1,18 +1,19 @@
 #include "cli/info_plan.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "cli/figures.hpp"
 #include "cli/info_trial.hpp"
 #include "cli/report.hpp"
+#include "data/formats.hpp"
 #include "data/sinks.hpp"
 
 namespace sarsim::cli {
@@ -23,14 +24,9 @@ namespace {
 constexpr double trial_s = 1.0;
 constexpr double shortest_trial_s = 0.02;
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 bool is_text(FileFormat format) {
   return format == FileFormat::ascii || format == FileFormat::bracket || format == FileFormat::csv;
 }
-
-// HDF5 and NPY hold volts unless a run is asked for counts.
-bool holds_counts(FileFormat format) { return format != FileFormat::hdf5 && format != FileFormat::npy; }
 
 // What a recording takes.
 struct RecordingPlan {

@@ -18,6 +18,7 @@
 #include "cli/report.hpp"
 #include "cli/stepped_input.hpp"
 #include "cli/stepped_options.hpp"
+#include "cli/window_option.hpp"
 #include "simulate/isar_scene.hpp"
 
 namespace sarsim::cli {
@@ -55,13 +56,6 @@ struct IsarArguments {
 
 const char* word_of(Algorithm algorithm) {
   return algorithm == Algorithm::range_doppler ? "isar-range-doppler" : "isar-back-projection";
-}
-
-SarWindow window_named(const std::string& option, const std::string& text) {
-  if (text.empty()) return {};
-  if (const auto window = window_from_text(text)) return *window;
-  throw BadInput(fmt::format("{}: '{}' is no window", option, text),
-                 "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 
 double decibels(double ratio) { return 20.0 * std::log10(ratio); }
@@ -102,11 +96,10 @@ class IsarRun {
     options_.cross_range_m = arguments_.cross_range_m;
     options_.range_m = arguments_.range_m;
     options_.oversampling = static_cast<std::size_t>(arguments_.oversampling.value_or(2));
-    options_.range_window = options_.azimuth_window = window_named("--window", arguments_.window);
-    if (!arguments_.range_window.empty())
-      options_.range_window = window_named("--range-window", arguments_.range_window);
+    options_.range_window = options_.azimuth_window = window_of("--window", arguments_.window);
+    if (!arguments_.range_window.empty()) options_.range_window = window_of("--range-window", arguments_.range_window);
     if (!arguments_.azimuth_window.empty())
-      options_.azimuth_window = window_named("--azimuth-window", arguments_.azimuth_window);
+      options_.azimuth_window = window_of("--azimuth-window", arguments_.azimuth_window);
     options_.fastest_mps = arguments_.fastest_mps.value_or(options_.fastest_mps);
     if (!(options_.fastest_mps > 0.0 && options_.fastest_mps < 1e6))
       throw BadInput(fmt::format("--fastest: {} m/s is out of range", options_.fastest_mps), "above 0, below 1e6");

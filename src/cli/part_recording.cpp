@@ -1,10 +1,10 @@
 #include "cli/part_recording.hpp"
 
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "data/sinks.hpp"
 #include "simulate/memory_sink.hpp"
@@ -12,8 +12,6 @@
 namespace sarsim::cli {
 
 namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // What encodes the rows of a part: as the file will hold them, or as volts that somebody converts later.
 class PartEncoder {

@@ -17,6 +17,7 @@
 #include "cli/report.hpp"
 #include "cli/stepped_input.hpp"
 #include "cli/stepped_options.hpp"
+#include "cli/window_option.hpp"
 
 namespace sarsim::cli {
 

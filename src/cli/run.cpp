@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,10 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/disk_room.hpp"
+#include "cli/engine_options.hpp"
 #include "cli/json.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
@@ -23,6 +25,7 @@
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
 #include "cli/scene_input.hpp"
+#include "data/formats.hpp"
 #include "data/output_file.hpp"
 #include "data/sinks.hpp"
 #include "script/reader.hpp"
@@ -30,7 +33,6 @@
 #include "simulate/geometry_table.hpp"
 #include "simulate/impossible_echo.hpp"
 #include "simulate/run.hpp"
-#include "simulate/simd_level.hpp"
 
 namespace sarsim::cli {
 
@@ -56,12 +58,6 @@ struct RunArguments {
   bool discard = false;
   PartChoice part;
 };
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-std::string expected_time(double seconds) {
-  return seconds < 1e-3 ? duration_text(seconds) : "about " + duration_text(seconds);
-}
 
 // One run of a script, from its text to its products.
 class Runner {
@@ -102,7 +98,7 @@ class Runner {
   // Where processes run together, all of them are ready, or none goes on.
   void prepare_together() {
     try {
-      choose_simd();
+      choose_simd(arguments_.simd);
       expect_partable();
       prepare();
     } catch (...) {
@@ -110,14 +106,6 @@ class Runner {
       throw;
     }
     if (team_ != nullptr && !team_->all_well(true)) throw BadInput(Problems());
-  }
-
-  // Same bytes on different processors: everybody takes the same instruction set.
-  void choose_simd() const {
-    if (arguments_.simd.empty() || use_simd_level(arguments_.simd)) return;
-    std::string levels;
-    for (const std::string& level : simd_levels()) levels += (levels.empty() ? "" : ", ") + level;
-    throw BadInput("--simd: this processor has no '" + arguments_.simd + "'", "choose among " + levels);
   }
 
   void expect_partable() const {
@@ -237,7 +225,8 @@ class Runner {
       // The first recording comes first; the plans of all of them could be too much to keep.
       if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
     }
-    if (!arguments_.discard) expect_room(bytes_wanted);
+    if (!arguments_.discard)
+      expect_room(arguments_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
   }
 
   // What a recording needs on the disk at least.
@@ -255,7 +244,7 @@ class Runner {
   }
 
   [[nodiscard]] bool estimates_lsb(const Simulation& simulation) const {
-    return simulation.lsb_v <= 0.0 && holds_counts(simulation);
+    return simulation.lsb_v <= 0.0 && holds_counts(simulation.format, arguments_.counts);
   }
 
   void announce(const ProductJob& job, const Plan& plan, double bytes) const {
@@ -264,7 +253,7 @@ class Runner {
     const double seconds = made * estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
     streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
                                 plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
-                                bytes_text(bytes), expected_time(seconds), threads_, threads_ == 1 ? "" : "s");
+                                bytes_text(bytes), about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
   }
 
   // No line of a table is shorter than its pulse number and its end.
@@ -274,23 +263,6 @@ class Runner {
     const PulseRange pulses =
         resolve_radar(input_.scene, *input_.resolved, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
     return 10.0 * static_cast<double>(pulses.count());
-  }
-
-  void expect_room(double bytes) const {
-    fs::path folder = fs::absolute(arguments_.folder);
-    while (!fs::exists(folder) && folder.has_relative_path()) folder = folder.parent_path();
-    std::error_code failure;
-    const fs::space_info space = fs::space(folder, failure);
-    if (failure || bytes <= static_cast<double>(space.available)) return;
-    throw std::runtime_error(fmt::format(
-        "the disk of '{}' has not enough room: {} are needed, {} are free. Make room, choose another folder with --out "
-        "or a smaller --format.",
-        arguments_.folder, bytes_text(bytes), bytes_text(static_cast<double>(space.available))));
-  }
-
-  [[nodiscard]] bool holds_counts(const Simulation& simulation) const {
-    const bool either = simulation.format == FileFormat::hdf5 || simulation.format == FileFormat::npy;
-    return !either || arguments_.counts;
   }
 
   [[nodiscard]] SinkOptions sink_options(const Simulation& simulation) const {
@@ -379,7 +351,7 @@ class Runner {
     write_json(products_, part, result);
     if (!result.whole) return;
     RecordingReport report = report_on(job, plan, stored.product);
-    report.counts = stored.estimate_lsb || holds_counts(plan.simulation);
+    report.counts = stored.estimate_lsb || holds_counts(plan.simulation.format, arguments_.counts);
     report.run = *result.whole;
     take_file(job.path, report.file, report.bytes);
     report.seconds = result.finished_before ? result.whole->seconds : now_s() - begin_s;
@@ -454,12 +426,8 @@ class Runner {
 void add_run_options(CLI::App& app, RunArguments& a) {
   add_text(app, "--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
   add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
-  add_choice<Engine>(app, "--engine", a.engine,
-                     {{"auto", Engine::automatic},
-                      {"direct", Engine::direct},
-                      {"spectral", Engine::spectral},
-                      {"reference", Engine::reference}},
-                     "how echoes are added up: the faster one (default), or one of them; all within --tolerance");
+  add_engine(app, a.engine,
+             "how echoes are added up: the faster one (default), or one of them; all within --tolerance");
   add_text(app, "--simd", a.simd, "LEVEL",
            "instruction set to use (avx512, avx2, sse4, ...), for the same bytes on other processors");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");

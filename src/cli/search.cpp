@@ -8,8 +8,8 @@
 #include "base/constants.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
-#include "cli/doppler_image.hpp"
 #include "cli/doppler_work.hpp"
+#include "cli/image_writer.hpp"
 #include "cli/options.hpp"
 #include "cli/search_picture.hpp"
 #include "simulate/search_checks.hpp"
@@ -86,7 +86,7 @@ class SearchRun {
     const PpiGrid& grid = picture.picture().grid();
     const std::vector<float>& values = picture.picture().values();
     const double largest = static_cast<double>(*std::ranges::max_element(values));
-    MapImageWriter image(work_.output(), map_image(grid), arguments_.search.force, largest);
+    ImageWriter image(work_.output(), content_of_image(grid), arguments_.search.force, largest);
     std::vector<std::complex<float>> row(grid.columns);
     for (std::size_t r = 0; r < grid.rows; ++r) {
       if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
@@ -96,28 +96,28 @@ class SearchRun {
     image.finish();
   }
 
-  [[nodiscard]] MapImage map_image(const PpiGrid& grid) const {
+  [[nodiscard]] ImageContent content_of_image(const PpiGrid& grid) const {
     const auto number = [](double value) { return fmt::format("{}", value); };
-    MapImage image;
-    image.rows = grid.rows;
-    image.columns = grid.columns;
-    image.real = true;
-    image.description = fmt::format(
+    ImageContent content;
+    content.header.lines = grid.rows;
+    content.header.samples = grid.columns;
+    content.header.pixel = EnviHeader::Pixel::real_float;
+    content.header.description = fmt::format(
         "Plan position indicator by sarsim {}: lines from north to south, samples from west to east", program_version);
-    image.fields = {{"map", "ppi"},
-                    {"x first m", number(grid.first_x_m)},
-                    {"x step m", number(grid.pixel_m)},
-                    {"y first m", number(grid.first_y_m)},
-                    {"y step m", number(-grid.pixel_m)},
-                    {"height m", number(arguments_.height_m.value_or(0.0))},
-                    {"scan", arguments_.scan ? fmt::format("{}", *arguments_.scan) : std::string("all")}};
-    std::ranges::move(work_.origin_fields(), std::back_inserter(image.fields));
-    image.product.radar = work_.plan().radar.name;
-    image.product.column_range_m = [grid](std::size_t column) { return grid.x_m(column); };
-    image.product.sample_rate_hz = 1.0 / work_.plan().raw_grid.interval_s;
-    image.product.options = work_.plan().scene->options;
-    image.product.engine = "search";
-    return image;
+    content.header.fields = {{"map", "ppi"},
+                             {"x first m", number(grid.first_x_m)},
+                             {"x step m", number(grid.pixel_m)},
+                             {"y first m", number(grid.first_y_m)},
+                             {"y step m", number(-grid.pixel_m)},
+                             {"height m", number(arguments_.height_m.value_or(0.0))},
+                             {"scan", arguments_.scan ? fmt::format("{}", *arguments_.scan) : std::string("all")}};
+    std::ranges::move(work_.origin_fields(), std::back_inserter(content.header.fields));
+    content.product.radar = work_.plan().radar.name;
+    content.product.column_range_m = [grid](std::size_t column) { return grid.x_m(column); };
+    content.product.sample_rate_hz = 1.0 / work_.plan().raw_grid.interval_s;
+    content.product.options = work_.plan().scene->options;
+    content.product.engine = "search";
+    return content;
   }
 
   void report(const std::optional<SearchPicture>& picture) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "process/sar_window.hpp"
 
 namespace sarsim::cli {
 
@@ -18,15 +17,6 @@ VelocityChoice velocity_choice(const std::string& text) {
   if (number && std::abs(*number) < 1e6) return {Velocity::given, *number};
   throw BadInput(fmt::format("--velocity: '{}' is none", text),
                  "none, scene, estimated or a number of m/s, positive receding");
-}
-
-WindowFunction window_function(const std::string& option, const std::string& text) {
-  if (text.empty()) return {};
-  const auto window = window_from_text(text);
-  if (!window)
-    throw BadInput(fmt::format("{}: '{}' is no window", option, text),
-                   "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
-  return [weight = weight_of(*window)](double x) { return weight(x - 0.5); };
 }
 
 void expect_searchable(double fastest_mps, const SteppedRows& rows) {

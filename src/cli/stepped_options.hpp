@@ -17,9 +17,6 @@ struct VelocityChoice {
 /// none, scene, estimated or a number of m/s; throws BadInput for anything else.
 [[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
 
-/// The window that a text names, over 0 to 1, 1 where none is named; throws BadInput for another text.
-[[nodiscard]] WindowFunction window_function(const std::string& option, const std::string& text);
-
 /// Throws BadInput where a search for the speed of such bursts would try too many.
 void expect_searchable(double fastest_mps, const SteppedRows& rows);
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,9 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
 #include "cli/commands.hpp"
+#include "cli/disk_room.hpp"
+#include "cli/engine_options.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
 #include "cli/products.hpp"
@@ -26,7 +28,6 @@
 #include "cli/sweep_run.hpp"
 #include "cli/sweep_table.hpp"
 #include "data/output_file.hpp"
-#include "simulate/simd_level.hpp"
 
 namespace sarsim::cli {
 
@@ -35,12 +36,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_problems_told = 20;
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-std::string expected_time(double seconds) {
-  return seconds < 1e-3 ? duration_text(seconds) : "about " + duration_text(seconds);
-}
 
 std::string counted(std::size_t count, const char* thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
@@ -68,7 +63,7 @@ class Sweeper {
   }
 
   ExitStatus run() {
-    choose_simd();
+    choose_simd(arguments_.simd);
     read_script();
     if (arguments_.fields) {
       write_out(streams_, field_list(input_.scene));
@@ -81,21 +76,15 @@ class Sweeper {
     check_variations();
     if (arguments_.dry_run) return print_plan();
     expect_free_outputs();
-    expect_room();
+    if (!arguments_.discard)
+      expect_room(arguments_.folder, sum_of(&ProductSize::least_bytes),
+                  "choose another folder with --out, or keep the tables alone with --discard");
     announce();
     make_rows();
     return finish();
   }
 
  private:
-  // Same bytes on different processors: everybody takes the same instruction set.
-  void choose_simd() const {
-    if (arguments_.simd.empty() || use_simd_level(arguments_.simd)) return;
-    std::string levels;
-    for (const std::string& level : simd_levels()) levels += (levels.empty() ? "" : ", ") + level;
-    throw BadInput("--simd: this processor has no '" + arguments_.simd + "'", "choose among " + levels);
-  }
-
   [[nodiscard]] WorkControl all_threads() const { return {threads_, streams_.stop}; }
 
   void read_script() {
@@ -270,21 +259,6 @@ class Sweeper {
     throw BadInput(std::move(problems));
   }
 
-  void expect_room() const {
-    if (arguments_.discard) return;
-    fs::path folder = fs::absolute(arguments_.folder);
-    while (!fs::exists(folder) && folder.has_relative_path()) folder = folder.parent_path();
-    std::error_code failure;
-    const fs::space_info space = fs::space(folder, failure);
-    const double bytes = sum_of(&ProductSize::least_bytes);
-    if (failure || bytes <= static_cast<double>(space.available)) return;
-    throw std::runtime_error(
-        fmt::format("the disk of '{}' has not enough room: {} are needed, {} are free. Make room, choose another "
-                    "folder with --out, "
-                    "or keep the tables alone with --discard.",
-                    arguments_.folder, bytes_text(bytes), bytes_text(static_cast<double>(space.available))));
-  }
-
   // Variations at a time, and threads of each.
   [[nodiscard]] std::pair<unsigned, unsigned> shares() const {
     const auto wanted = static_cast<unsigned>(arguments_.jobs.value_or(0));
@@ -301,7 +275,7 @@ class Sweeper {
     if (open_.size() < variations_.size()) text += fmt::format(", {} done before", variations_.size() - open_.size());
     text += fmt::format(
         ", {} to run, {}, {}, {} at a time with {}\n", open_.size(), bytes_text(sum_of(&ProductSize::bytes)),
-        expected_time(sum_of(&ProductSize::seconds) / (jobs * threads)), jobs, counted(threads, "thread"));
+        about_duration_text(sum_of(&ProductSize::seconds) / (jobs * threads)), jobs, counted(threads, "thread"));
     streams_.err << text;
   }
 

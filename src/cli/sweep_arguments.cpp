@@ -4,6 +4,7 @@
 
 #include "base/number_text.hpp"
 #include "cli/context.hpp"
+#include "cli/engine_options.hpp"
 #include "cli/options.hpp"
 #include "cli/sweep_axes.hpp"
 
@@ -28,12 +29,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   add_text(app, "--part", a.part, "K/N", "only every Nth variation, from the Kth: a share for one machine of N");
   app.add_flag("--resume", a.resume, "leave out what an earlier run completed");
   add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
-  add_choice<Engine>(app, "--engine", a.engine,
-                     {{"auto", Engine::automatic},
-                      {"direct", Engine::direct},
-                      {"spectral", Engine::spectral},
-                      {"reference", Engine::reference}},
-                     "how echoes are added up, as for run");
+  add_engine(app, a.engine, "how echoes are added up, as for run");
   add_text(app, "--simd", a.simd, "LEVEL", "instruction set to use, as for run");
   add_scene_overrides(app, a.overrides);
   app.add_flag("--force", a.force, "replace files that exist");

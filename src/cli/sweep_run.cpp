@@ -1,7 +1,6 @@
 #include "cli/sweep_run.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -10,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/version.hpp"
 #include "cli/sweep_journal.hpp"
@@ -29,8 +29,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // The HDF5 library may have been built for one thread at a time; where it was not, it lets only one in anyway.
 class OneAtATimeSink final : public Sink {

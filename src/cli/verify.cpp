@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
@@ -32,8 +32,6 @@ struct VerifyArguments {
   bool force = false;
   bool quiet = false;
 };
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // "model name : ..." of the first processor; empty where the system does not say.
 std::string processor() {

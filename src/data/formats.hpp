@@ -21,4 +21,9 @@ namespace sarsim {
 /// for another one.
 [[nodiscard]] std::optional<FileFormat> format_from_path(const std::filesystem::path& path);
 
+/// Whether a file of that format holds counts of the converter: HDF5 and NPY hold volts unless counts are asked for.
+[[nodiscard]] constexpr bool holds_counts(FileFormat format, bool counts_asked = false) {
+  return counts_asked || (format != FileFormat::hdf5 && format != FileFormat::npy);
+}
+
 }  // namespace sarsim

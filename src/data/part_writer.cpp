@@ -1,17 +1,14 @@
 #include "data/part_writer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <span>
 #include <string>
 
+#include "base/clock.hpp"
+
 namespace sarsim {
 
-namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-}  // namespace
+namespace {}  // namespace
 
 PartWriter::PartWriter(RawFile& rows, RawFile& journal, const RowPlaces& places, const JournalPace& pace)
     : rows_(rows),

@@ -26,7 +26,6 @@ class RawFile {
   RawFile& operator=(RawFile&& other) noexcept;
   ~RawFile();
 
-  [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Bytes of the file now.
   [[nodiscard]] std::uint64_t size() const;

@@ -1,13 +1,14 @@
 #include "gui/run_job.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "base/clock.hpp"
 #include "base/number_text.hpp"
 #include "base/parallel.hpp"
+#include "data/formats.hpp"
 #include "data/sinks.hpp"
 #include "gui/problem_line.hpp"
 #include "scene/check.hpp"
@@ -22,8 +23,6 @@ namespace sarsim {
 namespace fs = std::filesystem;
 
 namespace {
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 QString text_of(double bytes) { return QString::fromStdString(bytes_text(bytes)); }
 
@@ -49,8 +48,6 @@ QStringList warnings_of_sound(const Scene& one) {
   if (!errors.isEmpty()) throw std::runtime_error(errors.join('\n').toStdString());
   return warnings;
 }
-
-bool holds_counts(FileFormat format) { return format != FileFormat::hdf5 && format != FileFormat::npy; }
 
 void expect_room(const fs::path& file, double bytes) {
   const fs::path folder = fs::absolute(file).parent_path();

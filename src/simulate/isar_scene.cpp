@@ -28,17 +28,6 @@ struct IsarPlan {
   double to_m = 0.0;
 };
 
-Problem isar_problem(Severity severity, std::string message, std::string found, std::string expected,
-                     std::string hint) {
-  Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 // A turning that is given takes the place of the scene's: the same plane, another angle for each pulse.
 void take_turn_rate(IsarPlane& plane, const std::vector<TrackPoint>& seen, double rate_radps) {
   const double middle_s = seen[seen.size() / 2].time_s;
@@ -91,30 +80,30 @@ ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, const IsarOp
 void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const ImagePlace& half,
                  double wavelength_m) {
   if (plan.plane.turn_rad <= least_turn_rad) {
-    made.problems.push_back(isar_problem(
-        Severity::error, "the target does not turn against the line of sight: there is no cross-range",
-        fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / pi), "a target that turns or flies past",
-        "choose the target's --platform, record for longer, or give --turn-rate"));
+    made.problems.push_back(
+        problem_of(Severity::error, "the target does not turn against the line of sight: there is no cross-range",
+                   fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / pi), "a target that turns or flies past",
+                   "choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
                         (made.cross_range_resolution_m * made.range_resolution_m) *
                         static_cast<double>(options.oversampling * options.oversampling);
   if (!(half.azimuth_m > 0.0 && half.range_m > 0.0) || !(pixels < most_pixels)) {
-    made.problems.push_back(isar_problem(Severity::error, "the image cannot be made this large",
-                                         fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
-                                         "above 0, and fewer than 67 million pixels",
-                                         "choose another --cross-range, --range or --oversampling"));
+    made.problems.push_back(problem_of(Severity::error, "the image cannot be made this large",
+                                       fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
+                                       "above 0, and fewer than 67 million pixels",
+                                       "choose another --cross-range, --range or --oversampling"));
     return;
   }
   if (2.0 * half.azimuth_m > made.unambiguous_cross_range_m)
-    made.problems.push_back(isar_problem(
+    made.problems.push_back(problem_of(
         Severity::warning, "the image is wider than its Doppler frequencies are unambiguous: points appear again",
         fmt::format("{:.4g} m", 2.0 * half.azimuth_m), fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m),
         "repeat bursts faster, or choose a smaller --cross-range"));
   const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && quadratic > 0.5)
-    made.problems.push_back(isar_problem(
+    made.problems.push_back(problem_of(
         Severity::warning, "the target turns so far that points away from its centre blur",
         fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge", plan.plane.turn_rad * 180.0 / pi, quadratic),
         "half of pi", "use fewer --bursts, or --algorithm back-projection"));

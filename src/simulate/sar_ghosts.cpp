@@ -104,14 +104,6 @@ std::string target_list(const std::vector<std::size_t>& targets) {
   return text;
 }
 
-Problem remark(Severity severity, std::string message, std::string hint) {
-  Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(message);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, Problems& problems) {
   if (ghosts.empty()) return;
   std::vector<std::size_t> wrapped;
@@ -124,7 +116,7 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
   }
-  problems.push_back(remark(
+  problems.push_back(problem_of(
       Severity::warning,
       fmt::format(
           "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
@@ -132,7 +124,7 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
           "m",
           wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
           nearest_m, farthest_m),
-      "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
+      {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 
 void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) {
@@ -140,11 +132,12 @@ void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) 
   for (const SarTarget& target : targets)
     if (target.amplitude > 0.0 && !target.in_swath) outside.push_back(target.target);
   if (outside.empty()) return;
-  problems.push_back(remark(Severity::warning,
-                            fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
-                                        "are weaker and wider, or missing",
-                                        outside.size(), targets.size(), target_list(outside)),
-                            "record a wider window of ranges"));
+  problems.push_back(
+      problem_of(Severity::warning,
+                 fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
+                             "are weaker and wider, or missing",
+                             outside.size(), targets.size(), target_list(outside)),
+                 {}, {}, "record a wider window of ranges"));
 }
 
 void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& problems) {
@@ -152,12 +145,12 @@ void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& probl
   for (const SarTarget& target : targets)
     if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.push_back(target.target);
   if (cut.empty()) return;
-  problems.push_back(remark(
+  problems.push_back(problem_of(
       Severity::warning,
       fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
                   "only the beginning of their echoes: their images are weaker, and wider in range",
                   cut.size(), targets.size(), target_list(cut)),
-      "record farther, by half of c times the pulse width, or focus the script"));
+      {}, {}, "record farther, by half of c times the pulse width, or focus the script"));
 }
 
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
@@ -171,21 +164,23 @@ void remark_on_beam(const Plan& plan, const SarLooks& looks, const DopplerBand& 
   // What is beyond the kept band wraps around into it only from one repetition frequency away.
   const double kept_hz = kept.width_hz > 0.0 ? std::min(kept.width_hz, prf_hz) : prf_hz;
   if (band_hz <= 2.0 * prf_hz - kept_hz) return;
-  problems.push_back(remark(Severity::note,
-                            fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
-                                        "that the pulses sample: points off its middle may wrap around",
-                                        band_hz, prf_hz),
-                            {}));
+  problems.push_back(
+      problem_of(Severity::note,
+                 fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
+                             "that the pulses sample: points off its middle may wrap around",
+                             band_hz, prf_hz),
+                 {}, {}, {}));
 }
 
 void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
   const double ratio = waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
   if (ratio < 1.0 || ratio >= 1.1) return;
-  problems.push_back(remark(Severity::warning,
-                            fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "
-                                        "leaves errors of some per cent",
-                                        ratio),
-                            "sample at 1.2 times the bandwidth or more"));
+  problems.push_back(
+      problem_of(Severity::warning,
+                 fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "
+                             "leaves errors of some per cent",
+                             ratio),
+                 {}, {}, "sample at 1.2 times the bandwidth or more"));
 }
 
 }  // namespace

@@ -14,15 +14,6 @@ namespace sarsim {
 
 namespace {
 
-Problem sar_problem(std::string message, std::string found, std::string expected, std::string hint) {
-  Problem problem;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 // What makes the rows of a scene; one for each thread.
 struct SceneWorker {
   explicit SceneWorker(const Plan& plan) : maker(plan) {}
@@ -56,24 +47,26 @@ EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
 Problems problems_of_sar(const Plan& plan, bool recorded) {
   Problems problems;
   if (recorded && plan.simulation.processing == Processing::srp)
-    problems.push_back(sar_problem("synthetic range profiles cannot be focused", "SRP", "RAW or MF processing",
-                                   "focus a recording of chirps"));
+    problems.push_back(problem_of(Severity::error, "synthetic range profiles cannot be focused", "SRP",
+                                  "RAW or MF processing", "focus a recording of chirps"));
   if (plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
     problems.push_back(
-        sar_problem("the carrier changes from pulse to pulse",
-                    fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
-                    "one carrier", "use CARRIER SINGLE"));
+        problem_of(Severity::error, "the carrier changes from pulse to pulse",
+                   fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
+                   "one carrier", "use CARRIER SINGLE"));
   if (plan.pulses.count() < 2)
-    problems.push_back(sar_problem("too few pulses to focus", fmt::format("{}", plan.pulses.count()), "at least 2",
-                                   "record for longer"));
+    problems.push_back(problem_of(Severity::error, "too few pulses to focus", fmt::format("{}", plan.pulses.count()),
+                                  "at least 2", "record for longer"));
   const bool compressed = recorded && plan.simulation.processing == Processing::matched_filter;
   const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
   if (!even)
-    problems.push_back(sar_problem("the classic profile repeats or leaves out samples of this compressed recording", "",
-                                   "", "focus raw data, or use the physical profile"));
+    problems.push_back(problem_of(Severity::error,
+                                  "the classic profile repeats or leaves out samples of this compressed recording", "",
+                                  "", "focus raw data, or use the physical profile"));
   if (plan.scene->platforms[plan.radar.platform].track.fixed())
-    problems.push_back(sar_problem("the antenna does not move", plan.scene->platforms[plan.radar.platform].name,
-                                   "a platform that follows a trajectory", "put the radar on one"));
+    problems.push_back(problem_of(Severity::error, "the antenna does not move",
+                                  plan.scene->platforms[plan.radar.platform].name,
+                                  "a platform that follows a trajectory", "put the radar on one"));
   return problems;
 }
 

@@ -15,16 +15,6 @@ namespace sarsim {
 
 namespace {
 
-Problem problem(Severity severity, std::string message, std::string found, std::string expected, std::string hint) {
-  Problem p;
-  p.severity = severity;
-  p.message = std::move(message);
-  p.found = std::move(found);
-  p.expected = std::move(expected);
-  p.hint = std::move(hint);
-  return p;
-}
-
 // Whether all pulses of a plan follow each other at the same interval.
 bool evenly_spaced(const Plan& plan) {
   const Repetition& repetition = plan.radar.repetition;
@@ -58,7 +48,7 @@ class Remarks {
  private:
   void warn(std::string message, std::string found, std::string expected, std::string hint) {
     problems_.push_back(
-        problem(Severity::warning, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+        problem_of(Severity::warning, std::move(message), std::move(found), std::move(expected), std::move(hint)));
   }
 
   [[nodiscard]] double speed_of(double doppler_hz) const { return 0.5 * wavelength_m_ * doppler_hz; }
@@ -204,7 +194,7 @@ Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
   Problems problems;
   const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(
-        problem(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+        problem_of(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
   };
   if (plan.simulation.processing == Processing::srp)
     refuse("synthetic range profiles hold no pulses", "SRP", "RAW or MATCHED_FILTER processing",

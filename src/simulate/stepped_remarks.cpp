@@ -12,17 +12,6 @@ namespace sarsim {
 
 namespace {
 
-Problem stepped_problem(Severity severity, std::string message, std::string found, std::string expected,
-                        std::string hint) {
-  Problem problem;
-  problem.severity = severity;
-  problem.message = std::move(message);
-  problem.found = std::move(found);
-  problem.expected = std::move(expected);
-  problem.hint = std::move(hint);
-  return problem;
-}
-
 std::string hz_text(double hz) { return with_prefix(hz, "Hz"); }
 
 // Speeds of the targets that are in the burst in the middle.
@@ -49,13 +38,13 @@ void remark_on_band(Problems& problems, const SteppedBand& band, const SteppedLi
   const double step_hz = std::abs(w.carrier_step_hz);
   if (w.subband_hz > 0.0 && band.gap_share() > 1e-9 && w.subband_hz < step_hz * (1.0 - 1e-9))
     problems.push_back(
-        stepped_problem(Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
-                        fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
-                        "steps up to the bandwidth of the pulse",
-                        fmt::format("every target gets false ones {:.4g} m apart; use smaller steps or a wider chirp",
-                                    limits.unambiguous_range_m)));
+        problem_of(Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
+                   fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
+                   "steps up to the bandwidth of the pulse",
+                   fmt::format("every target gets false ones {:.4g} m apart; use smaller steps or a wider chirp",
+                               limits.unambiguous_range_m)));
   if (w.subband_hz > 0.0 || limits.seen_m <= limits.unambiguous_range_m * (1.0 + 1e-9)) return;
-  problems.push_back(stepped_problem(
+  problems.push_back(problem_of(
       Severity::warning, "one range gate sees more than a profile is long: targets may fold onto each other",
       fmt::format("a gate sees {:.4g} m, a profile is {:.4g} m long", limits.seen_m, limits.unambiguous_range_m),
       fmt::format("steps up to {} or a pulse up to {:.4g} ns", hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz),
@@ -65,7 +54,7 @@ void remark_on_band(Problems& problems, const SteppedBand& band, const SteppedLi
 void remark_on_gates(Problems& problems, const SteppedBand& band) {
   const SteppedWaveform& w = band.waveform();
   if (w.subband_hz > 0.0 || w.sample_rate_hz * (w.seen_to_s - w.seen_from_s) >= 1.0 - 1e-9) return;
-  problems.push_back(stepped_problem(
+  problems.push_back(problem_of(
       Severity::warning, "the range gates are farther apart than the pulse is long: targets between them are lost",
       fmt::format("gates {:.4g} m apart", 0.5 * w.light_speed_mps / w.sample_rate_hz),
       fmt::format("at least {}", hz_text(1.0 / (w.seen_to_s - w.seen_from_s))), "raise the sampling frequency"));
@@ -78,10 +67,10 @@ void remark_on_targets(Problems& problems, const SteppedRows& rows, const Steppe
   const double extent_m = extent.farthest_m - extent.nearest_m;
   // Within what one gate sees, targets so far apart share their bins.
   if (extent.empty() || extent_m <= limits.unambiguous_range_m || limits.seen_m <= limits.unambiguous_range_m) return;
-  problems.push_back(stepped_problem(Severity::warning, "the targets reach farther than a profile is long",
-                                     fmt::format("{:.4g} m", extent_m),
-                                     fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m),
-                                     "some of them appear in the wrong place; use smaller steps"));
+  problems.push_back(problem_of(Severity::warning, "the targets reach farther than a profile is long",
+                                fmt::format("{:.4g} m", extent_m),
+                                fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m),
+                                "some of them appear in the wrong place; use smaller steps"));
 }
 
 void remark_on_speed(Problems& problems, const SteppedRows& rows, const SteppedLimits& limits,
@@ -96,16 +85,16 @@ void remark_on_speed(Problems& problems, const SteppedRows& rows, const SteppedL
   const double smear = limits.smear_cells(widest);
   const double shift = limits.shift_m(widest);
   if (smear <= 0.5 + 1e-9 && std::abs(shift) < limits.resolution_m) return;
-  problems.push_back(stepped_problem(
-      Severity::warning,
-      fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m", smear,
-                  shift),
-      fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""),
-      fmt::format("up to {:.3g} m/s", limits.tolerable_mps),
-      compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
-                      : "compensate it: --velocity scene, estimated or a number"));
+  problems.push_back(
+      problem_of(Severity::warning,
+                 fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m",
+                             smear, shift),
+                 fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""),
+                 fmt::format("up to {:.3g} m/s", limits.tolerable_mps),
+                 compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
+                                 : "compensate it: --velocity scene, estimated or a number"));
   if (rows.band->waveform().subband_hz > 0.0 || std::abs(shift) <= 0.5 * limits.seen_m) return;
-  problems.push_back(stepped_problem(
+  problems.push_back(problem_of(
       Severity::warning, "targets are so fast that they appear outside the range gates that see them: they are lost",
       fmt::format("shifted by {:.4g} m", shift),
       fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m),
@@ -118,7 +107,7 @@ Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded) {
   Problems problems;
   const auto add = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(
-        stepped_problem(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+        problem_of(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
   };
   const CarrierPlan& carrier = plan.radar.carrier;
   const bool changes = carrier.lowest_hz() != carrier.highest_hz();
@@ -159,8 +148,8 @@ Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::option
   // Images take the motion of each pulse out.
   if (use == SteppedUse::profiles) remark_on_speed(problems, rows, limits, speed_mps);
   if (rows.dropped_pulses > 0)
-    problems.push_back(stepped_problem(Severity::note, "pulses of incomplete bursts at the ends are left out",
-                                       fmt::format("{}", rows.dropped_pulses), "", ""));
+    problems.push_back(problem_of(Severity::note, "pulses of incomplete bursts at the ends are left out",
+                                  fmt::format("{}", rows.dropped_pulses), "", ""));
   return problems;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -7,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "simulate/simd_level.hpp"
 #include "verify/groups.hpp"
 #include "verify/scenes.hpp"
@@ -17,8 +17,6 @@ namespace sarsim::verify {
 namespace {
 
 using Row = std::vector<std::complex<double>>;
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // The machine may do other things as well: the best of several tries says most about the program.
 double best_s(int tries, const std::function<void()>& work) {

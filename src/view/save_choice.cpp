@@ -14,12 +14,6 @@ namespace sarsim {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-bool holds_counts(FileFormat format) { return format != FileFormat::hdf5 && format != FileFormat::npy; }
-
-}  // namespace
-
 Simulation chosen_simulation(const SaveChoice& choice, double largest_v) {
   Simulation simulation = choice.recording;
   simulation.file = choice.file.filename().string();

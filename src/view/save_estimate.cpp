@@ -29,11 +29,6 @@ SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v
   return estimate;
 }
 
-std::string about_duration_text(double seconds) {
-  std::string text = duration_text(seconds);
-  return text.starts_with("below") ? text : "about " + text;
-}
-
 std::string text_of(const SaveEstimate& e) {
   std::string lsb = "LSB unknown until it has run";
   if (e.lsb_v > 0.0) lsb = fmt::format("LSB {:.5g} mV{}", 1e3 * e.lsb_v, e.lsb_estimated ? " (estimated)" : "");

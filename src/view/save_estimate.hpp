@@ -27,9 +27,6 @@ struct SaveEstimate {
 /// @param threads     that will compute, at least 1
 [[nodiscard]] SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v, unsigned threads);
 
-/// "about 3 s"; "below 1 ms" is about enough as it is.
-[[nodiscard]] std::string about_duration_text(double seconds);
-
 /// "512 x 1024 samples, 1.0 MB, about 3 s, 40 MB of memory; LSB 5.0344e-07 mV (estimated)".
 [[nodiscard]] std::string text_of(const SaveEstimate& estimate);
 

@@ -39,8 +39,6 @@ TEST(SaveEstimate, HasSizeTimeMemoryAndLsb) {
 }
 
 TEST(SaveEstimate, SaysAboutHowLongInPlainWords) {
-  EXPECT_EQ(about_duration_text(3.0), "about 3 s");
-  EXPECT_EQ(about_duration_text(0.0), "below 1 ms");
   SaveEstimate quick = save_estimate(plan_of(2e-9), 1.0, 1e-6, 1);
   quick.seconds = 0.0;
   EXPECT_EQ(text_of(quick).find("about below"), std::string::npos) << text_of(quick);

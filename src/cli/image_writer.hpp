@@ -5,8 +5,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "data/envi.hpp"
@@ -15,14 +13,10 @@
 
 namespace sarsim::cli {
 
-/// What a picture of maps is, for any format.
-struct MapImage {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  bool real = false;  ///< Magnitudes: an ENVI image has one number a pixel.
-  std::string description;
-  std::vector<std::pair<std::string, std::string>> fields;  ///< Of the header of ENVI and NPY.
-  Product product;                                          ///< Axes for HDF5; shape, bits and LSB are filled in.
+/// What stands in the file of an image besides its pixels, for any format.
+struct ImageContent {
+  EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
+  Product product;    ///< Axes for HDF5; shape, bits and LSB are filled in.
 };
 
 /// Whether a format holds counts, whose LSB is only known with the largest magnitude.
@@ -31,11 +25,11 @@ struct MapImage {
 /// Writes an image row by row, in the format that its path's extension says (docs/formats/images.md): ENVI or NPY with
 /// a header, HDF5 as complex samples, the others as counts of 16 bits. Files appear with `finish`; destroyed before,
 /// nothing stays behind. Throws like the sinks.
-class MapImageWriter {
+class ImageWriter {
  public:
-  /// @param largest  magnitude of the image, where `needs_largest`
-  MapImageWriter(const std::filesystem::path& path, MapImage image, bool replace, double largest);
-  ~MapImageWriter();
+  /// @param largest  magnitude of the image, which full scale stands for; may be 0 unless `needs_largest`
+  ImageWriter(const std::filesystem::path& path, ImageContent content, bool replace, double largest);
+  ~ImageWriter();
 
   /// Adds the next row, as long as the image is wide.
   void append(std::span<const std::complex<float>> row);
@@ -43,11 +37,10 @@ class MapImageWriter {
   void finish();
 
  private:
-  [[nodiscard]] EnviHeader header() const;
   void write_npy_header(OutputFile& file) const;
 
   std::filesystem::path path_;
-  MapImage image_;
+  ImageContent content_;
   bool replace_;
   RunReport report_;
   std::optional<EnviWriter> envi_;
