@@ -121,4 +121,10 @@ double PulseBody::doppler_turns(double t, double carrier_hz) const {
   return (carrier_hz + 0.5 * pulse_->pulse.sweep_rate_hz_per_s() * u) * u;
 }
 
+double PulseBody::largest_frequency_hz(double carrier_hz) const {
+  const double middle = 0.5 * pulse_->pulse.width_s / interval_s_;
+  const double farthest_s = std::max(std::abs(first_ - middle), std::abs(last_ - middle)) * interval_s_;
+  return carrier_hz + std::abs(pulse_->pulse.sweep_rate_hz_per_s()) * farthest_s;
+}
+
 }  // namespace sarsim

@@ -34,6 +34,8 @@ class PulseBody {
   [[nodiscard]] double step(double x) const;
   /// Doppler phase per unit of 2v/c [turns]: f u + K u^2/2, u from the middle of the ideal pulse.
   [[nodiscard]] double doppler_turns(double t, double carrier_hz) const;
+  /// Largest |f + K u| of the pulse, what a moving target's 2v/c shifts [Hz]: the carrier, unless a chirp sweeps far.
+  [[nodiscard]] double largest_frequency_hz(double carrier_hz) const;
   /// Half the band that the body needs, cycles per sample.
   [[nodiscard]] double half_band() const { return half_band_; }
 

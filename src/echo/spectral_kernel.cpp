@@ -185,7 +185,8 @@ struct SpectralKernel::Typed : Implementation {
     const DopplerSpan span = span_covering(lowest, highest);
     if (!has_body || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_doppler_terms)
       return false;
-    Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * carrier_hz * grid.interval_s);
+    const double frequency_hz = body.largest_frequency_hz(carrier_hz);
+    Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * frequency_hz * grid.interval_s);
     const Spectra& s = spectra_for(band, span, carrier_hz);
     spread_terms(band, s);
     transform(band, s);
@@ -414,7 +415,8 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
   const Settings settings(tolerance);
   const PulseBody body(pulse, grid.interval_s, settings.edge_samples, settings.beta);
   const auto row = static_cast<double>(grid.count) + body.last() - body.first();
-  const double shift = std::max(std::abs(lowest_doppler), std::abs(highest_doppler)) * carrier_hz * grid.interval_s;
+  const double shift = std::max(std::abs(lowest_doppler), std::abs(highest_doppler)) *
+                       body.largest_frequency_hz(carrier_hz) * grid.interval_s;
   const DopplerSpan span = span_covering(lowest_doppler, highest_doppler);
   SpectralCost cost;
   cost.spreading_width = SpreadingKernel(settings.share).width;

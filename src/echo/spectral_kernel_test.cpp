@@ -128,6 +128,18 @@ TEST(SpectralKernel, FollowsBandLimitedPulsesThatAreFarShorterThanASample) {
   expect_promise(pulse, grid, random_echoes(60, grid, 1.0, 20.0));
 }
 
+// The filter's tails last a hundred times as long as the pulse, and there a steep sweep is shifted by a hundred times
+// as much as at the carrier.
+TEST(SpectralKernel, MakesRoomForTheShiftOfTheTailsOfVeryShortChirps) {
+  const SampleGrid grid = test_grid(50);
+  const EchoPulse pulse = band_limited_test_pulse(0.34, 1.06);
+  for (const double speed_mps : {-cycle_mps(500.0), cycle_mps(500.0)}) {
+    EchoBatch echoes;
+    echoes.add(grid.first_s + 20.3 * test_interval_s, 1.0, speed_mps);
+    expect_promise(pulse, grid, echoes);
+  }
+}
+
 // Spectra are kept from call to call; they must follow the carrier as it steps, and the span of Doppler.
 TEST(SpectralKernel, FollowsSteppedCarriersAndChangingSpeeds) {
   const EchoPulse pulse = test_pulse(Pulse::Kind::chirp, 120.0, 0.9);
