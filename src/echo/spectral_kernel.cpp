@@ -132,6 +132,12 @@ struct SpectralKernel::Typed : Implementation {
     for (std::size_t k = 0; k < filter.taps.size(); ++k) backwards[(row_size - k) % row_size] = filter.taps[k];
     const Fft fft(row_size);
     fft.forward(backwards);
+    double largest = 0.0;
+    for (const std::complex<double>& value : backwards) largest = std::max(largest, std::abs(value));
+    if (!(largest > 0.0) || !std::isfinite(largest)) largest = 1.0;
+    // A power of two apart, so that weak echoes behind a filter of little gain keep their digits in single precision.
+    response_scale = std::exp2(std::floor(std::log2(largest)));
+    for (std::complex<double>& value : backwards) value /= response_scale;
     response.assign(backwards.begin(), backwards.end());
     output_index.assign(filter.output_index.begin(), filter.output_index.end());
   }
@@ -165,7 +171,8 @@ struct SpectralKernel::Typed : Implementation {
     }
     multiply_by<Real>(folded, response);
     row_fft.inverse(folded);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] += std::complex<double>(folded[output_index[i]]);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += response_scale * std::complex<double>(folded[output_index[i]]);
   }
 
   // Adds the spectrum of a row of samples to that of the bodies.
@@ -383,7 +390,8 @@ struct SpectralKernel::Typed : Implementation {
   bool has_body = false;
   std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
 
-  std::vector<std::complex<Real>> response;  // of the filter
+  std::vector<std::complex<Real>> response;  // of the filter, but for its scale
+  double response_scale = 1.0;
   std::vector<std::size_t> output_index;
   std::vector<std::complex<Real>> time_row;
   std::vector<std::complex<double>> raw_row;

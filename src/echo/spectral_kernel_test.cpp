@@ -281,6 +281,22 @@ TEST(SpectralKernel, FiltersEchoesInTheSpectrumLikeASumOverTheRow) {
     }
 }
 
+// 1e-32 behind a filter of 1e-10 is below what single precision holds, but neither is by itself.
+TEST(SpectralKernel, FiltersOfLittleGainKeepWeakEchoes) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  EchoBatch echoes = random_echoes(10, grid, 100.0, 0.0);
+  for (double& amplitude : echoes.amplitude_sqrt_w) amplitude *= 1e-32;
+  ComplexRow taps = replica(chirp, 101);
+  for (auto& tap : taps) tap *= 1e-10;
+  const std::vector<std::size_t> index = every(1, 200);
+  SpectralKernel kernel(chirp, grid, 1e-6, {taps, index});
+  ComplexRow out(index.size());
+  kernel.add_filtered(out, carrier_hz, echoes);
+  const ComplexRow expected = filtered(reference_row(chirp, grid, carrier_hz, echoes), {taps, index});
+  EXPECT_LT(relative_error(out, expected, strength_of(chirp, grid, echoes) * largest_gain(taps)), 1e-6);
+}
+
 // Pulses without a body and pulses that turn too often are added as samples before they are filtered.
 TEST(SpectralKernel, FiltersWhatItAddsDirectly) {
   const SampleGrid grid = test_grid(300);
