@@ -74,12 +74,18 @@ class FieldTaker {
 
 }  // namespace
 
+bool is_of_turning_target(const ImageOrigin& origin) { return origin.algorithm.starts_with("isar-"); }
+
 EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin) {
   EnviHeader header;
   header.samples = image.range.count;
   header.lines = image.azimuth.count;
-  header.description = fmt::format("Focused by sarsim {}: lines along azimuth, samples along {}", program_version,
-                                   image.frame.plane == ImagePlane::slant_range ? "slant range" : "ground range");
+  const bool turning = is_of_turning_target(origin);
+  const char* range = turning                                        ? "the line of sight"
+                      : image.frame.plane == ImagePlane::slant_range ? "slant range"
+                                                                     : "ground range";
+  header.description = fmt::format("Focused by sarsim {}: lines along {}, samples along {}", program_version,
+                                   turning ? "cross-range" : "azimuth", range);
   auto& fields = header.fields;
   fields.emplace_back("image plane", image.frame.plane == ImagePlane::slant_range ? "slant range" : "ground grid");
   fields.emplace_back("origin m", vector_text(image.frame.origin_m));

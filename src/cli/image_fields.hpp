@@ -23,6 +23,9 @@ struct ImageOrigin {
   RunOptions run;
 };
 
+/// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.
+[[nodiscard]] bool is_of_turning_target(const ImageOrigin& origin);
+
 /// The header of a focused image (docs/formats/focused-images.md).
 [[nodiscard]] EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin);
 

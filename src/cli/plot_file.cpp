@@ -12,6 +12,7 @@
 #include "cli/plot_samples.hpp"
 #include "data/image_source.hpp"
 #include "math/finer.hpp"
+#include "view/envi_layout.hpp"
 #include "view/image_figure.hpp"
 
 namespace sarsim::cli {
@@ -45,16 +46,6 @@ std::optional<EnviHeader> focused_header(const std::string& path) {
   return image->header();
 }
 
-RawLayout layout_of(const EnviHeader& header) {
-  RawLayout layout;
-  layout.header_bytes = header.header_offset;
-  layout.width = header.samples;
-  layout.height = header.lines;
-  layout.number = RawNumber::float32;
-  layout.value = header.pixel == EnviHeader::Pixel::complex_float ? ImageValue::complex : ImageValue::magnitude;
-  return layout;
-}
-
 // Where the header says the places of an axis, or the numbers of its rows or columns.
 ImagePlaces places_said(const EnviHeader& header, const ImagePlaces& wanted, const std::string& key,
                         const std::string& otherwise) {
@@ -81,8 +72,12 @@ FocusedPlaces places_of(const EnviHeader& header, const std::string& path) {
   FocusedImage image;
   ImageOrigin origin;
   read_header(header, envi_header_of(path).string(), image, origin);
-  const char* range = image.frame.plane == ImagePlane::slant_range ? "Slant range" : "Ground range";
-  return {{"Azimuth", "m", image.azimuth.first_m, image.azimuth.step_m},
+  const bool turning = is_of_turning_target(origin);
+  const char* along = turning ? "Cross-range" : "Azimuth";
+  const char* range = turning                                        ? "Along the line of sight"
+                      : image.frame.plane == ImagePlane::slant_range ? "Slant range"
+                                                                     : "Ground range";
+  return {{along, "m", image.azimuth.first_m, image.azimuth.step_m},
           {range, "m", image.range.first_m, image.range.step_m},
           image.azimuth.spectrum_centre_per_m,
           image.range.spectrum_centre_per_m};

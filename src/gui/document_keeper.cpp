@@ -230,9 +230,7 @@ void DocumentKeeper::look_at_disk() {
 
 void DocumentKeeper::tell(const QString& what, const QString& why) {
   session_.log(Severity::error, what + " " + why);
-  QMessageBox box(QMessageBox::Warning, tr("Sarsim"), what, QMessageBox::Ok, window_);
-  box.setInformativeText(why);
-  box.exec();
+  show_failure(what, why);
 }
 
 }  // namespace sarsim

@@ -42,6 +42,8 @@ class DocumentKeeper : public QObject {
   std::function<QString()> ask_save_name;
   /// Asked when another program has changed the file of the document: whether to read it anew.
   std::function<bool(bool unsaved)> ask_read_again;
+  /// Told what failed and why. A dialog unless replaced: where nobody looks at one it would wait for ever.
+  std::function<void(const QString& what, const QString& why)> show_failure;
 
   /// Each returns false where the user cancelled or it failed; failures are told to the user.
   /// @{

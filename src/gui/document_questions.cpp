@@ -47,6 +47,11 @@ void DocumentKeeper::make_questions() {
                QMessageBox::Yes | QMessageBox::No, unsaved ? QMessageBox::No : QMessageBox::Yes) == QMessageBox::Yes;
   };
   ask_data = [this](const std::vector<DataFileWrite>& files) { return data_question(files); };
+  show_failure = [this](const QString& what, const QString& why) {
+    QMessageBox box(QMessageBox::Warning, tr("Sarsim"), what, QMessageBox::Ok, window_);
+    box.setInformativeText(why);
+    box.exec();
+  };
   ask_recovery = [this](const std::filesystem::path& document) {
     const QString name = document.empty() ? tr("a scene that was never saved") : text_of(document);
     const auto button = QMessageBox::question(

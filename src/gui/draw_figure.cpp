@@ -52,7 +52,12 @@ int draw_figure(int argc, char** argv) {
   Options options;
   CLI::App command;
   read_options(command, options);
-  CLI11_PARSE(command, argc, argv);
+  try {
+    command.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    constexpr int exit_bad_input = 2;
+    return command.exit(error) == 0 ? EXIT_SUCCESS : exit_bad_input;
+  }
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
   QApplication::setStyle("Fusion");

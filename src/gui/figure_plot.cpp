@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "gui/figure_text.hpp"
 #include "gui/palette_colours.hpp"
 #include "view/ticks.hpp"
 
@@ -90,6 +91,7 @@ void FigurePlot::set_figure(const Figure& figure) {
   rebuild();
   // Once for the lengths of the axes, once for marks that suit them.
   replot();
+  keep_scales();
   replot(rpQueuedReplot);
 }
 
@@ -118,7 +120,7 @@ void FigurePlot::rebuild() {
 void FigurePlot::add_text(int row, const QString& text, bool bold) {
   QFont shown = font();
   shown.setBold(bold);
-  auto* const element = new QCPTextElement(this, text, shown);
+  auto* const element = new FigureText(this, text, shown);
   element->setTextColor(ink(Role::text));
   element->setMargins(QMargins(4, 4, 4, 2));
   plotLayout()->addElement(row, 0, element);
@@ -157,6 +159,33 @@ void FigurePlot::dress(QCPAxis* axis) {
   axis->setSubTicks(false);
   axis->grid()->setPen(QPen(ink(Role::faint), 0, Qt::DotLine));
   axis->grid()->setZeroLinePen(QPen(ink(Role::faint)));
+}
+
+// A circle on the ground is one in the picture: the axis that has room to spare shows more than the image.
+void FigurePlot::keep_scales() {
+  constexpr double longest_strip = 3.0;
+  for (std::size_t i = 0; i < panels_.size() && i < figure_.panels.size(); ++i) {
+    const FigurePanel& panel = figure_.panels[i];
+    const QCPAxisRect* const rect = panels_[i];
+    if (rect == nullptr || !panel.image || panel.x.unit != "m" || panel.y.unit != "m") continue;
+    const double across_m = std::abs(panel.x.last - panel.x.first);
+    const double up_m = std::abs(panel.y.last - panel.y.first);
+    if (!(across_m > 0.0) || !(up_m > 0.0) || rect->width() < 2 || rect->height() < 2) continue;
+    if (std::max(across_m, up_m) > longest_strip * std::min(across_m, up_m)) continue;
+    const double metres_per_px = std::max(across_m / rect->width(), up_m / rect->height());
+    const auto show = [&](QCPAxis::AxisType first, QCPAxis::AxisType second, const FigureAxis& axis, int length_px) {
+      const double middle = 0.5 * (axis.first + axis.last);
+      const double half = 0.5 * metres_per_px * length_px;
+      for (const auto side : {first, second}) rect->axis(side)->setRange(middle - half, middle + half);
+      name_axis(rect->axis(first), axis);
+    };
+    show(QCPAxis::atBottom, QCPAxis::atTop, panel.x, rect->width());
+    show(QCPAxis::atLeft, QCPAxis::atRight, panel.y, rect->height());
+  }
+}
+
+void FigurePlot::name_axis(QCPAxis* axis, const FigureAxis& described) {
+  axis->setLabel(axis_title(described.label, described.unit, axis->range().lower, axis->range().upper));
 }
 
 void FigurePlot::add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
@@ -280,6 +309,7 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBa
 
 void FigurePlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
+  keep_scales();
   replot(rpQueuedReplot);
 }
 
@@ -314,6 +344,7 @@ bool FigurePlot::save(const QString& path, QSize size, double scale, QString& fa
 bool FigurePlot::write_picture(const QString& path, const QString& ending, QSize size, double scale) {
   // Marks suit the lengths that axes had when they were drawn last.
   toPixmap(size.width(), size.height());
+  keep_scales();
   const QString title = QString::fromStdString(figure_.title);
   if (ending == "png") return savePng(path, size.width(), size.height(), scale);
   if (ending == "pdf") return savePdf(path, size.width(), size.height(), QCP::epAllowCosmetic, "sarsim", title);

@@ -12,6 +12,7 @@
 namespace sarsim {
 
 /// Draws a figure: panels one below the other with axes, marks, legend and colour bar, in the colours of the palette.
+/// Where an image has metres along both axes and one side is at most three times the other, a metre is as long on both.
 class FigurePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -47,6 +48,8 @@ class FigurePlot : public QCustomPlot {
   void add_legend(QCPAxisRect* rect, const FigurePanel& panel);
   void add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar);
   void dress(QCPAxis* axis);
+  void keep_scales();
+  void name_axis(QCPAxis* axis, const FigureAxis& described);
   [[nodiscard]] QColor ink(Role role) const;
 
   Figure figure_;

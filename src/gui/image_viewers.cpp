@@ -11,6 +11,7 @@
 #include "data/recording_hints.hpp"
 #include "gui/image_viewer.hpp"
 #include "gui/open_image_dialog.hpp"
+#include "view/envi_layout.hpp"
 
 namespace sarsim {
 
@@ -19,7 +20,7 @@ bool is_data_file(const std::filesystem::path& path) {
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".scr" || ending == ".txt") return false;
   constexpr std::array known{".bin", ".asc", ".csv", ".brk", ".h5",  ".hdf5", ".npy", ".ras",
-                             ".sun", ".raw", ".dat", ".cpx", ".im8", ".cf32", ".c64"};
+                             ".sun", ".raw", ".dat", ".cpx", ".im8", ".cf32", ".c64", ".img"};
   if (std::ranges::find(known, ending) != known.end()) return true;
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4096> begin{};
@@ -51,6 +52,7 @@ ImageViewer* ImageViewers::open_empty() {
 
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
   ImageHints hints;
+  hints.raw = envi_layout(path);
   if (const auto known = hints_from_scene(session_.scene(), path)) hints.samples = *known;
   return open_file(path, hints);
 }

@@ -1,6 +1,7 @@
 // sarsim-gui: the workbench.
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QSettings>
 
 #include <qcustomplot.h>
@@ -86,6 +87,43 @@ int take_screenshot(sarsim::MainWindow& main, const Options& options) {
   return sarsim::make_picture(main, wish) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+// A mistake in the arguments, as for sarsim.
+constexpr int exit_bad_input = 2;
+
+void complain(const QString& text) { std::fprintf(stderr, "sarsim-gui: %s\n", qPrintable(text)); }
+
+// What is wrong with the name of the picture; nothing where none is wanted.
+QString wrong_with_screenshot(const Options& options) {
+  if (options.screenshot.empty()) return {};
+  return sarsim::wrong_with_picture_name(QString::fromStdString(options.screenshot),
+                                         QString::fromStdString(options.script));
+}
+
+// Shows the workbench, or makes the picture.
+int run(QApplication& application, const Options& options) {
+  using sarsim::Appearance;
+  const bool picture = !options.screenshot.empty();
+  Appearance appearance = static_cast<Appearance>(QSettings().value("appearance").toInt());
+  if (options.light || (picture && !options.dark)) appearance = Appearance::light;
+  if (options.dark) appearance = Appearance::dark;
+  sarsim::set_appearance(application, appearance);
+  const QString shown = QString::fromStdString(options.script);
+  if (picture && !shown.isEmpty() && !QFileInfo::exists(shown)) {
+    complain(QStringLiteral("'%1' could not be opened: there is no such file").arg(shown));
+    return EXIT_FAILURE;
+  }
+  sarsim::MainWindow window;
+  // Nobody would close a dialog.
+  if (picture)
+    window.documents().show_failure = [](const QString& what, const QString& why) { complain(what + " " + why); };
+  if (!shown.isEmpty() && !window.open_any(shown) && picture) return EXIT_FAILURE;
+  window.session().set_time(options.time_s);
+  if (picture) return take_screenshot(window, options);
+  window.show();
+  window.documents().offer_recovery();
+  return QApplication::exec();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -93,7 +131,15 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App command;
   read_options(command, options);
-  CLI11_PARSE(command, argc, argv);
+  try {
+    command.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return command.exit(error) == 0 ? EXIT_SUCCESS : exit_bad_input;
+  }
+  if (const QString wrong = wrong_with_screenshot(options); !wrong.isEmpty()) {
+    complain(wrong);
+    return exit_bad_input;
+  }
   if (options.scale != 1.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(options.scale));
   if (!options.screenshot.empty() && qEnvironmentVariableIsEmpty("DISPLAY") &&
       qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
@@ -102,18 +148,5 @@ int main(int argc, char** argv) {
   QApplication::setStyle(sarsim::make_style());
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");
-  using sarsim::Appearance;
-  Appearance appearance = static_cast<Appearance>(QSettings().value("appearance").toInt());
-  if (options.light || (!options.screenshot.empty() && !options.dark)) appearance = Appearance::light;
-  if (options.dark) appearance = Appearance::dark;
-  sarsim::set_appearance(application, appearance);
-  sarsim::MainWindow window;
-  if (!options.script.empty() && !window.open_any(QString::fromStdString(options.script)) &&
-      !options.screenshot.empty())
-    return EXIT_FAILURE;
-  window.session().set_time(options.time_s);
-  if (!options.screenshot.empty()) return take_screenshot(window, options);
-  window.show();
-  window.documents().offer_recovery();
-  return QApplication::exec();
+  return run(application, options);
 }

@@ -20,6 +20,7 @@
 #include "data/recording_hints.hpp"
 #include "gui/image_part.hpp"
 #include "gui/problem_line.hpp"
+#include "view/envi_layout.hpp"
 
 namespace sarsim {
 
@@ -55,6 +56,12 @@ FoundOut find_out(const std::filesystem::path& file, const Scene& scene) {
   FoundOut found;
   auto guessed = guess_raw_layout(file);
   if (auto* const guesses = std::get_if<std::vector<RawGuess>>(&guessed)) found.guesses = std::move(*guesses);
+  if (const auto layout = envi_layout(file)) {
+    RawGuess said;
+    said.layout = *layout;
+    said.reason = OpenImageDialog::tr("its header says so").toStdString();
+    found.guesses.insert(found.guesses.begin(), said);
+  }
   found.known = hints_from_scene(scene, file);
   ImageHints hints;
   if (found.known) {

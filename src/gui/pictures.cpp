@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QImage>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -13,9 +14,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -165,6 +168,16 @@ QStringList picture_names() {
   for (const char* menu : {"file", "edit", "geometry", "simulation", "display", "view", "help", "object"})
     names += menu_prefix + menu;
   return names;
+}
+
+QString wrong_with_picture_name(const QString& file, const QString& shown) {
+  // Two names of one file are found out, too.
+  std::error_code none;
+  if (!shown.isEmpty() && std::filesystem::equivalent(file.toStdString(), shown.toStdString(), none))
+    return QStringLiteral("'%1' is the file that is shown: a picture would replace it").arg(file);
+  if (QFileInfo(file).suffix().compare("png", Qt::CaseInsensitive) != 0)
+    return QStringLiteral("'%1': pictures of windows are written as .png").arg(file);
+  return {};
 }
 
 bool make_picture(MainWindow& main, const PictureWish& wish) {

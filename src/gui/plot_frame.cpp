@@ -81,7 +81,7 @@ void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, con
   }
   const std::string_view title = axis_title_of(bar.quantity);
   QString words = QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
-  if (!bar.ticks.unit.empty()) words += QStringLiteral(" [%1]").arg(QString::fromStdString(bar.ticks.unit));
+  if (!bar.ticks.unit.empty()) words += QStringLiteral(" (%1)").arg(QString::fromStdString(bar.ticks.unit));
   draw_turned(painter, plot, widget_width - gap / 2.0, 90.0, words);
 }
 

@@ -192,6 +192,14 @@ std::size_t reference_cells(const CfarOptions& options, std::size_t rows) {
   return within(options.reference_rows) * along(options.reference_columns) - within(guard_rows) * along(guard_columns);
 }
 
+bool has_reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns) {
+  const auto covered = [](std::size_t reach, std::size_t guard, std::size_t count) {
+    return std::min(guard, reach) + 1 >= std::min(reach + 1, count);
+  };
+  return !covered(options.reference_rows, options.guard_rows, rows) ||
+         !covered(options.reference_columns, options.guard_columns, columns);
+}
+
 double noise_power(const CfarDetection& detection, const CfarOptions& options) {
   if (options.kind == CfarOptions::Kind::cell_averaging) return detection.noise;
   const std::size_t cells = detection.reference_cells;

@@ -53,6 +53,9 @@ struct CfarDetection {
 /// Reference cells of a cell far from the edges of a map of `rows` rows.
 [[nodiscard]] std::size_t reference_cells(const CfarOptions& options, std::size_t rows);
 
+/// Whether any cell of a map has reference cells: at its corners the guard covers least.
+[[nodiscard]] bool has_reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns);
+
 /// Factor on the noise for a cell with so many reference cells.
 [[nodiscard]] double cfar_factor(std::size_t cells, const CfarOptions& options);
 

@@ -274,6 +274,25 @@ TEST(DetectCfar, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+// What the detector finds nothing to compare with, anywhere, has no reference.
+TEST(HasReferenceCells, IsWhetherAnyCellOfTheMapHasSome) {
+  for (const std::size_t rows : {1U, 3U, 4U})
+    for (const std::size_t columns : {1U, 5U, 10U})
+      for (const std::size_t reach : {0U, 2U, 4U, 20U})
+        for (const std::size_t guard : {0U, 1U, 4U, 30U})
+          for (const std::size_t other : {0U, 3U}) {
+            CfarOptions options;
+            options.reference_columns = reach;
+            options.guard_columns = guard;
+            options.reference_rows = other;
+            options.guard_rows = guard / 2;
+            options.false_alarm = 0.999;  // Every cell with some is over its threshold.
+            std::vector<float> map(rows * columns, 1.0F);
+            EXPECT_EQ(has_reference_cells(options, rows, columns), !detect_cfar(map, columns, options, one).empty())
+                << rows << ' ' << columns << ' ' << reach << ' ' << guard << ' ' << other;
+          }
+}
+
 TEST(DetectCfar, PassesOverCellsWithoutReference) {
   CfarOptions options;
   options.reference_columns = options.guard_columns = 2;

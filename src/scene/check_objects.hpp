@@ -25,8 +25,8 @@ void check_file_names(Findings& findings, const Scene& scene);
 /// When a radar's pulses leave; nothing where its repetition is faulty.
 [[nodiscard]] std::optional<Repetition> repetition_of(const Radar& radar);
 
-/// Bandwidth by which a radar's sampling is judged [Hz] (decision 7), with 1/Tp for a user-defined pulse; nothing where
-/// the pulse is faulty.
+/// Bandwidth by which a radar's sampling is judged [Hz], the same that `bandwidth_hz` has for its pulse (decision 7);
+/// nothing where the pulse is faulty.
 [[nodiscard]] std::optional<double> nominal_bandwidth_hz(const Radar& radar);
 
 }  // namespace sarsim

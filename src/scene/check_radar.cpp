@@ -5,6 +5,7 @@
 
 #include "scene/check_objects.hpp"
 #include "scene/limits.hpp"
+#include "scene/radar_pulse.hpp"
 #include "waveform/pulse.hpp"
 
 namespace sarsim {
@@ -234,11 +235,37 @@ std::optional<Repetition> repetition_of(const Radar& radar) {
   return Repetition::intervals(std::move(intervals));
 }
 
+namespace {
+
+// Whether the functions of a user-defined pulse can be evaluated; what is wrong with them is said elsewhere.
+bool user_pulse_is_sound(const Radar& radar) {
+  const auto numbers = [](const SampledFunction& function) {
+    return std::ranges::all_of(function.knots, [](const Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
+  };
+  const auto ascends = [](const SampledFunction& function) {
+    return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x) == function.knots.end();
+  };
+  const auto sound = [&](const SampledFunction& function) { return numbers(function) && ascends(function); };
+  if (!std::ranges::all_of(radar.pulse_iq.part, sound) || std::ranges::all_of(radar.pulse_iq.part, all_zero))
+    return false;
+  switch (radar.envelope) {
+    case Radar::Envelope::rectangular: return true;
+    case Radar::Envelope::linear:
+      return std::isfinite(radar.rise_s) && std::isfinite(radar.fall_s) && radar.rise_s >= 0.0 && radar.fall_s >= 0.0;
+    case Radar::Envelope::user: break;
+  }
+  return sound(radar.envelope_gain.part[0]) && !all_zero(radar.envelope_gain.part[0]);
+}
+
+}  // namespace
+
 std::optional<double> nominal_bandwidth_hz(const Radar& radar) {
   if (!std::isfinite(radar.pulse_width_s) || !(radar.pulse_width_s > 0.0)) return std::nullopt;
   switch (radar.pulse) {
-    case Radar::Pulse::mono:
-    case Radar::Pulse::user: break;
+    case Radar::Pulse::mono: break;
+    case Radar::Pulse::user:
+      if (!user_pulse_is_sound(radar)) return std::nullopt;
+      return bandwidth_hz(pulse_of(radar));
     case Radar::Pulse::chirp:
       if (!std::isfinite(radar.bandwidth_hz)) return std::nullopt;
       if (radar.bandwidth_hz != 0.0) return std::abs(radar.bandwidth_hz);

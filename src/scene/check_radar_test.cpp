@@ -1,7 +1,9 @@
 #include <functional>
+#include <limits>
 
 #include "scene/check_objects.hpp"
 #include "scene/check_test_scene.hpp"
+#include "scene/radar_pulse.hpp"
 
 namespace sarsim {
 namespace {
@@ -213,6 +215,18 @@ TEST(NominalBandwidth, IsThatOfTheModulation) {
   radar.pulse = Radar::Pulse::barker;
   EXPECT_DOUBLE_EQ(nominal_bandwidth_hz(radar).value(), 13.0 / 2e-6);
   radar.barker_code = 7;
+  EXPECT_FALSE(nominal_bandwidth_hz(radar));
+  radar.pulse = Radar::Pulse::user;
+  EXPECT_FALSE(nominal_bandwidth_hz(radar));
+  radar.pulse_iq.part[0] = points({{0.0, 1.0}, {0.5, -1.0}, {1.0, 1.0}});
+  EXPECT_EQ(nominal_bandwidth_hz(radar).value(), bandwidth_hz(pulse_of(radar)));
+  EXPECT_GT(nominal_bandwidth_hz(radar).value(), 0.5e6);
+  for (const Knot& fault : {Knot{0.5, 1.0}, Knot{2.0, std::numeric_limits<double>::quiet_NaN()}}) {
+    radar.pulse_iq.part[1] = points({{0.0, 1.0}, {1.0, 1.0}, fault});
+    EXPECT_FALSE(nominal_bandwidth_hz(radar));
+  }
+  radar.pulse_iq.part[1] = {};
+  radar.envelope = Radar::Envelope::user;
   EXPECT_FALSE(nominal_bandwidth_hz(radar));
   radar.pulse_width_s = 0.0;
   EXPECT_FALSE(nominal_bandwidth_hz(radar));

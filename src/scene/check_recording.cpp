@@ -7,6 +7,8 @@
 #include "base/constants.hpp"
 #include "scene/check_objects.hpp"
 #include "scene/limits.hpp"
+#include "scene/radar_pulse.hpp"
+#include "waveform/pulse_shape.hpp"
 
 namespace sarsim {
 
@@ -161,8 +163,16 @@ void check_converter(Findings& findings, const Simulation& simulation) {
   findings.between("width_factor", "pulse width factor", simulation.width_factor, 1.0, 100.0, "");
 }
 
-void check_bandwidth(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
+// The band that sampling has to keep. A given shape has edges of any kind, and what lies beyond nine tenths of its
+// energy is no more than what the band of an unmodulated pulse or a code leaves out.
+std::optional<double> band_to_keep_hz(const Radar& radar) {
   const auto bandwidth_hz = nominal_bandwidth_hz(radar);
+  if (!bandwidth_hz || radar.pulse != Radar::Pulse::user) return bandwidth_hz;
+  return energy_band_hz(pulse_of(radar), 0.9);
+}
+
+void check_bandwidth(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
+  const auto bandwidth_hz = band_to_keep_hz(radar);
   // A part in 10^9 is rounding: 1/Tp of a width in nanoseconds need not be the double that was meant.
   if (!bandwidth_hz || simulation.sample_rate_hz >= *bandwidth_hz * (1.0 - 1e-9)) return;
   const double beyond_hz = *bandwidth_hz - simulation.sample_rate_hz;
@@ -171,7 +181,8 @@ void check_bandwidth(Findings& findings, const Simulation& simulation, const Rad
       folds ? Consequence::false_signal : Consequence::lost_signal, "sample_rate_hz",
       {.message = "the sampling frequency is below the bandwidth of the pulse",
        .found = value_text(simulation.sample_rate_hz, "Hz"),
-       .expected = fmt::format("at least {}", value_text(*bandwidth_hz, "Hz")),
+       .expected = fmt::format("at least {}{}", value_text(*bandwidth_hz, "Hz"),
+                               radar.pulse == Radar::Pulse::user ? ", which holds 90 % of its energy" : ""),
        .hint = folds ? fmt::format("The outer {} of the spectrum fold back onto the rest (aliasing) and show as false "
                                    "or smeared echoes.",
                                    value_text(beyond_hz, "Hz"))

@@ -180,6 +180,25 @@ TEST(CheckRecording, HoldsTheChoiceOfColumnsInAByte) {
   }
 }
 
+// 32 chips of 62.5 ns, by turns 1 and -1: lines at 8 MHz, of which little is left at a sampling of 10 MHz.
+TEST(CheckRecording, WarnsOfSamplingFarBelowTheBandOfAUserPulse) {
+  Scene scene = sound_scene();
+  Radar& radar = scene.radars[0];
+  radar.pulse = Radar::Pulse::user;
+  radar.pulse_width_s = 2e-6;
+  radar.pulse_iq.part[0].method = Interpolation::linear;
+  for (int chip = 0; chip < 32; ++chip)
+    for (const double edge : {0.001, 0.999})
+      radar.pulse_iq.part[0].knots.push_back({(chip + edge) / 32.0, chip % 2 == 0 ? 1.0 : -1.0});
+  radar.pulse_iq.part[1].knots = {{0.0, 0.0}};
+  scene.simulations[0].sample_rate_hz = 10e6;
+  const Problem problem = expect_warning(scene, simulation_field("sample_rate_hz"));
+  EXPECT_THAT(problem.message, HasSubstr("below the bandwidth of the pulse"));
+  EXPECT_THAT(problem.expected, HasSubstr("which holds 90 % of its energy"));
+  scene.simulations[0].sample_rate_hz = 100e6;
+  EXPECT_TRUE(check(scene).empty());
+}
+
 TEST(CheckRecording, WarnsOfSamplingBelowTheBandwidthAndSaysWhatFolds) {
   const Problem problem = expect_warning(with_simulation([](Simulation& s) { s.sample_rate_hz = 80e6; }),
                                          simulation_field("sample_rate_hz"));

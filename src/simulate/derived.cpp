@@ -5,6 +5,7 @@
 
 #include "echo/reference_kernel.hpp"
 #include "receiver/converter.hpp"
+#include "waveform/pulse_shape.hpp"
 
 namespace sarsim {
 
@@ -41,7 +42,8 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   f.longest_wavelength_m = c / f.lowest_carrier_hz;
   f.shortest_wavelength_m = c / f.highest_carrier_hz;
   f.bandwidth_hz = bandwidth_hz(radar.pulse);
-  f.range_resolution_m = 0.5 * c / f.bandwidth_hz;
+  const bool shaped = radar.pulse.kind == Pulse::Kind::user;
+  f.range_resolution_m = 0.5 * c * (shaped ? half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz);
   if (radar.carrier.steps() > 1)
     f.synthetic_range_resolution_m = 0.5 * c / (radar.carrier.steps() * std::abs(radar.carrier.step_hz()));
   f.pulse_length_m = c * radar.pulse.width_s;

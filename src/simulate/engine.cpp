@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "echo/shape_table.hpp"
-#include "echo/spectral_kernel.hpp"
-#include "simulate/pulse_geometry.hpp"
+#include "simulate/cost_of_pulse.hpp"
 #include "simulate/simd_level.hpp"
 
 namespace sarsim {
@@ -19,58 +16,6 @@ constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::aut
                                                                     {Engine::reference, "reference"},
                                                                     {Engine::direct, "direct"},
                                                                     {Engine::spectral, "spectral"}}};
-
-// Nanoseconds on one core of 2024 with AVX-512; only their ratios matter.
-constexpr double direct_echo_ns = 40.0;
-constexpr double direct_sample_ns = 0.13;
-constexpr double envelope_sample_ns = 0.22;
-constexpr double user_sample_ns = 0.25;
-constexpr double band_limited_sample_ns = 0.62;
-constexpr double knot_ns = 5.0;       // of a curve, which ends a run of samples
-constexpr double untabled_ns = 20.0;  // pulses too long for a table take the reference
-constexpr double spread_ns = 5.0;
-constexpr double doppler_term_ns = 3.5;  // spreading again and the weight of the term
-constexpr double edge_sample_ns = 0.22;
-constexpr double transform_point_ns = 2.5;
-
-struct DopplerRange {
-  double lowest = 0.0;
-  double highest = 0.0;
-};
-
-// The widest range of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
-DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses) {
-  constexpr std::size_t most = 1000;
-  PulseGeometry geometry(scene, radar);
-  const std::size_t stride = scene.scatterers.size() / most + 1;
-  DopplerRange widest;
-  for (const double share : {0.0, 0.5, 1.0}) {
-    geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
-    const Pointing pointing = geometry.pointing();
-    DopplerRange here{1.0, -1.0};
-    for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
-      const double d = 2.0 * geometry.view(i, pointing).speed_mps / scene.conventions.light_speed_mps;
-      here = {std::min(here.lowest, d), std::max(here.highest, d)};
-    }
-    if (here.highest - here.lowest >= widest.highest - widest.lowest) widest = here;
-  }
-  return widest;
-}
-
-double scatterer_count(const ResolvedScene& scene) {
-  auto count = static_cast<double>(scene.scatterers.size());
-  for (const ScattererSheet& sheet : scene.sheets) count += static_cast<double>(sheet.points_m.size());
-  return count;
-}
-
-double direct_ns_per_sample(const EchoPulse& pulse, const SampleGrid& grid, double samples, double tolerance) {
-  const bool user = pulse.pulse.kind == Pulse::Kind::user;
-  if (!pulse.band_limited && !user && pulse.pulse.envelope == Pulse::Envelope::rectangular) return direct_sample_ns;
-  if (!ShapeTable::is_worth_making(pulse, grid, tolerance >= 1e-6)) return untabled_ns;
-  if (pulse.band_limited) return band_limited_sample_ns;
-  const double knots = std::min(static_cast<double>(pulse.pulse.breaks_s().size()), samples);
-  return (user ? user_sample_ns : envelope_sample_ns) + knot_ns * knots / std::max(samples, 1.0);
-}
 
 }  // namespace
 
@@ -88,30 +33,21 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
                            const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses, double tolerance) {
   if (wanted != Engine::automatic) return {wanted, "asked for"};
   if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
-  const double echoes = scatterer_count(scene);
-  const double samples =
-      std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count));
-  const double direct_ns = echoes * (direct_echo_ns + samples * direct_ns_per_sample(pulse, grid, samples, tolerance));
+  const PulseCost cost(scene, radar, pulse, grid, tolerance);
+  const double direct_ns = cost.direct_ns();
   // Few echoes of short pulses: not worth asking what the transform would cost.
   if (direct_ns < 20e3)
-    return {Engine::direct, fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", echoes, samples)};
-  const DopplerRange doppler = widest_doppler(scene, radar, pulses);
-  const SpectralCost cost =
-      SpectralKernel::cost(pulse, grid, tolerance, radar.carrier.highest_hz(), doppler.lowest, doppler.highest);
-  const auto terms = static_cast<double>(cost.doppler_terms);
-  const double spectral_ns = echoes * (4.0 + (terms > 1.0 ? doppler_term_ns * terms : spread_ns) +
-                                       edge_sample_ns * static_cast<double>(cost.edge_samples)) +
-                             transform_point_ns * terms * static_cast<double>(cost.transform_size);
-  constexpr std::size_t largest_transform = std::size_t{1} << 27U;
-  if (cost.doppler_terms > 20 || cost.transform_size > largest_transform || direct_ns <= spectral_ns)
     return {Engine::direct,
-            fmt::format(
-                "{:.0f} echoes a pulse of {:.0f} samples cost less than transforms of {} points with {} Doppler terms",
-                echoes, samples, cost.transform_size, cost.doppler_terms)};
-  return {Engine::spectral,
-          fmt::format(
-              "{:.0f} echoes a pulse of {:.0f} samples cost more than transforms of {} points with {} Doppler terms",
-              echoes, samples, cost.transform_size, cost.doppler_terms)};
+            fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", cost.echoes(), cost.samples())};
+  const SpectralEstimate spectral = cost.spectral(pulses);
+  constexpr std::size_t largest_transform = std::size_t{1} << 27U;
+  const bool direct =
+      spectral.cost.doppler_terms > 20 || spectral.cost.transform_size > largest_transform || direct_ns <= spectral.ns;
+  return {
+      direct ? Engine::direct : Engine::spectral,
+      fmt::format("{:.0f} echoes a pulse of {:.0f} samples cost {} than transforms of {} points with {} Doppler terms",
+                  cost.echoes(), cost.samples(), direct ? "less" : "more", spectral.cost.transform_size,
+                  spectral.cost.doppler_terms)};
 }
 
 }  // namespace sarsim

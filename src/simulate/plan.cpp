@@ -290,30 +290,4 @@ void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out
   plan.profiler->profile(scratch_, out);
 }
 
-Cost estimated_cost(const Plan& plan, unsigned threads) {
-  // Seconds per unit of work of the reference kernel, measured once; good to a factor of two on a machine of 2020.
-  constexpr double per_echo_s = 150e-9;
-  constexpr double per_echo_sample_s = 35e-9;
-  constexpr double per_sample_s = 8e-9;
-  constexpr double per_noise_sample_s = 45e-9;
-  double scatterers = static_cast<double>(plan.scene->scatterers.size());
-  for (const ScattererSheet& sheet : plan.scene->sheets) scatterers += static_cast<double>(sheet.points_m.size());
-  const double pulses =
-      static_cast<double>(plan.rows) * (plan.profiler ? static_cast<double>(plan.burst_pulses()) : 1.0);
-  const double pulse_samples = std::min((plan.pulse.last_s() - plan.pulse.first_s()) / plan.raw_grid.interval_s,
-                                        static_cast<double>(plan.raw_grid.count));
-  Cost cost;
-  cost.echoes = scatterers * pulses;
-  cost.echo_samples = cost.echoes * pulse_samples;
-  cost.samples = static_cast<double>(plan.rows) * static_cast<double>(plan.columns);
-  const double raw_samples = pulses * static_cast<double>(plan.raw_grid.count);
-  const bool noisy = plan.noise_stddev_v > 0.0;
-  cost.seconds_one_thread =
-      cost.echoes * per_echo_s + cost.echo_samples * per_echo_sample_s +
-      raw_samples * (per_sample_s * (plan.compressor ? 8.0 : 1.0) + (noisy ? per_noise_sample_s : 0.0));
-  const double row_bytes = 16.0 * static_cast<double>(plan.raw_grid.count + 2 * plan.columns);
-  cost.memory_bytes = 16e6 + 200.0 * scatterers + threads * (4.0 * std::max(row_bytes, 4e6) + 24.0 * scatterers);
-  return cost;
-}
-
 }  // namespace sarsim

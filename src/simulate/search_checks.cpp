@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "base/number_text.hpp"
 #include "process/canceller.hpp"
+#include "simulate/pulse_geometry.hpp"
 #include "simulate/recorded_gain.hpp"
 #include "simulate/survey.hpp"
 
@@ -20,6 +21,15 @@ bool evenly_spaced(const Plan& plan) {
   const Repetition& repetition = plan.radar.repetition;
   return std::abs(repetition.shortest_interval_s() - repetition.mean_interval_s()) <
          1e-9 * repetition.mean_interval_s();
+}
+
+// Reaches to either side, as they are given: ranges, and Doppler rows where there are some.
+std::string cells_text(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+  const auto both = [](std::size_t along_columns, std::size_t along_rows) {
+    return along_rows == 0 ? fmt::format("{}", along_columns) : fmt::format("{}:{}", along_columns, along_rows);
+  };
+  return fmt::format("--train {} --guard {} in a map of {} x {}", both(cfar.reference_columns, cfar.reference_rows),
+                     both(cfar.guard_columns, cfar.guard_rows), rows, columns);
 }
 
 // Collects the remarks on one plan.
@@ -41,6 +51,7 @@ class Remarks {
     window();
     cut_echoes();
     dwell();
+    still_beam();
     if (options_.detect) detector();
     return std::move(problems_);
   }
@@ -164,6 +175,20 @@ class Remarks {
                        : std::string("turn more slowly or raise the PRF"));
   }
 
+  // Of single pulses nothing is left but the beam's azimuth and the range.
+  void still_beam() {
+    if (options_.recorded_pulses() > 1 || beam_turns(plan_)) return;
+    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    geometry.set_pulse(plan_.pulses.first);
+    const double azimuth_deg = azimuth_rad(geometry.pointing().axis_world()) * 180.0 / pi;
+    warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
+         fmt::format("a beam that points to {:.3g} degrees all the time",
+                     azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
+         "a ROTATING beam",
+         "targets outside the beam are not held against detections; give intervals of pulses with --interval, or take "
+         "sarsim doppler");
+  }
+
   void detector() {
     if (plan_.noise_stddev_v == 0.0)
       warn("the radar has no noise: detections are held against sidelobes and rounding errors", "0 K",
@@ -217,10 +242,10 @@ Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
   if (options.pulses == 1 && options.frequencies > 1)
     refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
            "give --interval more, or leave out --frequencies");
-  if (options.detect && reference_cells(options.cfar, options.rows()) == 0)
-    refuse("no reference cells are left outside the guard",
-           fmt::format("--train {} --guard {}", options.cfar.reference_columns, options.cfar.guard_columns),
-           "more cells to train on than to guard", "give --train more");
+  if (options.detect && !has_reference_cells(options.cfar, options.rows(), plan.columns))
+    refuse("no reference cells are left outside the guard", cells_text(options.cfar, options.rows(), plan.columns),
+           "more cells to train on than to guard, and a guard smaller than the map",
+           "give --train more, or --guard less");
   return problems;
 }
 
@@ -236,6 +261,26 @@ double beam_width_rad(const Plan& plan) {
   const double receive = width(plan.radar.receive);
   if (transmit > 0.0 && receive > 0.0) return std::min(transmit, receive);
   return std::max(transmit, receive);
+}
+
+bool beam_turns(const Plan& plan) {
+  constexpr int looks = 16;
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  double first_rad = 0.0;
+  for (int look = 0; look <= looks; ++look) {
+    // Unevenly far apart, so that no turn fits between all of them.
+    const double share = static_cast<double>(look * look) / (looks * looks);
+    geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
+    const double here_rad = azimuth_rad(geometry.pointing().axis_world());
+    if (look == 0) first_rad = here_rad;
+    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * pi)) > seen_width_rad(plan)) return true;
+  }
+  return false;
+}
+
+double seen_width_rad(const Plan& plan) {
+  const double width_rad = beam_width_rad(plan);
+  return width_rad > 0.0 ? width_rad : pi / 180.0;
 }
 
 std::size_t dwell_pulses(const Plan& plan) {

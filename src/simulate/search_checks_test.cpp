@@ -108,6 +108,36 @@ TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
   EXPECT_EQ(dwell_pulses(plan_of(noisy_scene(0.0))), 1u);
 }
 
+TEST(RemarksOnSearch, SayWhenASearchingBeamDoesNotTurn) {
+  Scene scene = noisy_scene(0.0);
+  EXPECT_FALSE(beam_turns(plan_of(scene)));
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(1)), Severity::warning, "the beam does not turn"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), Severity::warning, "does not turn"));
+  scene.radars[0].beam = Radar::Beam::rotating;
+  EXPECT_FALSE(beam_turns(plan_of(scene)));
+  scene.radars[0].beam_rate = Angle::from_deg(360.0);
+  EXPECT_TRUE(beam_turns(plan_of(scene)));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(1)), Severity::warning, "does not turn"));
+}
+
+// What turns a beam does not matter.
+TEST(RemarksOnSearch, KnowThatAPlatformTurnsABeam) {
+  Scene scene = noisy_scene(0.0);
+  scene.platforms[0].rotation_rate[2] = Angle::from_deg(90.0);
+  EXPECT_TRUE(beam_turns(plan_of(scene)));
+}
+
+TEST(ProblemsOfSearch, AreGuardsLargerThanTheMap) {
+  const Plan plan = plan_of(noisy_scene(0.0));
+  SearchOptions options = train_of(64);
+  options.cfar.reference_columns = options.cfar.guard_columns = 1000;
+  options.cfar.reference_rows = 2000;
+  options.cfar.guard_rows = 1000;
+  EXPECT_TRUE(mentions(problems_of_search(plan, options), Severity::error, "no reference cells are left"));
+  options.cfar.guard_rows = 62;
+  EXPECT_TRUE(problems_of_search(plan, options).empty());
+}
+
 TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
   const Plan silent = plan_of(pulse_scene(0.0));
   EXPECT_TRUE(mentions(remarks_on_search(silent, train_of(64)), Severity::warning, "no noise"));

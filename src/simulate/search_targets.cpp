@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "process/canceller.hpp"
 #include "process/steady_target.hpp"
+#include "simulate/search_checks.hpp"
 
 namespace sarsim {
 
@@ -82,6 +83,7 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
     noise_w_.push_back(rows.noise_w * noise_gain(weights_, options.canceller, cycles));
   }
   if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(detector_of(rows, options), options.rows());
+  if (options.recorded_pulses() == 1 && !beam_turns(*rows.plan)) still_beam_rad_ = seen_width_rad(*rows.plan);
   targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
 }
@@ -165,6 +167,15 @@ double SearchTargets::distance(const SearchDetection& detection, const TargetSig
   return ranges <= reach && dopplers <= reach ? std::hypot(ranges, dopplers) : infinity;
 }
 
+// Single pulses of a beam that does not turn tell targets apart by range alone: one in another direction is not what
+// was detected where the beam points.
+bool SearchTargets::beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const {
+  constexpr double reach = 1.5;
+  if (still_beam_rad_ == 0.0) return false;
+  const double away_rad = std::remainder(sight.azimuth_rad - azimuth_rad(interval.beam_world), 2.0 * pi);
+  return std::abs(away_rad) > reach * still_beam_rad_;
+}
+
 std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
   std::vector<std::optional<std::size_t>> of(interval.detections.size());
   std::vector<double> nearest(interval.detections.size(), infinity);
@@ -173,7 +184,7 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
     const TargetSight& seen = seen_now[finding.target];
     if (!seen.in_window) continue;
     if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
-    if (!(seen.amplitude_v > 0.0)) continue;
+    if (!(seen.amplitude_v > 0.0) || beside_still_beam(interval, seen)) continue;
     if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
     for (std::size_t d = 0; d < of.size(); ++d) {
       const double away = distance(interval.detections[d], seen);

@@ -114,6 +114,28 @@ TEST(SearchTargets, GiveEachDetectionToTheNearest) {
   EXPECT_EQ(findings.at(1).found, 1u);
 }
 
+// An isotropic antenna that points to +y sees a target in +x as well, but says nothing of where it is.
+TEST(SearchTargets, OfABeamThatDoesNotTurnAreInItsDirection) {
+  SearchOptions options;
+  options.cfar.false_alarm = 1e-9;
+  for (const bool aside : {false, true}) {
+    Scene scene = pulse_scene(0.0, 4);
+    scene.targets = {target_on("Earth", aside ? Vec3{5000.0, 0.0, 0.0} : Vec3{0.0, 5000.0, 0.0})};
+    const PulseRows rows = pulse_rows_of(scene);
+    SearchTargets targets(rows, options);
+    for (const SearchInterval& interval : intervals_of(rows, options)) {
+      EXPECT_FALSE(interval.detections.empty());
+      for (const auto& of : targets.take(interval)) EXPECT_EQ(of.has_value() && aside, false);
+    }
+    EXPECT_EQ(targets.findings().at(0).found, aside ? 0u : 4u);
+  }
+  // Trains of pulses tell targets apart by their speeds as well.
+  options.pulses = 4;
+  Scene scene = pulse_scene(0.0, 4);
+  scene.targets = {target_on("Earth", {5000.0, 0.0, 0.0})};
+  EXPECT_EQ(findings_of(pulse_rows_of(scene), options).at(0).found, 1u);
+}
+
 TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
   Scene scene = pulse_scene(0.0, 64);
   scene.targets[0].position_m.y = 3000.0;

@@ -100,14 +100,24 @@ std::vector<FigureCurve> curves_of(const std::vector<Cut>& cuts, const std::vect
   return curves;
 }
 
-void mark_half_power(FigurePanel& panel, const Cut& cut, const AntennaLook& look) {
+// One of the curves, which may stand for several cuts.
+void mark_half_power(FigurePanel& panel, const Cut& cut, const std::string& name, const AntennaLook& look) {
   const auto half = half_power_deg(cut);
   if (!half) return;
   const double amplitude = cut.amplitude(*half);
   const double y = look.quantity == DisplayQuantity::decibels ? 20.0 * std::log10(std::abs(amplitude))
                                                               : shown(look.quantity, amplitude);
   if (-*half >= look.first_deg) panel.marks.push_back({-*half, y, ""});
-  if (*half <= look.last_deg) panel.marks.push_back({*half, y, fmt::format("half the power at {:.4g} deg", *half)});
+  if (*half <= look.last_deg)
+    panel.marks.push_back({*half, y, fmt::format("{}half the power at {:.4g} deg", name, *half)});
+}
+
+void mark_half_powers(FigurePanel& panel, const std::vector<Cut>& cuts, const AntennaLook& look) {
+  for (const FigureCurve& curve : panel.curves) {
+    const auto cut = std::ranges::find_if(
+        cuts, [&](const Cut& c) { return curve.name == c.name || curve.name.starts_with(c.name + " and "); });
+    if (cut != cuts.end()) mark_half_power(panel, *cut, panel.curves.size() > 1 ? curve.name + ": " : "", look);
+  }
 }
 
 }  // namespace
@@ -135,7 +145,7 @@ Figure antenna_figure(const ResolvedRadar& radar, PatternRule rule, const Antenn
   std::vector<double> all;
   for (const FigureCurve& curve : panel.curves) all.insert(all.end(), curve.y.begin(), curve.y.end());
   fit(panel.y, all);
-  mark_half_power(panel, cuts.front(), look);
+  mark_half_powers(panel, cuts, look);
   return figure;
 }
 

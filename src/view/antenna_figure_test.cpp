@@ -42,8 +42,11 @@ TEST(AntennaFigure, OfEqualCutsIsOneCurve) {
 TEST(AntennaFigure, MarksWhereTheAmplitudeHasFallenToHalfThePower) {
   const Figure figure = antenna_figure(radar_with(10.0, 30.0), PatternRule::amplitude, {});
   ASSERT_EQ(figure.panels[0].curves.size(), 2U);
-  ASSERT_EQ(figure.panels[0].marks.size(), 2U);
+  ASSERT_EQ(figure.panels[0].marks.size(), 4U);
   EXPECT_NEAR(figure.panels[0].marks[1].x, offset_deg(1.391557, 10.0), 1e-5);
+  EXPECT_EQ(figure.panels[0].marks[1].text.substr(0, 14), "azimuth: half ");
+  EXPECT_NEAR(figure.panels[0].marks[3].x, offset_deg(1.391557, 30.0), 1e-5);
+  EXPECT_EQ(figure.panels[0].marks[3].text.substr(0, 16), "elevation: half ");
   EXPECT_NEAR(figure.panels[0].marks[1].y, std::sqrt(0.5), 1e-9);
   EXPECT_DOUBLE_EQ(figure.panels[0].marks[0].x, -figure.panels[0].marks[1].x);
 }

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t most_radars = 8;  // whose view of a target is told
 
 void waveform_figures(Figures& figures, const SoundRadar& sound, const RadarFigures& f) {
+  const bool shaped = sound.radar.pulse == Radar::Pulse::user;
   if (sound.carrier && f.lowest_carrier_hz == f.highest_carrier_hz)
     figures.number("Wavelength", f.longest_wavelength_m, Quantity::length, "lambda = c/f");
   else if (sound.carrier)
@@ -25,7 +26,8 @@ void waveform_figures(Figures& figures, const SoundRadar& sound, const RadarFigu
   if (sound.pulse) {
     figures.number("Bandwidth", f.bandwidth_hz, Quantity::frequency,
                    "|B| of a chirp, chips/Tp of a code, else 1/Tp; of a given pulse what holds 99 % of its energy");
-    figures.number("Range resolution", f.range_resolution_m, Quantity::length, "c/(2 B)");
+    figures.number("Range resolution", f.range_resolution_m, Quantity::length,
+                   shaped ? "c/2 times the half-power width of the pulse's autocorrelation" : "c/(2 B)");
   }
   if (sound.carrier && f.synthetic_range_resolution_m > 0.0)
     figures.number("Synthetic range resolution", f.synthetic_range_resolution_m, Quantity::length,

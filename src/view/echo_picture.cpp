@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/constants.hpp"
+#include "base/number_text.hpp"
 #include "base/parallel.hpp"
 
 namespace sarsim {
@@ -124,7 +125,7 @@ std::vector<std::size_t> rows_of_pixels(const EchoMatrix& matrix, RowPlacing pla
 
 PlotAxis axis_of(const std::string& what, const Ticks& ticks) {
   PlotAxis axis;
-  axis.title = fmt::format("{} [{}]", what, ticks.unit);
+  axis.title = fmt::format("{} ({})", what, ticks.unit);
   return axis;
 }
 
@@ -214,7 +215,7 @@ PlotAxes plot_axes(const EchoView& view, const PlotSize& size, double light_spee
 
 std::string highest_magnitude_text(const SampleStatistics& statistics) {
   if (statistics.count == 0) return "Highest magnitude: unknown";
-  return fmt::format("Highest magnitude: {:.6g} mV", 1e3 * statistics.largest_v);
+  return "Highest magnitude: " + with_prefix(statistics.largest_v, "V");
 }
 
 }  // namespace sarsim

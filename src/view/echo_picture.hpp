@@ -78,7 +78,7 @@ struct PlotAxes {
 /// @param spacing_px  between marks, at least
 [[nodiscard]] PlotAxes plot_axes(const EchoView& view, const PlotSize& size, double light_speed_mps, double spacing_px);
 
-/// "Highest magnitude: 0.0409856 mV", or that it is unknown where no row is ready.
+/// "Highest magnitude: 40.9856 uV", or that it is unknown where no row is ready.
 [[nodiscard]] std::string highest_magnitude_text(const SampleStatistics& statistics);
 
 }  // namespace sarsim

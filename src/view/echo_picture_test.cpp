@@ -159,9 +159,9 @@ TEST(PlotAxes, MarkRangeDelayAndTimeWhereTheyLie) {
   const EchoView view{3000.0, 6000.0, -0.5, 0.5};
   const PlotSize size{600, 401};
   const PlotAxes axes = plot_axes(view, size, 3e8, 60.0);
-  EXPECT_EQ(axes.range.title, "Slant range [km]");
-  EXPECT_EQ(axes.delay.title, "Delay [us]");
-  EXPECT_EQ(axes.time.title, "Azimuth [ms]");
+  EXPECT_EQ(axes.range.title, "Slant range (km)");
+  EXPECT_EQ(axes.delay.title, "Delay (us)");
+  EXPECT_EQ(axes.time.title, "Azimuth (ms)");
   ASSERT_GE(axes.range.marks.size(), 4U);
   EXPECT_NEAR(axes.range.marks[1].px, (std::stod(axes.range.marks[1].label) * 1e3 - 3000.0) / 5.0, 1e-6);
   // 1 us is 150 m.
@@ -174,7 +174,7 @@ TEST(HighestMagnitude, IsInMillivoltsOrUnknown) {
   EXPECT_EQ(highest_magnitude_text(statistics), "Highest magnitude: unknown");
   statistics.count = 1;
   statistics.largest_v = 4.0985e-8;
-  EXPECT_EQ(highest_magnitude_text(statistics), "Highest magnitude: 4.0985e-05 mV");
+  EXPECT_EQ(highest_magnitude_text(statistics), "Highest magnitude: 40.985 nV");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "data/formats.hpp"
 
 namespace sarsim {
 
@@ -22,9 +23,11 @@ SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v
   estimate.rows = static_cast<double>(plan.rows);
   estimate.columns = static_cast<double>(plan.columns);
   estimate.bytes = file_bytes;
-  estimate.seconds = cost.seconds_one_thread / std::max(threads, 1U);
   estimate.memory_bytes = cost.memory_bytes;
   estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
+  // Counts need the largest magnitude before the first of them is written.
+  const double passes = estimate.lsb_estimated && holds_counts(plan.simulation.format) ? 2.0 : 1.0;
+  estimate.seconds = passes * cost.seconds_one_thread / std::max(threads, 1U);
   estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
   return estimate;
 }

@@ -5,34 +5,9 @@
 #include <cmath>
 
 #include "base/constants.hpp"
-#include "math/fft.hpp"
+#include "waveform/pulse_shape.hpp"
 
 namespace sarsim {
-
-namespace {
-
-// The band, symmetric about zero, that holds 99 % of the energy of a pulse of any shape.
-double energy_band_hz(const Pulse& pulse) {
-  constexpr std::size_t samples = 4096;
-  constexpr std::size_t size = 16 * samples;
-  std::vector<std::complex<double>> spectrum(size);
-  const double step = pulse.width_s / static_cast<double>(samples);
-  for (std::size_t i = 0; i < samples; ++i) spectrum[i] = pulse.value((static_cast<double>(i) + 0.5) * step);
-  const Fft fft(size);
-  fft.forward(spectrum);
-  double total = 0.0;
-  for (const auto& bin : spectrum) total += std::norm(bin);
-  double inside = std::norm(spectrum[0]);
-  std::size_t half = 0;
-  while (inside < 0.99 * total && half + 1 < size / 2) {
-    ++half;
-    inside += std::norm(spectrum[half]) + std::norm(spectrum[size - half]);
-  }
-  const double bin_hz = 1.0 / (step * static_cast<double>(size));
-  return 2.0 * (static_cast<double>(half) + 0.5) * bin_hz;
-}
-
-}  // namespace
 
 const std::vector<int>& barker_code(int index) {
   static const std::array<std::vector<int>, 7> codes{{{1, -1},
@@ -107,7 +82,7 @@ double bandwidth_hz(const Pulse& pulse) {
     case Pulse::Kind::mono: return 1.0 / pulse.width_s;
     case Pulse::Kind::chirp: return std::abs(pulse.sweep_hz);
     case Pulse::Kind::code: return static_cast<double>(pulse.code.size()) / pulse.width_s;
-    case Pulse::Kind::user: return energy_band_hz(pulse);
+    case Pulse::Kind::user: return energy_band_hz(pulse, 0.99);
   }
   return 0.0;
 }

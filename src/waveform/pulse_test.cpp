@@ -1,5 +1,7 @@
 #include "waveform/pulse.hpp"
 
+#include "waveform/pulse_shape.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -197,6 +199,41 @@ TEST(Bandwidth, OfAUserPulseOfBellShapeIsThatOfTheNormalDistribution) {
   pulse.in_phase = function(bell, Interpolation::cubic);
   const double expected_hz = 2.0 * 2.5758 / (2.0 * pi * 0.1 * std::sqrt(2.0)) * 1e6;
   EXPECT_NEAR(bandwidth_hz(pulse), expected_hz, 2.0 / 16.0 * 1e6);
+}
+
+TEST(Bandwidth, OfASmallerShareOfTheEnergyIsSmaller) {
+  Pulse pulse;
+  pulse.kind = Pulse::Kind::user;
+  pulse.width_s = 5e-6;
+  pulse.in_phase = function({{0.0, 1.0}});
+  const double half_cycles = 0.5 * energy_band_hz(pulse, 0.9) * pulse.width_s;
+  // Bins are 1/16 cycle wide; the density there is below 1/(pi 0.8)^2.
+  EXPECT_NEAR(sinc_energy(half_cycles), 0.9, 2.0 / 16.0 / std::pow(pi * 0.8, 2.0) + 1e-3);
+  EXPECT_LT(energy_band_hz(pulse, 0.9), energy_band_hz(pulse, 0.99));
+}
+
+// The autocorrelation of a rectangle is a triangle: its power is half at 1 - 1/sqrt(2) of its width to either side.
+TEST(HalfPowerWidth, IsThatOfTheAutocorrelation) {
+  Pulse pulse;
+  pulse.kind = Pulse::Kind::user;
+  pulse.width_s = 5e-6;
+  pulse.in_phase = function({{0.0, 1.0}});
+  EXPECT_NEAR(half_power_width_s(pulse), (2.0 - std::sqrt(2.0)) * 5e-6, 5e-6 / 2048.0);
+  pulse.quadrature = function({{0.0, -4.0}});
+  EXPECT_NEAR(half_power_width_s(pulse), (2.0 - std::sqrt(2.0)) * 5e-6, 5e-6 / 2048.0);
+}
+
+// sin(x)/x of a chirp of time-bandwidth product 400 falls to half its power 0.443 of 1/B from its peak.
+TEST(HalfPowerWidth, OfAChirpIsThatOfItsSweep) {
+  EXPECT_NEAR(half_power_width_s(chirp(200e6, 2e-6)), 0.8859 / 200e6, 0.01 / 200e6);
+}
+
+TEST(HalfPowerWidth, OfACodeIsThatOfOneChip) {
+  Pulse code;
+  code.width_s = 13e-6;
+  code.kind = Pulse::Kind::code;
+  code.code = barker_code(6);
+  EXPECT_NEAR(half_power_width_s(code), (2.0 - std::sqrt(2.0)) * 1e-6, 0.03e-6);
 }
 
 }  // namespace

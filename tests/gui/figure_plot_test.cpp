@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+#include <string>
 
 #include "gui/appearance.hpp"
 #include "gui/figure_plot.hpp"
@@ -136,6 +137,83 @@ class FigurePlotTest : public QObject {
     QVERIFY(QDir().mkdir(folder.filePath("taken.png")));
     QVERIFY(!plot.save(folder.filePath("taken.png"), {500, 300}, 1.0, failure));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 0);
+  }
+
+  // The lowest row of letters is followed by rows of the ground alone, at every scale.
+  void words_below_are_shown_to_their_lowest_letter() {
+    const QTemporaryDir folder;
+    Figure figure = four_cells();
+    figure.note = "gjpqy Range gjpqy";
+    for (const double scale : {1.0, 2.0, 4.0}) {
+      FigurePlot plot;
+      plot.set_figure(figure);
+      QString failure;
+      QVERIFY2(plot.save(folder.filePath("a.png"), {700, 500}, scale, failure), qPrintable(failure));
+      const QImage picture(folder.filePath("a.png"));
+      const QRgb ground = picture.pixel(0, 0);
+      int clear = 0;
+      for (int y = picture.height() - 1; y > 0; --y, ++clear) {
+        bool empty = true;
+        for (int x = 0; x < picture.width(); ++x) empty = empty && picture.pixel(x, y) == ground;
+        if (!empty) break;
+      }
+      QVERIFY2(clear >= scale, qPrintable(QString("%1 rows at %2").arg(clear).arg(scale)));
+    }
+  }
+
+  void long_titles_leave_the_picture_its_room() {
+    Figure figure = four_cells();
+    const auto size_with = [&](int words) {
+      figure.title.clear();
+      for (int i = 0; i < words; ++i) figure.title += "word" + std::to_string(i) + " ";
+      figure.note = figure.panels[0].title = figure.title;
+      FigurePlot plot;
+      plot.resize(700, 500);
+      plot.set_figure(figure);
+      plot.grab();
+      return plot.panel(0)->size();
+    };
+    const QSize usual = size_with(2);
+    const QSize narrow = size_with(60);
+    QCOMPARE(narrow.width(), usual.width());
+    QVERIFY2(narrow.height() > usual.height() / 2, qPrintable(QString::number(narrow.height())));
+    // Three lines and no more.
+    QCOMPARE(size_with(600).height(), size_with(300).height());
+  }
+
+  // A circle on the ground is a circle in the picture.
+  void metres_are_as_long_across_as_upwards() {
+    Figure figure = four_cells();
+    FigurePanel& panel = figure.panels[0];
+    panel.x = {"East", "m", -900.0, 900.0, {}};
+    panel.y = {"North", "m", -700.0, 700.0, {}};
+    panel.image = FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+    FigurePlot plot;
+    plot.resize(1000, 500);
+    plot.set_figure(figure);
+    plot.grab();
+    const QPoint corner = pixel_of(plot, 500.0, 500.0);
+    const QPoint middle = pixel_of(plot, 0.0, 0.0);
+    QVERIFY(std::abs((corner.x() - middle.x()) - (middle.y() - corner.y())) <= 2);
+    const QCPAxisRect* rect = plot.panel(0);
+    QVERIFY(rect->axis(QCPAxis::atBottom)->range().contains(-900.0));
+    QVERIFY(rect->axis(QCPAxis::atLeft)->range().contains(700.0));
+    // As is named what is seen: beyond a kilometre now.
+    QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("East (km)"));
+  }
+
+  void long_strips_fill_the_picture_all_the_same() {
+    Figure figure = four_cells();
+    FigurePanel& panel = figure.panels[0];
+    panel.x = {"Slant range", "m", 0.0, 100.0, {}};
+    panel.y = {"Azimuth", "m", 0.0, 1000.0, {}};
+    panel.image = FigureImage{2, 2, 0.0, 100.0, 0.0, 1000.0, panel.image->cells};
+    FigurePlot plot;
+    plot.resize(600, 400);
+    plot.set_figure(figure);
+    plot.grab();
+    QCOMPARE(plot.panel(0)->axis(QCPAxis::atBottom)->range().upper, 100.0);
+    QCOMPARE(plot.panel(0)->axis(QCPAxis::atLeft)->range().upper, 1000.0);
   }
 
   void dark_figures_have_dark_grounds() {

@@ -3,6 +3,10 @@
 #include <QAbstractButton>
 #include <QLineEdit>
 
+#include <complex>
+#include <vector>
+
+#include "data/envi.hpp"
 #include "gui/image_viewers.hpp"
 #include "gui/main_window.hpp"
 #include "gui/open_image_dialog.hpp"
@@ -54,6 +58,30 @@ class ImageViewersTest : public QObject {
     dialog->accept();
     QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
     QVERIFY(wait_until_open(*main.image_viewers().viewers()[0]));
+  }
+
+  // What `sarsim focus` writes unless told otherwise: samples in one file, what they are in another.
+  void an_image_with_its_header_beside_it_is_opened() {
+    QTemporaryDir folder;
+    const fs::path path = folder.filePath("focused.img").toStdString();
+    EnviHeader header;
+    header.samples = 30;
+    header.lines = 20;
+    EnviWriter writer(path, header, false);
+    for (float row = 0.0F; row < 20.0F; row += 1.0F) writer.append(std::vector<std::complex<float>>(30, {row, 1.0F}));
+    writer.finish();
+    MainWindow main;
+    QVERIFY(main.open_any(QString::fromStdString(path.string())));
+    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
+    ImageViewer& viewer = *main.image_viewers().viewers()[0];
+    QVERIFY(wait_until_open(viewer));
+    QCOMPARE(viewer.plot().view().rows(), 20.0);
+    QCOMPARE(viewer.plot().view().column_last, 30.0);
+    OpenImageDialog dialog;
+    dialog.show_file(QString::fromStdString(path.string()), {});
+    QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
+    QVERIFY(dialog.hints().raw.has_value());
+    QCOMPARE(dialog.hints().raw->width, std::size_t{30});
   }
 
   void a_file_that_does_not_describe_itself_is_guessed() {

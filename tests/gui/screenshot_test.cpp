@@ -1,0 +1,114 @@
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "gui/small_scene.hpp"
+
+// The workbench called for a picture, as scripts and tools call it: nobody is there to close a dialog.
+
+namespace sarsim {
+
+namespace {
+
+constexpr int patience_ms = 60'000;
+
+struct Ended {
+  int status = -1;  ///< -1: killed, because it did not end.
+  QString told;     ///< Standard error.
+};
+
+QByteArray bytes_of(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void write(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
+}  // namespace
+
+class ScreenshotTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+  QString script_;
+
+  [[nodiscard]] Ended run(const QStringList& arguments) const {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* place : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"}) environment.insert(place, folder_.path());
+    process.setProcessEnvironment(environment);
+    process.start(SARSIM_GUI_PROGRAM, arguments);
+    if (!process.waitForFinished(patience_ms)) {
+      process.kill();
+      process.waitForFinished();
+      return {};
+    }
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
+  }
+
+ private slots:
+  void init() {
+    script_ = folder_.filePath("scene.scr");
+    write(script_, QByteArray::fromStdString(write_script(small_scene())));
+  }
+
+  void a_picture_is_a_png_file() {
+    const QString picture = folder_.filePath("scene.png");
+    const Ended ended = run({script_, "--screenshot", picture, "--size", "800", "600"});
+    QVERIFY2(ended.status == 0, qPrintable(ended.told));
+    QCOMPARE(QImage(picture, "PNG").size(), QSize(800, 600));
+  }
+
+  void the_script_that_is_shown_is_never_replaced() {
+    const QByteArray before = bytes_of(script_);
+    const QString other_name = folder_.filePath("link.png");
+    QVERIFY(QFile::link(script_, other_name));
+    for (const QString& name : {script_, other_name}) {
+      const Ended ended = run({script_, "--screenshot", name});
+      QCOMPARE(ended.status, 2);
+      QVERIFY2(ended.told.contains("is the file that is shown"), qPrintable(ended.told));
+      QCOMPARE(bytes_of(script_), before);
+    }
+  }
+
+  void no_file_of_another_kind_is_replaced_by_a_picture() {
+    for (const char* name : {"picture.jpg", "notes.txt", "other.scr", "png"}) {
+      const QString path = folder_.filePath(name);
+      write(path, "precious");
+      const Ended ended = run({script_, "--screenshot", path});
+      QCOMPARE(ended.status, 2);
+      QVERIFY2(ended.told.contains("pictures of windows are written as .png"), qPrintable(ended.told));
+      QCOMPARE(bytes_of(path), QByteArray("precious"));
+    }
+  }
+
+  void what_cannot_be_opened_is_told_and_nothing_waits() {
+    const QString no_script = folder_.filePath("no_script.scr");
+    write(no_script, QByteArray("\x89HDF\r\n\x1a\n\0\0\0\0", 12));
+    for (const QString& name : {folder_.filePath("none.scr"), folder_.filePath("none.h5"), folder_.path(), no_script}) {
+      const Ended ended = run({name, "--screenshot", folder_.filePath("p.png")});
+      QVERIFY2(ended.status == 1, qPrintable(name));
+      QVERIFY2(ended.told.contains("could not be opened"), qPrintable(ended.told));
+      QVERIFY(!QFile::exists(folder_.filePath("p.png")));
+    }
+  }
+
+  void mistakes_in_the_arguments_end_as_those_of_sarsim() {
+    QCOMPARE(run({"--no-such-option"}).status, 2);
+    QCOMPARE(run({script_, "--screenshot", folder_.filePath("p.png"), "--scale", "0"}).status, 2);
+    QCOMPARE(run({"--dark", "--window", "main"}).status, 2);
+    QCOMPARE(run({"--draw-figure", "none"}).status, 2);
+    QCOMPARE(run({"--help"}).status, 0);
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::ScreenshotTest)
+#include "screenshot_test.moc"
