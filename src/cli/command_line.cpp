@@ -122,6 +122,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+// Whether two words have the same letters in another order.
+bool are_mixed_up(std::string a, std::string b) {
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  return a == b;
+}
+
 // The word that was meant, or nothing: of a short word most letters have to be right.
 std::string_view meant_word(std::string_view word, const std::vector<std::string>& known) {
   const auto bare = [](std::string_view text) {
@@ -131,7 +138,9 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   for (const std::string& name : known) names.push_back(bare(name));
   const std::string_view nearest = nearest_word(bare(word), names);
   const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
-  if (nearest.empty() || edit_distance(bare(word), nearest) > most) return {};
+  const bool near =
+      edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), std::string(nearest));
+  if (nearest.empty() || !near) return {};
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }
 

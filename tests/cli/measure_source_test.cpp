@@ -38,7 +38,7 @@ class MeasureSource : public CommandTest {
 TEST_F(MeasureSource, AScriptThatChangedSinceIsToldOf) {
   ASSERT_EQ(sarsim({"focus", "scene.scr", "--out", "x.img", "--quiet"}).status, 0);
   EXPECT_THAT(sarsim({"measure", "x.img", "--target", "1"}).err, Not(HasSubstr("warning")));
-  change_script("-185, -100, 0", "-180, -100, 0");
+  change_script("-190, -100, 0", "-180, -100, 0");
   const Finished changed = sarsim({"measure", "x.img", "--target", "1"});
   EXPECT_EQ(changed.status, 0) << changed.err;
   EXPECT_THAT(changed.err, AllOf(HasSubstr("warning: the script is not the one that 'x.img' was made from"),
