@@ -31,10 +31,6 @@ std::size_t count_of(const Problems& problems, Severity severity) {
   return count;
 }
 
-std::string counted(std::size_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 Problems problems_of(const std::string& path, const SceneOverrides& overrides, const StopFlag* stop) {
   SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {thread_count(0), stop});
   Problems names = output_names(input.scene, {}).problems;

@@ -17,8 +17,11 @@
 
 #include "base/build.hpp"
 #include "base/number_text.hpp"
+#include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/json.hpp"
 #include "cli/options.hpp"
+#include "cli/report.hpp"
 #include "cli/signals.hpp"
 #include "cli/team.hpp"
 #include "view/version_text.hpp"
@@ -119,16 +122,40 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+// Whether two words have the same letters in another order.
+bool are_mixed_up(std::string a, std::string b) {
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  return a == b;
+}
+
+// The word that was meant, or nothing: of a short word most letters have to be right.
+std::string_view meant_word(std::string_view word, const std::vector<std::string>& known) {
+  const auto bare = [](std::string_view text) {
+    return text.substr(std::min(text.find_first_not_of('-'), text.size()));
+  };
+  std::vector<std::string_view> names;
+  for (const std::string& name : known) names.push_back(bare(name));
+  const std::string_view nearest = nearest_word(bare(word), names);
+  const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
+  const bool near =
+      edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), std::string(nearest));
+  if (nearest.empty() || !near) return {};
+  return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
+}
+
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
-  const std::vector<std::string> extras = app.remaining();
+  std::vector<std::string> extras = app.remaining();
+  // Behind "--" nothing is an option; the mark itself is kept as if it were a word.
+  std::erase(extras, "--");
   if (extras.empty()) return;
   const std::string& word = extras.front();
   const bool option = word.starts_with("-");
   const std::string name = word.substr(0, word.find('='));
   const std::vector<std::string> known = option ? option_names(app) : program.command_names();
-  const std::string_view nearest = option || command == nullptr ? nearest_word(name, known) : std::string_view();
+  const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
   throw BadInput(fmt::format("{}{} '{}'", where, what, name),
@@ -179,10 +206,26 @@ std::string remedy(const std::error_code& failure) {
   return {};
 }
 
+bool asks_for_json(const std::vector<std::string>& words) {
+  return std::find(words.begin(), std::ranges::find(words, "--"), "--json") != std::ranges::find(words, "--");
+}
+
+// What a command that was to answer in JSON answers where it has not begun to.
+void write_failure(Streams& streams, const char* status, const Problems& problems) {
+  if (streams.written) return;
+  JsonWriter json;
+  json.begin_object().member("sarsim", program_version).member("status", status).key("problems");
+  write_json(json, problems);
+  json.end_object();
+  streams.out << json.text() << std::flush;
+}
+
 int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
+  const bool json = asks_for_json(words);
   const auto say = [&](const std::string& text, const std::string& hint = {}) {
     streams.err << "sarsim: error: " << text << '\n';
     if (!hint.empty()) streams.err << "    " << hint << '\n';
+    if (json) write_failure(streams, "failed", {problem_of(Severity::error, text, {}, {}, hint)});
   };
   try {
     const ExitStatus status = dispatch(program, std::move(words), streams);
@@ -190,6 +233,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return status;
   } catch (const BadInput& error) {
     print_problems(streams, error.problems);
+    if (json) write_failure(streams, "bad input", error.problems);
     return exit_bad_input;
   } catch (const OutputClosed&) {
     return exit_failed;
@@ -200,6 +244,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
                 << (kept == nullptr ? "nothing unfinished was left behind"
                                     : "what is done is kept in " + kept->kept_in + "; go on with --resume")
                 << '\n';
+    if (json) write_failure(streams, "interrupted", {});
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
     say("not enough memory", "record less at once, or with fewer --threads");

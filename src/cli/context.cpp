@@ -18,6 +18,7 @@ void expect_good(const std::ostream& out) {
 
 void write_out(Streams& streams, std::string_view text) {
   errno = 0;
+  streams.written = true;
   streams.out.write(text.data(), static_cast<std::streamsize>(text.size()));
   expect_good(streams.out);
 }

@@ -24,6 +24,7 @@ struct Streams {
   std::ostream& err;      ///< Everything else.
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
   const StopFlag* stop = nullptr;
+  bool written = false;  ///< Something went to `out`.
 };
 
 /// Thrown to end a command because of mistakes in what the user supplied; exit status 2.

@@ -11,6 +11,7 @@
 #include "cli/output_names.hpp"
 #include "cli/report.hpp"
 #include "cli/sample_input.hpp"
+#include "cli/scene_input.hpp"
 #include "data/formats.hpp"
 #include "data/product_attributes.hpp"
 #include "data/sinks.hpp"
@@ -159,8 +160,9 @@ ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
   const SampleFileHints hints = hints_for(arguments.input, arguments.sample);
   const SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);
-  Problems problems = problems_of_output(arguments.output, arguments.input, arguments.force);
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  OutputCare care{sources_of_script(arguments.sample.script), arguments.force, "OUT"};
+  care.sources.emplace_back(arguments.input);
+  expect_free_outputs({arguments.output}, care);
   conversion.carry_out();
   return exit_done;
 }

@@ -17,7 +17,7 @@ PulseInput of_script(const RecordingArguments& arguments, const WorkControl& con
   simulation = compressed_simulation(simulation);
   auto plan =
       std::make_shared<const Plan>(make_plan(input.scene, number, input.resolved, Engine::automatic, control.stop));
-  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems)};
+  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
 }
 
 PulseInput of_file(const RecordingArguments& arguments) {
@@ -25,7 +25,8 @@ PulseInput of_file(const RecordingArguments& arguments) {
     expect_pulses(plan.simulation);
     return Problems();
   });
-  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems)};
+  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+          std::move(stored.sources)};
 }
 
 }  // namespace

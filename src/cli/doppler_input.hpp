@@ -10,6 +10,7 @@ struct PulseInput {
   PulseRows rows;
   std::size_t simulation = 0;  ///< Position in the script's list.
   Problems problems;
+  std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
 /// Opens what the arguments name; throws BadInput with all problems where it has no pulses.

@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/number_text.hpp"
+#include "cli/report.hpp"
 
 namespace sarsim::cli {
 
@@ -57,21 +58,22 @@ std::string finding_text(const TargetFinding& finding, bool doppler) {
   if (!sight.in_window) return text + " is never within the recorded ranges\n";
   text += fmt::format(" azimuth {:.2f} deg, range {:.1f} m", bearing_deg(sight.azimuth_rad), sight.range_m);
   if (doppler) {
-    text += fmt::format(", Doppler {:.1f} Hz", sight.doppler_hz);
+    text += fmt::format(", Doppler {} Hz", decimals(sight.doppler_hz, 1));
     if (std::abs(sight.seen_doppler_hz - sight.doppler_hz) > 1e-6 * (1.0 + std::abs(sight.doppler_hz)))
-      text += fmt::format(" (seen {:.1f})", sight.seen_doppler_hz);
+      text += fmt::format(" (seen {})", decimals(sight.seen_doppler_hz, 1));
   }
   text += fmt::format(", cell {} x {}, SNR {}", sight.row, sight.column, decibel_text(sight.snr));
   if (finding.probability)
-    text += fmt::format(", Pd {:.3g}; found in {} intervals, expected in {}", *finding.probability, finding.found,
-                        finding.expected);
+    text += fmt::format(", Pd {:.3g}; found in {}, expected in {}", *finding.probability,
+                        counted(finding.found, "interval"), finding.expected);
   else
-    text += fmt::format("; found in {} intervals", finding.found);
+    text += fmt::format("; found in {}", counted(finding.found, "interval"));
   if (!finding.best) return text + "\n";
   const SearchDetection& best = *finding.best;
   text += fmt::format("\n  strongest   azimuth {:.2f} deg, range {:+.2f} m away", bearing_deg(best.azimuth_rad),
                       best.range_m - sight.range_m);
-  if (doppler) text += fmt::format(", Doppler {:.1f} Hz ({:.3f} m/s)", best.doppler_hz, best.speed_mps);
+  if (doppler)
+    text += fmt::format(", Doppler {} Hz ({} m/s)", decimals(best.doppler_hz, 1), decimals(best.speed_mps, 3));
   return text + fmt::format(", SNR {}\n", decibel_text(best.snr));
 }
 
@@ -120,7 +122,8 @@ std::string findings_text(const std::vector<TargetFinding>& findings, bool doppl
   constexpr std::size_t most = 20;
   std::string text;
   for (const TargetFinding& finding : findings | std::views::take(most)) text += finding_text(finding, doppler);
-  if (findings.size() > most) text += fmt::format("and {} more targets; --json lists them\n", findings.size() - most);
+  if (findings.size() > most)
+    text += fmt::format("and {}; --json lists them\n", counted(findings.size() - most, "more target"));
   return text;
 }
 

@@ -55,17 +55,18 @@ std::vector<fs::path> PulseWork::files() const {
   return paths;
 }
 
-void PulseWork::expect_free_outputs() const {
+void PulseWork::expect_free_outputs(const std::vector<fs::path>& sources) const {
   const std::vector<fs::path> paths = files();
   if (paths.empty()) throw BadInput("--no-map with --cfar none leaves nothing to do", "leave out one of them");
-  cli::expect_free_outputs(paths, arguments_.input.path, arguments_.force);
+  cli::expect_free_outputs(paths, {sources, arguments_.force, "--out or --detections"});
 }
 
 void PulseWork::open(const std::function<std::size_t(const Plan&)>& usual_pulses,
                      const std::function<double(const PulseRows&)>& more_bytes) {
   options_.detect = arguments_.detector.value_or(Detector::cell_averaging) != Detector::none;
-  expect_free_outputs();
+  expect_free_outputs(named_sources(arguments_.input));
   input_ = open_pulse_input(arguments_.input, control_);
+  expect_free_outputs(input_.sources);
   options_ = search_options(arguments_, rows(), usual_pulses(plan()));
   find_problems(more_bytes(rows()));
   for (const fs::path& path : files())
@@ -131,11 +132,11 @@ double PulseWork::expected_false_alarms() const {
 
 void PulseWork::report(const std::string& image, const std::function<void(JsonWriter&)>& members) {
   if (!arguments_.quiet) {
-    streams_.err << fmt::format("{}: {} intervals of {} pulses, {}{}\n", files().front().string(), intervals(),
-                                options_.pulses, image, duration_text(now_s() - begin_s_));
+    streams_.err << fmt::format("{}: {} of {}, {}{}\n", files().front().string(), counted(intervals(), "interval"),
+                                counted(options_.pulses, "pulse"), image, duration_text(now_s() - begin_s_));
     if (options_.detect)
-      streams_.err << fmt::format("{}: {} detections; noise alone would put {:.3g} cells above their thresholds\n",
-                                  table().string(), detections_, expected_false_alarms());
+      streams_.err << fmt::format("{}: {}; noise alone would put {:.3g} cells above their thresholds\n",
+                                  table().string(), counted(detections_, "detection"), expected_false_alarms());
     streams_.err << findings_text(findings_, doppler());
   }
   if (arguments_.json) write_report(members);

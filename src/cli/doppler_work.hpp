@@ -54,7 +54,7 @@ class PulseWork {
  private:
   [[nodiscard]] std::filesystem::path table() const;
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
-  void expect_free_outputs() const;
+  void expect_free_outputs(const std::vector<std::filesystem::path>& sources) const;
   void find_problems(double more_bytes);
   void each(const std::string& label, const SearchOptions& options,
             const std::function<void(const SearchInterval&)>& consume);

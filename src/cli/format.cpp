@@ -29,9 +29,7 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   const SceneInput input = read_scene(arguments.scene, {}, Scrutiny::reading);
   expect_usable(input);
-  if (!arguments.output.empty() && !arguments.force)
-    if (Problems problems = problems_of_output(arguments.output, {}, false); !problems.empty())
-      throw BadInput(std::move(problems));
+  if (!arguments.output.empty()) expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
   const std::string text = write_script(input.scene);
   if (arguments.in_place)

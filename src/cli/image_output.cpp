@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/image_script.hpp"
 #include "cli/image_writer.hpp"
 #include "data/formats.hpp"
 
@@ -66,6 +67,7 @@ std::vector<fs::path> files_of_image(const fs::path& path) {
 void write_image(const FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
                  bool magnitude, const StopFlag* stop) {
   ImageContent content{header_of(image.image, origin), product_of(image.image, origin)};
+  if (files_of_image(path).size() > 1) add_way_back(content.header, origin, path);
   if (magnitude) content.header.pixel = EnviHeader::Pixel::real_float;
   ImageWriter writer(path, std::move(content), replace, is_envi(path) ? 0.0 : largest_of(image, stop));
   each_row(image, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });

@@ -164,7 +164,7 @@ class IsarRun {
     return paths;
   }
 
-  void expect_free_outputs() const { cli::expect_free_outputs(outputs(), arguments_.input.path, arguments_.force); }
+  void expect_free_outputs() const { cli::expect_free_outputs(outputs(), {input_.sources, arguments_.force, "--out"}); }
 
   void find_problems() {
     Problems& problems = input_.problems;

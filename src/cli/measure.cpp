@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/focus_input.hpp"
 #include "cli/image_fields.hpp"
+#include "cli/image_script.hpp"
 #include "cli/measure_cuts.hpp"
 #include "cli/options.hpp"
 #include "cli/picture_program.hpp"
@@ -53,6 +54,7 @@ struct OpenedImage {
 };
 
 OpenedImage opened_image(const std::string& path) {
+  if (!fs::exists(path)) throw BadInput(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
   auto [file, problems] = EnviImage::open(path);
   if (!file) throw BadInput(std::move(problems));
   if (file->header().pixel != EnviHeader::Pixel::complex_float)
@@ -63,17 +65,20 @@ OpenedImage opened_image(const std::string& path) {
 }
 
 // What was focused, as the header says, unless the command line says otherwise.
-RecordingArguments input_of(const MeasureArguments& arguments, const ImageOrigin& origin) {
+RecordingArguments input_of(const MeasureArguments& arguments, const OpenedImage& opened, Streams& streams) {
+  const ImageOrigin& origin = opened.origin;
   RecordingArguments input = arguments.input;
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
-  input.path = origin.source;
-  if (input.script.empty()) {
-    input.script = origin.script;
-  } else if (origin.script.empty()) {
-    // A script alone: the source was a script, too, or carries its own.
-    input.path = std::exchange(input.script, std::string());
-  }
+  WayBack way = way_back(opened.file.header(), origin, arguments.image, input.script);
+  print_problems(streams, way.problems);
+  input.path = std::move(way.source);
+  input.script = std::move(way.script);
   return input;
+}
+
+void expect_folder(const std::string& cuts) {
+  if (!cuts.empty() && fs::exists(cuts) && !fs::is_directory(cuts))
+    throw BadInput(fmt::format("--cuts: '{}' is not a folder", cuts), "name a folder; it is made when missing");
 }
 
 double phase_error(const Measured& target) {
@@ -239,7 +244,8 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
   if (arguments.search_m && !(*arguments.search_m > 0.0)) throw BadInput("--search must be above 0");
   const WorkControl control{thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
   const OpenedImage opened = opened_image(arguments.image);
-  const FocusInput input = open_focus_input(input_of(arguments, opened.origin), control);
+  expect_folder(arguments.cuts);
+  const FocusInput input = open_focus_input(input_of(arguments, opened, streams), control);
   const std::vector<Measured> targets = measured_targets(opened, input, arguments, control);
   if (!arguments.json) {
     std::string text =

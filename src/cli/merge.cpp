@@ -44,8 +44,7 @@ class Merger {
       JoinTask task;
       task.output = output();
       task.replace = arguments_.force;
-      if (Problems problems = problems_of_output(task.output, {}, arguments_.force); !problems.empty())
-        throw BadInput(std::move(problems));
+      expect_free_outputs({task.output}, {{}, arguments_.force, "-o"});
       for (const std::string& folder : arguments_.folders) collect(folder, task.journals);
       task.product = load_product(product_file_of(arguments_.folders.front()));
       if (Problems problems = join_problems(task.journals, task.product.product.rows); !problems.empty())

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <limits>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,11 +35,30 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<
   return app.add_option_function<std::string>(names, read, description)->type_name("N");
 }
 
-CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+CLI::Option* add_seed(CLI::App& app, const std::string& names, std::optional<std::uint64_t>& value,
                       const std::string& description) {
   const auto read = [&value, names](const std::string& text) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [last, failure] = std::from_chars(text.data(), end, number);
+    if (failure != std::errc() || last != end)
+      refuse(names, text, fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
+    value = number;
+  };
+  return app.add_option_function<std::string>(names, read, description)->type_name("N");
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+                      const std::string& description) {
+  return add_real(
+      app, names, value, unit, description, [](double) { return true; }, "a number");
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+                      const std::string& description, bool (*meets)(double), const std::string& expected) {
+  const auto read = [&value, names, meets, expected](const std::string& text) {
     value = parse_number(text);
-    if (!value) refuse(names, text, "a number");
+    if (!value || !meets(*value)) refuse(names, text, expected);
   };
   return app.add_option_function<std::string>(names, read, description)->type_name(unit);
 }
@@ -44,7 +66,8 @@ CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<dou
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
                       const std::string& description) {
   const auto read = [&value, names, type](const std::string& text) {
-    if (text.empty() || text.starts_with("--")) refuse(names, text, "a name; write ./" + text + " for such a file");
+    if (text.empty()) throw CLI::ValidationError(shown_name(names), "the name is empty");
+    if (text.starts_with("--")) refuse(names, text, "a name; write ./" + text + " for such a file");
     value = text;
   };
   return app.add_option_function<std::string>(names, read, description)->type_name(type);

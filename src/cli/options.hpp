@@ -17,9 +17,19 @@ namespace sarsim::cli {
 CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<std::int64_t>& value, std::int64_t low,
                          std::int64_t high, const std::string& description);
 
+/// A whole number from 0 to 2^64 - 1.
+CLI::Option* add_seed(CLI::App& app, const std::string& names, std::optional<std::uint64_t>& value,
+                      const std::string& description);
+
 /// A decimal number, finite.
 CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
                       const std::string& description);
+
+/// A decimal number within limits.
+/// @param meets  whether a number is within them
+/// @param expected  what is: "a number above 0"
+CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+                      const std::string& description, bool (*meets)(double), const std::string& expected);
 
 /// A text that is not an option by mistake ("--out --force").
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,

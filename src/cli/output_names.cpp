@@ -33,13 +33,18 @@ class Namer {
       add(Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
       return {};
     }
-    fs::path path = rules_.folder / base;
+    fs::path path = base;
     if (rules_.keep_paths) {
       std::string kept = without_drive(name);
       std::ranges::replace(kept, '\\', '/');
-      path = rules_.folder / kept;
+      path = kept;
+      if (leads_out(path)) {
+        add(Severity::error, subject, "the output's name leads out of the folder of the run", name,
+            "a name below that folder", "write the name without a slash at its beginning and without ..");
+        return {};
+      }
     }
-    path = path.lexically_normal();
+    path = (rules_.folder / path).lexically_normal();
     if (recording && rules_.format) path.replace_extension(extension_of(*rules_.format));
     // `check` has warned of names that are alike in the script.
     const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
@@ -47,6 +52,10 @@ class Namer {
   }
 
  private:
+  static bool leads_out(const fs::path& name) {
+    return name.is_absolute() || name.lexically_normal().begin()->string() == "..";
+  }
+
   void add(Severity severity, const Subject& subject, std::string message, std::string found, std::string expected,
            std::string hint) {
     problems_.push_back(
@@ -70,6 +79,11 @@ class Namer {
   std::set<fs::path> taken_;
   std::set<std::string> met_;
 };
+
+// What to do where an output cannot have the name that an option or a word of the command line gave it.
+std::string another_file(const std::string& option) {
+  return fmt::format("name another file {} {}", option.starts_with('-') ? "with" : "as", option);
+}
 
 }  // namespace
 
@@ -107,11 +121,11 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const Sc
   return with_format.found.front();
 }
 
-void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {
+void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {
   Problems problems;
   std::set<fs::path> taken;
   for (const fs::path& path : paths) {
-    std::ranges::move(problems_of_output(path, source, force), std::back_inserter(problems));
+    std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
     if (taken.insert(fs::absolute(path).lexically_normal()).second) continue;
     problems.push_back({});
     problems.back().message = fmt::format("'{}' is the name of two outputs", path.string());
@@ -121,25 +135,34 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& sou
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
-Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
+void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {
+  expect_free_outputs(paths, OutputCare{{source}, force, "--out"});
+}
+
+Problems problems_of_output(const fs::path& path, const OutputCare& care) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status)) return {};
   Problem problem;
   problem.found = path.string();
+  problem.hint =
+      care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
   if (fs::is_directory(status)) {
     problem.message = "the output's name belongs to a folder";
-    problem.hint = "give the output another name, or another folder with --out";
-  } else if (fs::equivalent(path, source, ignored)) {
+  } else if (std::ranges::any_of(care.sources, [&](const fs::path& s) { return fs::equivalent(path, s, ignored); })) {
     problem.message = "the output would replace the file that it is made from";
-    problem.hint = "give the output another name, or another folder with --out";
-  } else if (!force) {
+  } else if (!care.force) {
     problem.message = "the output exists already";
-    problem.hint = "replace it with --force, or choose another folder with --out";
+    problem.hint = "replace it with --force, or " +
+                   (care.option.empty() ? std::string("choose another folder with --out") : another_file(care.option));
   } else {
     return {};
   }
   return {problem};
+}
+
+Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
+  return problems_of_output(path, OutputCare{{source}, force, "--out"});
 }
 
 }  // namespace sarsim::cli

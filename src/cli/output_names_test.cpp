@@ -38,9 +38,22 @@ TEST(OutputNames, KeepTheirFoldersOnlyWhenAsked) {
   OutputRules rules;
   rules.folder = "out";
   rules.keep_paths = true;
-  const OutputNames names = output_names(scene_with({"c:sub\\a.asc", "/tmp/b.asc"}), rules);
+  const OutputNames names = output_names(scene_with({"c:sub\\a.asc", "sub/../b.asc"}), rules);
   EXPECT_EQ(names.simulations.at(0), "out/sub/a.asc");
-  EXPECT_EQ(names.simulations.at(1), "/tmp/b.asc");
+  EXPECT_EQ(names.simulations.at(1), "out/b.asc");
+  EXPECT_TRUE(names.problems.empty());
+}
+
+TEST(OutputNames, NeverLeadOutOfTheFolder) {
+  OutputRules rules;
+  rules.folder = "out";
+  rules.keep_paths = true;
+  for (const char* name : {"/tmp/b.asc", "\\b.asc", "c:\\b.asc", "../b.asc", "sub/../../b.asc", "..\\out\\b.asc"}) {
+    const OutputNames names = output_names(scene_with({name}), rules);
+    ASSERT_EQ(names.problems.size(), 1U) << name;
+    EXPECT_EQ(names.problems[0].severity, Severity::error) << name;
+    EXPECT_EQ(names.problems[0].found, name);
+  }
 }
 
 TEST(OutputNames, RepeatedNamesAreNumbered) {
@@ -105,6 +118,26 @@ TEST_F(OutputPlaces, ExistingFilesNeedForce) {
 TEST_F(OutputPlaces, FoldersAndTheScriptAreNeverReplaced) {
   EXPECT_EQ(problems_of_output(folder_, folder_ / "scene.scr", true).size(), 1U);
   EXPECT_EQ(problems_of_output(folder_ / "." / "scene.scr", folder_ / "scene.scr", true).size(), 1U);
+}
+
+TEST_F(OutputPlaces, EverySourceIsKept) {
+  const OutputCare care{{folder_ / "scene.scr", folder_ / "there.asc", folder_ / "missing"}, true, "-o"};
+  for (const char* name : {"scene.scr", "there.asc"}) {
+    const Problems problems = problems_of_output(folder_ / name, care);
+    ASSERT_EQ(problems.size(), 1U) << name;
+    EXPECT_EQ(problems[0].message, "the output would replace the file that it is made from");
+    EXPECT_EQ(problems[0].hint, "name another file with -o");
+  }
+  EXPECT_TRUE(problems_of_output(folder_ / "new.asc", care).empty());
+}
+
+TEST_F(OutputPlaces, HintsNameWhatTheCommandHas) {
+  const auto hint = [&](const std::string& option) {
+    return problems_of_output(folder_ / "there.asc", {{}, false, option}).at(0).hint;
+  };
+  EXPECT_EQ(hint(""), "replace it with --force, or choose another folder with --out");
+  EXPECT_EQ(hint("--out"), "replace it with --force, or name another file with --out");
+  EXPECT_EQ(hint("OUT"), "replace it with --force, or name another file as OUT");
 }
 
 }  // namespace

@@ -50,14 +50,14 @@ class DataFiles {
   Checksum& sum_;
 };
 
+}  // namespace
+
 std::string script_sum(const Scene& scene, const std::string& script) {
   Checksum sum;
   sum.add(script);
   DataFiles(sum).add(scene);
   return fmt::format("{:016x}", sum.value());
 }
-
-}  // namespace
 
 Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
                      const StoredProduct& stored) {

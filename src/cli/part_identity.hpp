@@ -14,4 +14,8 @@ namespace sarsim::cli {
 [[nodiscard]] Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
                                    const StoredProduct& stored);
 
+/// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files hold.
+/// @param script  the scene as text (write_script)
+[[nodiscard]] std::string script_sum(const Scene& scene, const std::string& script);
+
 }  // namespace sarsim::cli

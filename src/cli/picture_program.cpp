@@ -7,15 +7,23 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "base/stop.hpp"
+#include "cli/signals.hpp"
+#include "data/output_file.hpp"
 
 extern char** environ;
 
@@ -42,7 +50,7 @@ class Workshop {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
-  [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
+  [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
 
  private:
   fs::path folder_;
@@ -55,11 +63,27 @@ std::string program() {
   return !failure && fs::exists(beside, failure) ? beside.string() : program_name;
 }
 
-std::string words_of(const fs::path& file) {
+std::string bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::string words{std::istreambuf_iterator<char>(stream), {}};
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string words_of(const fs::path& file) {
+  std::string words = bytes_of(file);
   while (!words.empty() && words.back() == '\n') words.pop_back();
   return words;
+}
+
+// Waits for a child; a signal that asks this program to stop is passed on.
+int wait_status_of(pid_t child) {
+  int status = 0;
+  for (bool told = false;;) {
+    const pid_t ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if (ended < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), program_name);
+    if (received_signal() != 0 && !told) told = ::kill(child, SIGTERM) == 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
 }
 
 // The exit status of a program whose standard error goes to a file; nothing where there is no such program. A program
@@ -72,15 +96,18 @@ std::optional<int> status_of(const std::vector<std::string>& arguments, const fs
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  // In a process group of its own: signals of the terminal reach it through this program alone.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t child = -1;
-  const int failure = ::posix_spawnp(&child, list[0], &actions, nullptr, list.data(), environ);
+  const int failure = ::posix_spawnp(&child, list[0], &actions, &attributes, list.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT) return std::nullopt;
   if (failure != 0)
     throw std::system_error(failure, std::generic_category(), std::string(program_name) + " could not be started");
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), program_name);
+  const int status = wait_status_of(child);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
@@ -89,6 +116,8 @@ std::optional<int> status_of(const std::vector<std::string>& arguments, const fs
 void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle& style) {
   const Workshop workshop;
   const fs::path handed = workshop.file("figure");
+  // Whatever ends the program that draws leaves nothing beside the picture.
+  const fs::path drawn = workshop.file("picture" + out.extension().string());
   {
     std::ofstream file(handed, std::ios::binary);
     const std::string bytes = figure_bytes(figure);
@@ -100,7 +129,7 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
                                      "--draw-figure",
                                      handed.string(),
                                      "--out",
-                                     out.string(),
+                                     drawn.string(),
                                      "--width",
                                      std::to_string(style.width_px),
                                      "--height",
@@ -114,9 +143,16 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
         "pictures are drawn by sarsim-gui, which is not installed: install it, or build with Qt 6 and QCustomPlot "
         "(tools/install-deps gui)");
   if (*status != 0) {
+    if (received_signal() != 0) throw Interrupted();
     const std::string words = words_of(workshop.file("errors"));
-    throw std::runtime_error(words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words);
+    throw std::runtime_error(
+        fmt::format("'{}' could not be drawn: {}", out.string(),
+                    words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words));
   }
+  OutputFile picture(out, true);
+  const std::string bytes = bytes_of(drawn);
+  picture.write(std::as_bytes(std::span(bytes)));
+  picture.commit();
 }
 
 }  // namespace sarsim::cli

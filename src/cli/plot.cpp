@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
@@ -44,6 +46,8 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
+bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
+
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
     throw BadInput("nothing is to be written", "name a picture with -o, or a table with --csv");
@@ -53,7 +57,32 @@ void expect_names(const PlotArguments& a) {
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty()) paths.emplace_back(path);
-  expect_free_outputs(paths, a.input, a.force);
+  OutputCare care{{a.input}, a.force, "-o or --csv"};
+  if (a.force)
+    std::ranges::move(sources_of_script(is_script(a) ? a.input : a.samples.script), std::back_inserter(care.sources));
+  expect_free_outputs(paths, care);
+  for (const fs::path& path : paths)
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
+      throw BadInput(fmt::format("there is no folder '{}'", path.parent_path().string()),
+                     "make it, or write into one that is there");
+}
+
+// The graphical library draws no larger pictures.
+void expect_size(const PlotArguments& a) {
+  constexpr double most_dots_a_side = 32767.0;
+  constexpr double most_dots = 0x1p29;
+  const double scale = a.scale.value_or(1.0);
+  const double width = std::round(static_cast<double>(a.size[0]) * scale);
+  const double height = std::round(static_cast<double>(a.size[1]) * scale);
+  if (std::max(width, height) <= most_dots_a_side && width * height <= most_dots) return;
+  throw BadInput(
+      fmt::format("--size and --scale: a picture of {} x {} dots is too large", width, height),
+      fmt::format("at most {} dots to a side and {} million in all", most_dots_a_side, std::floor(most_dots * 1e-6)));
+}
+
+void expect_limits(const PlotArguments& a) {
+  if (a.limits.size() == 2 && a.limits[0] == a.limits[1])
+    throw BadInput("--limits: the two values are the same", "give those of the first and the last colour");
 }
 
 // An option that was given, and the kinds that it means something for.
@@ -106,8 +135,6 @@ struct InputUse {
   bool of_script;
 };
 
-bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
-
 void expect_used_by_input(const PlotArguments& a) {
   const bool script = is_script(a);
   const SceneOverrides& overrides = a.overrides;
@@ -139,7 +166,7 @@ void expect_used_by_input(const PlotArguments& a) {
 
 // The name of the input, and what is seen of it where that is not the whole.
 std::string title_for(const PlotArguments& a, const Figure& figure) {
-  if (!a.title.empty()) return a.title;
+  if (a.title) return *a.title;
   const std::string name = fs::path(a.input).filename().string();
   return figure.title.empty() ? name : name + ": " + figure.title;
 }
@@ -149,6 +176,8 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   expect_names(a);
   expect_used(a);
   expect_used_by_input(a);
+  expect_size(a);
+  expect_limits(a);
   Plotted plotted = is_script(a) ? plot_scene(a, streams) : plot_file(a, streams);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
@@ -164,6 +193,8 @@ void add_kind(CLI::App& app, PlotArguments& a) {
       "the rows (default), one pulse against range, one range against time; profile, range-Doppler map "
       "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function");
 }
+
+bool is_positive(double number) { return number > 0.0; }
 
 void add_two(CLI::App& app, const char* name, std::vector<double>& values, const char* meaning) {
   app.add_option(name, values, meaning)->expected(2)->type_name("FROM TO");
@@ -185,8 +216,8 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
   add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
   add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the middle)");
   add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "so many about --at-time (default: all that are seen)");
-  add_real(app, "--rate", a.rate_hz, "HZ", "sampling frequency instead of the simulation's")
-      ->check(CLI::PositiveNumber);
+  add_real(app, "--rate", a.rate_hz, "HZ", "sampling frequency instead of the simulation's", is_positive,
+           "a number above 0");
   app.add_flag("--recorded", a.recorded, "cuts of the samples that a run saves, none in between");
   app.add_flag("--screen", a.screen, "one sample for each pixel, as the windows have it");
 }
@@ -227,18 +258,31 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_choice<ColourMap>(app, "--colours", a.map, maps, "map of colours (default: one that suits what is shown)");
   app.add_flag("--invert", a.inverted, "colours in the opposite order");
   app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them");
-  add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)")
-      ->check(CLI::PositiveNumber);
-  add_real(app, "--percentile", a.percentile, "P", "share of the samples within the colours, percent (default: 100)");
+  add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)",
+           is_positive, "a number above 0");
+  add_real(
+      app, "--percentile", a.percentile, "P", "share of the samples within the colours, percent (default: 100)",
+      [](double p) { return p > 0.0 && p <= 100.0; }, "a number above 0, at most 100");
   app.add_option("--limits", a.limits, "values of the first and the last colour")->expected(2)->type_name("LOW HIGH");
   app.add_option("--size", a.size, "pixels (default: 1000 700)")
       ->expected(2)
-      ->check(CLI::Range(64, 20000))
+      ->check([](const std::string& text) {
+        const auto pixels = parse_integer(text);
+        return pixels && *pixels >= 64 && *pixels <= 20000
+                   ? std::string()
+                   : fmt::format("'{}' is not a whole number from 64 to 20000", text);
+      })
       ->type_name("WIDTH HEIGHT");
-  add_real(app, "--scale", a.scale, "S", "dots for each pixel of a PNG, 0.25 to 16 (default: 1)")
-      ->check(CLI::Range(0.25, 16.0));
+  add_real(
+      app, "--scale", a.scale, "S", "dots for each pixel of a PNG, 0.25 to 16 (default: 1)",
+      [](double scale) { return scale >= 0.25 && scale <= 16.0; }, "a number from 0.25 to 16");
   app.add_flag("--dark", a.dark, "light words on a dark ground");
-  add_text(app, "--title", a.title, "TEXT", "above the picture (default: the name of the input)");
+  const auto take_title = [&a](const std::string& text) {
+    if (text.starts_with("--")) throw CLI::ValidationError("--title", fmt::format("'{}' is not a title", text));
+    a.title = text;
+  };
+  app.add_option_function<std::string>("--title", take_title, "above the picture (default: the name of the input)")
+      ->type_name("TEXT");
 }
 
 }  // namespace

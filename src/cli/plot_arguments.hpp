@@ -31,7 +31,7 @@ struct PlotArguments {
   std::string input;
   std::string out;
   std::string csv;
-  std::string title;
+  std::optional<std::string> title;
   std::optional<PlotKind> wanted_kind;
   PlotKind kind = PlotKind::picture;  ///< The wanted one, once everything is read.
   // Which samples.

@@ -65,8 +65,9 @@ class ProfilesRun {
   ExitStatus run() {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
-    expect_free_outputs();
+    expect_free_outputs(named_sources(arguments_.input));
     input_ = open_stepped_input(arguments_.input, SteppedUse::profiles, control_);
+    expect_free_outputs(input_.sources);
     if (arguments_.window.empty()) options_.window = input_.rows.plan->radar.window;
     expect_ranges();
     if (options_.velocity == SeriesOptions::Velocity::estimated) expect_searchable(options_.fastest_mps, input_.rows);
@@ -109,15 +110,19 @@ class ProfilesRun {
     return fs::path(arguments_.input.path).stem().string() + "-profiles.img";
   }
 
-  void expect_free_outputs() const {
-    cli::expect_free_outputs(files_of_profiles(output()), arguments_.input.path, arguments_.force);
+  void expect_free_outputs(const std::vector<fs::path>& sources) const {
+    cli::expect_free_outputs(files_of_profiles(output()), {sources, arguments_.force, "--out"});
   }
 
-  void expect_ranges() const {
+  void expect_ranges() {
     const double from_m = options_.from_m.value_or(input_.rows.from_m);
     const double to_m = options_.to_m.value_or(input_.rows.to_m);
     if (!(to_m > from_m))
       throw BadInput(fmt::format("the ranges from {} m to {} m are none", format_number(from_m), format_number(to_m)),
+                     fmt::format("the recording reaches from {} m to {} m; see --from and --to",
+                                 format_number(input_.rows.from_m), format_number(input_.rows.to_m)));
+    if (to_m <= input_.rows.from_m || from_m >= input_.rows.to_m)
+      throw BadInput(fmt::format("nothing was recorded from {} m to {} m", format_number(from_m), format_number(to_m)),
                      fmt::format("the recording reaches from {} m to {} m; see --from and --to",
                                  format_number(input_.rows.from_m), format_number(input_.rows.to_m)));
     const double bins = (to_m - from_m) / (0.5 * input_.rows.band->waveform().light_speed_mps /
@@ -126,6 +131,11 @@ class ProfilesRun {
     if (bins > most_bins)
       throw BadInput(fmt::format("a profile of {:.3g} bins cannot be held", bins),
                      "choose fewer ranges with --from and --to, or less --oversampling");
+    if (from_m < input_.rows.from_m || to_m > input_.rows.to_m)
+      input_.problems.push_back(problem_of(
+          Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
+          fmt::format("{} m to {} m", format_number(from_m), format_number(to_m)),
+          fmt::format("{} m to {} m", format_number(input_.rows.from_m), format_number(input_.rows.to_m)), {}));
   }
 
   void find_problems() {

@@ -25,9 +25,14 @@ void expect_sound(Problems problems) {
 }
 
 // The simulation that is named, or else the first that suits, or else the first.
-std::size_t simulation_of_scene(const Scene& scene, std::optional<std::int64_t> wanted, const Suits& suits) {
-  if (scene.simulations.empty())
-    throw BadInput("the script has no $SIMULATION, which says what is recorded", "add one");
+// @param script  where it stands
+std::size_t simulation_of_scene(const Scene& scene, const std::string& script, std::optional<std::int64_t> wanted,
+                                const Suits& suits) {
+  if (scene.simulations.empty()) {
+    BadInput none("the script has no $SIMULATION, which says what is recorded", "add one");
+    none.problems.front().place.file = script;
+    throw none;
+  }
   if (wanted) {
     const auto number = static_cast<std::size_t>(*wanted);
     if (number >= 1 && number <= scene.simulations.size()) return number - 1;
@@ -47,18 +52,20 @@ std::size_t simulation_of_file(const Scene& scene, const RecordingArguments& arg
     if (scene.simulations.size() > 1)
       throw BadInput(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
   }
-  return simulation_of_scene(scene, arguments.simulation, suits);
+  const std::string& script = arguments.script.empty() ? arguments.path : arguments.script;
+  return simulation_of_scene(scene, script, arguments.simulation, suits);
 }
 
-Scene scene_of_script(const RecordingArguments& arguments, Problems& problems) {
+Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording) {
   SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values);
   expect_usable(input);
-  take(problems, std::move(input.problems));
+  take(recording.problems, std::move(input.problems));
+  std::ranges::move(input.sources, std::back_inserter(recording.sources));
   return std::move(input.scene);
 }
 
 // Of a file that carries its script.
-Scene scene_in_file(const std::string& path, const SampleFileInfo& info) {
+Scene scene_in_file(const std::string& path, const SampleFileInfo& info, StoredRecording& recording) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
     throw BadInput(fmt::format("'{}' does not say how it was recorded", path),
@@ -67,6 +74,7 @@ Scene scene_in_file(const std::string& path, const SampleFileInfo& info) {
       read_script(script->second, path + " (its script)", disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
   expect_sound(check(reading.scene));
+  std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
   return std::move(reading.scene);
 }
 
@@ -135,6 +143,12 @@ void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const
               "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")");
 }
 
+std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
+  std::vector<fs::path> sources{arguments.path};
+  if (!arguments.script.empty()) sources.emplace_back(arguments.script);
+  return sources;
+}
+
 bool names_script(const RecordingArguments& arguments) {
   return equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
 }
@@ -147,20 +161,21 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
   if (!arguments.script.empty()) throw BadInput("--script is for files of samples", "a script needs no other script");
   ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
   expect_usable(recording.input);
-  recording.simulation = simulation_of_scene(recording.input.scene, arguments.simulation, suits);
+  recording.simulation = simulation_of_scene(recording.input.scene, arguments.path, arguments.simulation, suits);
   return recording;
 }
 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                const std::function<Problems(const Plan&)>& problems_of) {
   StoredRecording recording;
+  recording.sources = {arguments.path};
   std::optional<SampleFile> file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);
     file = opened(arguments.path, {}, recording.problems);
   }
   const Scene scene =
-      file ? scene_in_file(arguments.path, file->info()) : scene_of_script(arguments, recording.problems);
+      file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording);
   recording.simulation = simulation_of_file(scene, arguments, suits);
   recording.plan = std::make_shared<const Plan>(make_plan(scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));

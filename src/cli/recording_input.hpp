@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +27,10 @@ struct RecordingArguments {
 /// Adds --script and --simulation.
 /// @param otherwise  the simulation of a script that is taken where none is named, in words
 void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const std::string& otherwise = "the first");
+
+/// The files that the arguments name: the input and its script. Which data files belong to them is known once they are
+/// opened.
+[[nodiscard]] std::vector<std::filesystem::path> named_sources(const RecordingArguments& arguments);
 
 /// Whether the arguments name a script rather than a file of samples.
 [[nodiscard]] bool names_script(const RecordingArguments& arguments);
@@ -52,6 +58,7 @@ struct StoredRecording {
   std::size_t simulation = 0;  ///< Position in the script's list.
   RecordedRows read;           ///< Rows of plan->columns samples in V, or in counts where no LSB is known.
   Problems problems;           ///< Warnings about script and file.
+  std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.
 };
 
 /// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one

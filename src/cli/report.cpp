@@ -25,6 +25,16 @@ std::string lsb_line(const RecordingReport& report) {
 
 }  // namespace
 
+std::string counted(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string decimals(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
 std::string format_word(FileFormat format) {
   std::string word(name_of(format));
   for (char& c : word)
@@ -48,8 +58,9 @@ std::string processing_word(Processing processing) {
 
 std::string report_text(const RecordingReport& report) {
   const RunReport& run = report.run;
-  std::string text = fmt::format("{}: {} x {} samples, {}, {}\n", report.file.empty() ? "nothing written" : report.file,
-                                 run.rows, run.columns, bytes_text(report.bytes), duration_text(report.seconds));
+  std::string text = fmt::format("{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file,
+                                 run.rows, run.columns, report.bytes ? bytes_text(*report.bytes) + ", " : std::string(),
+                                 duration_text(report.seconds));
   text += fmt::format("  largest magnitude  {}, {:.4g} % of the converter's range\n", millivolts(run.maximum_v),
                       100.0 * run.range_used);
   text += lsb_line(report) + "\n";
@@ -71,7 +82,8 @@ void write_json(JsonWriter& json, const RecordingReport& report) {
     json.value(report.file);
   json.member("format", format_word(report.simulation.format)).member("counts", report.counts);
   json.member("processing", processing_word(report.simulation.processing));
-  json.member("rows", run.rows).member("columns", run.columns).member("bytes", report.bytes);
+  json.member("rows", run.rows).member("columns", run.columns).key("bytes");
+  report.bytes ? json.value(*report.bytes) : json.null();
   json.member("seconds", report.seconds).member("maximum_v", run.maximum_v).member("lsb_v", run.lsb_v);
   json.member("lsb_estimated", report.simulation.lsb_v <= 0.0).member("best_lsb_v", run.best_lsb_v);
   json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@ struct RecordingReport {
   std::string engine;
   std::string engine_reason;  ///< Why this engine.
   RunReport run;
-  double bytes = 0.0;
-  double seconds = 0.0;  ///< With the estimate of the LSB.
-  bool counts = false;   ///< The file holds counts of the converter, not volts.
+  std::optional<double> bytes;  ///< Of the file; none where nothing was written.
+  double seconds = 0.0;         ///< With the estimate of the LSB.
+  bool counts = false;          ///< The file holds counts of the converter, not volts.
   Problems warnings;
 };
 
@@ -41,6 +42,12 @@ void write_json(JsonWriter& json, const RecordingReport& report);
 void write_json(JsonWriter& json, const TableReport& report);
 void write_json(JsonWriter& json, const Problem& problem);
 void write_json(JsonWriter& json, const Problems& problems);
+
+/// A number of things: "1 turn", "3 turns".
+[[nodiscard]] std::string counted(std::size_t count, const char* thing);
+
+/// A number with so many decimals, never "-0.0".
+[[nodiscard]] std::string decimals(double value, int digits);
 
 /// Words of the command line and of JSON for choices of the scene.
 [[nodiscard]] std::string format_word(FileFormat format);

@@ -71,5 +71,19 @@ TEST(Report, JsonOfAProblemHoldsItsPlace) {
     EXPECT_THAT(json.text(), HasSubstr(member));
 }
 
+TEST(Report, CountsThings) {
+  EXPECT_EQ(counted(0, "turn"), "0 turns");
+  EXPECT_EQ(counted(1, "turn"), "1 turn");
+  EXPECT_EQ(counted(2, "turn"), "2 turns");
+}
+
+TEST(Report, ZeroHasNoSign) {
+  EXPECT_EQ(decimals(-0.01, 1), "0.0");
+  EXPECT_EQ(decimals(-0.0, 3), "0.000");
+  EXPECT_EQ(decimals(-0.06, 1), "-0.1");
+  EXPECT_EQ(decimals(-10.0, 1), "-10.0");
+  EXPECT_EQ(decimals(2.25, 2), "2.25");
+}
+
 }  // namespace
 }  // namespace sarsim::cli

@@ -140,15 +140,21 @@ class Runner {
   }
 
   void prepare() {
-    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes, {threads_, streams_.stop});
+    OutputNames names;
+    // What is not made is not looked at either.
+    const auto choose = [&](const Scene& scene) {
+      names = output_names(scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
+      jobs_ = chosen_products(scene, names, arguments_.products);
+      WantedProducts wanted;
+      for (const ProductJob& job : jobs_) (job.table ? wanted.geometries : wanted.simulations).push_back(job.index);
+      return wanted;
+    };
+    input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes, {threads_, streams_.stop}, choose);
     expect_sound();
-    const OutputNames names =
-        output_names(input_.scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
-    jobs_ = chosen_products(input_.scene, names, arguments_.products);
     if (jobs_.empty()) expect_objects();
+    std::erase_if(names.problems, [this](const Problem& p) { return !concerns_any(p); });
     take_problems(names.problems);
     expect_sound();
-    forget_other_products();
     expect_usable(input_, arguments_.strict);
     if (!arguments_.discard) expect_free_outputs();
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
@@ -185,13 +191,8 @@ class Runner {
     return problem.subject.kind == (job.table ? "geometry" : "simulation") && problem.subject.index == job.index;
   }
 
-  // Warnings about products that are not made are of no interest.
-  void forget_other_products() {
-    std::erase_if(input_.problems, [this](const Problem& p) {
-      const bool of_product = p.subject.kind == "simulation" || p.subject.kind == "geometry";
-      return of_product && p.count == 1 &&
-             std::ranges::none_of(jobs_, [&](const ProductJob& job) { return concerns(p, job); });
-    });
+  [[nodiscard]] bool concerns_any(const Problem& problem) const {
+    return std::ranges::any_of(jobs_, [&](const ProductJob& job) { return concerns(problem, job); });
   }
 
   void expect_free_outputs() {
@@ -199,7 +200,7 @@ class Runner {
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || arguments_.part.resume || !makes_tables());
-      std::ranges::move(problems_of_output(job.path, arguments_.scene, arguments_.force || later),
+      std::ranges::move(problems_of_output(job.path, {input_.sources, arguments_.force || later}),
                         std::back_inserter(problems));
     }
     if (fs::exists(arguments_.folder) && !fs::is_directory(arguments_.folder)) {
@@ -213,20 +214,41 @@ class Runner {
   // One line for each recording, and the room that all of them need.
   void announce() {
     double bytes_wanted = 0.0;
+    std::optional<std::size_t> most_rows;
+    std::string lines;
+    Problems missing;
     for (const ProductJob& job : jobs_) {
       if (job.table) {
         bytes_wanted += smallest_table_bytes(input_.scene.geometries[job.index]);
         continue;
       }
       Plan plan = planned(job.index);
+      most_rows = std::max(most_rows.value_or(0), plan.rows);
       const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
       bytes_wanted += room_bytes(job, plan, bytes);
-      if (!arguments_.quiet) announce(job, plan, bytes);
+      lines += announcement(job, plan, bytes);
+      add_missing_pulses(job, plan, missing);
       // The first recording comes first; the plans of all of them could be too much to keep.
       if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
     }
+    const auto& span = arguments_.part.span;
+    if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
+      throw BadInput({problem_of(Severity::error, "no recording has as many pulses as --pulses asks for",
+                                 words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
+    if (!arguments_.quiet) print_problems(streams_, missing);
+    if (!arguments_.quiet) streams_.err << lines;
+    take_problems(std::move(missing));
+    expect_usable(input_, arguments_.strict);
     if (!arguments_.discard)
       expect_room(arguments_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
+  }
+
+  void add_missing_pulses(const ProductJob& job, const Plan& plan, Problems& missing) const {
+    const auto& span = arguments_.part.span;
+    if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.rows) return;
+    missing.push_back(problem_of(Severity::warning,
+                                 fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
+                                 words_of(arguments_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
   }
 
   // What a recording needs on the disk at least.
@@ -247,13 +269,13 @@ class Runner {
     return simulation.lsb_v <= 0.0 && holds_counts(simulation.format, arguments_.counts);
   }
 
-  void announce(const ProductJob& job, const Plan& plan, double bytes) const {
+  [[nodiscard]] std::string announcement(const ProductJob& job, const Plan& plan, double bytes) const {
     const bool twice = estimates_lsb(plan.simulation) && !journaled_;
     const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count) / static_cast<double>(plan.rows);
     const double seconds = made * estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
-    streams_.err << fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(),
-                                plan.radar.name, processing_word(plan.simulation.processing), plan.rows, plan.columns,
-                                bytes_text(bytes), about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
+    return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(), plan.radar.name,
+                       processing_word(plan.simulation.processing), plan.rows, plan.columns, bytes_text(bytes),
+                       about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
   }
 
   // No line of a table is shorter than its pulse number and its end.
@@ -305,7 +327,6 @@ class Runner {
       ProgressDisplay display(streams_.err, style(), job.path.string());
       report.run = sarsim::run(plan, lsb, *sink, control(display));
     }
-    report.bytes = expected_bytes(product, sink_options(plan.simulation));
     if (!arguments_.discard) take_file(job.path, report.file, report.bytes);
     report.seconds = now_s() - begin_s;
     tell(report);
@@ -389,7 +410,7 @@ class Runner {
   }
 
   // Name and true size of a finished file.
-  static void take_file(const fs::path& path, std::string& name, double& bytes) {
+  static void take_file(const fs::path& path, std::string& name, auto& bytes) {
     name = path.string();
     std::error_code failure;
     const auto size = fs::file_size(path, failure);

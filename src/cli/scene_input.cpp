@@ -1,13 +1,13 @@
 #include "cli/scene_input.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "cli/options.hpp"
 #include "scene/check.hpp"
 #include "script/reader.hpp"
 #include "simulate/survey.hpp"
+#include "view/data_functions.hpp"
 #include "view/field_names.hpp"
 
 namespace sarsim::cli {
@@ -60,7 +60,7 @@ void apply(const SceneOverrides& overrides, Scene& scene) {
   if (overrides.profile) options.profile = *overrides.profile;
   if (overrides.pulse) options.pulse = *overrides.pulse;
   if (overrides.tolerance) options.tolerance = *overrides.tolerance;
-  if (overrides.seed) options.seed = static_cast<std::uint64_t>(*overrides.seed);
+  if (overrides.seed) options.seed = *overrides.seed;
   if (overrides.format)
     for (Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
@@ -85,7 +85,38 @@ Problems problems_of_setting(const std::vector<std::string>& settings, Scene& sc
   return problems;
 }
 
-void append(Problems& problems, Problems more) { std::ranges::move(more, std::back_inserter(problems)); }
+template <class Item>
+void append(std::vector<Item>& items, std::vector<Item> more) {
+  std::ranges::move(more, std::back_inserter(items));
+}
+
+// Problems of products that nobody wants.
+void forget_others(Problems& problems, const WantedProducts& wanted) {
+  const auto lacks = [](const std::vector<std::size_t>& some, std::size_t index) {
+    return !std::ranges::binary_search(some, index);
+  };
+  std::erase_if(problems, [&](const Problem& p) {
+    return (p.subject.kind == "simulation" && lacks(wanted.simulations, p.subject.index)) ||
+           (p.subject.kind == "geometry" && lacks(wanted.geometries, p.subject.index));
+  });
+}
+
+// What the survey says of the simulations that are wanted; of all where nobody said which.
+Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProducts>& wanted,
+                            const WorkControl& control) {
+  if (input.scene.simulations.empty() || (wanted && wanted->simulations.empty())) return {};
+  resolve_once(input, control);
+  if (!wanted || wanted->simulations.size() == input.scene.simulations.size())
+    return survey(input.scene, input.resolved, control);
+  std::vector<Simulation> picked;
+  for (const std::size_t index : wanted->simulations) picked.push_back(input.scene.simulations.at(index));
+  std::swap(picked, input.scene.simulations);
+  Problems problems = survey(input.scene, input.resolved, control);
+  std::swap(picked, input.scene.simulations);
+  for (Problem& problem : problems)
+    if (problem.subject.kind == "simulation") problem.subject.index = wanted->simulations.at(problem.subject.index);
+  return problems;
+}
 
 }  // namespace
 
@@ -97,7 +128,7 @@ void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
                               {{"ideal", PulseDefinition::ideal}, {"band-limited", PulseDefinition::band_limited}},
                               "hard-edged pulses, or pulses confined to their band");
   add_real(app, "--tolerance", overrides.tolerance, "X", "relative error that fast engines may make");
-  add_integer(app, "--seed", overrides.seed, 0, std::numeric_limits<std::int64_t>::max(), "of the random numbers");
+  add_seed(app, "--seed", overrides.seed, "of the random numbers");
 }
 
 void add_settings(CLI::App& app, SceneOverrides& overrides) {
@@ -107,27 +138,53 @@ void add_settings(CLI::App& app, SceneOverrides& overrides) {
 }
 
 SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                      const WorkControl& control) {
+                      const WorkControl& control, const ChooseProducts& choose) {
   ScriptReading reading = read_script_file(path, {control});
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
+  input.sources = {path};
+  append(input.sources, data_files_of(input.scene, std::filesystem::path(path).parent_path()));
   apply(overrides, input.scene);
   if (!overrides.settings.empty() && !has_errors(reading.problems))
     if (Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
       throw BadInput(std::move(mistakes));
+  std::optional<WantedProducts> wanted;
+  if (choose && !has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
     Problems found = without_objects_of(check(input.scene, control), reading.problems, input.scene);
+    if (wanted) forget_others(found, *wanted);
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
-  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems) && !input.scene.simulations.empty()) {
-    resolve_once(input, control);
-    append(reading.problems, survey(input.scene, input.resolved, control));
-  }
+  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems))
+    append(reading.problems, problems_of_echoes(input, wanted, control));
   locate(reading.problems, input.places);
   input.problems = ranked(std::move(reading.problems));
   return input;
+}
+
+std::vector<std::filesystem::path> data_files_of(const Scene& scene, const std::filesystem::path& script_folder) {
+  std::set<std::string> names;
+  const auto take = [&names](const auto& object) {
+    for (const FunctionUse& use : functions_of(object))
+      if (!use.file->empty()) names.insert(*use.file);
+  };
+  for (const Platform& platform : scene.platforms) take(platform);
+  for (const Radar& radar : scene.radars) take(radar);
+  for (const Target& target : scene.targets)
+    if (!target.gain_db.file.empty()) names.insert(target.gain_db.file);
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : names)
+    if (auto file = data_file_on_disk(script_folder, name); !file.empty()) files.push_back(std::move(file));
+  return files;
+}
+
+std::vector<std::filesystem::path> sources_of_script(const std::string& path) {
+  if (path.empty()) return {};
+  std::vector<std::filesystem::path> sources{path};
+  append(sources, data_files_of(read_script_file(path).scene, std::filesystem::path(path).parent_path()));
+  return sources;
 }
 
 void resolve_once(SceneInput& input, const WorkControl& control) {

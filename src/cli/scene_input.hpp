@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +24,7 @@ struct SceneOverrides {
   std::optional<Profile> profile;
   std::optional<PulseDefinition> pulse;
   std::optional<double> tolerance;
-  std::optional<std::int64_t> seed;
+  std::optional<std::uint64_t> seed;
   std::optional<FileFormat> format;   ///< Of every simulation.
   std::vector<std::string> settings;  ///< "FIELD=VALUE" (view/field_names.hpp), in this order, after the others.
 };
@@ -36,6 +39,7 @@ void add_settings(CLI::App& app, SceneOverrides& overrides);
 struct SceneInput {
   Scene scene;
   FieldPlaces places;
+  std::vector<std::filesystem::path> sources;     ///< The script and the data files that it names.
   Problems problems;                              ///< Of reader, check and survey, ranked and with their places.
   std::shared_ptr<const ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
 };
@@ -47,10 +51,27 @@ enum class Scrutiny {
   echoes,   ///< Also `survey`, where there is no error.
 };
 
+/// Positions of the products of a scene that are to be made, ascending.
+struct WantedProducts {
+  std::vector<std::size_t> simulations;
+  std::vector<std::size_t> geometries;
+};
+
+/// Says what is wanted of a scene whose text is sound; throws BadInput for what it does not have.
+using ChooseProducts = std::function<WantedProducts(const Scene&)>;
+
 /// Reads and checks a script. Settings that cannot be made are BadInput, all at once. Where the text holds errors,
 /// objects that have one are not checked further.
+/// @param choose  what stands against other products is no problem; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                                    const WorkControl& control = {});
+                                    const WorkControl& control = {}, const ChooseProducts& choose = {});
+
+/// The data files that a scene names, as far as they are there.
+[[nodiscard]] std::vector<std::filesystem::path> data_files_of(const Scene& scene,
+                                                               const std::filesystem::path& script_folder);
+
+/// A script and the data files that it names, as far as it can be read; nothing for no name.
+[[nodiscard]] std::vector<std::filesystem::path> sources_of_script(const std::string& path);
 
 /// Makes `input.resolved` of a sound scene where it is still empty.
 void resolve_once(SceneInput& input, const WorkControl& control);

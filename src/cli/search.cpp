@@ -11,6 +11,7 @@
 #include "cli/doppler_work.hpp"
 #include "cli/image_writer.hpp"
 #include "cli/options.hpp"
+#include "cli/report.hpp"
 #include "cli/search_picture.hpp"
 #include "simulate/search_checks.hpp"
 
@@ -124,7 +125,7 @@ class SearchRun {
     std::string text;
     if (picture) {
       const PpiGrid& grid = picture->picture().grid();
-      text = fmt::format("{} turns, {} x {} pixels of {:.4g} m, ", picture->scans(), grid.rows, grid.columns,
+      text = fmt::format("{}, {} x {} pixels of {:.4g} m, ", counted(picture->scans(), "turn"), grid.rows, grid.columns,
                          grid.pixel_m);
     }
     work_.report(text, [&](JsonWriter& json) {

@@ -13,6 +13,8 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use l
 
 extern "C" void on_signal(int number) {
   if (stop_flag.requested()) {
+    // A terminal that closes says so more than once: itself, and through its shell.
+    if (number == SIGHUP) return;
     std::signal(number, SIG_DFL);
     std::raise(number);
     return;
@@ -34,6 +36,9 @@ void install(int number, void (*handler)(int)) {
 const StopFlag& handle_signals() {
   install(SIGINT, on_signal);
   install(SIGTERM, on_signal);
+  struct sigaction hangup = {};
+  // Who starts a command with nohup wants it to go on.
+  if (sigaction(SIGHUP, nullptr, &hangup) != 0 || hangup.sa_handler != SIG_IGN) install(SIGHUP, on_signal);
   install(SIGPIPE, SIG_IGN);
   install(SIGXFSZ, SIG_IGN);
   return stop_flag;

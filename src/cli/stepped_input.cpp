@@ -28,6 +28,7 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
   simulation.processing = Processing::raw;
   const Plan window = make_plan(input.scene, number, input.resolved);
   stepped.problems = std::move(input.problems);
+  stepped.sources = std::move(input.sources);
   std::erase_if(stepped.problems, [](const Problem& p) { return p.subject.field == "processing"; });
   std::ranges::move(problems_of_stepped(window, use, false), std::back_inserter(stepped.problems));
   if (has_errors(stepped.problems)) throw BadInput(ranked(std::move(stepped.problems)));
@@ -40,7 +41,8 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
 SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use) {
   StoredRecording stored = open_recording(arguments, suits_use(use),
                                           [use](const Plan& plan) { return problems_of_stepped(plan, use, true); });
-  return {stepped_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems)};
+  return {stepped_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+          std::move(stored.sources)};
 }
 
 }  // namespace

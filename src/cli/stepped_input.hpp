@@ -8,8 +8,9 @@ namespace sarsim::cli {
 /// Bursts, read or computed when they are asked for.
 struct SteppedInput {
   SteppedRows rows;
-  std::size_t simulation = 0;  ///< Position in the script's list.
-  Problems problems;           ///< Warnings about script and file.
+  std::size_t simulation = 0;                  ///< Position in the script's list.
+  Problems problems;                           ///< Warnings about script and file.
+  std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
 /// Adds the options of `add_recording_arguments` and those that stand in for the script's.

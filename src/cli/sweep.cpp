@@ -19,6 +19,7 @@
 #include "cli/output_names.hpp"
 #include "cli/products.hpp"
 #include "cli/progress_display.hpp"
+#include "cli/report.hpp"
 #include "cli/scene_input.hpp"
 #include "cli/sweep_arguments.hpp"
 #include "cli/sweep_axes.hpp"
@@ -36,10 +37,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_problems_told = 20;
-
-std::string counted(std::size_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
 
 void write_whole(const fs::path& path, const std::string& text, bool replace) {
   OutputFile file(path, replace);
@@ -237,7 +234,7 @@ class Sweeper {
     Problems problems;
     std::size_t more = 0;
     const auto look_at = [&](const fs::path& path, bool replace) {
-      for (Problem& problem : problems_of_output(path, arguments_.scene, replace)) {
+      for (Problem& problem : problems_of_output(path, {input_.sources, replace})) {
         if (problems.empty())
           problems.push_back(std::move(problem));
         else

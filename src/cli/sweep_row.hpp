@@ -17,7 +17,7 @@ struct SweepRow {
   std::string failure;      ///< Why not, where it was tried.
   std::string file;         ///< In the folder of the sweep; the name that it would have where nothing is written.
   std::uint64_t stamp = 0;  ///< Of everything that its content depends on.
-  double bytes = 0.0;
+  double bytes = 0.0;       ///< Of its file; where it was discarded, of tables alone.
   std::optional<std::int64_t> written;  ///< When its file was, `modification_time`; none where it was discarded.
   double seconds = 0.0;
   std::string engine;

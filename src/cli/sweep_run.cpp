@@ -109,7 +109,7 @@ class VariationRunner {
     row.run = run(plan, lsb_v, *sink, control);
     row.engine = product.engine;
     row.lsb_estimated = estimated;
-    row.bytes = rules_.discard ? expected_bytes(product, options) : static_cast<double>(fs::file_size(path));
+    if (!rules_.discard) row.bytes = static_cast<double>(fs::file_size(path));
   }
 
   void make_table(const GeometryTable& table, SweepRow& row) const {

@@ -27,6 +27,9 @@ std::string product_name(const SweepFrame& frame, const SweepRow& row) {
   return fmt::format("{}{}", job.table ? "Geometry" : "Simulation", job.index + 1);
 }
 
+// A recording that was discarded has no size.
+bool is_sized(const SweepRow& row) { return row.table || row.written; }
+
 std::string heading(const SweepFrame& frame) {
   std::string line = "variation";
   for (const SweepAxis& axis : frame.sweep->axes())
@@ -44,7 +47,7 @@ std::string line_of(const SweepFrame& frame, const SweepRow& row) {
   if (!row.done) return line + std::string(12, ',') + "\n";
   if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", format_number(row.bytes), row.seconds);
   const RunReport& run = row.run;
-  line += fmt::format(",{},{},{}", run.rows, run.columns, format_number(row.bytes));
+  line += fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? format_number(row.bytes) : std::string());
   line += fmt::format(",{},{},{}", format_number(run.maximum_v), format_number(run.lsb_v), row.lsb_estimated ? 1 : 0);
   line += fmt::format(",{},{},{},{}", format_number(run.best_lsb_v), format_number(run.range_used), run.saturated,
                       run.zero);
@@ -82,7 +85,11 @@ void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
   json.member("kind", row.table ? "geometry" : "recording").member("product", product_name(frame, row));
   json.member("file", row.file).member("status", status_of(row));
   if (!row.failure.empty()) json.member("message", row.failure);
-  if (row.done) json.member("bytes", row.bytes).member("seconds", row.seconds);
+  if (row.done) {
+    json.key("bytes");
+    is_sized(row) ? json.value(row.bytes) : json.null();
+    json.member("seconds", row.seconds);
+  }
   if (!row.done && row.run.rows > 0)  // What a sweep that was only planned would make.
     json.member("rows", row.run.rows).member("columns", row.run.columns).member("bytes", row.bytes);
   if (row.done && !row.table) {

@@ -43,6 +43,7 @@ TEST_F(SweepTable, HasALineForEachRowWithAsManyCellsAsTheHeading) {
   std::vector<SweepRow> rows(4);
   rows[0].done = true;
   rows[0].file = "a_x.bin";
+  rows[0].written = 1;
   rows[0].engine = "direct";
   rows[0].run.maximum_v = 0.1;
   rows[1].done = rows[1].table = true;
@@ -56,6 +57,8 @@ TEST_F(SweepTable, HasALineForEachRowWithAsManyCellsAsTheHeading) {
   for (const std::string& line : table)
     EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(table[0], ',')) << line;
   EXPECT_THAT(table[1], StartsWith("1,1000000,1,Simulation1,a_x.bin,done,0,0,0,0.1,"));
+  rows[0].written.reset();  // Discarded.
+  EXPECT_THAT(lines(sweep_csv(frame_, rows))[1], StartsWith("1,1000000,1,Simulation1,a_x.bin,done,0,0,,0.1,"));
   EXPECT_THAT(table[2], StartsWith("3,2000000,1,Geometry2,"));
   EXPECT_THAT(table[3], HasSubstr(",failed,"));
   EXPECT_THAT(table[4], HasSubstr("4,2000000,2,Simulation1,,not made,"));

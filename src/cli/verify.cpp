@@ -94,8 +94,7 @@ std::string json_of(const verify::Record& record, const verify::Facts& facts, do
 ExitStatus verify_program(const VerifyArguments& arguments, Streams& streams) {
   std::optional<OutputFile> page;
   if (!arguments.html.empty()) {
-    const Problems problems = problems_of_output(arguments.html, {}, arguments.force);
-    if (has_errors(problems)) throw BadInput(problems);
+    expect_free_outputs({arguments.html}, {{}, arguments.force, "--html"});
     page.emplace(arguments.html, arguments.force);  // Before anything is measured: where it cannot be, nobody waits.
   }
   const double begin_s = now_s();

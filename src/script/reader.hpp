@@ -44,6 +44,10 @@ struct ReadControl {
 /// Finds data files on disk: in the script's folder first, then in the current one.
 [[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);
 
+/// The file that `disk_loader` finds for a name; empty where there is none.
+[[nodiscard]] std::filesystem::path data_file_on_disk(const std::filesystem::path& script_folder,
+                                                      const std::string& name);
+
 /// The largest script or data file that is read, in bytes.
 inline constexpr std::size_t largest_script_bytes = std::size_t{1} << 30;
 

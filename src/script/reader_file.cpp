@@ -135,18 +135,18 @@ std::vector<fs::path> places_to_look(const fs::path& script_folder, const std::s
 }
 
 DataFileText load(const fs::path& script_folder, const std::string& name) {
-  std::string looked_at;
-  for (const fs::path& place : places_to_look(script_folder, name)) {
-    std::error_code ignored;
-    if (fs::exists(place, ignored)) {
-      // Nobody stands at the other end of a pipe that a script names, and one would wait for ever.
-      FileBytes bytes = fs::is_fifo(place, ignored) ? FileBytes{{}, "is not a file"} : read_bytes(place);
-      if (bytes.failure.empty()) return {place.string(), std::move(bytes.text), {}};
-      return {place.string(), {}, fmt::format("data file {}: {}", place.string(), bytes.failure)};
-    }
-    looked_at += fmt::format("{}{}", looked_at.empty() ? "" : " and ", place.string());
+  const fs::path place = data_file_on_disk(script_folder, name);
+  if (place.empty()) {
+    std::string looked_at;
+    for (const fs::path& other : places_to_look(script_folder, name))
+      looked_at += (looked_at.empty() ? "" : " and ") + other.string();
+    return {{}, {}, "data file not found; looked for " + looked_at};
   }
-  return {{}, {}, fmt::format("data file not found; looked for {}", looked_at)};
+  // Nobody stands at the other end of a pipe that a script names, and one would wait for ever.
+  std::error_code ignored;
+  FileBytes bytes = fs::is_fifo(place, ignored) ? FileBytes{{}, "is not a file"} : read_bytes(place);
+  if (bytes.failure.empty()) return {place.string(), std::move(bytes.text), {}};
+  return {place.string(), {}, fmt::format("data file {}: {}", place.string(), bytes.failure)};
 }
 
 // What to do about a script that cannot be read.
@@ -162,6 +162,14 @@ std::string remedy(const fs::path& path) {
 
 DataFileLoader disk_loader(const fs::path& script_folder) {
   return [script_folder](const std::string& name) { return load(script_folder, name); };
+}
+
+fs::path data_file_on_disk(const fs::path& script_folder, const std::string& name) {
+  for (fs::path& place : places_to_look(script_folder, name)) {
+    std::error_code ignored;
+    if (fs::exists(place, ignored)) return std::move(place);
+  }
+  return {};
 }
 
 ScriptReading read_script_file(const fs::path& path, const ReadControl& control) {

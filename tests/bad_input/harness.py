@@ -118,8 +118,8 @@ def write_files(case, folder):
     return marked
 
 
-def start(case, folder, **streams):
-    words = [program(), *case.command]
+def start(case, folder, before=(), **streams):
+    words = [*before, program(), *case.command]
     if case.shell:
         words = ["sh", "-c", case.shell.replace("{sarsim}", program())]
     user = case.user if os.geteuid() == 0 else None

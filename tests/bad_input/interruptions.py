@@ -41,7 +41,8 @@ def attempt(case, folder):
     write_files(case, folder)
     before = snapshot(folder)
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
-        process = start(case, folder, stdout=out, stderr=err)
+        # Where the tests themselves were started to survive a closed terminal, the program shall not.
+        process = start(case, folder, before=("env", "--default-signal=HUP"), stdout=out, stderr=err)
         found = [] if wait_for_writing(process, folder) else ["nothing was being written"]
         sent = time.monotonic()
         os.kill(process.pid, case.number) if process.poll() is None else found.append("ended before the signal")
@@ -80,6 +81,7 @@ def interruption_cases():
     }
     cases = []
     for number, status, words in (
+        (signal.SIGHUP, 129, "SIGHUP"),
         (signal.SIGINT, 130, "Ctrl-C (SIGINT)"),
         (signal.SIGTERM, 143, "SIGTERM"),
         (signal.SIGKILL, -9, "SIGKILL (no message; a hidden unfinished file may stay)"),

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <csignal>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -49,6 +50,67 @@ class Interruption : public CommandTest {
 TEST_F(Interruption, ControlCLeavesNothingUnfinished) { expect_clean_end(SIGINT, 130); }
 
 TEST_F(Interruption, TerminationLeavesNothingUnfinished) { expect_clean_end(SIGTERM, 143); }
+
+TEST_F(Interruption, HangUpLeavesNothingUnfinished) { expect_clean_end(SIGHUP, 129); }
+
+// A terminal that closes and its shell both say so.
+TEST_F(Interruption, HangUpThatIsRepeatedStillCleansUp) {
+  write_long_scene();
+  Program program({"run", "scene.scr"}, here());
+  ASSERT_TRUE(program.wait_for("sim.bin: 10 %", 60.0)) << program.err();
+  for (int i = 0; i < 3; ++i) program.send(SIGHUP);
+  EXPECT_EQ(program.finish().status, 129);
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
+}
+
+TEST_F(Interruption, HangUpThatWasIgnoredStaysSo) {
+  SceneText scene;
+  scene.pulses = 100000;
+  scene.lsb_mv = "1e-6";
+  write_scene(scene);
+  Start start = here();
+  start.ignores_hangup = true;
+  Program program({"run", "scene.scr"}, start);
+  ASSERT_TRUE(program.wait_for("sim.bin: 10 %", 60.0)) << program.err();
+  program.send(SIGHUP);
+  EXPECT_EQ(program.finish().status, 0);
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr", "sim.bin"));
+}
+
+TEST_F(Interruption, HangUpEndsSweepsAndMapsCleanly) {
+  write_long_scene();
+  Program sweep({"sweep", "scene.scr", "--set", "seed=1..4", "--out", "s", "--jobs", "1"}, here());
+  ASSERT_TRUE(sweep.wait_for("4 to run", 60.0)) << sweep.err();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  sweep.send(SIGHUP);
+  EXPECT_EQ(sweep.finish().status, 129);
+  for (const std::string& name : entries("s")) EXPECT_THAT(name, testing::Not(HasSubstr(".partial")));
+  Program doppler({"doppler", "scene.scr", "--out", "d/map.img"}, here());
+  ASSERT_TRUE(doppler.wait_for("map.img: 10 %", 60.0)) << doppler.err();
+  doppler.send(SIGHUP);
+  EXPECT_EQ(doppler.finish().status, 129);
+  EXPECT_TRUE(entries("d").empty());
+}
+
+// The program that draws is told, and leaves nothing either.
+TEST_F(Interruption, ReachesTheProgramThatDraws) {
+  write_scene({});
+  std::filesystem::create_directory(folder_ / "bin");
+  std::filesystem::copy_file(SARSIM_PROGRAM, folder_ / "bin/sarsim");
+  write_text(folder_ / "bin/sarsim-gui",
+             "#!/bin/sh\nwhile [ \"$1\" != --out ]; do shift; done\n: > \"$(dirname \"$2\")/.left\"\n"
+             ": > begun\nexec sleep 60\n");
+  std::filesystem::permissions(folder_ / "bin/sarsim-gui", std::filesystem::perms::owner_all);
+  Start start = here();
+  start.program = folder_ / "bin/sarsim";
+  Program plot({"plot", "scene.scr", "-o", "a.png"}, start);
+  for (int i = 0; i < 5000 && !std::filesystem::exists(folder_ / "begun"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  plot.send(SIGHUP);
+  const Finished end = plot.finish(10.0);
+  EXPECT_EQ(end.status, 129) << end.err;
+  EXPECT_THAT(entries("."), ElementsAre("begun", "bin", "scene.scr"));
+}
 
 TEST_F(Interruption, SuddenDeathLeavesTheEarlierFileAlone) {
   write_long_scene();

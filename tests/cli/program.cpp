@@ -39,6 +39,7 @@ void redirect(int descriptor, const std::string& path) {
     const rlimit limit{files, files};
     setrlimit(RLIMIT_NOFILE, &limit);
   }
+  std::signal(SIGHUP, start.ignores_hangup ? SIG_IGN : SIG_DFL);
   redirect(STDOUT_FILENO, out);
   redirect(STDERR_FILENO, err);
   std::vector<char*> pointers;
@@ -59,7 +60,7 @@ Program::Program(const std::vector<std::string>& arguments, const Start& start) 
   const std::string stem = ".streams-" + std::to_string(getpid()) + "-" + std::to_string(counter++);
   out_path_ = fs::path(testing::TempDir()) / (stem + "-out");
   err_path_ = fs::path(testing::TempDir()) / (stem + "-err");
-  std::vector<std::string> words{SARSIM_PROGRAM};
+  std::vector<std::string> words{start.program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::string out = start.standard_output.empty() ? out_path_.string() : start.standard_output;
   process_ = fork();

@@ -1,0 +1,170 @@
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// What outputs may not replace, and what a refusal advises.
+class Outputs : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    write_scene({});
+  }
+
+  // A script whose target has its pattern in gain.dat.
+  void write_scene_with_data(const std::string& product) const {
+    std::string text = SceneText{}.text();
+    const std::string plain = "1 0 ISOTROPIC\n$RADAR";
+    text.replace(text.find(plain), plain.size(), "1 0 DIRECTIONAL 0 0 0 0 OTHER_GAIN LINEAR FILE gain.dat\n$RADAR");
+    text.replace(text.find("sim.bin"), 7, product);
+    write_text(folder_ / "scene.scr", text);
+    write_text(folder_ / "gain.dat", "2\n0 0\n90 -20\n");
+  }
+
+  void expect_kept(const char* file, const std::vector<std::string>& words) const {
+    const std::string before = text_of(folder_ / file);
+    const std::vector<std::string> entries_before = entries(".");
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << words[0] << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("the output would replace the file that it is made from")) << words[0];
+    EXPECT_EQ(text_of(folder_ / file), before) << words[0];
+    EXPECT_EQ(entries("."), entries_before) << words[0];
+  }
+
+  void expect_advice(const std::vector<std::string>& words, const std::string& advice) const {
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << words[0] << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(advice)) << words[0];
+  }
+};
+
+TEST_F(Outputs, ForceNeverReplacesTheScript) {
+  const std::vector<std::string> table{"--radar", "Radar1", "--start", "0", "--end", "0"};
+  std::vector<std::string> geometry{"geometry", "scene.scr", "-o", "scene.scr", "--force"};
+  geometry.insert(geometry.end(), table.begin(), table.end());
+  expect_kept("scene.scr", geometry);
+  expect_kept("scene.scr", {"format", "scene.scr", "-o", "scene.scr", "--force"});
+  expect_kept("scene.scr", {"plot", "scene.scr", "--kind", "pulse", "--csv", "scene.scr", "--force"});
+}
+
+TEST_F(Outputs, ForceNeverReplacesTheScriptOfAFile) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  for (const char* command : {"doppler", "search"})
+    expect_kept("scene.scr",
+                {command, "sim.bin", "--script", "scene.scr", "--detections", "scene.scr", "--force", "--quiet"});
+  expect_kept("scene.scr", {"convert", "sim.bin", "scene.scr", "--to", "csv", "--script", "scene.scr", "--force"});
+  expect_kept("scene.scr",
+              {"plot", "sim.bin", "--script", "scene.scr", "--kind", "pulse", "--csv", "scene.scr", "--force"});
+}
+
+TEST_F(Outputs, ForceNeverReplacesADataFileOfTheScript) {
+  write_scene_with_data("gain.dat");
+  expect_kept("gain.dat", {"run", "scene.scr", "--force"});
+  write_scene_with_data("sim.bin");
+  const std::vector<std::string> table{"--radar", "Radar1", "--start", "0", "--end", "0"};
+  std::vector<std::string> geometry{"geometry", "scene.scr", "-o", "gain.dat", "--force"};
+  geometry.insert(geometry.end(), table.begin(), table.end());
+  expect_kept("gain.dat", geometry);
+  expect_kept("gain.dat", {"format", "scene.scr", "-o", "gain.dat", "--force"});
+  expect_kept("gain.dat", {"plot", "scene.scr", "--kind", "pulse", "--csv", "gain.dat", "--force"});
+  expect_kept("gain.dat", {"doppler", "scene.scr", "--out", "gain.dat", "--force", "--quiet"});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  expect_kept("gain.dat", {"convert", "sim.bin", "gain.dat", "--to", "csv", "--script", "scene.scr", "--force"});
+  expect_kept("gain.dat",
+              {"doppler", "sim.bin", "--script", "scene.scr", "--detections", "gain.dat", "--force", "--quiet"});
+}
+
+TEST_F(Outputs, ForceNeverReplacesADataFileOfTheScriptInARecording) {
+  write_scene_with_data("sim.bin");
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  expect_kept("gain.dat", {"doppler", "sim.h5", "--detections", "gain.dat", "--force", "--quiet"});
+}
+
+TEST_F(Outputs, OtherFilesAreStillReplaced) {
+  write_text(folder_ / "other.csv", "old");
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "pulse", "--csv", "other.csv", "--force"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "other.csv"), HasSubstr("slant range"));
+}
+
+TEST_F(Outputs, AdviceNamesTheOptionThatTheCommandHas) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  fs::create_directory(folder_ / "dir");
+  expect_advice({"run", "scene.scr"}, "choose another folder with --out");
+  expect_advice({"convert", "sim.bin", "sim.bin", "--script", "scene.scr"}, "name another file as OUT");
+  expect_advice({"format", "scene.scr", "-o", "dir"}, "name another file with -o");
+  expect_advice({"geometry", "scene.scr", "--radar", "Radar1", "--start", "0", "--end", "0", "-o", "dir"},
+                "name another file with -o");
+  expect_advice({"plot", "scene.scr", "--csv", "sim.bin"}, "or name another file with -o or --csv");
+  expect_advice({"doppler", "scene.scr", "--out", "sim.bin"}, "or name another file with --out or --detections");
+}
+
+TEST_F(Outputs, KeptPathsNeverLeadOutOfTheFolder) {
+  for (const char* name : {"../sim.bin", "sub/../../sim.bin", "/tmp/sarsim-never.bin", "c:\\sim.bin", "..\\sim.bin"}) {
+    SceneText scene;
+    scene.files = {name};
+    write_scene(scene);
+    const Finished refused = sarsim({"run", "scene.scr", "--out", "o/p", "--keep-paths"});
+    EXPECT_EQ(refused.status, 2) << name;
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr("the output's name leads out of the folder of the run"), HasSubstr("scene.scr:8:")))
+        << name;
+  }
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
+  SceneText scene;
+  scene.files = {"a/../b/sim.bin"};
+  write_scene(scene);
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--out", "o", "--keep-paths", "--quiet"}).status, 0);
+  EXPECT_THAT(entries("o/b"), ElementsAre("sim.bin"));
+}
+
+TEST_F(Outputs, PicturesGoIntoFoldersThatAreThere) {
+  const Finished refused = sarsim({"plot", "scene.scr", "--csv", "nowhere/x.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("there is no folder 'nowhere'"), HasSubstr("make it")));
+}
+
+TEST_F(Outputs, PicturesThatAreTooLargeAreRefusedBeforehand) {
+  const Finished refused = sarsim({"plot", "scene.scr", "-o", "x.png", "--size", "20000", "20000", "--scale", "16"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--size and --scale: a picture of 320000 x 320000 dots is too large"));
+  EXPECT_THAT(refused.err, HasSubstr("at most 32767 dots to a side"));
+}
+
+TEST_F(Outputs, PlotSaysWhatItsOptionsTake) {
+  const auto refused = [&](const std::vector<std::string>& option, const std::string& sentence) {
+    std::vector<std::string> words{"plot", "scene.scr", "--csv", "x.csv"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Finished end = sarsim(words);
+    EXPECT_EQ(end.status, 2) << sentence;
+    EXPECT_THAT(end.err, HasSubstr(sentence));
+  };
+  refused({"--span", "0"}, "--span: '0' is not a number above 0");
+  refused({"--rate", "0"}, "--rate: '0' is not a number above 0");
+  refused({"--percentile", "101"}, "--percentile: '101' is not a number above 0, at most 100");
+  refused({"--percentile", "0"}, "--percentile: '0' is not");
+  refused({"--limits", "1", "1"}, "--limits: the two values are the same");
+  refused({"--scale", "0.1"}, "--scale: '0.1' is not a number from 0.25 to 16");
+  refused({"--size", "20", "20"}, "--size: '20' is not a whole number from 64 to 20000");
+  refused({"--title", "--force"}, "--title: '--force' is not a title");
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--csv", "x.csv", "--title", ""}).status, 0);
+}
+
+TEST_F(Outputs, CutsNeedAFolderAndMeasureAnImage) {
+  EXPECT_THAT(sarsim({"measure", "nofile"}).err, HasSubstr("there is no file 'nofile'"));
+  ASSERT_EQ(sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--quiet"}).status, 0);
+  const Finished refused = sarsim({"measure", "sar_r.img", "--cuts", "scene.scr"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--cuts: 'scene.scr' is not a folder"));
+  EXPECT_EQ(refused.out, "");
+}
+
+}  // namespace
+}  // namespace sarsim::test

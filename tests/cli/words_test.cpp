@@ -1,0 +1,178 @@
+#include <gmock/gmock.h>
+
+#include "program.hpp"
+
+namespace sarsim::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// What the command line understands, and what comes of asking for nothing.
+class Words : public CommandTest {
+ protected:
+  void expect_refusal(const std::vector<std::string>& words, const std::string& sentence) const {
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << sentence << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(sentence));
+  }
+
+  // Radar1 is sound; Radar2 rides on the target, whose echo would be infinite.
+  void write_scene_with_an_impossible_second() const {
+    SceneText scene;
+    scene.geometry = "table.txt";
+    std::string text = scene.text();
+    text +=
+        "$RADAR Radar2 Car CHIRP 0.05 1000 RECT CONSTANT 1000 SINGLE 1 100 0 0\n"
+        "  ISOTROPIC SAME FIXED 0 0 RECT NO_STC\n"
+        "$SIMULATION Radar2 900 1400 0 0.019 8 0.1 0 BINARY RAW second.bin BEGIN 1 1\n";
+    write_text(folder_ / "scene.scr", text);
+  }
+};
+
+TEST_F(Words, SeedsGoAsFarAsThoseOfScripts) {
+  write_scene({});
+  const std::string largest = "18446744073709551615";
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--seed", largest, "--out", "a", "--quiet"}).status, 0);
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--set", "seed=" + largest, "--out", "b", "--quiet"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "a/sim.bin"), text_of(folder_ / "b/sim.bin"));
+  for (const char* bad : {"18446744073709551616", "-1", "1.5", "", "+1", "1e3"})
+    expect_refusal({"run", "scene.scr", "--seed", bad}, "is not a whole number from 0 to 18446744073709551615");
+}
+
+TEST_F(Words, ProductsThatAreNotChosenAreNotLookedAt) {
+  write_scene_with_an_impossible_second();
+  expect_refusal({"run", "scene.scr"}, "stands at the position of radar 'Radar2'");
+  expect_refusal({"run", "scene.scr", "2"}, "stands at the position of radar 'Radar2'");
+  const Finished first = sarsim({"run", "scene.scr", "1"});
+  EXPECT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(sarsim({"run", "scene.scr", "table.txt"}).status, 0);
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr", "sim.bin", "table.txt"));
+}
+
+TEST_F(Words, WarningsOfAChosenProductNameItsOwnPlace) {
+  SceneText scene;
+  scene.files = {"one.bin", "two.bin"};
+  scene.target_m = 5000.0;  // Outside both windows.
+  write_scene(scene);
+  const Finished second = sarsim({"run", "scene.scr", "2"});
+  EXPECT_EQ(second.status, 0);
+  EXPECT_THAT(second.err, AllOf(HasSubstr("scene.scr:9:"), Not(HasSubstr("scene.scr:8:"))));
+}
+
+TEST_F(Words, PulsesThatNoRecordingHasAreRefused) {
+  write_scene({});
+  expect_refusal({"run", "scene.scr", "--pulses", "21:"},
+                 "no recording has as many pulses as --pulses asks for; found '21:', expected pulses 1 to 20");
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
+  const Finished cut = sarsim({"run", "scene.scr", "--pulses", "15:30"});
+  EXPECT_EQ(cut.status, 0) << cut.err;
+  EXPECT_THAT(cut.err, HasSubstr("warning: 'sim.bin' has fewer pulses than --pulses asks for; found '15:30', expected "
+                                 "pulses 1 to 20"));
+  const Finished whole = sarsim({"run", "scene.scr", "--pulses", "1:14"});
+  EXPECT_THAT(whole.err, Not(HasSubstr("warning")));
+}
+
+TEST_F(Words, TablesWithoutAPulseAreRefused) {
+  write_scene({});
+  expect_refusal({"geometry", "scene.scr", "--radar", "Radar1", "--start", "0.0001", "--end", "0.0002"},
+                 "no pulse leaves within the azimuth window");
+  EXPECT_EQ(sarsim({"geometry", "scene.scr", "--radar", "Radar1", "--start", "0.0001", "--end", "0.001"}).status, 0);
+}
+
+TEST_F(Words, ProfilesOfRangesThatWereNotRecordedAreRefused) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/stepped_aircraft.scr";
+  expect_refusal({"profiles", scene, "--from", "1e6", "--to", "1001000"}, "nothing was recorded from 1000000 m");
+  EXPECT_TRUE(entries(".").empty());
+  const Finished beyond = sarsim({"profiles", scene, "--from", "12000", "--to", "13000"});
+  EXPECT_EQ(beyond.status, 0);
+  EXPECT_THAT(beyond.err, HasSubstr("the ranges go beyond those that were recorded"));
+}
+
+TEST_F(Words, EveryRefusalIsJsonWhereJsonIsAskedFor) {
+  write_scene({});
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"info", "no.h5", "--json"},
+                                             {"info", "no.scr", "--json"},
+                                             {"focus", "no.h5", "--json"},
+                                             {"doppler", "scene.scr", "--json", "--window", "none"},
+                                             {"measure", "no.img", "--json"},
+                                             {"merge", "no.parts", "--json"},
+                                             {"run", "scene.scr", "--json", "--bogus"},
+                                             {"check", "--json"},
+                                             {"sweep", "scene.scr", "--json", "--set", "nothing=1"}}) {
+    const Finished end = sarsim(words);
+    EXPECT_EQ(end.status, 2) << words[0];
+    EXPECT_TRUE(is_json(end.out, folder_)) << words[0] << end.out;
+    EXPECT_THAT(end.out, AllOf(HasSubstr("\"status\": \"bad input\""), HasSubstr("\"message\": "))) << words[0];
+    EXPECT_NE(end.err, "") << words[0];
+  }
+  EXPECT_EQ(sarsim({"info", "no.h5"}).out, "");
+}
+
+TEST_F(Words, FailuresAreJsonWhereJsonIsAskedFor) {
+  write_scene({});
+  write_text(folder_ / "file", "");
+  const Finished end = sarsim({"doppler", "scene.scr", "--json", "--out", "file/below/x.img", "--quiet"});
+  EXPECT_EQ(end.status, 1) << end.err;
+  EXPECT_TRUE(is_json(end.out, folder_)) << end.out;
+  EXPECT_THAT(end.out, AllOf(HasSubstr("\"status\": \"failed\""), HasSubstr("file/below")));
+}
+
+TEST_F(Words, NothingIsAnOptionBehindTwoDashes) {
+  write_text(folder_ / "-x.scr", SceneText{}.text());
+  EXPECT_EQ(sarsim({"check", "--", "-x.scr"}).status, 0);
+  EXPECT_EQ(sarsim({"run", "--quiet", "--", "-x.scr"}).status, 0);
+  EXPECT_THAT(entries("."), ElementsAre("-x.scr", "sim.bin"));
+  expect_refusal({"run", "--", "-x.scr", "--quiet"}, "the script has no product '--quiet'");
+}
+
+TEST_F(Words, OnlyNearWordsAreSuggested) {
+  const auto suggestion = [&](const std::string& option) {
+    const Finished end = sarsim({"doppler", "x.scr", option});
+    EXPECT_EQ(end.status, 2);
+    return end.err;
+  };
+  EXPECT_THAT(suggestion("--bogus"), Not(HasSubstr("did you mean")));
+  EXPECT_THAT(suggestion("--seed"), Not(HasSubstr("did you mean '--help'")));
+  EXPECT_THAT(suggestion("--quite"), HasSubstr("did you mean '--quiet'?"));
+  EXPECT_THAT(suggestion("--jsno"), HasSubstr("did you mean '--json'?"));
+}
+
+TEST_F(Words, OneOfAKindIsSingular) {
+  write_scene({});
+  const Finished map = sarsim({"doppler", "scene.scr"});
+  ASSERT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(map.err, AllOf(HasSubstr(": 1 interval of 20 pulses"), Not(HasSubstr(" 1 intervals"))));
+  EXPECT_THAT(map.err, Not(HasSubstr(" -0.0 ")));
+}
+
+TEST_F(Words, EmptyNamesAreCalledSo) {
+  write_scene({});
+  expect_refusal({"run", "scene.scr", "--out", ""}, "--out: the name is empty");
+}
+
+TEST_F(Words, AScriptWithoutASimulationIsNamed) {
+  SceneText scene;
+  scene.files = {};
+  write_scene(scene);
+  for (const char* command : {"doppler", "search", "focus"})
+    expect_refusal({command, "scene.scr"}, "scene.scr: error: the script has no $SIMULATION");
+}
+
+TEST_F(Words, ADiscardedRecordingHasNoSize) {
+  write_scene({});
+  const Finished run = sarsim({"run", "scene.scr", "--discard", "--json", "--format", "ascii"});
+  EXPECT_THAT(run.out, HasSubstr("\"bytes\": null"));
+  EXPECT_THAT(run.err, HasSubstr("nothing written: 20 x 334 samples, "));
+  EXPECT_THAT(run.err.substr(run.err.find("nothing written")), Not(HasSubstr("kB")));
+  EXPECT_THAT(sarsim({"run", "scene.scr", "--json"}).out, HasSubstr("\"bytes\": 13360"));
+  const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "seed=1,2", "--discard", "--json", "--out", "s"});
+  EXPECT_THAT(sweep.out, AllOf(HasSubstr("\"bytes\": null"), Not(HasSubstr("\"bytes\": 0"))));
+  EXPECT_THAT(text_of(folder_ / "s/sweep.csv"), HasSubstr(",done,20,334,,"));
+}
+
+}  // namespace
+}  // namespace sarsim::test
