@@ -44,8 +44,9 @@ void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
   for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
-    const double above_hz = target.highest_doppler_hz - options.doppler_centroid_hz;
-    const double below_hz = options.doppler_centroid_hz - target.lowest_doppler_hz;
+    // All pulses are summed, those that see the target in sidelobes of the antenna, too.
+    const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
+    const double below_hz = options.doppler_centroid_hz - target.least_doppler_hz;
     band_hz = std::max({band_hz, 2.0 * above_hz, 2.0 * below_hz});
   }
   if (options.doppler_bandwidth_hz > 0.0) band_hz = std::min(band_hz, options.doppler_bandwidth_hz);
