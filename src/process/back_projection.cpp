@@ -34,6 +34,8 @@ void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options)
   expect(options.aperture != Aperture::beam || options.beam_rad > 0.0, "back-projection: the beam is not above 0");
   expect(options.aperture != Aperture::time || options.time_s > 0.0, "back-projection: the time is not above 0");
   expect(std::abs(options.squint_rad) < 0.5 * pi, "back-projection: the squint is a right angle or more");
+  const double heading = norm(options.heading);
+  expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
 }
 
 ProjectionConstants constants_of(const SarEchoes& echoes, const BackProjectionOptions& options) {
@@ -55,6 +57,7 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   if (options.aperture == Aperture::all) return aperture;
   aperture.kind = options.aperture == Aperture::beam ? Kind::angle : Kind::time;
   aperture.squint_rad = options.squint_rad;
+  aperture.heading = options.heading;
   aperture.extent = options.aperture == Aperture::beam ? options.beam_rad : options.time_s;
   aperture.uniform = !options.azimuth_window;
   if (aperture.uniform) return aperture;
