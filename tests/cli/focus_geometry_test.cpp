@@ -145,6 +145,14 @@ TEST_F(FocusGeometry, UnderSquintIsAsSharpOnTheGroundAsByTheory) {
   EXPECT_THAT(width_ratios(found, 1), Each(testing::DoubleNear(1.0, 0.01)));
 }
 
+TEST_F(FocusGeometry, UnderSquintIsMeasuredAcrossTheLineOfSight) {
+  // On which the response under 18.6 degrees' squint is cos 18.6 = 0.948 as wide as along the track. Theory cuts the
+  // band between whole pulses.
+  write(squinted(20.0));
+  const std::string found = measured({"scene.scr", "--doppler-bandwidth", "100"});
+  EXPECT_THAT(width_ratios(found, 0), testing::AllOf(SizeIs(2), Each(testing::DoubleNear(1.0, 0.015))));
+}
+
 TEST_F(FocusGeometry, ByBackProjectionSamplesWhatSidelobesOfTheAntennaSee) {
   // Half a row of 0.3 m beside a sample, where rows that alias lose most: 0.9 dB at 500 pulses a second.
   Flight flight;
@@ -156,6 +164,30 @@ TEST_F(FocusGeometry, ByBackProjectionSamplesWhatSidelobesOfTheAntennaSee) {
   const std::string found = measured({"scene.scr", "--algorithm", "back-projection"});
   EXPECT_THAT(numbers_of(found, "amplitude_error_db"), testing::AllOf(SizeIs(1), Each(small(0.05))));
   EXPECT_THAT(width_ratios(found, 0), Each(testing::DoubleNear(1.0, 0.01)));
+}
+
+TEST_F(FocusGeometry, ByBackProjectionHasTheAmplitudeOfThePulsesThatWereFlown) {
+  // 150 Hz take 0.89 s, of which the outer points have 0.65 s and 0.45 s.
+  Flight flight;
+  flight.points = {{-120.0, 0.0}, {0.0, 0.0}, {150.0, 0.0}};
+  flight.beam_deg = 6.0;
+  write(flight);
+  const auto errors_db = [&](const char* algorithm) {
+    return numbers_of(measured({"scene.scr", "--algorithm", algorithm, "--doppler-bandwidth", "150"}),
+                      "amplitude_error_db");
+  };
+  EXPECT_THAT(errors_db("back-projection"), testing::AllOf(SizeIs(3), Each(small(0.05))));
+  EXPECT_THAT(errors_db("omega-k"), testing::AllOf(SizeIs(3), Each(small(0.1))));
+}
+
+TEST_F(FocusGeometry, OfAFlightThatSpeedsUpHasTheAmplitudeOfEvenPulsesAlongTheLine) {
+  // From 130 to 170 m/s: pulse by pulse the mean would favour slow parts by up to 1.2 dB.
+  Flight flight;
+  flight.points = {{-100.0, 0.0}, {100.0, 0.0}};
+  flight.acceleration_mps2 = 20.0;
+  write(flight);
+  const std::string found = measured({"scene.scr"});
+  EXPECT_THAT(numbers_of(found, "amplitude_error_db"), testing::AllOf(SizeIs(2), Each(small(0.1))));
 }
 
 }  // namespace
