@@ -44,8 +44,9 @@ void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
   for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
-    const double above_hz = target.highest_doppler_hz - options.doppler_centroid_hz;
-    const double below_hz = options.doppler_centroid_hz - target.lowest_doppler_hz;
+    // All pulses are summed, those that see the target in sidelobes of the antenna, too.
+    const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
+    const double below_hz = options.doppler_centroid_hz - target.least_doppler_hz;
     band_hz = std::max({band_hz, 2.0 * above_hz, 2.0 * below_hz});
   }
   if (options.doppler_bandwidth_hz > 0.0) band_hz = std::min(band_hz, options.doppler_bandwidth_hz);
@@ -59,6 +60,7 @@ BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage
   const double per_hz = 0.5 * image.light_speed_mps / (image.carrier_hz * image.frame.speed_mps);
   const auto angle = [&](double hz) { return std::asin(std::clamp(per_hz * hz, -1.0, 1.0)); };
   BackProjectionOptions back;
+  back.heading = image.frame.along;
   back.squint_rad = angle(options.doppler_centroid_hz);
   const auto shifted = [](const SarWindow& window) {
     return [weight = weight_of(window)](double x) { return weight(x - 0.5); };
@@ -66,8 +68,10 @@ BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage
   if (options.range_window.kind != SarWindow::Kind::rectangular) back.range_window = shifted(options.range_window);
   if (options.doppler_bandwidth_hz <= 0.0) return back;
   back.aperture = BackProjectionOptions::Aperture::beam;
-  back.beam_rad = angle(options.doppler_centroid_hz + 0.5 * options.doppler_bandwidth_hz) -
-                  angle(options.doppler_centroid_hz - 0.5 * options.doppler_bandwidth_hz);
+  const double low_rad = angle(options.doppler_centroid_hz - 0.5 * options.doppler_bandwidth_hz);
+  const double high_rad = angle(options.doppler_centroid_hz + 0.5 * options.doppler_bandwidth_hz);
+  back.squint_rad = 0.5 * (low_rad + high_rad);
+  back.beam_rad = high_rad - low_rad;
   back.azimuth_window = shifted(options.azimuth_window);
   return back;
 }

@@ -18,9 +18,10 @@ struct BackProjectionChoice {
 
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
 /// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
-/// bandwidth keeps the pulses that see a point at such frequencies; the azimuth window is over them, or, where all are
-/// kept, over the record. Or to an image of level ground. Throws BadInput where the echoes need more memory than
-/// allowed or the ground is out of reach.
+/// bandwidth keeps the pulses that see a point at such frequencies from the line of flight; the azimuth window is over
+/// them, or, where all are kept, over the record. Amplitudes are means over the pulses that are there: near the ends of
+/// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
+/// image of level ground. Throws BadInput where the echoes need more memory than allowed or the ground is out of reach.
 [[nodiscard]] FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
                                          const FocusOptions& options, const WorkControl& control,
                                          const ProgressReport& progress);

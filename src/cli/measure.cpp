@@ -162,11 +162,16 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
   return search_m;
 }
 
-// On a ground grid ranges are as far apart as the ground is seen flat.
+// On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
 void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFrame& slant) {
   const ImagePlace place = place_on_ground(grid, slant, theory.place);
   const ImagePlace farther = place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  const ImagePlace ahead = place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
   theory.place = place;
+  if (theory.azimuth) {
+    theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
+    theory.azimuth->null *= ahead.azimuth_m - place.azimuth_m;
+  }
   if (!theory.range) return;
   theory.range->width *= farther.range_m - place.range_m;
   theory.range->null *= farther.range_m - place.range_m;

@@ -44,28 +44,74 @@ double piece_weight(long offset, long length, bool is_first, bool is_last) {
   return sine * sine;
 }
 
-std::vector<Piece> pieces_of(const FocusedImage& image, long length) {
-  std::vector<Piece> pieces;
-  const auto rows = static_cast<long>(image.azimuth.count);
-  for (long first = 0;; first += length / 2) {
-    pieces.push_back({first, image.azimuth.at(static_cast<double>(first) + 0.5 * static_cast<double>(length - 1))});
-    if (first + length >= rows) return pieces;
-  }
-}
+// Where along the track the frequencies of an image's pieces were received.
+class Sight {
+ public:
+  Sight(const FocusedImage& image, std::size_t size)
+      : sine_per_step_(0.5 * image.light_speed_mps / image.carrier_hz /
+                       (image.azimuth.step_m * static_cast<double>(size))),
+        centre_(image.azimuth.spectrum_centre_per_m * image.azimuth.step_m * static_cast<double>(size)) {}
 
-AzimuthColumns cut_out(const FocusedImage& image, const Piece& piece, long length, bool is_first, bool is_last,
-                       std::size_t size) {
-  AzimuthColumns columns(image.range.count, size);
-  for (long i = 0; i < length; ++i) {
-    const long row = piece.first + i;
-    if (row >= static_cast<long>(image.azimuth.count)) break;
-    const double weight = piece_weight(i, length, is_first, is_last);
-    for (std::size_t column = 0; column < image.range.count; ++column)
-      columns.column(column)[static_cast<std::size_t>(i)] =
-          weight * std::complex<double>(image.values[static_cast<std::size_t>(row) * image.range.count + column]);
+  /// Of the image's spectrum, in steps of 1/size.
+  [[nodiscard]] double centre() const { return centre_; }
+  /// How far behind a point at this range the antenna received this frequency of it: R tan a.
+  [[nodiscard]] double behind_m(double frequency, double range_m) const {
+    constexpr double steepest = 0.999;  // as far as focusing goes
+    const double sine = std::clamp(frequency * sine_per_step_, -steepest, steepest);
+    return range_m * sine / std::sqrt(1.0 - sine * sine);
   }
-  return columns;
-}
+  /// The inverse.
+  [[nodiscard]] double frequency(double behind_m, double range_m) const {
+    return behind_m / std::hypot(behind_m, range_m) / sine_per_step_;
+  }
+
+ private:
+  double sine_per_step_;
+  double centre_;
+};
+
+// An image of which each column is displaced, so that rows follow the line of sight of the beam's middle.
+class SkewedImage {
+ public:
+  SkewedImage(const FocusedImage& image, const Sight& sight) : image_(image) {
+    const double middle_m = middle_range_m();
+    for (std::size_t column = 0; column < image.range.count; ++column) {
+      const double farther_m = image.range.at(static_cast<double>(column)) - middle_m;
+      offsets_.push_back(std::lround(sight.behind_m(sight.centre(), farther_m) / image.azimuth.step_m));
+    }
+  }
+
+  [[nodiscard]] double middle_range_m() const { return image_.range.at(static_cast<double>(image_.range.count / 2)); }
+  /// Of a column, in rows.
+  [[nodiscard]] long offset(std::size_t column) const { return offsets_[column]; }
+  /// Of half overlap.
+  [[nodiscard]] std::vector<Piece> pieces(long length) const {
+    std::vector<Piece> pieces;
+    const auto [least, most] = std::ranges::minmax(offsets_);
+    const long end = static_cast<long>(image_.azimuth.count) - least;
+    for (long first = -most;; first += length / 2) {
+      pieces.push_back({first, image_.azimuth.at(static_cast<double>(first) + 0.5 * static_cast<double>(length - 1))});
+      if (first + length >= end) return pieces;
+    }
+  }
+  [[nodiscard]] AzimuthColumns cut_out(const Piece& piece, long length, bool is_first, bool is_last,
+                                       std::size_t size) const {
+    AzimuthColumns columns(image_.range.count, size);
+    for (std::size_t column = 0; column < image_.range.count; ++column)
+      for (long i = 0; i < length; ++i) {
+        const long row = piece.first + i + offset(column);
+        if (row < 0 || row >= static_cast<long>(image_.azimuth.count)) continue;
+        columns.column(column)[static_cast<std::size_t>(i)] =
+            piece_weight(i, length, is_first, is_last) *
+            std::complex<double>(image_.values[static_cast<std::size_t>(row) * image_.range.count + column]);
+      }
+    return columns;
+  }
+
+ private:
+  const FocusedImage& image_;
+  std::vector<long> offsets_;
+};
 
 // Evenly spaced places along the track.
 struct AlongTrack {
@@ -157,13 +203,14 @@ double interpolated(const std::vector<double>& y, double x) {
 }
 
 // The phases of one piece on the cells along the track. The places at mid-range stand for all columns.
-PiecePhase along_track(const GradientResult& found, double middle_m, double reach_m, const AlongTrack& track) {
+PiecePhase along_track(const GradientResult& found, double middle_m, double range_m, const Sight& sight,
+                       const AlongTrack& track) {
   PiecePhase piece;
-  const auto count = static_cast<double>(found.phase_rad.size());
   if (found.phase_rad.size() < 3) return piece;
-  const auto along_m = [&](double i) { return middle_m - (static_cast<double>(found.first_frequency) + i) * reach_m; };
-  const double low_m = std::min(along_m(0.0), along_m(count - 1.0));
-  const double high_m = std::max(along_m(0.0), along_m(count - 1.0));
+  const auto begin = static_cast<double>(found.first_frequency);
+  const auto along_m = [&](double frequency) { return middle_m - sight.behind_m(frequency, range_m); };
+  const auto [low_m, high_m] =
+      std::minmax({along_m(begin), along_m(begin + static_cast<double>(found.phase_rad.size()) - 1.0)});
   const double first = std::max(std::ceil((low_m - track.first_m) / track.step_m), 0.0);
   const double last =
       std::min(std::floor((high_m - track.first_m) / track.step_m), static_cast<double>(track.count) - 1.0);
@@ -171,9 +218,22 @@ PiecePhase along_track(const GradientResult& found, double middle_m, double reac
   piece.weight = found.energy;
   for (double cell = first; cell <= last; ++cell) {
     const double s_m = track.first_m + cell * track.step_m;
-    piece.phase_rad.push_back(interpolated(found.phase_rad, (along_m(0.0) - s_m) / reach_m));
+    piece.phase_rad.push_back(interpolated(found.phase_rad, sight.frequency(middle_m - s_m, range_m) - begin));
   }
   return piece;
+}
+
+// From where the first piece's last frequency may have been received to where the last piece's first one may.
+AlongTrack track_of(const std::vector<Piece>& pieces, double range_m, const Sight& sight, std::size_t size) {
+  const auto whole = static_cast<double>(size);
+  const auto [least_m, most_m] =
+      std::minmax({sight.behind_m(sight.centre() - whole, range_m), sight.behind_m(sight.centre() + whole, range_m)});
+  const auto [low_m, high_m] = std::minmax({pieces.front().middle_m, pieces.back().middle_m});
+  AlongTrack track;
+  track.step_m = std::abs(sight.behind_m(1.0, range_m));
+  track.first_m = low_m - most_m;
+  track.count = static_cast<std::size_t>((high_m - least_m - track.first_m) / track.step_m) + 2;
+  return track;
 }
 
 }  // namespace
@@ -195,13 +255,21 @@ AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& opt
   AutofocusResult result;
   result.image = image;
   if (image.values.empty()) return result;
+  const Sight sight(image, image.azimuth.count);
+  const double spacing = 1.0 / (image.azimuth.step_m * static_cast<double>(image.azimuth.count));
   AzimuthColumns columns = columns_of(image);
-  const GradientResult found = phase_gradient(columns, options, control);
+  const GradientResult found =
+      phase_gradient(columns, {sight.centre(), options.band_per_m / std::abs(spacing)}, options, control);
+  columns = columns_of(image);
+  const auto size = static_cast<long>(image.azimuth.count);
+  turn_spectra(columns, control, [&](std::size_t, long frequency) {
+    const auto at = static_cast<std::size_t>(((frequency - found.first_frequency) % size + size) % size);
+    return at < found.phase_rad.size() ? -found.phase_rad[at] : 0.0;
+  });
   for (std::size_t row = 0; row < image.azimuth.count; ++row)
     for (std::size_t column = 0; column < image.range.count; ++column)
       result.image.values[row * image.range.count + column] = std::complex<float>(columns.column(column)[row]);
   result.round_rad = found.round_rad;
-  const double spacing = 1.0 / (image.azimuth.step_m * static_cast<double>(image.azimuth.count));
   result.phase_rad = found.phase_rad;
   for (std::size_t i = 0; i < found.phase_rad.size(); ++i)
     result.cycles_per_m.push_back(spacing * static_cast<double>(found.first_frequency + static_cast<long>(i)));
@@ -222,30 +290,25 @@ StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_
   result.image = image;
   if (image.values.empty()) return result;
 
-  const std::vector<Piece> pieces = pieces_of(image, length);
   const std::size_t size = good_fft_size(2 * static_cast<std::size_t>(length));
-  const double wavelength_m = image.light_speed_mps / image.carrier_hz;
-  const double frequency_step = 1.0 / (image.azimuth.step_m * static_cast<double>(size));
-  const auto reach_of = [&](std::size_t column) {  // metres along the track for each step of frequency
-    return 0.5 * wavelength_m * image.range.at(static_cast<double>(column)) * frequency_step;
-  };
-  const double middle_reach_m = reach_of(image.range.count / 2);
+  const Sight sight(image, size);
+  const SkewedImage skewed(image, sight);
+  const std::vector<Piece> pieces = skewed.pieces(length);
   const auto is_last = [&](std::size_t i) { return i + 1 == pieces.size(); };
-
-  const double half_band_m = std::abs(middle_reach_m) * static_cast<double>(size);
-  AlongTrack track;
-  track.step_m = std::abs(middle_reach_m);
-  track.first_m = std::min(pieces.front().middle_m, pieces.back().middle_m) - half_band_m;
-  const double span_m = std::abs(pieces.back().middle_m - pieces.front().middle_m) + 2.0 * half_band_m;
-  track.count = static_cast<std::size_t>(span_m / track.step_m) + 2;
+  const double middle_range_m = skewed.middle_range_m();
+  const SpectrumBand band{sight.centre(),
+                          options.band_per_m * std::abs(image.azimuth.step_m) * static_cast<double>(size)};
+  const AlongTrack track = track_of(pieces, middle_range_m, sight, size);
   JoinedPhase joined(track.count);
   std::vector<PiecePhase> phases;
   std::vector<long> middle_frequency;  // of the aperture: the others count from there
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    AzimuthColumns columns = cut_out(image, pieces[i], length, i == 0, is_last(i), size);
-    const GradientResult found = phase_gradient(columns, options, control);
-    middle_frequency.push_back(found.first_frequency + static_cast<long>(found.phase_rad.size() / 2));
-    phases.push_back(along_track(found, pieces[i].middle_m, middle_reach_m, track));
+    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
+    const GradientResult found = phase_gradient(columns, band, options, control);
+    middle_frequency.push_back(found.phase_rad.empty()
+                                   ? std::lround(sight.centre())
+                                   : found.first_frequency + static_cast<long>(found.phase_rad.size() / 2));
+    phases.push_back(along_track(found, pieces[i].middle_m, middle_range_m, sight, track));
     joined.add(phases.back());
   }
   for (int sweep = 0; sweep < 10; ++sweep)
@@ -257,23 +320,25 @@ StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_
 
   std::ranges::fill(result.image.values, 0.0F);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    AzimuthColumns columns = cut_out(image, pieces[i], length, i == 0, is_last(i), size);
+    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
     turn_spectra(columns, control, [&](std::size_t column, long frequency) {
       const auto from_middle = static_cast<double>(frequency - middle_frequency[i]);
       const double unfolded = static_cast<double>(frequency) -
                               static_cast<double>(size) * std::round(from_middle / static_cast<double>(size));
-      const double along_m = pieces[i].middle_m - unfolded * reach_of(column);
+      const double along_m = pieces[i].middle_m + static_cast<double>(skewed.offset(column)) * image.azimuth.step_m -
+                             sight.behind_m(unfolded, image.range.at(static_cast<double>(column)));
       return -interpolated(result.phase_rad, (along_m - track.first_m) / track.step_m);
     });
     // What the correction moved beyond the ends of the piece stands in the zeros behind it, or before it at the end.
     for (long k = -static_cast<long>(size) / 4; k < length + static_cast<long>(size) / 4; ++k) {
-      const long row = pieces[i].first + k;
-      if (row < 0 || row >= static_cast<long>(image.azimuth.count)) continue;
       const auto at = static_cast<std::size_t>(k < 0 ? k + static_cast<long>(size) : k);
       if (at >= size) continue;
-      for (std::size_t column = 0; column < image.range.count; ++column)
+      for (std::size_t column = 0; column < image.range.count; ++column) {
+        const long row = pieces[i].first + k + skewed.offset(column);
+        if (row < 0 || row >= static_cast<long>(image.azimuth.count)) continue;
         result.image.values[static_cast<std::size_t>(row) * image.range.count + column] +=
             std::complex<float>(columns.column(column)[at]);
+      }
     }
   }
   return result;

@@ -99,6 +99,32 @@ TEST(Autofocus, BringsTenRadiansOfQuadraticAndThreeOfSineBelowATenth) {
   }
 }
 
+// Adds noise at all frequencies, beyond the aperture too.
+FocusedImage with_noise(FocusedImage image, double sigma) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal(0.0, sigma);
+  for (auto& value : image.values) value += std::complex<float>(std::complex(normal(random), normal(random)));
+  return image;
+}
+
+// Points have 1.2 of power in each frequency, noise 0.026.
+TEST(Autofocus, KnowsAnApertureThatIsASmallPartOfTheSpectrumFromNoise) {
+  const double share = 0.15;
+  const AutofocusResult result = autofocus(with_noise(spotlight(share, 0.0, usual_error), 0.005), {}, one);
+  EXPECT_NEAR(static_cast<double>(result.phase_rad.size()), share * 512.0, 4.0);
+  EXPECT_LT(residual_rad(result, share, 0.0, usual_error), 0.1);
+}
+
+// Noise of 0.9 in each frequency: no power tells where the aperture ends, but the caller may know.
+TEST(Autofocus, LooksAtNothingBeyondTheBandItIsTold) {
+  const double share = 0.15;
+  const FocusedImage noisy = with_noise(spotlight(share, 0.0, usual_error), 0.03);
+  const AutofocusResult told = autofocus(noisy, {.band_per_m = share / 0.7}, one);
+  EXPECT_LE(told.phase_rad.size(), 78u);
+  EXPECT_LT(residual_rad(told, share, 0.0, usual_error), 0.5);
+  EXPECT_GT(residual_rad(autofocus(noisy, {}, one), share, 0.0, usual_error), 1.0);
+}
+
 TEST(Autofocus, FillsTheWholeBandWhereTheSpectrumDoes) {
   const AutofocusResult result = autofocus(spotlight(1.0, 0.0, usual_error), {}, one);
   // The error jumps by 6 rad where the band's end meets its beginning; a few frequencies there stay behind.
@@ -159,18 +185,20 @@ TEST(ImageEntropy, IsTheLogarithmOfTheNumberOfEqualPixels) {
   EXPECT_NEAR(image_entropy(image), std::log(10.0), 1e-6);
 }
 
-// A strip whose points are seen under `aperture_m` of the track, with an error that depends on the antenna's place.
+// A strip whose points are seen under `aperture_m` of the track, by a beam that looks `squint_rad` ahead, with an error
+// that depends on the antenna's place.
 template <class Error>
-FocusedImage strip(double aperture_m, const Error& error) {
+FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.0, double column_m = 1.0) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   FocusedImage image;
   image.azimuth = {0.0, 0.6, 2000};
-  image.range = {10e3, 1.0, 24};
+  image.range = {10e3, column_m, 24};
   image.carrier_hz = 5.3e9;
   image.light_speed_mps = exact_light_speed_mps;
   image.values.resize(2000 * 24);
   const double wavelength_m = exact_light_speed_mps / 5.3e9;
+  image.azimuth.spectrum_centre_per_m = 2.0 / wavelength_m * std::sin(squint_rad);
   std::vector<std::complex<double>> column(2000);
   for (std::size_t c = 0; c < 24; ++c) {
     std::ranges::fill(column, 0.0);
@@ -181,8 +209,8 @@ FocusedImage strip(double aperture_m, const Error& error) {
       // The sum over the antenna's places of the phases that focusing leaves.
       constexpr int steps = 256;
       for (int i = 0; i < steps; ++i) {
-        const double s_m = place_m + aperture_m * ((i + 0.5) / steps - 0.5);
-        const double cycles_per_m = 2.0 / wavelength_m * (place_m - s_m) / range_m;
+        const double s_m = place_m - range_m * std::tan(squint_rad) + aperture_m * ((i + 0.5) / steps - 0.5);
+        const double cycles_per_m = 2.0 / wavelength_m * (place_m - s_m) / std::hypot(place_m - s_m, range_m);
         const std::complex<double> turn = strength / static_cast<double>(steps) * std::polar(1.0, error(s_m));
         const double reach_m = 50.0;
         for (auto row = static_cast<long>((place_m - reach_m) / 0.6);
@@ -211,6 +239,30 @@ TEST(AutofocusOfAStrip, SharpensWhatAWaveringTrackBlurred) {
     if (result.along_m[i] > -50.0 && result.along_m[i] < 1250.0)
       left.push_back(result.phase_rad[i] - error(result.along_m[i]));
   EXPECT_LT(without_line_rad(left), 0.35);
+}
+
+// At 3 degrees the spectrum stands about 1.1 times the sampling rate, at 10 degrees 3.7 times; and a place of the
+// antenna is seen 170 m farther along by the last column than by the first where columns are 40 m apart.
+TEST(AutofocusOfAStrip, FollowsTheLineOfSightOfABeamThatSquints) {
+  const auto error = [](double s) { return 6.0 * std::sin(2.0 * pi * s / 700.0 + 0.5); };
+  for (const double degrees : {-3.0, 3.0, 10.0}) {
+    const double squint_rad = degrees * pi / 180.0;
+    const FocusedImage sharp = strip(300.0, no_error, squint_rad, 40.0);
+    const FocusedImage blurred = strip(300.0, error, squint_rad, 40.0);
+    const StripmapAutofocusResult result = autofocus_strip(blurred, 120.0, {}, one);
+    std::printf("squint %.0f: entropy %.4f sharp, %.4f blurred, %.4f corrected\n", degrees, image_entropy(sharp),
+                image_entropy(blurred), image_entropy(result.image));
+    EXPECT_GT(image_entropy(blurred), 1.05 * image_entropy(sharp));
+    EXPECT_NEAR(image_entropy(result.image), image_entropy(sharp), 0.01 * image_entropy(sharp)) << degrees;
+    const double behind_m = (10e3 + 12.0 * 40.0) * std::tan(squint_rad);
+    std::vector<double> left;
+    for (std::size_t i = 0; i < result.along_m.size(); ++i)
+      if (result.along_m[i] > -50.0 - behind_m && result.along_m[i] < 1250.0 - behind_m)
+        left.push_back(result.phase_rad[i] - error(result.along_m[i]));
+    ASSERT_GT(left.size(), 10u);
+    // Of 4.2 rad; a piece of 120 m sees the mean of the error over its length, and lines of sight differ within it.
+    EXPECT_LT(without_line_rad(left), 0.5) << degrees;
+  }
 }
 
 TEST(AutofocusOfAStrip, LeavesASharpStripAlone) {

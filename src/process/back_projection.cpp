@@ -9,6 +9,7 @@
 #include "process/back_projection_kernel.hpp"
 #include "process/echo_records.hpp"
 #include "process/reference_track.hpp"
+#include "process/turns.hpp"
 
 namespace sarsim {
 
@@ -33,6 +34,8 @@ void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options)
   using Aperture = BackProjectionOptions::Aperture;
   expect(options.aperture != Aperture::beam || options.beam_rad > 0.0, "back-projection: the beam is not above 0");
   expect(options.aperture != Aperture::time || options.time_s > 0.0, "back-projection: the time is not above 0");
+  const double heading = norm(options.heading);
+  expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
   expect(std::abs(options.squint_rad) < 0.5 * pi, "back-projection: the squint is a right angle or more");
 }
 
@@ -54,6 +57,7 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   ProjectionAperture aperture;
   if (options.aperture == Aperture::all) return aperture;
   aperture.kind = options.aperture == Aperture::beam ? Kind::angle : Kind::time;
+  aperture.heading = options.heading;
   aperture.squint_rad = options.squint_rad;
   aperture.extent = options.aperture == Aperture::beam ? options.beam_rad : options.time_s;
   aperture.uniform = !options.azimuth_window;
@@ -224,8 +228,7 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
         const Vec3 point_m = grid.origin_m + static_cast<double>(row) * grid.row_step_m +
                              static_cast<double>(column) * grid.column_step_m;
         const double turns = turns_per_m * distance_from(line, point_m);
-        const std::complex<double> turn = std::polar(1.0, -2.0 * pi * (turns - std::round(turns)));
-        image.values[row * grid.columns + column] *= std::complex<float>(turn);
+        image.values[row * grid.columns + column] *= std::complex<float>(turned_exactly(-turns));
       }
   });
   return image;

@@ -33,7 +33,8 @@ struct BackProjectionOptions {
     time,  ///< Those within half of `time_s` of the moment when they see it at the squint angle.
   };
   Aperture aperture = Aperture::all;
-  double squint_rad = 0.0;        ///< Of the line of sight, ahead of the plane perpendicular to the pulse's velocity.
+  Vec3 heading;                   ///< World, length 1: directions are counted from it; 0: from each pulse's velocity.
+  double squint_rad = 0.0;        ///< Of the line of sight, ahead of the plane perpendicular to the heading.
   double beam_rad = 0.0;          ///< Full width, above 0.
   double time_s = 0.0;            ///< Full length, above 0, for a straight flight at the speed of the pulse.
   WindowFunction azimuth_window;  ///< Over the aperture, argument 0 to 1; empty: all 1. `all` has no use for it.

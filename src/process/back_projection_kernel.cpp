@@ -29,6 +29,13 @@ struct StretchRows {
   alignas(64) std::array<double, rows> place_begin, place_middle, place_end;
 };
 
+/// Where the aperture counts angles from.
+inline Vec3 heading_of(const ProjectionPulse& pulse, const ProjectionAperture& aperture) {
+  if (dot(aperture.heading, aperture.heading) > 0.0) return aperture.heading;
+  const double speed_mps = norm(pulse.velocity_mps);
+  return speed_mps > 0.0 ? (1.0 / speed_mps) * pulse.velocity_mps : Vec3{};
+}
+
 }  // namespace sarsim
 #endif
 
@@ -161,7 +168,7 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
   const DoubleVec c = hn::Set(d, constants.light_speed_mps);
   const DoubleVec f = hn::Set(d, constants.carrier_hz);
   const double speed_mps = norm(pulse.velocity_mps);
-  const Vec3 heading = speed_mps > 0.0 ? (1.0 / speed_mps) * pulse.velocity_mps : Vec3{};
+  const Vec3 heading = heading_of(pulse, aperture);
   const Vec3 first = tile.corner_m + middle * b - pulse.position_m;
   const Vec3 a = tile.row_step_m;
   for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
@@ -360,7 +367,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
   const double v = constants.moving && d > 0.0 ? -dot(r, pulse.velocity_mps) / d : 0.0;
   double w = 1.0;
   if (aperture.kind != ProjectionAperture::Kind::all) {
-    const double ahead = speed_mps > 0.0 ? dot(r, pulse.velocity_mps) / speed_mps : 0.0;
+    const double ahead = dot(r, heading_of(pulse, aperture));
     const double aside = std::sqrt(std::max(d * d - ahead * ahead, 0.0));
     const double place = aperture.kind == ProjectionAperture::Kind::angle
                              ? (std::atan2(ahead, aside) - aperture.squint_rad) / aperture.extent

@@ -29,9 +29,10 @@ struct ProjectionPulse {
 
 /// Which pulses a point takes, by a number `place` that runs from -1/2 to 1/2 along the aperture.
 struct ProjectionAperture {
-  /// All pulses; those from whose direction of flight the point lies at some angles; those sent at some times.
+  /// All pulses; those from whose heading the point lies at some angles; those sent at some times.
   enum class Kind { all, angle, time } kind = Kind::all;
-  double squint_rad = 0.0;  ///< Of the middle: ahead of the plane perpendicular to the velocity.
+  Vec3 heading;             ///< Length 1; 0: that of each pulse's velocity.
+  double squint_rad = 0.0;  ///< Of the middle: ahead of the plane perpendicular to the heading.
   double extent = 0.0;      ///< angle: rad, time: s.
   bool uniform = true;      ///< No weight but 0 and 1.
   static constexpr std::size_t pieces = 512;

@@ -227,6 +227,27 @@ TEST(BackProjection, WeighsThePulsesOfABeamByTheirAngleOnEveryInstructionSet) {
   }
 }
 
+TEST(BackProjection, CountsAnglesFromTheHeadingItIsGivenNotFromThatOfASwayingPulse) {
+  SarEchoes echoes = three_points(40, 0.1);
+  for (std::size_t p = 0; p < echoes.track.size(); ++p)
+    echoes.track[p].velocity_mps.y = 20.0 * std::sin(static_cast<double>(p));  // 0.1 rad
+  BackProjectionOptions options;
+  options.aperture = Aperture::beam;
+  options.heading = {1.0, 0.0, 0.0};
+  options.squint_rad = 0.1;
+  options.beam_rad = 0.0008;
+  const auto weight = [&](const Vec3& x, const TrackPoint& t) {
+    const Vec3 r = x - t.position_m;
+    return std::abs(std::asin(r.x / norm(r)) - options.squint_rad) > 0.5 * options.beam_rad ? 0.0 : 1.0;
+  };
+  const Values expected = test::reference_back_projection(echoes, oblique_grid, false, weight);
+  test::on_every_instruction_set([&](std::int64_t target) {
+    EXPECT_LT(largest_difference(widened(back_project(echoes, oblique_grid, options, one)), expected), 5e-3) << target;
+  });
+  options.heading = {};
+  EXPECT_GT(largest_difference(widened(back_project(echoes, oblique_grid, options, one)), expected), 0.1);
+}
+
 TEST(BackProjection, TakesThePulsesOfATimeAboutTheSquintedView) {
   const SarEchoes echoes = three_points(60, 0.1);
   BackProjectionOptions options;
@@ -407,6 +428,9 @@ TEST(BackProjection, RefusesWhatContradictsItself) {
   options.squint_rad = 0.5 * pi;
   refuses([](SarEchoes&) {}, options);
   options.squint_rad = 0.0;
+  options.heading = {2.0, 0.0, 0.0};
+  refuses([](SarEchoes&) {}, options);
+  options.heading = {};
   options.range_window = hamming_window;
   refuses([](SarEchoes& e) { e.waveform.bandwidth_hz = 0.0; }, options);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "math/sinc.hpp"
 #include "math/window.hpp"
 
 namespace sarsim {
@@ -66,8 +67,7 @@ std::complex<double> interpolated(std::span<const std::complex<float>> line, dou
   std::complex<double> sum;
   for (std::size_t n = first; n <= last; ++n) {
     const double d = place - static_cast<double>(n);
-    const double sinc = d == 0.0 ? 1.0 : std::sin(pi * d) / (pi * d);
-    sum += sinc * kaiser_window(d / half, beta) * std::complex<double>(line[n]);
+    sum += sinc(d) * kaiser_window(d / half, beta) * std::complex<double>(line[n]);
   }
   return sum;
 }

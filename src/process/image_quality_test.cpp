@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "math/sinc.hpp"
 
 namespace sarsim {
 namespace {
-
-double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 
 // A point whose spectrum fills the band that the samples have: null to null it is two samples wide.
 FocusedImage point_at(double row, double column) {

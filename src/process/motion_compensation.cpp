@@ -6,10 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "base/constants.hpp"
 #include "math/fft.hpp"
+#include "math/sinc.hpp"
 #include "math/window.hpp"
 #include "process/ground_sight.hpp"
+#include "process/turns.hpp"
 
 namespace sarsim {
 
@@ -21,8 +22,6 @@ constexpr std::size_t guard_samples =
 void expect(bool right, const char* what) {
   if (!right) throw std::invalid_argument(what);
 }
-
-std::complex<double> turn_by(double turns) { return std::polar(1.0, 2.0 * pi * (turns - std::round(turns))); }
 
 // 2 d/(c - v), v the speed at which the point recedes.
 double delay_of(const Vec3& point_m, const Vec3& antenna_m, const Vec3& velocity_mps, double light_speed_mps) {
@@ -64,7 +63,7 @@ void advance(std::span<std::complex<double>> row, const Fft& fft, double late_sa
   fft.forward(row);
   for (std::size_t k = 0; k < row.size(); ++k) {
     const double cycles = static_cast<double>(k) - (2 * k > row.size() ? size : 0.0);
-    const std::complex<double> turn = turn_by(cycles / size * late_samples);
+    const std::complex<double> turn = turned_exactly(cycles / size * late_samples);
     // The highest frequency of an even length stands for both of its signs.
     row[k] *= (2 * k == row.size() ? std::complex<double>(turn.real()) : turn) / size;
   }
@@ -101,7 +100,7 @@ void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift,
     const double c = turns_at(begin + span);
     for (std::size_t i = first; i < std::min(first + knot_spacing, echoes.samples); ++i) {
       const double x = (static_cast<double>(i) - begin) / span;
-      row[i] *= turn_by(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
+      row[i] *= turned_exactly(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
     }
   }
 }
@@ -129,8 +128,7 @@ std::array<double, taps> sinc_weights(double pulse, long first) {
   std::array<double, taps> weights{};
   for (long k = 0; k < taps; ++k) {
     const double x = pulse - static_cast<double>(first + k);
-    const double sinc = x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x);
-    weights[static_cast<std::size_t>(k)] = sinc * kaiser_window(x / (0.5 * taps), 4.7);
+    weights[static_cast<std::size_t>(k)] = sinc(x) * kaiser_window(x / (0.5 * taps), 4.7);
   }
   return weights;
 }
@@ -155,7 +153,7 @@ class Compensator {
       std::ranges::copy(samples, row.begin());
       advance(row, fft_, common_s * wave.sample_rate_hz);
     }
-    const std::complex<double> turn = turn_by(wave.carrier_hz * common_s);
+    const std::complex<double> turn = turned_exactly(wave.carrier_hz * common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
     if (how_.second_order) turn_by_range(row, shift, echoes_, common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::complex<float>(row[i]);
@@ -243,8 +241,9 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
       const long from = first + k;
       if (from < 0 || from >= static_cast<long>(places_m.size())) continue;
       // The spectrum is interpolated about its middle: turned back there, and forth at the new place.
-      const std::complex<double> weight = weights[static_cast<std::size_t>(k)] *
-                                          turn_by(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
+      const std::complex<double> weight =
+          weights[static_cast<std::size_t>(k)] *
+          turned_exactly(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
       read(static_cast<std::size_t>(from), source);
       for (std::size_t i = 0; i < row.size(); ++i) sum[i] += weight * std::complex<double>(source[i]);
     }

@@ -95,7 +95,6 @@ void expect_restored(const CutFigures& got, const CutFigures& want) {
 TEST(CompensateMotion, RestoresTheResponseOfThePointItIsMadeFor) {
   const Pass pass = make_pass({{{}}}, {1.0, 0.7, 0.0});
   const CutFigures want = figures(pass.ideal);
-  EXPECT_LT(figures(pass.strayed).height, 0.995 * want.height + 1.0);
   SarEchoes untold = pass.strayed;
   untold.track = pass.ideal.track;
   EXPECT_LT(figures(untold).height, 0.5 * want.height);

@@ -35,14 +35,32 @@ struct Support {
   std::size_t count = 0;
 };
 
-Support support_of(const std::vector<double>& power, double share) {
+std::size_t wrapped(long k, long size) { return static_cast<std::size_t>((k % size + size) % size); }
+
+// The power that only a few frequencies of the smoothed spectrum exceed, be the aperture all of it or a small part.
+double strong_level(const std::vector<double>& power, long reach) {
   const auto size = static_cast<long>(power.size());
-  std::vector<double> sorted = power;
-  std::ranges::sort(sorted);
-  const double level = share * sorted[static_cast<std::size_t>(3 * size / 4)];
+  std::vector<double> smooth;
+  for (long k = 0; k < size; ++k) {
+    double sum = 0.0;
+    for (long j = k - reach; j <= k + reach; ++j) sum += power[wrapped(j, size)];
+    smooth.push_back(sum / static_cast<double>(2 * reach + 1));
+  }
+  std::ranges::sort(smooth);
+  return smooth[static_cast<std::size_t>(97 * (size - 1) / 100)];
+}
+
+Support support_of(const std::vector<double>& power, const SpectrumBand& band, double share) {
+  const auto size = static_cast<long>(power.size());
   // Gaps of a few weak frequencies do not split the aperture.
   const long reach = size / 64;
-  const auto is_strong = [&](long k) { return power[static_cast<std::size_t>((k % size + size) % size)] > level; };
+  const double level = share * strong_level(power, reach);
+  const auto is_in_band = [&](long k) {
+    const double from_centre = static_cast<double>(k) - band.centre;
+    const auto full = static_cast<double>(size);
+    return band.width <= 0.0 || std::abs(from_centre - full * std::round(from_centre / full)) <= 0.5 * band.width;
+  };
+  const auto is_strong = [&](long k) { return is_in_band(k) && power[wrapped(k, size)] > level; };
   const auto is_full = [&](long k) {
     bool before = is_strong(k);
     bool after = before;
@@ -62,13 +80,31 @@ Support support_of(const std::vector<double>& power, double share) {
     }
   }
   if (longest >= size) return {};
-  if (longest == 0) return {-(size / 2), power.size()};
+  const long centre = std::lround(band.centre);
+  if (longest == 0) return {centre - size / 2, power.size()};
   long first = longest_end % size;
   const long count = size - longest;
-  // The middle between minus and plus half the sampling rate.
-  while (2 * first + count > size) first -= size;
-  while (2 * first + count <= -size) first += size;
+  // The middle within half the sampling rate of the band's.
+  while (2 * (first - centre) + count > size) first -= size;
+  while (2 * (first - centre) + count <= -size) first += size;
   return {first, static_cast<std::size_t>(count)};
+}
+
+// Takes out what lies beyond the aperture.
+void keep(AzimuthColumns& columns, const Support& support, const Fft& fft, const WorkControl& control) {
+  const auto size = static_cast<long>(columns.size());
+  if (support.count == columns.size()) return;
+  parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto column = columns.column(i);
+      fft.forward(column);
+      for (long k = 0; k < size; ++k) {
+        const bool kept = wrapped(k - support.first, size) < support.count;
+        column[static_cast<std::size_t>(k)] *= kept ? 1.0 / static_cast<double>(size) : 0.0;
+      }
+      fft.inverse(column);
+    }
+  });
 }
 
 std::size_t brightest(std::span<const std::complex<double>> column) {
@@ -95,7 +131,7 @@ std::vector<double> integral(const std::vector<std::complex<double>>& products, 
   std::vector<double> phase(support.count);
   for (std::size_t i = 1; i < support.count; ++i) {
     const long k = support.first + static_cast<long>(i);
-    phase[i] = phase[i - 1] + std::arg(products[static_cast<std::size_t>((k % size + size) % size)]);
+    phase[i] = phase[i - 1] + std::arg(products[wrapped(k, size)]);
   }
   remove_line(phase);
   return phase;
@@ -141,7 +177,8 @@ void turn_spectra(AzimuthColumns& columns, const WorkControl& control,
   });
 }
 
-GradientResult phase_gradient(AzimuthColumns& columns, const AutofocusOptions& options, const WorkControl& control) {
+GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band, const AutofocusOptions& options,
+                              const WorkControl& control) {
   GradientResult result;
   const std::size_t size = columns.size();
   if (columns.count() == 0) return result;
@@ -152,8 +189,9 @@ GradientResult phase_gradient(AzimuthColumns& columns, const AutofocusOptions& o
     for (std::size_t k = 0; k < size; ++k) sum[k] += std::norm(scratch[k]);
   });
   for (const double p : power) result.energy += p / static_cast<double>(size);
-  const Support support = support_of(power, options.support_share);
+  const Support support = support_of(power, band, options.support_share);
   if (support.count < 3) return result;
+  keep(columns, support, fft, control);
   result.first_frequency = support.first;
   result.phase_rad.resize(support.count);
 
@@ -179,9 +217,8 @@ GradientResult phase_gradient(AzimuthColumns& columns, const AutofocusOptions& o
         });
     const std::vector<double> phase = integral(products, support);
     turn_spectra(columns, control, [&](std::size_t, long frequency) {
-      const auto size_l = static_cast<long>(size);
-      const long at = ((frequency - support.first) % size_l + size_l) % size_l;
-      return at < static_cast<long>(support.count) ? -phase[static_cast<std::size_t>(at)] : 0.0;
+      const std::size_t at = wrapped(frequency - support.first, static_cast<long>(size));
+      return at < support.count ? -phase[at] : 0.0;
     });
     for (std::size_t i = 0; i < phase.size(); ++i) result.phase_rad[i] += phase[i];
     result.round_rad.push_back(root_mean_square(phase));

@@ -30,16 +30,24 @@ class AzimuthColumns {
   std::vector<std::complex<double>> values_;
 };
 
+/// Frequencies that an aperture may have, in steps of 1/size.
+struct SpectrumBand {
+  double centre = 0.0;
+  double width = 0.0;  ///< 0: all.
+};
+
 /// What the phase gradient says about the spectra of columns.
 struct GradientResult {
-  long first_frequency = 0;       ///< In steps of 1/size; may lie beyond half the sampling rate.
+  long first_frequency = 0;       ///< In steps of 1/size; the middle lies within half the sampling rate of the band's.
   std::vector<double> phase_rad;  ///< From there on, within the aperture.
   std::vector<double> round_rad;
   double energy = 0.0;  ///< Of the columns.
 };
 
-/// Phase gradient autofocus of columns, in place; process/autofocus.hpp says how.
-GradientResult phase_gradient(AzimuthColumns& columns, const AutofocusOptions& options, const WorkControl& control);
+/// Phase gradient autofocus of columns; process/autofocus.hpp says how.
+/// @param[in,out] columns  corrected, and without what lies beyond the aperture
+GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band, const AutofocusOptions& options,
+                              const WorkControl& control);
 
 /// Turns every frequency of every column by `phase_rad(column, frequency)`; frequencies from -size/2 on.
 void turn_spectra(AzimuthColumns& columns, const WorkControl& control,

@@ -10,17 +10,19 @@
 
 #include "base/constants.hpp"
 #include "math/fft.hpp"
+#include "math/sinc.hpp"
 #include "process/back_projection.hpp"
 #include "process/sar_echoes.hpp"
+#include "process/turns.hpp"
 
 namespace sarsim::test {
+
+using sarsim::sinc;
 
 struct PointTarget {
   Vec3 position_m;
   std::complex<double> strength{1.0, 0.0};
 };
-
-inline double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(pi * x) / (pi * x); }
 
 /// Compressed pulse of unit strength, `lag_s` after its delay, with the Doppler shift `doppler_hz`: the correlation of
 /// exp(j pi K u^2 + 2 pi j fd u) with exp(j pi K u^2) over a pulse of width Tp (Cook and Bernfeld 1967, 4.2),
@@ -51,7 +53,7 @@ inline void write_echoes(SarEchoes& echoes, const std::vector<PointTarget>& targ
       const double delay_s = 2.0 * d / (wave.light_speed_mps - v);
       const double doppler_hz = -2.0 * v * wave.carrier_hz / wave.light_speed_mps;
       const double turns = wave.carrier_hz * delay_s;
-      const std::complex<double> echo = target.strength * std::polar(1.0, -2.0 * pi * (turns - std::round(turns)));
+      const std::complex<double> echo = target.strength * turned_exactly(-turns);
       for (std::size_t n = 0; n < echoes.samples; ++n) {
         const double t = echoes.first_delay_s + static_cast<double>(n) / wave.sample_rate_hz;
         row[n] += echo * compressed_pulse(wave, t - delay_s, doppler_hz);
@@ -121,7 +123,7 @@ inline std::vector<std::complex<double>> reference_back_projection(
       for (long k = -half; k < static_cast<long>(size) - half; ++k, turn *= step)
         value += row[static_cast<std::size_t>(k < 0 ? k + static_cast<long>(size) : k)] * turn;
       const double turns = wave.carrier_hz * delay_s + 0.5 * fd * early_s;
-      sums[i] += w / static_cast<double>(size) * value * std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+      sums[i] += w / static_cast<double>(size) * value * turned_exactly(turns);
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = weights[i] != 0.0 ? sums[i] / weights[i] : 0.0;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +28,24 @@ struct Middle {
   [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(std::llround(moment / amplitude)); }
 };
 
+// The Doppler frequencies that hold the echoes' amplitudes but for `share` of them at either end.
+std::pair<double, double> extent_of(std::span<const SarLook> seen, double share) {
+  std::vector<std::pair<double, double>> parts;  // frequency, amplitude
+  double all = 0.0;
+  for (const SarLook& look : seen) {
+    parts.emplace_back(look.doppler_hz, look.amplitude);
+    all += look.amplitude;
+  }
+  std::ranges::sort(parts);
+  const auto end_of = [&](const auto& from_the_end) {
+    double sum = 0.0;
+    for (const auto& [doppler_hz, amplitude] : from_the_end)
+      if ((sum += amplitude) > share * all) return doppler_hz;
+    return 0.0;
+  };
+  return {end_of(parts), end_of(parts | std::views::reverse)};
+}
+
 SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const SarLook> seen) {
   SarTarget target;
   target.target = number;
@@ -39,6 +60,8 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
   target.place = looks.place(seen[middle.index()], seen[middle.index()].doppler_hz);
   target.lowest_doppler_hz = INFINITY;
   target.highest_doppler_hz = -INFINITY;
+  constexpr double unseen = 0.0005;
+  std::tie(target.least_doppler_hz, target.most_doppler_hz) = extent_of(seen, unseen);
   constexpr double rounding = 1e-6;
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;

@@ -33,6 +33,9 @@ struct SarTarget {
   double amplitude = 0.0;          ///< Mean of its whole echoes over all pulses, volts.
   double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
   double highest_doppler_hz = 0.0;
+  double least_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
+                                  ///< the amplitude: sidelobes of the antenna count.
+  double most_doppler_hz = 0.0;
   bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
   bool whole = true;     ///< And not so near to the end of a raw recording that the rest of its echo is missing.
 };

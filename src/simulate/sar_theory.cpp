@@ -12,32 +12,59 @@ namespace sarsim {
 
 namespace {
 
+// Whose pulses an image is made of.
+enum class Domain {
+  frequency,  // as they were sent
+  resampled,  // interpolated to even places along the line
+  time,       // as they were sent, each with its true Doppler frequency
+};
+
 // The part that each look has in the image of its target.
 class LookWeights {
  public:
-  LookWeights(const SarLooks& looks, const FocusOptions& options, std::size_t pulses, bool time_domain)
+  LookWeights(const SarLooks& looks, const FocusOptions& options, std::size_t pulses, Domain domain)
       : looks_(looks),
         options_(options),
         pulses_(static_cast<double>(pulses)),
         weight_(weight_of(options.azimuth_window)),
-        time_domain_(time_domain) {}
+        domain_(domain) {}
 
-  [[nodiscard]] double of(std::size_t i, const SarLook& look) const {
-    const double from_centroid_hz = look.doppler_hz - options_.doppler_centroid_hz;
-    if (options_.doppler_bandwidth_hz > 0.0) return weight_(from_centroid_hz / options_.doppler_bandwidth_hz);
-    return weight_((static_cast<double>(looks_.pulse(i)) + 0.5) / pulses_ - 0.5);
+  [[nodiscard]] Domain domain() const { return domain_; }
+  [[nodiscard]] double of(std::size_t i, std::span<const SarLook> seen) const {
+    const double from_centroid_hz = seen[i].doppler_hz - options_.doppler_centroid_hz;
+    if (options_.doppler_bandwidth_hz > 0.0)
+      return weight_(from_centroid_hz / options_.doppler_bandwidth_hz) * density(i, seen);
+    return weight_((pulse(i, seen) + 0.5) / pulses_ - 0.5) * density(i, seen);
   }
   /// Whether its Doppler frequency is taken for what it is.
   [[nodiscard]] bool sampled(const SarLook& look) const {
-    return time_domain_ || std::abs(look.doppler_hz - options_.doppler_centroid_hz) <= 0.5 / looks_.track().interval_s;
+    return domain_ == Domain::time ||
+           std::abs(look.doppler_hz - options_.doppler_centroid_hz) <= 0.5 / looks_.track().interval_s;
   }
 
  private:
+  // That stands at the look's place in the image's record.
+  [[nodiscard]] double pulse(std::size_t i, std::span<const SarLook> seen) const {
+    const auto sent = static_cast<double>(looks_.pulse(i));
+    const double length_s = seen.back().time_s - seen.front().time_s;
+    if (domain_ != Domain::resampled || !(length_s > 0.0)) return sent;
+    return (seen[i].time_s - seen.front().time_s) / length_s * static_cast<double>(looks_.pulse(seen.size() - 1));
+  }
+  // Of evenly spaced pulses where those that were sent stand this far apart, in parts of the mean.
+  [[nodiscard]] double density(std::size_t i, std::span<const SarLook> seen) const {
+    const double length_s = seen.back().time_s - seen.front().time_s;
+    if (domain_ != Domain::resampled || !(length_s > 0.0)) return 1.0;
+    const std::size_t before = i > 0 ? i - 1 : 0;
+    const std::size_t after = std::min(i + 1, seen.size() - 1);
+    return (seen[after].time_s - seen[before].time_s) / static_cast<double>(after - before) *
+           static_cast<double>(seen.size() - 1) / length_s;
+  }
+
   const SarLooks& looks_;
   const FocusOptions& options_;
   double pulses_;
   std::function<double(double)> weight_;
-  bool time_domain_;
+  Domain domain_;
 };
 
 struct Tone {
@@ -69,20 +96,34 @@ std::optional<ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) 
   return figures;
 }
 
-// Sum of the weights that focusing divides by: over the pulses, or over those that sweep the whole band.
+// Sine of the angle by which the beam's middle looks ahead.
+double centroid_sine(const SarLooks& looks, const FocusOptions& options, const SarWaveform& waveform) {
+  return 0.5 * waveform.light_speed_mps / waveform.carrier_hz * options.doppler_centroid_hz / looks.track().speed_mps;
+}
+
+// Sum of the weights that focusing divides by: over the pulses that it uses; in the frequency domain, over those that
+// sweep the whole of a band, flown or not.
 double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const FocusOptions& options,
                       const SarWaveform& waveform, std::span<const SarLook> seen, double range_m) {
-  if (options.doppler_bandwidth_hz <= 0.0) {
+  if (options.doppler_bandwidth_hz <= 0.0 || weights.domain() == Domain::time) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen[i]);
+    for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen);
     return sum;
   }
   const double wavelength_m = waveform.light_speed_mps / waveform.carrier_hz;
   const double speed = looks.track().speed_mps;
-  const double sine = 0.5 * wavelength_m * options.doppler_centroid_hz / speed;
+  const double sine = centroid_sine(looks, options, waveform);
   const double rate_hzps = 2.0 * speed * speed * std::pow(1.0 - sine * sine, 1.5) / (wavelength_m * range_m);
   const double interval_s = looks.track().interval_s * static_cast<double>(looks.pulse(1));
   return mean_weight(options.azimuth_window) * options.doppler_bandwidth_hz / (rate_hzps * interval_s);
+}
+
+// The azimuth cut of a squinted response runs across the line of sight, on which it is narrower than along the track.
+void cut_across_sight(std::optional<ResponseFigures>& figures, double sine) {
+  if (!figures || !(std::abs(sine) > 0.01)) return;  // process/image_quality.cpp cuts along the axes up to there
+  const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
+  figures->width *= cosine;
+  figures->null *= cosine;
 }
 
 bool is_plain_chirp(const Pulse& pulse) {
@@ -128,7 +169,7 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
   double whole = 0.0;
   double moment = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const double part = weights.of(i, seen[i]) * seen[i].amplitude;
+    const double part = weights.of(i, seen) * seen[i].amplitude;
     if (!(part > 0.0) || !weights.sampled(seen[i])) continue;
     whole += part;
     if (!(seen[i].share > 0.0)) continue;
@@ -143,6 +184,7 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
   const double turns = 2.0 * theory.place.range_m * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
   theory.phase_rad = std::remainder(-2.0 * pi * turns, 2.0 * pi);
   theory.azimuth = figures_of_tones(tones);
+  cut_across_sight(theory.azimuth, centroid_sine(looks, options, echoes.waveform));
   // A pulse of which a part is missing has another spectrum.
   constexpr double unseen = 1e-3;
   if (sum > (1.0 - unseen) * whole) theory.range = range;
@@ -154,7 +196,8 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
 std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes, const FocusOptions& options,
                                             bool time_domain, const WorkControl& control) {
   const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
-  const LookWeights weights(looks, options, echoes.track.size(), time_domain);
+  const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
+  const LookWeights weights(looks, options, echoes.track.size(), domain);
   const std::optional<ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
   std::vector<TargetTheory> theories(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {

@@ -13,13 +13,16 @@ namespace sarsim {
 struct TargetTheory {
   std::size_t target = 0;  ///< Position in the scene's list, from 0.
   ImagePlace place{};      ///< By its distance and Doppler frequency: a moving target R u/v beside where it is.
-  /// Weighted mean of its echoes (docs/theory/focusing.md) as they are recorded, volts: with the receiver's gain over
+  /// Weighted mean of its echoes (docs/theory/focusing.md) over the pulses that are focused, where motion was
+  /// compensated over the line; in a Doppler band over the time that sweeps it, of back projection over as much of that
+  /// as was flown. As they are recorded, volts: with the receiver's gain over
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
   double phase_rad = 0.0;  ///< -4 pi f0 R0/c, in (-pi, pi].
   /// Widths and nulls in metres. Range: of the chirp's autocorrelation under the window, and under the radar's where
   /// the recording is compressed; nothing for other pulses, and where echoes are not recorded whole. Azimuth: sum over
-  /// pulses of amplitude and weight times exp(2 pi j f x/V); nothing where no first minimum is in it.
+  /// pulses of amplitude and weight times exp(2 pi j f x/V), under squint across the line of sight; nothing where no
+  /// first minimum is in it.
   std::optional<ResponseFigures> range;
   std::optional<ResponseFigures> azimuth;
 };
