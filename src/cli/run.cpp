@@ -233,8 +233,8 @@ class Runner {
     }
     const auto& span = arguments_.part.span;
     if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
-      throw BadInput(fmt::format("--pulses {}: no recording has so many pulses", words_of(arguments_.part)),
-                     fmt::format("they are numbered from 1 to {}", *most_rows));
+      throw BadInput({problem_of(Severity::error, "no recording has as many pulses as --pulses asks for",
+                                 words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
     if (!arguments_.quiet) print_problems(streams_, missing);
     if (!arguments_.quiet) streams_.err << lines;
     take_problems(std::move(missing));

@@ -79,6 +79,13 @@ TEST_F(ScriptOnDisk, SaysInWhichFoldersAMissingDataFileWasLookedFor) {
   EXPECT_EQ(problem.place.column, 54U);
 }
 
+TEST_F(ScriptOnDisk, TellsWhichFileADataFileIs) {
+  EXPECT_TRUE(data_file_on_disk(folder_, "gain.dat").empty());
+  write(folder_ / "gain.dat", "1 0 -3");
+  EXPECT_EQ(data_file_on_disk(folder_, "gain.dat"), folder_ / "gain.dat");
+  EXPECT_EQ(data_file_on_disk(folder_, "sub\\..\\gain.dat"), folder_ / "gain.dat");
+}
+
 TEST_F(ScriptOnDisk, ReportsAFolderInPlaceOfADataFile) {
   write(folder_ / "a.scr", target_with_file);
   fs::create_directories(folder_ / "gain.dat");

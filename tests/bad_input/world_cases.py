@@ -50,7 +50,7 @@ def command_cases():
             "pulses_beyond",
             "pulses behind the last one",
             ("run", SCRIPT, "--pulses", "21:"),
-            "no recording has so many pulses",
+            "no recording has as many pulses",
             "1 to 20",
         ),
         case("plot_no_span", "no decibels to show", ("plot", SCRIPT, "--csv", "x.csv", "--span", "0"), "above 0"),

@@ -64,8 +64,8 @@ TEST_F(Words, WarningsOfAChosenProductNameItsOwnPlace) {
 
 TEST_F(Words, PulsesThatNoRecordingHasAreRefused) {
   write_scene({});
-  expect_refusal({"run", "scene.scr", "--pulses", "21:"}, "--pulses 21:: no recording has so many pulses");
-  expect_refusal({"run", "scene.scr", "--pulses", "21:"}, "they are numbered from 1 to 20");
+  expect_refusal({"run", "scene.scr", "--pulses", "21:"},
+                 "no recording has as many pulses as --pulses asks for; found '21:', expected pulses 1 to 20");
   EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
   const Finished cut = sarsim({"run", "scene.scr", "--pulses", "15:30"});
   EXPECT_EQ(cut.status, 0) << cut.err;
