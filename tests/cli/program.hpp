@@ -24,6 +24,7 @@ struct Start {
   long largest_file_bytes = 0;   ///< Limit of the system for a file; 0: none.
   long most_open_files = 0;      ///< Limit of the system for the process; 0: none.
   bool ignores_hangup = false;   ///< As nohup has it.
+  std::filesystem::path program = SARSIM_PROGRAM;
 };
 
 /// A running `sarsim`, whose streams go to files in its folder.
