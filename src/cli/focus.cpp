@@ -39,20 +39,20 @@ class FocusRun {
 
   ExitStatus run() {
     const double begin_s = now_s();
-    const std::size_t memory = memory_of(arguments_.memory);
+    options_.memory_bytes = memory_of(arguments_.memory);
     read_windows();
+    read_centroid();
     expect_sense();
     expect_free_outputs();
     input_ = open_focus_input(arguments_.input, control_);
-    options_.memory_bytes = memory;
     options_.scratch_folder = arguments_.scratch;
     options_.doppler_bandwidth_hz = arguments_.bandwidth_hz.value_or(0.0);
+    find_centroid();
+    expect_focusable();
     compensate_track();
-    options_.doppler_centroid_hz = centroid_hz();
     find_problems();
     FocusedRows image = focused();
-    if (arguments_.autofocus)
-      image = autofocused(image, input_, arguments_.autofocus_piece_m.value_or(0.0), options_, control_, autofocus_);
+    if (arguments_.autofocus) image = autofocused(image, input_, autofocus_choice(), options_, control_, autofocus_);
     write(image);
     report(image, now_s() - begin_s);
     return exit_done;
@@ -67,6 +67,14 @@ class FocusRun {
       options_.azimuth_window = window_of("--azimuth-window", arguments_.azimuth_window);
     if (algorithm() == FocusAlgorithm::range_doppler) options_.method = FocusMethod::range_doppler;
     if (algorithm() == FocusAlgorithm::chirp_scaling) options_.method = FocusMethod::chirp_scaling;
+  }
+
+  void read_centroid() {
+    const std::string& text = arguments_.centroid;
+    given_centroid_hz_ = parse_number(text);
+    centroid_is_measured_ = equal_ignoring_case(text, "measured");
+    if (!given_centroid_hz_ && !centroid_is_measured_ && !equal_ignoring_case(text, "geometry"))
+      throw BadInput(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
   }
 
   [[nodiscard]] FocusAlgorithm algorithm() const { return arguments_.algorithm.value_or(FocusAlgorithm::omega_k); }
@@ -105,19 +113,79 @@ class FocusRun {
   void expect_free_outputs() const {
     if (arguments_.magnitude && !is_envi(output()))
       throw BadInput("--magnitude makes ENVI images", "name the output .img");
-    cli::expect_free_outputs(outputs(), arguments_.input.path, arguments_.force);
+    const std::vector<fs::path> paths = outputs();
+    cli::expect_free_outputs(paths, arguments_.input.path, arguments_.force);
+    Problems problems;
+    for (const fs::path& path : paths) {
+      if (!arguments_.input.script.empty())
+        std::ranges::move(problems_of_output(path, arguments_.input.script, true), std::back_inserter(problems));
+      const fs::path folder = first_that_exists(path.parent_path());
+      std::error_code ignored;
+      if (!folder.empty() && !fs::is_directory(folder, ignored))
+        throw BadInput(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
+                       "give the output another name");
+    }
+    if (!problems.empty()) throw BadInput(std::move(problems));
+  }
+
+  // A folder, or else the nearest one above it.
+  static fs::path first_that_exists(fs::path folder) {
+    std::error_code ignored;
+    while (!folder.empty() && folder != folder.root_path() && !fs::exists(folder, ignored))
+      folder = folder.parent_path();
+    return folder;
+  }
+
+  // The middle of the Doppler band as it is known before motion is compensated; measured, it is that of the echoes as
+  // they came.
+  void find_centroid() {
+    if (given_centroid_hz_) options_.doppler_centroid_hz = *given_centroid_hz_;
+    if (given_centroid_hz_ || !has_speed()) return;
+    options_.doppler_centroid_hz = geometric_doppler_centroid_hz(*input_.plan);
+    measure_centroid();
+  }
+
+  void measure_centroid() {
+    if (!centroid_is_measured_ || input_.echoes.samples == 0) return;
+    options_.doppler_centroid_hz = measured_doppler_centroid_hz(input_.echoes, options_.doppler_centroid_hz, control_);
+  }
+
+  // What compensation does not mend is said before it.
+  void expect_focusable() {
+    Problems problems = problems_of_echoes();
+    const bool in_time = algorithm() == FocusAlgorithm::back_projection;
+    const bool mended = !in_time && arguments_.motion.value_or(MotionOrder::second) != MotionOrder::none;
+    if (mended && has_speed() && wants_motion() != MotionOrder::none) expect_one_way(input_.echoes);
+    std::erase_if(problems, [&](const Problem& problem) {
+      return problem.severity != Severity::error || (mended && problem.subject.field == track_field);
+    });
+    if (!problems.empty()) {
+      std::ranges::copy(input_.problems, std::back_inserter(problems));
+      throw BadInput(ranked(std::move(problems)));
+    }
+    if (!arguments_.autofocus || !has_speed()) return;
+    expect_autofocus(in_time ? back_projection_axes(input_, options_, control_) : image_of(input_.echoes, options_),
+                     input_, autofocus_choice(), options_, control_);
+  }
+
+  [[nodiscard]] AutofocusChoice autofocus_choice() const {
+    return {arguments_.autofocus_piece_m.value_or(0.0), options_.memory_bytes};
   }
 
   void compensate_track() {
     if (algorithm() == FocusAlgorithm::back_projection || !has_speed()) return;
-    options_.doppler_centroid_hz = geometric_doppler_centroid_hz(*input_.plan);
-    motion_ = arguments_.motion.value_or(wants_compensation(input_.echoes, options_) ? MotionOrder::second
-                                                                                     : MotionOrder::none);
+    motion_ = wants_motion();
     if (motion_ == MotionOrder::none) return;
     strays_m_ = fit_straight(input_.echoes.track).worst_position_m;
     ProgressDisplay display(streams_.err, style(), output().string() + ": motion compensation");
     compensate(input_, motion_, arguments_.ground_m, options_, control_,
                [&display](const Progress& p) { display.update(p); });
+    measure_centroid();
+  }
+
+  [[nodiscard]] MotionOrder wants_motion() const {
+    if (arguments_.motion) return *arguments_.motion;
+    return wants_compensation(input_.echoes, options_) ? MotionOrder::second : MotionOrder::none;
   }
 
   // Without it nothing can be focused, which `find_problems` says.
@@ -128,17 +196,6 @@ class FocusRun {
   [[nodiscard]] Problems problems_of_echoes() const {
     return algorithm() == FocusAlgorithm::back_projection ? problems_of_focusing_in_time(input_.echoes, options_)
                                                           : problems_of_focusing(input_.echoes, options_);
-  }
-
-  [[nodiscard]] double centroid_hz() const {
-    const std::string& text = arguments_.centroid;
-    if (const auto number = parse_number(text)) return *number;
-    const bool measured = equal_ignoring_case(text, "measured");
-    if (!measured && !equal_ignoring_case(text, "geometry"))
-      throw BadInput(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
-    if (has_errors(problems_of_echoes())) return 0.0;
-    const double geometry_hz = geometric_doppler_centroid_hz(*input_.plan);
-    return measured ? measured_doppler_centroid_hz(input_.echoes, geometry_hz, control_) : geometry_hz;
   }
 
   void find_problems() {
@@ -158,7 +215,10 @@ class FocusRun {
       const BackProjectionChoice choice{on_ground(), arguments_.ground_m, arguments_.start_stop};
       return back_projected(input_, choice, options_, control_, progress);
     }
-    return focus_rows(input_.echoes, options_, control_, progress);
+    FocusOptions options = options_;
+    // The compensated echoes have the other half.
+    if (motion_ != MotionOrder::none) options.memory_bytes /= 2;
+    return focus_rows(input_.echoes, options, control_, progress);
   }
 
   [[nodiscard]] ProgressDisplay::Style style() const {
@@ -170,7 +230,8 @@ class FocusRun {
     const ImageOrigin origin{
         arguments_.input.path, arguments_.input.script, input_.simulation,          word_of(algorithm()), options_,
         to_string(motion_),    input_.plan->radar.name, input_.plan->scene->options};
-    if (output().has_parent_path()) fs::create_directories(output().parent_path());
+    for (const fs::path& path : outputs())
+      if (path.has_parent_path()) fs::create_directories(path.parent_path());
     write_image(image, origin, output(), arguments_.force, false, streams_.stop);
     if (arguments_.magnitude)
       write_image(image, origin, magnitude_path(output()), arguments_.force, true, streams_.stop);
@@ -235,6 +296,8 @@ class FocusRun {
   WorkControl control_;
   FocusInput input_;
   FocusOptions options_;
+  std::optional<double> given_centroid_hz_;
+  bool centroid_is_measured_ = false;
   MotionOrder motion_ = MotionOrder::none;
   double strays_m_ = 0.0;  // from the straight line, before compensation
   AutofocusFinding autofocus_;

@@ -20,11 +20,21 @@ struct AutofocusFinding {
   bool applied = false;  ///< Not where the image would have lost sharpness: it is then as it was.
 };
 
-/// Phase gradient autofocus of a strip (process/autofocus.hpp), in memory. BadInput where that is not enough, or the
-/// image too short.
-/// @param piece_m  length of the pieces that are looked at one by one; 0: a tenth of the synthetic aperture that the
-///                 targets have, or of the flight where there are none
-[[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, double piece_m,
+/// How it is to go to work.
+struct AutofocusChoice {
+  double piece_m = 0.0;          ///< Length of the pieces that are looked at one by one; 0: a tenth of the synthetic
+                                 ///< aperture that the targets have, or of the flight where there are none, but sixteen
+                                 ///< rows at least.
+  std::size_t memory_bytes = 0;  ///< 0: no limit.
+};
+
+/// Throws BadInput where an image with these axes is too short for the pieces, or the memory too small for it.
+void expect_autofocus(const FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
+                      const FocusOptions& options, const WorkControl& control);
+
+/// Phase gradient autofocus of a strip (process/autofocus.hpp), in memory, at the Doppler frequencies that the targets
+/// have. BadInput as above.
+[[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
                                       const FocusOptions& options, const WorkControl& control,
                                       AutofocusFinding& finding);
 

@@ -84,6 +84,9 @@ void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectio
     axes.frame.across = across_of(scene_m, axes.frame);
     return;
   }
+  if (norm(cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
+    throw BadInput("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
+                   "leave out --grid ground");
   try {
     axes = on_ground(axes, scene_m);
   } catch (const std::invalid_argument& error) {
@@ -93,12 +96,17 @@ void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectio
 
 }  // namespace
 
-FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice, const FocusOptions& options,
-                           const WorkControl& control, const ProgressReport& progress) {
+FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options, const WorkControl& control) {
   FocusOptions plain = options;
   plain.method = FocusMethod::range_doppler;
   FocusedImage axes = image_of(input.echoes, plain);
   refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps, control);
+  return axes;
+}
+
+FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice, const FocusOptions& options,
+                           const WorkControl& control, const ProgressReport& progress) {
+  FocusedImage axes = back_projection_axes(input, options, control);
   BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
   place_axes(axes, input, choice);

@@ -16,6 +16,10 @@ struct BackProjectionChoice {
   bool start_stop = false;         ///< As if the antenna rested while a pulse travels.
 };
 
+/// The axes and the frame of the image of slant range that `back_projected` makes, without values.
+[[nodiscard]] FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options,
+                                                const WorkControl& control);
+
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
 /// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
 /// bandwidth keeps the pulses that see a point at such frequencies from the line of flight; the azimuth window is over

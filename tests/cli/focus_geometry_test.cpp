@@ -190,5 +190,126 @@ TEST_F(FocusGeometry, OfAFlightThatSpeedsUpHasTheAmplitudeOfEvenPulsesAlongTheLi
   EXPECT_THAT(numbers_of(found, "amplitude_error_db"), testing::AllOf(SizeIs(2), Each(small(0.1))));
 }
 
+TEST_F(FocusGeometry, CompensatesMotionAboutTheDopplerCentroidThatItIsToldOrMeasures) {
+  Flight flight;
+  const double ahead_m = 8000.0 * std::tan(1.0 * std::numbers::pi / 180.0);
+  flight.points = {{ahead_m - 60.0, 0.0}, {ahead_m + 60.0, 0.0}};
+  flight.beam_deg = 0.6;
+  flight.half_s = 1.5;
+  flight.squint_deg = 1.0;
+  flight.processing = "MATCHED_FILTER";
+  flight.along_m = [](double t) { return 3.0 * std::sin(2.0 * std::numbers::pi * t / 1.5); };
+  flight.aside_m = [](double t) { return 0.8 * std::sin(2.0 * std::numbers::pi * t / 1.9); };
+  write(flight, "true.scr");
+  ASSERT_EQ(sarsim({"run", "true.scr", "--quiet"}).status, 0);
+  const double known_db = numbers_of(measured({"true.scr"}), "amplitude_error_db").at(0);
+  // Who believes that the beam looks straight aside takes out the motion of another place.
+  flight.squint_deg = 0.0;
+  write(flight, "told.scr");
+  // 2 V/lambda sin a, the angle to the points' mean.
+  const double centroid_hz = 300.0 * 9.6e9 / 299792458.0 * ahead_m / std::hypot(8000.0, 3000.0, ahead_m);
+  const auto peaks = [&](const std::string& centroid) {
+    return numbers_of(measured({"echo.npy", "--script", "told.scr", "--doppler-centroid", centroid}), "amplitude_v");
+  };
+  const std::vector<double> sharp = numbers_of(measured({"echo.npy", "--script", "true.scr"}), "amplitude_v");
+  EXPECT_LT(std::abs(known_db), 0.3);
+  ASSERT_EQ(sharp.size(), 4u);
+  for (const std::string& centroid : {joined(centroid_hz), std::string("measured")}) {
+    const std::vector<double> found = peaks(centroid);
+    ASSERT_EQ(found.size(), 4u) << centroid;
+    for (const std::size_t i : {1u, 3u}) EXPECT_NEAR(found[i] / sharp[i], 1.0, 0.03) << centroid;
+  }
+}
+
+Flight strayed() {
+  Flight flight;
+  flight.half_s = 0.5;
+  flight.aside_m = [](double t) { return 0.8 * std::sin(6.0 * t); };
+  return flight;
+}
+
+TEST_F(FocusGeometry, SaysAtOnceWhatCannotBe) {
+  write(strayed());
+  expect_refused({"--height", "-1e5"}, "the ground is farther away than all ranges of the recording",
+                 "give the ground another --height");
+  const auto expect_early = [&](std::vector<std::string> words, const std::string& what) {
+    words.insert(words.begin(), {"focus", "scene.scr", "--out", "image.img"});
+    const Finished run = sarsim(words);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(what));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("image.img"))) << "work began";
+  };
+  expect_early({"--doppler-centroid", "nonsense"}, "--doppler-centroid: 'nonsense' is none");
+  expect_early({"--doppler-bandwidth", "9999"}, "the Doppler bandwidth does not fit between two pulses");
+  expect_early({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot work on pieces of 1e+06 m");
+  expect_early({"--autofocus", "--memory", "1M"}, "but --memory allows 1.05 MB");
+}
+
+TEST_F(FocusGeometry, MakesTheFolderOfThePhasesOrSaysThatItCannot) {
+  write(strayed());
+  const Finished run = sarsim({"focus", "scene.scr", "--quiet", "--autofocus", "--autofocus-phase", "new/deep/p.csv"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "new/deep/p.csv"));
+  expect_refused({"--autofocus", "--autofocus-phase", "scene.scr/p.csv"}, "'scene.scr' is no folder",
+                 "give the output another name");
+}
+
+TEST_F(FocusGeometry, NeverReplacesTheScriptThatARecordingIsReadWith) {
+  Flight flight = strayed();
+  flight.processing = "MATCHED_FILTER";
+  write(flight);
+  const std::string script = text_of(folder_ / "scene.scr");
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"--out", "scene.scr"}, {"--out", "image.img", "--autofocus", "--autofocus-phase", "./scene.scr"}}) {
+    std::vector<std::string> all{"focus", "echo.npy", "--script", "scene.scr", "--force", "--quiet"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Finished run = sarsim(all);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr("the output would replace the file that it is made from"));
+    EXPECT_EQ(text_of(folder_ / "scene.scr"), script);
+  }
+}
+
+TEST_F(FocusGeometry, SaysThatTheAntennaTurnsBack) {
+  Flight flight;
+  flight.along_m = [](double t) { return -100.0 * t - 100.0 * t * t; };
+  write(flight);
+  expect_refused({}, "the antenna turns back along its line", "use --algorithm back-projection");
+}
+
+TEST_F(FocusGeometry, OfAFewPulsesOrRowsIsLeftWithoutAutofocus) {
+  Flight flight;
+  flight.half_s = 0.01;
+  write(flight);
+  expect_refused({"--autofocus"}, "autofocus needs an image of 16 rows or more; this one has",
+                 "do without --autofocus");
+}
+
+TEST_F(FocusGeometry, OfAShortApertureHasPiecesOfSixteenRows) {
+  // A tenth of 30 m is less than sixteen rows of 0.3 m.
+  Flight flight;
+  flight.half_s = 0.1;
+  flight.beam_deg = 10.0;
+  write(flight);
+  const Finished run = sarsim(
+      {"focus", "scene.scr", "--out", "image.img", "--autofocus", "--json", "--quiet", "--doppler-bandwidth", "400"});
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
+TEST_F(FocusGeometry, OfAVerticalFlightHasNoGroundGrid) {
+  Flight flight;
+  flight.half_s = 0.2;
+  flight.climb_mps = 50.0;
+  flight.along_m = [](double t) { return -150.0 * t; };
+  write(flight);
+  const std::vector<std::string> words{"focus",  "scene.scr", "--quiet",  "--algorithm", "back-projection",
+                                       "--grid", "ground",    "--height", "10"};
+  const Finished run = sarsim(words);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("the antenna flies straight up or down"));
+  EXPECT_THAT(run.err, testing::Not(HasSubstr("--height")));
+}
+
 }  // namespace
 }  // namespace sarsim::test
