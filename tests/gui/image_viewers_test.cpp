@@ -76,7 +76,7 @@ class ImageViewersTest : public QObject {
     ImageViewer& viewer = *main.image_viewers().viewers()[0];
     QVERIFY(wait_until_open(viewer));
     QCOMPARE(viewer.plot().view().rows(), 20.0);
-    QCOMPARE(viewer.plot().view().column_last, 30.0);
+    QCOMPARE(viewer.plot().view().columns(), 30.0);
     OpenImageDialog dialog;
     dialog.show_file(QString::fromStdString(path.string()), {});
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));

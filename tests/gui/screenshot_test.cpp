@@ -55,14 +55,14 @@ class ScreenshotTest : public QObject {
  private slots:
   void init() {
     script_ = folder_.filePath("scene.scr");
-    write(script_, QByteArray::fromStdString(write_script(small_scene())));
+    write(script_, QByteArray::fromStdString(write_script(test::small_scene())));
   }
 
   void a_picture_is_a_png_file() {
     const QString picture = folder_.filePath("scene.png");
-    const Ended ended = run({script_, "--screenshot", picture, "--size", "800", "600"});
+    const Ended ended = run({script_, "--screenshot", picture, "--size", "1400", "800"});
     QVERIFY2(ended.status == 0, qPrintable(ended.told));
-    QCOMPARE(QImage(picture, "PNG").size(), QSize(800, 600));
+    QCOMPARE(QImage(picture, "PNG").size(), QSize(1400, 800));
   }
 
   void the_script_that_is_shown_is_never_replaced() {
