@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 #include "cli/figures.hpp"
 #include "cli/report.hpp"
+#include "data/formats.hpp"
 #include "data/sinks.hpp"
 #include "simulate/derived.hpp"
 #include "simulate/survey.hpp"
@@ -29,7 +30,8 @@ std::string between(double low, double high, std::string_view unit) {
 
 std::string decibels(double ratio) { return fmt::format("{:.1f} dB", 10.0 * std::log10(ratio)); }
 
-std::vector<Figure> figures_of(const RadarFigures& r) {
+// @param shaped  whether the pulse is user-defined, whose resolution is a width and not c/2B
+std::vector<Figure> figures_of(const RadarFigures& r, bool shaped) {
   std::vector<Figure> f;
   f.push_back(figure("carrier", "lowest_carrier_hz", r.lowest_carrier_hz,
                      between(r.lowest_carrier_hz, r.highest_carrier_hz, "Hz")));
@@ -38,7 +40,8 @@ std::vector<Figure> figures_of(const RadarFigures& r) {
                      between(r.shortest_wavelength_m, r.longest_wavelength_m, "m")));
   f.push_back({"", "", "longest_wavelength_m", r.longest_wavelength_m, {}});
   f.push_back(si_figure("bandwidth", "bandwidth_hz", r.bandwidth_hz, "Hz"));
-  f.push_back(si_figure("range resolution c/2B", "range_resolution_m", r.range_resolution_m, "m"));
+  f.push_back(si_figure(shaped ? "range resolution" : "range resolution c/2B", "range_resolution_m",
+                        r.range_resolution_m, "m"));
   if (r.synthetic_range_resolution_m > 0.0)
     f.push_back(
         si_figure("over all frequency steps", "synthetic_range_resolution_m", r.synthetic_range_resolution_m, "m"));
@@ -59,7 +62,8 @@ std::vector<Figure> figures_of(const Plan& plan, const SimulationFigures& s, con
   const unsigned threads = thread_count(0);
   const Cost cost = estimated_cost(plan, threads);
   const double bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, counts, false});
-  const double seconds = cost.seconds_one_thread / threads;
+  const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation.format, counts);
+  const double seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
   const auto microseconds = [](double v) { return with_prefix(v, "s"); };
   const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
   std::vector<Figure> f;
@@ -134,7 +138,8 @@ class SceneInfo {
     for (std::size_t i = 0; i < scene_.radars.size(); ++i) {
       const Radar& radar = scene_.radars[i];
       const auto figures =
-          figures_of(radar_figures(resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions));
+          figures_of(radar_figures(resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions),
+                     radar.pulse == Radar::Pulse::user);
       json_.begin_object().member("name", radar.name).member("platform", radar.platform);
       cli::write_json(json_, figures);
       json_.end_object();
@@ -145,7 +150,8 @@ class SceneInfo {
 
   void add_simulations(const std::shared_ptr<const ResolvedScene>& resolved) {
     json_.key("simulations").begin_array();
-    for (std::size_t i = 0; i < scene_.simulations.size(); ++i) add_simulation(i, make_plan(scene_, i, resolved));
+    for (std::size_t i = 0; i < scene_.simulations.size(); ++i)
+      add_simulation(i, make_plan(scene_, i, resolved, Engine::automatic));
     json_.end_array();
   }
 

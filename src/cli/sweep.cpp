@@ -146,7 +146,9 @@ class Sweeper {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < variations_.size(); ++i)
       if (!all_done(i)) open.push_back(variations_[i]);
-    checks_ = check_sweep({input_.scene, input_.places, *sweep_, products_, open, arguments_.counts}, all_threads());
+    checks_ = check_sweep({input_.scene, input_.places, *sweep_, products_, open, arguments_.counts,
+                           arguments_.engine.value_or(Engine::automatic)},
+                          all_threads());
     open_ = std::move(open);
     const bool bad = has_errors(checks_.problems) ||
                      (arguments_.strict && std::ranges::any_of(checks_.problems, [](const Problem& p) {

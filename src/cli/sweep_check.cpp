@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "data/formats.hpp"
 #include "scene/check.hpp"
 #include "script/reader.hpp"
 #include "simulate/plan.hpp"
@@ -112,14 +113,15 @@ class Looker {
     for (const ProductJob& job : work_.products) {
       ProductSize size;
       if (!job.table) {
-        const Plan plan = make_plan(scene, simulation++, resolved, Engine::reference, stop_);
+        const Plan plan = make_plan(scene, simulation++, resolved, work_.engine, stop_);
         size.rows = plan.rows;
         size.columns = plan.columns;
         size.bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, work_.counts, false});
         const FileFormat format = plan.simulation.format;
         const bool exact = format == FileFormat::binary || format == FileFormat::npy || format == FileFormat::hdf5;
         size.least_bytes = exact ? size.bytes : 0.4 * size.bytes;
-        size.seconds = estimated_cost(plan, 1).seconds_one_thread;
+        const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(format, work_.counts);
+        size.seconds = estimated_cost(plan, 1).seconds_one_thread * (twice ? 2.0 : 1.0);
       }
       sizes.push_back(size);
     }

@@ -8,6 +8,7 @@
 #include "cli/sweep_axes.hpp"
 #include "data/sinks.hpp"
 #include "script/field_places.hpp"
+#include "simulate/engine.hpp"
 
 namespace sarsim::cli {
 
@@ -28,6 +29,7 @@ struct SweepToCheck {
   const std::vector<ProductJob>& products;
   const std::vector<std::size_t>& variations;  ///< Those that are to be looked at, ascending.
   bool counts = false;                         ///< As in SinkOptions.
+  Engine engine = Engine::automatic;           ///< That will run, for the time that is announced.
 };
 
 /// What there is to know before the first variation is run.
