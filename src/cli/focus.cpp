@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <ostream>
 
@@ -19,6 +20,7 @@
 #include "cli/output_names.hpp"
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
+#include "cli/scene_input.hpp"
 #include "cli/window_option.hpp"
 #include "process/sar_track.hpp"
 #include "simulate/sar_ghosts.hpp"
@@ -114,18 +116,22 @@ class FocusRun {
     if (arguments_.magnitude && !is_envi(output()))
       throw BadInput("--magnitude makes ENVI images", "name the output .img");
     const std::vector<fs::path> paths = outputs();
-    cli::expect_free_outputs(paths, arguments_.input.path, arguments_.force);
-    Problems problems;
+    OutputCare care{named_sources(arguments_.input), arguments_.force, "--out"};
+    if (arguments_.force)  // Otherwise nothing that exists is replaced.
+      std::ranges::move(sources_of_script(script_path()), std::back_inserter(care.sources));
+    cli::expect_free_outputs(paths, care);
     for (const fs::path& path : paths) {
-      if (!arguments_.input.script.empty())
-        std::ranges::move(problems_of_output(path, arguments_.input.script, true), std::back_inserter(problems));
       const fs::path folder = first_that_exists(path.parent_path());
       std::error_code ignored;
       if (!folder.empty() && !fs::is_directory(folder, ignored))
         throw BadInput(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
                        "give the output another name");
     }
-    if (!problems.empty()) throw BadInput(std::move(problems));
+  }
+
+  [[nodiscard]] std::string script_path() const {
+    if (!arguments_.input.script.empty()) return arguments_.input.script;
+    return fs::path(arguments_.input.path).extension() == ".scr" ? arguments_.input.path : std::string();
   }
 
   // A folder, or else the nearest one above it.

@@ -11,6 +11,7 @@ class FigureText : public QCPTextElement {
   Q_OBJECT
 
  public:
+  /// Belongs to the plot once it has a place in its layout.
   FigureText(QCustomPlot* plot, const QString& text, const QFont& font);
 
  protected:

@@ -16,6 +16,8 @@ struct SpectralEstimate {
 /// factor of two (docs/developer/performance.md). Keeps references.
 class PulseCost {
  public:
+  /// @param grid       of the raw samples
+  /// @param tolerance  promised relative error, which decides between single and double precision
   PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const EchoPulse& pulse, const SampleGrid& grid,
             double tolerance);
 
@@ -24,8 +26,11 @@ class PulseCost {
   /// Samples of a pulse, or of the row where that is shorter.
   [[nodiscard]] double samples() const { return samples_; }
 
+  /// Of the plain sum.
   [[nodiscard]] double reference_ns() const;
+  /// Of the direct engine.
   [[nodiscard]] double direct_ns() const;
+  /// Of the spectral engine, with what decides its cost.
   /// @param pulses  of the simulation; three of them are looked at for the span of Doppler
   [[nodiscard]] SpectralEstimate spectral(const PulseRange& pulses) const;
 
