@@ -65,7 +65,7 @@ TEST(PeakPlace, IsThatOfABandLimitedResponse) {
       std::vector<std::complex<float>> line;
       for (int n = 0; n < 41; ++n) {
         const double x = pi * band * (n - place);
-        line.push_back(std::complex<float>(std::polar(x == 0.0 ? 1.0 : std::sin(x) / x, 0.4)));
+        line.push_back(std::complex<float>((x == 0.0 ? 1.0 : std::sin(x) / x) * std::polar(1.0, 0.4)));
       }
       EXPECT_NEAR(peak_place(line, static_cast<std::size_t>(std::lround(place))), place, 0.01) << band;
     }

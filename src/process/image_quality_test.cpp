@@ -19,7 +19,7 @@ FocusedImage point_at(double row, double column) {
   image.light_speed_mps = exact_light_speed_mps;
   for (int r = 0; r < 96; ++r)
     for (int c = 0; c < 96; ++c)
-      image.values.push_back(std::polar(static_cast<float>(3.0 * sinc(r - row) * sinc(c - column)), 0.7F));
+      image.values.push_back(static_cast<float>(3.0 * sinc(r - row) * sinc(c - column)) * std::polar(1.0F, 0.7F));
   return image;
 }
 

@@ -26,7 +26,7 @@ void RangeProfiler::profile(std::span<const std::complex<double>> sums, std::spa
     const auto bins = out.subspan(g * steps(), steps());
     for (std::size_t n = 0; n < steps(); ++n) {
       const double cycles = gate_turns_[g] * static_cast<double>(n);
-      bins[n] = sums[n * gates() + g] * std::polar(weights_[n], 2.0 * pi * (cycles - std::round(cycles)));
+      bins[n] = sums[n * gates() + g] * (weights_[n] * std::polar(1.0, 2.0 * pi * (cycles - std::round(cycles))));
     }
     fft_.inverse(bins);
   }

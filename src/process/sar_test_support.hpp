@@ -33,8 +33,8 @@ inline std::complex<double> compressed_pulse(const SarWaveform& wave, double lag
   const double overlap_s = wave.pulse_width_s - std::abs(lag_s);
   if (overlap_s <= 0.0) return 0.0;
   const double rate = wave.bandwidth_hz / wave.pulse_width_s;
-  return std::polar(overlap_s / wave.pulse_width_s * sinc((rate * lag_s + doppler_hz) * overlap_s),
-                    pi * doppler_hz * lag_s);
+  return overlap_s / wave.pulse_width_s * sinc((rate * lag_s + doppler_hz) * overlap_s) *
+         std::polar(1.0, pi * doppler_hz * lag_s);
 }
 
 /// Writes the echoes of points as the echo model has them (docs/theory/echo-model.md), ideally compressed.

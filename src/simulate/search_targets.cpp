@@ -45,7 +45,7 @@ double noise_gain(const std::vector<double>& weights, std::size_t canceller, dou
   const std::vector<double> differences = canceller_weights(canceller);
   std::vector<std::complex<double>> filter(weights.size() + canceller);
   for (std::size_t p = 0; p < weights.size(); ++p) {
-    const std::complex<double> turned = std::polar(weights[p], -2.0 * pi * cycles * static_cast<double>(p));
+    const std::complex<double> turned = weights[p] * std::polar(1.0, -2.0 * pi * cycles * static_cast<double>(p));
     for (std::size_t k = 0; k < differences.size(); ++k) filter[p + k] += turned * differences[k];
   }
   double gain = 0.0;

@@ -87,7 +87,7 @@ class SimulationWindowTest : public QObject {
   void the_highest_magnitude_is_that_of_the_thesis() {
     Bench bench;
     QVERIFY(bench.computed);
-    QVERIFY2(bench.highest().contains("4.095"), qPrintable(bench.highest()));
+    QVERIFY2(bench.highest().contains("40.95"), qPrintable(bench.highest()));
     QVERIFY(bench.highest().contains("e-05 mV"));
   }
 
@@ -99,7 +99,7 @@ class SimulationWindowTest : public QObject {
     target.rcs_m2 *= 4.0;  // twice the amplitude
     session.perform(replace_object(session.scene(), {ObjectKind::target, 0}, target, "Change"));
     QVERIFY(QTest::qWaitFor([&] { return bench.highest() != before && bench.window->complete(); }, patience_ms));
-    QVERIFY2(bench.highest().contains("8.19"), qPrintable(bench.highest()));
+    QVERIFY2(bench.highest().contains("81.9"), qPrintable(bench.highest()));
   }
 
   void limits_that_a_mouse_has_drawn_have_few_digits() {
@@ -250,7 +250,7 @@ class SimulationWindowTest : public QObject {
     const double pixel =
         (view.range_end_m - view.range_start_m) / static_cast<double>(bench.window->plot().plot_size().width_px);
     QVERIFY(std::abs(figure.panels[0].x.first - view.range_start_m) < pixel);
-    QVERIFY(figure.note.find("4.095") != std::string::npos);
+    QVERIFY(figure.note.find("40.95") != std::string::npos);
   }
 
   void a_scene_that_loses_its_radar_is_told_in_words() {
