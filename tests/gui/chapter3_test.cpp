@@ -73,12 +73,12 @@ class Hands {
     QCoreApplication::processEvents();
   }
 
-  // Figure 3.5: the number below the picture of the raw return, in mV; negative until it is known.
+  // Figure 3.5: the number below the picture of the raw return, in mV (the window says nV); negative until it is known.
   [[nodiscard]] double highest_magnitude_mv() const {
     const auto* label = window_.findChild<QLabel*>("echo_highest");
-    static const QRegularExpression number(R"(([\d.]+E[-+]?\d+) mV)", QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression number(R"(([\d.]+) nV)");
     const QRegularExpressionMatch found = label == nullptr ? QRegularExpressionMatch() : number.match(label->text());
-    return found.hasMatch() ? found.captured(1).toDouble() : -1.0;
+    return found.hasMatch() ? 1e-6 * found.captured(1).toDouble() : -1.0;
   }
 
   [[nodiscard]] QString shown(const char* field) const {

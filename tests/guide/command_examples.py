@@ -96,7 +96,7 @@ class Stage:
         if section in kinds:
             self.recordings(self.example(kinds[section]))
         else:
-            self.recordings(SCENE.replace("0, 0.003", "0, 0.3") if section == "plot" else SCENE)
+            self.recordings(SCENE.replace("0, 0.003", "0, 0.3") if section in ("plot", "") else SCENE)
         if section in ("run", "info", "geometry"):
             self.write("sar_r.scr", SCENE)
         if section == "check":
