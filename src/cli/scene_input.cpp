@@ -166,7 +166,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
 
 std::vector<std::filesystem::path> data_files_of(const Scene& scene, const std::filesystem::path& script_folder) {
   std::set<std::string> names;
-  const auto take = [&names](const auto& object) {
+  const auto take = [&names](const KeptObject& object) {
     for (const FunctionUse& use : functions_of(object))
       if (!use.file->empty()) names.insert(*use.file);
   };
