@@ -13,9 +13,8 @@ namespace sarsim {
 /// of the swath.
 /// @param slant    axes and frame, of slant range
 /// @param scene_m  world; a point that says on which side of the line, and how high, the ground is
-/// @throw  std::invalid_argument where the line is vertical, the scene lies on it, or the ground is farther below all
-/// of
-///         it than all ranges of the image
+/// @throw  std::invalid_argument where the line is vertical, the scene lies on it, or all of it is farther above the
+///         ground than all ranges of the image
 [[nodiscard]] FocusedImage on_ground(const FocusedImage& slant, const Vec3& scene_m);
 
 /// Where what an image of slant range shows at `place` appears on a ground grid: the point of the grid's plane with

@@ -32,8 +32,8 @@ class AzimuthColumns {
 
 /// Frequencies that an aperture may have, in steps of 1/size.
 struct SpectrumBand {
-  double centre = 0.0;
-  double width = 0.0;  ///< 0: all.
+  double centre = 0.0;  ///< Any fold of the spectrum.
+  double width = 0.0;   ///< Full; 0: all.
 };
 
 /// What the phase gradient says about the spectra of columns.
