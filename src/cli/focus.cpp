@@ -249,11 +249,11 @@ class FocusRun {
     const auto last = [](const ImageAxis& axis) { return axis.at(static_cast<double>(axis.count) - 1.0); };
     if (!arguments_.quiet)
       streams_.err << fmt::format(
-          "{}: {} x {} samples by {}, azimuth {:.1f} to {:.1f} m, {} {:.1f} to {:.1f} m, Doppler centroid {:.1f} Hz, "
+          "{}: {} x {} samples by {}, azimuth {:.1f} to {:.1f} m, {} {:.1f} to {:.1f} m, Doppler centroid {} Hz, "
           "{}{}\n",
           output().string(), image.azimuth.count, image.range.count, word_of(algorithm()), image.azimuth.first_m,
           last(image.azimuth), on_ground() ? "ground range" : "slant range", image.range.first_m, last(image.range),
-          options_.doppler_centroid_hz, duration_text(seconds), rows.on_disk ? " (worked on disk)" : "");
+          decimals(options_.doppler_centroid_hz, 1), duration_text(seconds), rows.on_disk ? " (worked on disk)" : "");
     if (!arguments_.quiet && motion_ != MotionOrder::none)
       streams_.err << fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
                                   to_string(motion_), strays_m_);

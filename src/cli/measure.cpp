@@ -201,9 +201,23 @@ bool is_asked_for(const MeasureArguments& arguments, const TargetTheory& theory)
   return !arguments.target || static_cast<std::int64_t>(theory.target) + 1 == *arguments.target;
 }
 
+fs::path picture_of(const MeasureArguments& arguments, const TargetTheory& theory) {
+  return fs::path(arguments.cuts) / fmt::format("target-{}.png", theory.target + 1);
+}
+
+// Before anything is measured.
+void expect_free_pictures(const MeasureArguments& arguments, const std::vector<TargetTheory>& theories) {
+  if (arguments.cuts.empty() || arguments.force) return;
+  for (const TargetTheory& theory : theories)
+    if (is_asked_for(arguments, theory) && fs::exists(picture_of(arguments, theory)))
+      throw BadInput(fmt::format("'{}' exists", picture_of(arguments, theory).string()),
+                     "name another folder, or --force");
+}
+
 std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
+  expect_free_pictures(arguments, theories);
   const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };
@@ -224,24 +238,17 @@ std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInp
   return targets;
 }
 
-fs::path picture_of(const MeasureArguments& arguments, const Measured& target) {
-  return fs::path(arguments.cuts) / fmt::format("target-{}.png", target.theory.target + 1);
-}
-
 // One picture for each target that was found.
 void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& targets, const StopFlag* stop) {
   if (arguments.cuts.empty()) return;
-  for (const Measured& target : targets)
-    if (target.found && !arguments.force && fs::exists(picture_of(arguments, target)))
-      throw BadInput(fmt::format("'{}' exists", picture_of(arguments, target).string()),
-                     "name another folder, or --force");
   fs::create_directories(arguments.cuts);
   for (const Measured& target : targets) {
     if (stop != nullptr && stop->requested()) throw Interrupted();
     if (!target.found) continue;
     Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
     figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
-    draw_picture(figure, picture_of(arguments, target), {.width_px = 800, .height_px = 800, .dark = arguments.dark});
+    draw_picture(figure, picture_of(arguments, target.theory),
+                 {.width_px = 800, .height_px = 800, .dark = arguments.dark});
   }
 }
 
@@ -253,9 +260,9 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
   const FocusInput input = open_focus_input(input_of(arguments, opened, streams), control);
   const std::vector<Measured> targets = measured_targets(opened, input, arguments, control);
   if (!arguments.json) {
-    std::string text =
-        fmt::format("{}: {} targets by {}; theory in parentheses\n  {:<8}{:>18}  {:>18}  {:>18}\n", arguments.image,
-                    targets.size(), opened.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)", "ISLR (dB)");
+    std::string text = fmt::format("{}: {} by {}; theory in parentheses\n  {:<8}{:>18}  {:>18}  {:>18}\n",
+                                   arguments.image, counted(targets.size(), "target"), opened.origin.algorithm, "",
+                                   "-3 dB width (m)", "PSLR (dB)", "ISLR (dB)");
     for (const Measured& target : targets) text += text_of(target);
     write_out(streams, text);
   } else {

@@ -21,6 +21,7 @@ class Measure : public CommandTest {
 TEST_F(Measure, TakesOneTargetAlone) {
   const Finished measure = sarsim({"measure", "sar_r.img", "--target", "5"});
   ASSERT_EQ(measure.status, 0) << measure.err;
+  EXPECT_THAT(measure.out, HasSubstr("sar_r.img: 1 target by omega-k"));
   EXPECT_THAT(measure.out, HasSubstr("target 5 "));
   EXPECT_THAT(measure.out, Not(HasSubstr("target 4 ")));
   const Finished none = sarsim({"measure", "sar_r.img", "--target", "25"});
@@ -40,6 +41,7 @@ TEST_F(Measure, DrawsTheCutsThroughATarget) {
   const Finished again = sarsim(words);
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists"));
+  EXPECT_EQ(again.out, "");  // Said before anything is measured.
 }
 
 }  // namespace
