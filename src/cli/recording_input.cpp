@@ -8,6 +8,8 @@
 #include "base/number_text.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
+#include "data/envi.hpp"
+#include "data/formats.hpp"
 #include "data/sample_file.hpp"
 #include "scene/check.hpp"
 #include "script/reader.hpp"
@@ -98,6 +100,15 @@ SampleFile opened(const std::string& path, const SampleFileHints& hints, Problem
   return std::move(*result.file);
 }
 
+// What was made from a recording may have its name and its shape.
+void expect_no_image(const std::string& path) {
+  const auto format = format_from_path(path);
+  if ((format && *format != FileFormat::npy) || !has_envi_header(path)) return;
+  throw BadInput(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
+                             envi_header_of(path).filename().string()),
+                 "name the script or the recording that it was made from");
+}
+
 SampleFileHints hints_of(const Plan& plan) {
   SampleFileHints hints;
   hints.columns = plan.columns;
@@ -169,6 +180,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
                                const std::function<Problems(const Plan&)>& problems_of) {
   StoredRecording recording;
   recording.sources = {arguments.path};
+  expect_no_image(arguments.path);
   std::optional<SampleFile> file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);

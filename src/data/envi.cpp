@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -90,11 +89,14 @@ class NumberTaker {
     const auto text = take(fields_, name);
     if (!text && missing) return static_cast<std::size_t>(*missing);
     const auto value = text ? parse_integer(*text) : std::nullopt;
-    if (value && *value >= 0) return static_cast<std::size_t>(*value);
+    // What has to be there counts something.
+    const std::int64_t least = missing ? 0 : 1;
+    if (value && *value >= least) return static_cast<std::size_t>(*value);
+    const char* expected = missing ? "a whole number" : "a whole number above 0";
     problems_.push_back(file_problem(
         file_,
-        text ? fmt::format("'{}' is not a whole number", name) : fmt::format("the header does not give '{}'", name),
-        text.value_or(""), "a whole number"));
+        text ? fmt::format("'{}' is not {}", name, expected) : fmt::format("the header does not give '{}'", name),
+        text.value_or(""), expected));
     return 0;
   }
 
@@ -111,12 +113,24 @@ class NumberTaker {
   Problems& problems_;
 };
 
-std::string whole_file(const std::filesystem::path& path) {
+// As much as a header may have: of any other file no more is read.
+std::string header_text(const std::filesystem::path& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
+  std::string text(most_bytes, '\0');
   if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
-  return text.str();
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+// Others would be waited for, or cannot be read at any place.
+std::optional<Problem> problem_of_kind(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return std::nullopt;
+  return file_problem(path.string(), "this is no ordinary file", "", "an image and its header, both of them files");
 }
 
 std::filesystem::path header_path(std::filesystem::path data) { return data.replace_extension(".hdr"); }
@@ -234,7 +248,7 @@ bool has_envi_header(const std::filesystem::path& data) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(header_file, ignored)) return false;
   if (!array_header(data)) return true;
-  const EnviReading reading = read_envi_header(whole_file(header_file), header_file.string());
+  const EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
   return reading.header && !misfit_of_array(data, *reading.header);
 }
 
@@ -255,7 +269,9 @@ std::pair<std::optional<EnviImage>, Problems> EnviImage::open(const std::filesys
     return {std::nullopt,
             {file_problem(data.string(), "the image has no header beside it", "", header_file.string(),
                           "sarsim focus writes images with their headers as ENVI and NPY")}};
-  EnviReading reading = read_envi_header(whole_file(header_file), header_file.string());
+  for (const std::filesystem::path& file : {header_file, data})
+    if (auto problem = problem_of_kind(file)) return {std::nullopt, {std::move(*problem)}};
+  EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
   if (!reading.header) return {std::nullopt, std::move(reading.problems)};
   const EnviHeader& header = *reading.header;
   if (auto misfit = misfit_of_array(data, header)) return {std::nullopt, {std::move(*misfit)}};

@@ -45,8 +45,8 @@ struct EnviReading {
   Problems problems;
 };
 
-/// Reads the text of a header. Other pixels than those of EnviHeader, several bands and the other order of bytes are
-/// errors.
+/// Reads the text of a header. Other pixels than those of EnviHeader, none of them, several bands and the other order
+/// of bytes are errors.
 /// @param file  name of the header, for the problems
 [[nodiscard]] EnviReading read_envi_header(std::string_view text, const std::string& file);
 
@@ -80,7 +80,8 @@ class EnviWriter {
 /// A flat image, opened for reading. May be called from many threads at once.
 class EnviImage {
  public:
-  /// Opens the data file of a header, checking its size. Throws std::system_error where the disk fails.
+  /// Opens the data file of a header, checking its size; at most 1 MiB of a header is read. Throws std::system_error
+  /// where the disk fails.
   [[nodiscard]] static std::pair<std::optional<EnviImage>, Problems> open(const std::filesystem::path& data);
 
   [[nodiscard]] const EnviHeader& header() const { return header_; }

@@ -1,6 +1,7 @@
 #include "data/envi.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <filesystem>
@@ -146,6 +147,30 @@ TEST_F(Envi, RefusesImagesThatAreTooShortOrHaveNoHeader) {
   EXPECT_NE(EnviImage::open(file("image.img")).second.at(0).message.find("shorter"), std::string::npos);
   write("image.img.hdr", "ENVI\nsamples = 4294967296\nlines = 4294967296\ndata type = 6\n");
   EXPECT_FALSE(EnviImage::open(file("image.img")).first);
+}
+
+TEST_F(Envi, RefusesImagesWithoutPixels) {
+  const auto reading = read_envi_header("ENVI\nsamples = 0\nlines = 0\ndata type = 6\n", "x.hdr");
+  EXPECT_FALSE(reading.header);
+  ASSERT_EQ(reading.problems.size(), 2U);
+  EXPECT_EQ(reading.problems[0].message, "'samples' is not a whole number above 0");
+}
+
+TEST_F(Envi, WaitsForNoPipeInTheirPlace) {
+  write("image.hdr", to_text(small_header()));
+  ASSERT_EQ(::mkfifo(file("image.img").c_str(), 0600), 0);
+  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is no ordinary file");
+  fs::remove(file("image.hdr"));
+  fs::remove(file("image.img"));
+  write("image.img", std::string(48, '\0'));
+  ASSERT_EQ(::mkfifo(file("image.hdr").c_str(), 0600), 0);
+  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is no ordinary file");
+}
+
+TEST_F(Envi, ReadsNoMoreOfAHeaderThanAHeaderHas) {
+  write("image.img", std::string(48, '\0'));
+  write("image.hdr", to_text(small_header()) + std::string(std::size_t{1} << 20U, '\n') + "bands = 7\n");
+  EXPECT_TRUE(EnviImage::open(file("image.img")).first);
 }
 
 TEST_F(Envi, KeepsItsHeadersReadableWhateverTheirValuesHold) {

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "data/array_reader.hpp"
+#include "data/envi.hpp"
+#include "data/envi_reader.hpp"
 #include "data/formats.hpp"
 #include "data/input_file.hpp"
 #include "data/load_hdf5.hpp"
@@ -19,6 +21,11 @@ namespace {
 
 constexpr std::string_view npy_signature = "\x93NUMPY";
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
+
+// A header beside a file counts where neither the caller nor the file's extension says something else.
+bool is_envi(const std::filesystem::path& path, const SampleFileHints& hints) {
+  return !hints.format && hints.columns == 0 && !format_from_path(path) && has_envi_header(path);
+}
 
 std::optional<FileFormat> detect_format(const InputFile& file, const SampleFileHints& hints) {
   if (hints.format) return hints.format;
@@ -58,12 +65,13 @@ OpenedSampleFile SampleFile::open(const std::filesystem::path& path, const Sampl
   auto& file = std::get<InputFile>(opened);
   if (file.size() == 0)
     return {std::nullopt, {file_problem(path.string(), "the file is empty", {}, "samples", "make it anew")}};
-  const auto format = detect_format(file, hints);
-  if (!format)
+  const bool envi = is_envi(path, hints);
+  const auto format = envi ? std::nullopt : detect_format(file, hints);
+  if (!envi && !format)
     return {std::nullopt,
             {file_problem(path.string(), "the format of the file is not known", {}, {},
                           "give the format; BINARY also needs the samples of a row and the A/D bits")}};
-  OpenedReader result = open_as(*format, std::move(file), hints);
+  OpenedReader result = envi ? open_envi(path) : open_as(*format, std::move(file), hints);
   OpenedSampleFile answer{std::nullopt, std::move(result.problems)};
   if (result.reader) answer.file = SampleFile(std::move(result.reader));
   return answer;

@@ -14,13 +14,13 @@ namespace sarsim {
 
 struct OpenedSampleFile;
 
-/// A file of samples in any of the formats of docs/formats/samples.md, opened for reading. Works on files of any size
-/// with bounded memory. Its functions may be called from many threads at once.
+/// A file of samples in any of the formats of docs/formats/samples.md, or an image with an ENVI header, opened for
+/// reading. Works on files of any size with bounded memory. Its functions may be called from many threads at once.
 class SampleFile {
  public:
-  /// Opens a file. The format is the hint's, otherwise the content's, otherwise the extension's. No file and at least
-  /// one error where it cannot be read as samples; warnings and notes may come with either. Throws std::system_error
-  /// where the disk fails.
+  /// Opens a file. The format is the hint's, otherwise that of an ENVI header beside a file of another extension than
+  /// the formats', otherwise the content's, otherwise the extension's. No file and at least one error where it cannot
+  /// be read as samples; warnings and notes may come with either. Throws std::system_error where the disk fails.
   [[nodiscard]] static OpenedSampleFile open(const std::filesystem::path& path, const SampleFileHints& hints = {});
 
   [[nodiscard]] const SampleFileInfo& info() const { return reader_->info(); }

@@ -9,13 +9,16 @@
 #include <stdexcept>
 
 #include "data/data_test_support.hpp"
+#include "data/envi.hpp"
 #include "data/npy_header.hpp"
 
 namespace sarsim {
 namespace {
 
 using namespace data_test;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
 using Samples = std::vector<std::complex<double>>;
 
 SampleFileHints hints_of(std::size_t columns, int bits) {
@@ -160,6 +163,44 @@ TEST(SampleFile, HintsOfTheShapeAreChecked) {
   hints.rows = 3;
   EXPECT_EQ(error_of("1 2\n\n3 4\n\n", hints).expected, "3");
   EXPECT_THAT(error_of("1,2,3,4\n", hints_of(3, 8)).expected, HasSubstr("3 samples"));
+}
+
+TEST(SampleFile, ReadsImagesWithAnEnviHeaderAsVolts) {
+  const TestFolder folder;
+  EnviHeader header;
+  header.samples = header.lines = 2;
+  header.description = "four";
+  header.fields = {{"algorithm", "omega-k"}, {"script", "r.scr"}};
+  EnviWriter writer(folder / "r.img", header, false);
+  const std::array<std::complex<float>, 4> pixels{{{1, 2}, {-3, 4}, {5, 0}, {7, 8}}};
+  writer.append(std::span(pixels).first(2));
+  writer.append(std::span(pixels).last(2));
+  writer.finish();
+  const OpenedSampleFile image = SampleFile::open(folder / "r.img");
+  ASSERT_TRUE(image.file) << text_of(image.problems);
+  EXPECT_EQ(image.file->info().format, std::nullopt);
+  EXPECT_FALSE(image.file->info().counts);
+  EXPECT_EQ(read_all(*image.file), four);
+  Samples second(2);
+  image.file->read_rows(1, 1, second);
+  EXPECT_EQ(second, (Samples{{5, 0}, {7, 8}}));
+  EXPECT_THAT(image.file->info().attributes,
+              ElementsAre(Pair("description", "four"), Pair("data type", "complex float"), Pair("algorithm", "omega-k"),
+                          Pair("script file", "r.scr")));
+}
+
+TEST(SampleFile, TakesAHeaderOnlyWhereNothingElseSaysWhatAFileIs) {
+  const TestFolder folder;
+  put(folder / "r.hdr", "ENVI\nsamples = 1\nlines = 1\ndata type = 6\n");
+  put(folder / "r.asc", "1 2\n-3 4\n\n5 0\n7 8\n\n");
+  const OpenedSampleFile text = SampleFile::open(folder / "r.asc");
+  ASSERT_TRUE(text.file) << text_of(text.problems);
+  EXPECT_EQ(text.file->info().format, FileFormat::ascii);
+  put(folder / "r.dat", std::string(16, '\1'));
+  const OpenedSampleFile flat = SampleFile::open(folder / "r.dat", hints_of(2, 8));
+  ASSERT_TRUE(flat.file) << text_of(flat.problems);
+  EXPECT_EQ(flat.file->info().format, FileFormat::binary);
+  EXPECT_EQ(SampleFile::open(folder / "r.dat").file.value().info().rows, 1U);
 }
 
 TEST(SampleFile, EmptyFilesAreProblems) {

@@ -26,7 +26,7 @@ struct SampleFileHints {
 
 /// What a file of samples is.
 struct SampleFileInfo {
-  FileFormat format = FileFormat::binary;
+  std::optional<FileFormat> format;  ///< Nothing for images that an ENVI header describes.
   std::size_t rows = 0;
   std::size_t columns = 0;
   bool counts = true;                                           ///< The numbers are A/D counts; otherwise volts.

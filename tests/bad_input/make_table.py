@@ -64,7 +64,7 @@ def message_of(case, seen):
 
 
 def row(case):
-    command = f"`{case.shown}`" if case.shown else ""
+    command = f"`{case.shown}`".replace("|", "\\|") if case.shown else ""
     if isinstance(case, interruptions.Interruption):
         killed = case.status < 0
         message = "" if killed else "sarsim: interrupted; nothing unfinished was left behind"

@@ -164,6 +164,33 @@ TEST_F(Inputs, AnImageMustNameASimulation) {
   }
 }
 
+TEST_F(Inputs, ImagesAreDescribedAndConverted) {
+  expect_done({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--out", "r.img", "--magnitude", "--quiet"});
+  const Finished info = sarsim({"info", "r.img"});
+  ASSERT_EQ(info.status, 0) << info.err;
+  EXPECT_THAT(info.out, AllOf(HasSubstr("envi"), HasSubstr("omega-k"), HasSubstr("complex float")));
+  expect_done({"convert", "r.img", "r.npy"});
+  const auto figures = [&](const char* file) {
+    const std::string said = sarsim({"info", file, "--json"}).out;
+    return std::pair(said.substr(said.find("\"rows\""), 200), said.substr(said.find("\"lowest\""), 200));
+  };
+  fs::remove(folder_ / "r.hdr");
+  const auto array = figures("r.npy");
+  expect_done({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--out", "r.img", "--force", "--quiet"});
+  EXPECT_EQ(figures("r.img"), array);
+  EXPECT_THAT(sarsim({"info", "r-magnitude.img"}).out, HasSubstr("lowest I or Q            0 V"));
+}
+
+TEST_F(Inputs, ImagesAreNotFocusedAgain) {
+  const std::string script = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
+  for (const char* image : {"sar_r.img", "sar_r.npy"}) {
+    expect_done({"focus", script, "--out", image, "--force", "--quiet"});
+    for (const char* command : {"focus", "doppler", "search"})
+      expect_refusal({command, image, "--script", script, "--out", "other.img"},
+                     "is an image, as its header 'sar_r.hdr' says");
+  }
+}
+
 TEST_F(Inputs, ImagesAndProfilesSayHowTheirEchoesWereMade) {
   const std::string examples = SARSIM_SOURCE_DIR "/examples/";
   write_text(folder_ / "sar.scr", "$OPTIONS SEED 4711\n" + text_of(examples + "sar_r.scr"));

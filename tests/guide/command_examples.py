@@ -97,6 +97,10 @@ class Stage:
             self.recordings(self.example(kinds[section]))
         else:
             self.recordings(SCENE.replace("0, 0.003", "0, 0.3") if section in ("plot", "") else SCENE)
+        if section in ("plot", "measure", "info", "convert"):
+            for form in ("npy", "img"):  # Both have the header sar_r.hdr, kept here under names of their own.
+                self.sarsim("focus", "sar_r.scr", "--out", f"sar_r.{form}")
+                (self.folder / "sar_r.hdr").rename(self.folder / f"sar_r.{form}.hdr")
         if section in ("run", "info", "geometry"):
             self.write("sar_r.scr", SCENE)
         if section == "check":
@@ -104,10 +108,6 @@ class Stage:
                 (self.folder / f"{name}.scr").unlink()
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "big.h5")
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "recording.h5")
-        if section in ("plot", "measure"):
-            for form in ("npy", "img"):  # Both have the header sar_r.hdr, kept here under names of their own.
-                self.sarsim("focus", "sar_r.scr", "--out", f"sar_r.{form}")
-                (self.folder / "sar_r.hdr").rename(self.folder / f"sar_r.{form}.hdr")
         if section in ("merge", "Recipes"):
             self.parts()
         for place in (".zfunc", ".config/fish/completions"):
