@@ -679,7 +679,7 @@ FIGURES = [
             SEARCH,
             "sarsim plot ppi.img --show db --span 40 --size 760 680 -o search.png",
         ],
-        "Two aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
+        "A ship, an aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
         " is written beside the picture.",
         [
             Number("ship's distance", "m", 10000.0, "script", 20.0, ".0f",
