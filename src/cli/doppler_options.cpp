@@ -53,6 +53,18 @@ std::size_t usual_guard(const Plan& plan) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2.0 * samples - 1e-9)));
 }
 
+// What says how to detect means nothing where nothing is detected.
+void expect_detector(const SearchArguments& a, bool detect, Problems& problems) {
+  if (detect) return;
+  const std::pair<const char*, bool> given[] = {{"--guard", !a.guard.empty()},
+                                                {"--train", !a.train.empty()},
+                                                {"--pfa", a.false_alarm.has_value()},
+                                                {"--all-cells", a.all_cells},
+                                                {"--detections", !a.detections.empty()}};
+  for (const auto& [option, there] : given)
+    if (there) add_error(problems, fmt::format("{} means nothing with --cfar none", option), "", "--cfar ca or os");
+}
+
 void take_detector(const SearchArguments& a, const Plan& plan, SearchOptions& options, Problems& problems) {
   const Detector detector = a.detector.value_or(Detector::cell_averaging);
   options.detect = detector != Detector::none;
@@ -69,6 +81,7 @@ void take_detector(const SearchArguments& a, const Plan& plan, SearchOptions& op
               "above 0, at most 1");
   if (a.rank && detector != Detector::ordered_statistic)
     add_error(problems, "--rank is for the ordered statistic", "", "--cfar os");
+  expect_detector(a, options.detect, problems);
   const Cells guard = cells_or("--guard", a.guard, {usual_guard(plan), 0}, problems);
   // By default 16 cells to either side beyond the guard.
   const Cells train = cells_or("--train", a.train, {16, 0}, problems);

@@ -154,7 +154,7 @@ void PulseWork::write_report(const std::function<void(JsonWriter&)>& members) {
   if (options_.detect) {
     const CfarOptions& cfar = options_.cfar;
     json.begin_object().member("cfar", word_of(arguments_.detector.value_or(Detector::cell_averaging)));
-    const std::size_t cells = reference_cells(cfar, options_.rows());
+    const std::size_t cells = reference_cells(cfar, options_.rows(), rows().samples());
     json.member("false_alarm", cfar.false_alarm).member("reference_cells", cells);
     json.member("independent_cells", static_cast<double>(cells) * detector_of(rows(), options_).independence);
     json.member("detections", detections_).member("expected_false_alarms", expected_false_alarms()).end_object();

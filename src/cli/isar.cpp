@@ -168,8 +168,10 @@ class IsarRun {
 
   void find_problems() {
     Problems& problems = input_.problems;
-    for (const std::size_t first : firsts_)
+    for (const std::size_t first : firsts_) {
+      if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
       std::ranges::move(plan_isar_image(input_.rows, first, count_, options_).problems, std::back_inserter(problems));
+    }
     std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::isar, {}), std::back_inserter(problems));
     problems = ranked(std::move(problems));
     if (has_errors(problems)) throw BadInput(problems);

@@ -41,6 +41,7 @@ class SearchRun {
   ExitStatus run() {
     work_.open(dwell_pulses, [&](const PulseRows& rows) {
       expect_turns(rows);
+      expect_picture();
       if (arguments_.search.no_map) return 0.0;
       const PpiGrid grid = picture_grid(rows, picture_arguments(arguments_));
       return sizeof(float) * static_cast<double>(grid.rows) * static_cast<double>(grid.columns);
@@ -62,6 +63,16 @@ class SearchRun {
     const double ground_m = ground_range_m(detection.range_m, radar_m.z - arguments_.height_m.value_or(0.0));
     return {radar_m.x + ground_m * std::sin(detection.azimuth_rad),
             radar_m.y + ground_m * std::cos(detection.azimuth_rad)};
+  }
+
+  // Without a picture nothing asks for these. Heights place detections, too.
+  void expect_picture() const {
+    if (!arguments_.search.no_map) return;
+    const std::pair<const char*, bool> given[] = {{"--pixel", arguments_.pixel_m.has_value()},
+                                                  {"--extent", arguments_.extent_m.has_value()},
+                                                  {"--scan", arguments_.scan.has_value()}};
+    for (const auto& [option, there] : given)
+      if (there) throw BadInput(fmt::format("{} is for the picture", option), "leave it out, or --no-map");
   }
 
   // Before anything is computed: a rotating antenna says how often it turns, others are followed from pulse to pulse.

@@ -60,7 +60,7 @@ PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments) {
   const double pixel_m = arguments.pixel_m ? above_zero("--pixel", *arguments.pixel_m)
                                            : std::max(step_m, extent_m / most_pixels_to_a_side);
   if (2.0 * extent_m / pixel_m > most_pixels)
-    throw BadInput(fmt::format("a picture of {:.0f} pixels to a side is too large", 2.0 * extent_m / pixel_m),
+    throw BadInput(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
                    fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / most_pixels));
   return ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }

@@ -162,7 +162,7 @@ VariationNames::VariationNames(const Scene& base, const Sweep& sweep, const std:
   std::set<std::string> taken;
   for (const ProductJob& job : products) {
     // One stem for two products is fine where their extensions always differ, which is simplest never to rely on.
-    const std::string stem = job.path.stem().string();
+    const std::string stem = safe_word(job.path.stem().string());  // As it stands in the files' names.
     stems_.push_back(stem);
     for (int number = 2; !taken.insert(stems_.back()).second; ++number)
       stems_.back() = fmt::format("{}-{}", stem, number);

@@ -132,6 +132,24 @@ TEST(Autofocus, FillsTheWholeBandWhereTheSpectrumDoes) {
   EXPECT_EQ(result.phase_rad.size(), 512u);
 }
 
+// A straight line of phase would move all points.
+TEST(Autofocus, LeavesPointsWhereTheyAre) {
+  // Without a straight part over the aperture: x^3 - 3 x/5.
+  const auto cubic = [](double x) { return 8.0 * x * x * x - 4.8 * x; };
+  const FocusedImage sharp = spotlight(0.8, 0.0, no_error);
+  const FocusedImage found = autofocus(spotlight(0.8, 0.0, cubic), {}, one).image;
+  const std::size_t columns = sharp.range.count;
+  for (std::size_t c = 0; c < columns; ++c) {
+    const auto brightest = [&](const FocusedImage& image) {
+      std::size_t top = 0;
+      for (std::size_t r = 1; r < image.azimuth.count; ++r)
+        if (std::norm(image.values[r * columns + c]) > std::norm(image.values[top * columns + c])) top = r;
+      return static_cast<double>(top);
+    };
+    EXPECT_NEAR(brightest(found), brightest(sharp), 1.0) << c;
+  }
+}
+
 TEST(Autofocus, LeavesASharpImageAlone) {
   const FocusedImage sharp = spotlight(0.8, 0.0, no_error);
   const AutofocusResult result = autofocus(sharp, {}, one);

@@ -184,12 +184,16 @@ std::size_t cfar_rank(std::size_t cells, double share) {
   return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, cells);
 }
 
-std::size_t reference_cells(const CfarOptions& options, std::size_t rows) {
-  const auto along = [](std::size_t reach) { return 2 * reach + 1; };
-  const auto within = [rows, along](std::size_t reach) { return std::min(rows, along(reach)); };
+std::size_t reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns) {
+  if (rows == 0 || columns == 0) return 0;
+  const auto within = [](std::size_t reach, std::size_t count) {
+    const std::size_t middle = count / 2;
+    return std::min(reach, middle) + 1 + std::min(reach, count - 1 - middle);
+  };
   const std::size_t guard_rows = std::min(options.guard_rows, options.reference_rows);
   const std::size_t guard_columns = std::min(options.guard_columns, options.reference_columns);
-  return within(options.reference_rows) * along(options.reference_columns) - within(guard_rows) * along(guard_columns);
+  return within(options.reference_rows, rows) * within(options.reference_columns, columns) -
+         within(guard_rows, rows) * within(guard_columns, columns);
 }
 
 bool has_reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns) {

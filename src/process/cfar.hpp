@@ -50,8 +50,8 @@ struct CfarDetection {
 /// Rank that `CfarOptions::rank_share` means among so many cells.
 [[nodiscard]] std::size_t cfar_rank(std::size_t cells, double share);
 
-/// Reference cells of a cell far from the edges of a map of `rows` rows.
-[[nodiscard]] std::size_t reference_cells(const CfarOptions& options, std::size_t rows);
+/// Reference cells of a cell in the middle of a map: as many as any has.
+[[nodiscard]] std::size_t reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns);
 
 /// Whether any cell of a map has reference cells: at its corners the guard covers least.
 [[nodiscard]] bool has_reference_cells(const CfarOptions& options, std::size_t rows, std::size_t columns);

@@ -293,6 +293,26 @@ TEST(HasReferenceCells, IsWhetherAnyCellOfTheMapHasSome) {
           }
 }
 
+TEST(ReferenceCells, AreAsManyAsAnyCellOfTheMapHas) {
+  for (const std::size_t rows : {1U, 3U, 4U})
+    for (const std::size_t columns : {1U, 2U, 5U, 10U})
+      for (const std::size_t reach : {1U, 2U, 4U, 20U})
+        for (const std::size_t guard : {0U, 1U, 4U})
+          for (const std::size_t other : {0U, 1U, 3U}) {
+            CfarOptions options;
+            options.reference_columns = reach;
+            options.guard_columns = guard;
+            options.reference_rows = other;
+            options.guard_rows = guard / 2;
+            options.false_alarm = 0.999;  // Every cell with some is over its threshold.
+            std::size_t middle = 0;
+            for (const CfarDetection& d : detect_cfar(std::vector<float>(rows * columns, 1.0F), columns, options, one))
+              if (d.row == rows / 2 && d.column == columns / 2) middle = d.reference_cells;
+            EXPECT_EQ(reference_cells(options, rows, columns), middle)
+                << rows << ' ' << columns << ' ' << reach << ' ' << guard << ' ' << other;
+          }
+}
+
 TEST(DetectCfar, PassesOverCellsWithoutReference) {
   CfarOptions options;
   options.reference_columns = options.guard_columns = 2;

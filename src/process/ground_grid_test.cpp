@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "process/ground_sight.hpp"
+
 namespace sarsim {
 namespace {
 
@@ -79,6 +81,23 @@ TEST(GroundGrid, KeepsTheSpectrumAboutTheMiddleOfASquintedBeam) {
   slant.range.spectrum_centre_per_m = -3.85;
   EXPECT_NEAR(on_ground(slant, {0.0, 0.0, 0.0}).range.spectrum_centre_per_m,
               -3.85 * std::sqrt(8550.0 * 8550.0 - height_m * height_m) / 8550.0, 1e-9);
+}
+
+TEST(GroundSight, LiesOnTheGroundUnderItsAngleWhereverTheLineClimbs) {
+  for (const double slope : {-0.2, 0.0, 0.3})
+    for (const double squint_rad : {-0.3, 0.0, 0.2}) {
+      const ReferenceTrack line{0.0, {0.0, -8000.0, height_m}, {100.0, 0.0, 100.0 * slope}};
+      const GroundSight sight(line, {0.0, 0.0, 20.0}, squint_rad);
+      for (const double time_s : {-1.0, 2.0})
+        for (const double range_m : {6000.0, 9000.0}) {
+          const Vec3 from_m = line.at(time_s);
+          const Vec3 to_m = sight.point_at(from_m, range_m) - from_m;
+          EXPECT_NEAR(from_m.z + to_m.z, 20.0, 1e-6) << slope << " " << squint_rad;
+          EXPECT_NEAR(norm(to_m), range_m, 1e-6) << slope << " " << squint_rad;
+          EXPECT_NEAR(dot(to_m, sight.ahead()), range_m * std::sin(squint_rad), 1e-6) << slope << " " << squint_rad;
+          EXPECT_GT(to_m.y, 0.0);
+        }
+    }
 }
 
 TEST(GroundGrid, RefusesGroundOutOfReachAndVerticalLines) {

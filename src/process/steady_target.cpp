@@ -30,16 +30,26 @@ struct Poisson {
   std::vector<double> share;
 };
 
-// Probability that a sum of geometric numbers, the failures before successes of these probabilities, is at most a
-// Poisson number.
-double steady_probability(const std::vector<double>& success, double snr) {
-  const Poisson signal(std::min(snr, largest_snr));
-  std::vector<double> failures(signal.first + signal.share.size(), 0.0);
-  failures[0] = 1.0;
-  for (const double p : success) {
-    double before = 0.0;
-    for (double& f : failures) f = before = p * f + (1.0 - p) * before;
-  }
+// A Poisson number whose mean is at least this is in practice never below a number k.
+double mean_beyond(double k) { return k + 12.0 * std::sqrt(k) + 60.0; }
+
+// What a sum of geometric numbers exceeds in less than exp(-40) of all cases: Chernoff's bound half way, in logarithms,
+// to where the generating function ends.
+double largest_sum(const std::vector<double>& success) {
+  const double most = 1.0 - std::ranges::min(success);
+  if (!(most > 0.0)) return 0.0;
+  const double log_turn = -0.5 * std::log(most);
+  double sum = 40.0;
+  for (const double p : success) sum += std::log(p) - std::log1p(-(1.0 - p) * std::exp(log_turn));
+  return sum / log_turn;
+}
+
+Poisson signal_of(const std::vector<double>& success, double snr) {
+  return Poisson(std::min({snr, largest_snr, mean_beyond(largest_sum(success))}));
+}
+
+// Probability that failures, of which there are 0, 1 ... with these probabilities, are at most a Poisson number.
+double steady_probability(const std::vector<double>& failures, const Poisson& signal) {
   double at_most = 0.0;
   double probability = 0.0;
   for (std::size_t k = 0; k < failures.size(); ++k) {
@@ -52,14 +62,27 @@ double steady_probability(const std::vector<double>& success, double snr) {
 }  // namespace
 
 double cell_averaging_steady_probability(std::size_t cells, double factor, double snr) {
-  const std::vector<double> success(cells, 1.0 / (1.0 + factor / static_cast<double>(cells)));
-  return steady_probability(success, snr);
+  const double mean = factor / static_cast<double>(cells);
+  const Poisson signal = signal_of(std::vector<double>(cells, 1.0 / (1.0 + mean)), snr);
+  // Before so many equal successes: a negative binomial distribution, each from the one before.
+  std::vector<double> failures(signal.first + signal.share.size(), 0.0);
+  failures[0] = std::exp(-static_cast<double>(cells) * std::log1p(mean));
+  for (std::size_t k = 1; k < failures.size(); ++k)
+    failures[k] = failures[k - 1] * mean / (1.0 + mean) * static_cast<double>(cells + k - 1) / static_cast<double>(k);
+  return steady_probability(failures, signal);
 }
 
 double ordered_statistic_steady_probability(std::size_t cells, std::size_t rank, double factor, double snr) {
   std::vector<double> success;
   for (std::size_t i = 0; i < rank; ++i) success.push_back(1.0 / (1.0 + factor / static_cast<double>(cells - i)));
-  return steady_probability(success, snr);
+  const Poisson signal = signal_of(success, snr);
+  std::vector<double> failures(signal.first + signal.share.size(), 0.0);
+  failures[0] = 1.0;
+  for (const double p : success) {
+    double before = 0.0;
+    for (double& f : failures) f = before = p * f + (1.0 - p) * before;
+  }
+  return steady_probability(failures, signal);
 }
 
 }  // namespace sarsim

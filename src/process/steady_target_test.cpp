@@ -78,6 +78,35 @@ TEST(SteadyTarget, IsSureToBeFoundWhereItIsStrong) {
   EXPECT_EQ(cell_averaging_steady_probability(16, 20.0, 1e9), cell_averaging_steady_probability(16, 20.0, 1e5));
 }
 
+// Beyond the ratio at which the sum ends early nothing is missing, and the numbers go on as they came.
+TEST(SteadyTarget, IsFoundTheMoreOftenTheStrongerItIs) {
+  for (const std::size_t cells : {1u, 2u, 16u, 256u, 4096u}) {
+    const std::size_t rank = cfar_rank(cells, 0.75);
+    const double mean_factor = cell_averaging_factor(cells, 1e-6);
+    const double factor = ordered_statistic_factor(cells, rank, 1e-6);
+    double before = 0.0;
+    for (double snr = 0.25; snr < 2e5; snr *= 1.25) {
+      const double mean = cell_averaging_steady_probability(cells, mean_factor, snr);
+      const double found = ordered_statistic_steady_probability(cells, rank, factor, snr);
+      EXPECT_GE(found, before - 1e-12) << cells << " " << snr;
+      EXPECT_LE(found, 1.0 + 1e-12) << cells << " " << snr;
+      EXPECT_GE(mean, found - 1e-12) << cells << " " << snr;  // Finn and Johnson: the mean wastes nothing.
+      before = found;
+    }
+    if (cells > 2) {
+      EXPECT_NEAR(before, 1.0, 1e-9) << cells;
+    }
+  }
+}
+
+TEST(SteadyTarget, AgainstMoreOrderedCellsThanFourThousandIsFoundAsOften) {
+  const auto found = [](std::size_t cells, double snr) {
+    const std::size_t rank = cfar_rank(cells, 0.75);
+    return ordered_statistic_steady_probability(cells, rank, ordered_statistic_factor(cells, rank, 1e-6), snr);
+  };
+  for (const double snr : {8.0, 12.0, 16.0}) EXPECT_NEAR(found(4096, snr), found(32768, snr), 0.003) << snr;
+}
+
 TEST(SteadyTarget, IsFoundByTheDetectorsAsOftenAsTheFormulasSay) {
   std::mt19937_64 random(31);
   std::normal_distribution<double> normal(0.0, std::sqrt(0.5));

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "process/motion_compensation.hpp"
+#include "process/sar_track.hpp"
 #include "simulate/sar_test_scene.hpp"
 
 namespace sarsim {
@@ -44,6 +46,37 @@ TEST(TheoryOfTargets, IsWhatAnAntennaThatTapersTheEchoesShows) {
 
 TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
   expect_as_theory(sar_scene(600.0, {{3.0, 20.0, 0.0}}), {.doppler_bandwidth_hz = 150.0});
+}
+
+// Whose matched filter multiplies amplitudes by half the time-bandwidth product.
+TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
+  Scene scene = sar_scene(600.0, {{}});
+  scene.options.profile = Profile::classic;
+  const auto [plan, rows] = sar_recording(scene);
+  const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
+  EXPECT_NEAR(focused_point(rows, theory.place).amplitude, theory.amplitude, 0.01 * theory.amplitude);
+}
+
+// Of pulses that were sent closer together, a kept band holds more, and resampled it does not.
+TEST(TheoryOfTargets, KnowsPulsesThatWereSentCloserTogetherThanOthers) {
+  Scene scene = sar_scene(600.0, {{0.0, 110.0, 0.0}});
+  scene.radars[0].repetition = Radar::Repetition::user;
+  for (int i = 0; i < 1200; ++i)  // Intervals that grow by a fifth.
+    scene.radars[0].pri_s.part[0].knots.push_back({static_cast<double>(i), (0.9 + i / 6000.0) / 600.0});
+  const auto [plan, rows] = sar_recording(scene);
+  MotionCompensation how;
+  how.reference = fitted_track(rows.track);
+  how.scene_m = scene_middle_m(*plan);
+  const EchoRows even = compensate_motion(rows, how, {}, {.threads = 2});
+  const FocusOptions options{.doppler_bandwidth_hz = 150.0};
+  EchoRows told = rows;
+  told.compensated = true;
+  TargetTheory theory = theory_of_targets(*plan, told, options).at(0);
+  const StraightTrack line = fit_straight(rows.track);
+  theory.place.azimuth_m -= dot(fit_straight(even.track).origin_m - line.origin_m, line.along);
+  const PointResponse response = focused_point(even, theory.place, options);
+  EXPECT_NEAR(response.place.azimuth_m, theory.place.azimuth_m, 0.05);
+  EXPECT_NEAR(response.amplitude, theory.amplitude, 0.015 * theory.amplitude);
 }
 
 TEST(TheoryOfTargets, HasNoRangeFiguresForOtherPulsesThanChirps) {

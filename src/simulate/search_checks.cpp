@@ -28,8 +28,11 @@ std::string cells_text(const CfarOptions& cfar, std::size_t rows, std::size_t co
   const auto both = [](std::size_t along_columns, std::size_t along_rows) {
     return along_rows == 0 ? fmt::format("{}", along_columns) : fmt::format("{}:{}", along_columns, along_rows);
   };
-  return fmt::format("--train {} --guard {} in a map of {} x {}", both(cfar.reference_columns, cfar.reference_rows),
-                     both(cfar.guard_columns, cfar.guard_rows), rows, columns);
+  const auto beyond = [](std::size_t reach, std::size_t guard) { return reach - std::min(reach, guard); };
+  return fmt::format(
+      "--train {} --guard {} in a map of {} x {}",
+      both(beyond(cfar.reference_columns, cfar.guard_columns), beyond(cfar.reference_rows, cfar.guard_rows)),
+      both(cfar.guard_columns, cfar.guard_rows), rows, columns);
 }
 
 // Collects the remarks on one plan.

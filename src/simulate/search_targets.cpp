@@ -17,13 +17,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The ratio at which a steady target is found in half of all cases.
-double even_snr(const CfarOptions& cfar, std::size_t rows) {
+double even_snr(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
   double low = 0.0;
   double high = 1.0;
-  while (high < 1e5 && steady_probability(cfar, rows, high) < 0.5) high *= 2.0;
+  while (high < 1e5 && steady_probability(cfar, rows, columns, high) < 0.5) high *= 2.0;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
-    (steady_probability(cfar, rows, middle) < 0.5 ? low : high) = middle;
+    (steady_probability(cfar, rows, columns, middle) < 0.5 ? low : high) = middle;
   }
   return high;
 }
@@ -39,32 +39,38 @@ std::size_t nearest_index(const std::vector<double>& ascending, double value) {
   return value - ascending[index - 1] < ascending[index] - value ? index - 1 : index;
 }
 
-// Power of white noise of power 1 in a row of the map: the sum of the squares of what every pulse is multiplied with,
-// by the canceller and by the weights, turned.
-double noise_gain(const std::vector<double>& weights, std::size_t canceller, double cycles) {
-  const std::vector<double> differences = canceller_weights(canceller);
-  std::vector<std::complex<double>> filter(weights.size() + canceller);
-  for (std::size_t p = 0; p < weights.size(); ++p) {
-    const std::complex<double> turned = weights[p] * std::polar(1.0, -2.0 * pi * cycles * static_cast<double>(p));
-    for (std::size_t k = 0; k < differences.size(); ++k) filter[p + k] += turned * differences[k];
-  }
-  double gain = 0.0;
-  for (const std::complex<double>& f : filter) gain += std::norm(f);
-  return gain;
-}
-
 }  // namespace
 
-double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr) {
-  const std::size_t all = reference_cells(cfar, rows);
+double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
+  constexpr std::size_t most_ordered = 4096;
+  const std::size_t all = reference_cells(cfar, rows, columns);
   if (all == 0) return 0.0;
   const double worth = std::round(cfar.independence * static_cast<double>(all));
-  const std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
+  std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
   if (cfar.kind == CfarOptions::Kind::cell_averaging)
-    return cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr);
+    return std::min(1.0, cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr));
+  cells = std::min(cells, most_ordered);
   const std::size_t rank = cfar_rank(cells, cfar.rank_share);
-  return ordered_statistic_steady_probability(cells, rank, ordered_statistic_factor(cells, rank, cfar.false_alarm),
-                                              snr);
+  const double factor = ordered_statistic_factor(cells, rank, cfar.false_alarm);
+  return std::min(1.0, ordered_statistic_steady_probability(cells, rank, factor, snr));
+}
+
+std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller, std::size_t rows) {
+  const std::vector<double> differences = canceller_weights(canceller);
+  std::vector<double> products(differences.size());
+  for (std::size_t m = 0; m < products.size(); ++m)
+    for (std::size_t n = 0; n + m < weights.size(); ++n) products[m] += weights[n] * weights[n + m];
+  std::vector<double> gains(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double cycles = (static_cast<double>(row) - static_cast<double>(rows / 2)) / static_cast<double>(rows);
+    for (std::size_t k = 0; k < differences.size(); ++k)
+      for (std::size_t l = 0; l < differences.size(); ++l) {
+        const std::size_t apart = k > l ? k - l : l - k;
+        gains[row] += differences[k] * differences[l] * products[apart] *
+                      std::cos(2.0 * pi * cycles * static_cast<double>(apart));
+      }
+  }
+  return gains;
 }
 
 SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options)
@@ -76,13 +82,10 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
   const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
   cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
-  const std::size_t rows_below_0 = options.rows() / 2;
-  for (std::size_t row = 0; row < options.rows(); ++row) {
-    const double cycles =
-        (static_cast<double>(row) - static_cast<double>(rows_below_0)) / static_cast<double>(options.rows());
-    noise_w_.push_back(rows.noise_w * noise_gain(weights_, options.canceller, cycles));
-  }
-  if (options.detect && rows.noise_w > 0.0) certain_snr_ = even_snr(detector_of(rows, options), options.rows());
+  noise_w_ = noise_gains(weights_, options.canceller, options.rows());
+  for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
+  if (options.detect && rows.noise_w > 0.0)
+    certain_snr_ = even_snr(detector_of(rows, options), options.rows(), rows.samples());
   if (options.recorded_pulses() == 1 && !beam_turns(*rows.plan)) still_beam_rad_ = seen_width_rad(*rows.plan);
   targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
@@ -211,7 +214,7 @@ std::vector<TargetFinding> SearchTargets::findings() const {
   const CfarOptions cfar = detector_of(rows_, options_);
   for (TargetFinding& finding : findings)
     if (certain_snr_ > 0.0 && finding.sight.in_window)
-      finding.probability = steady_probability(cfar, options_.rows(), finding.sight.snr);
+      finding.probability = steady_probability(cfar, options_.rows(), rows_.samples(), finding.sight.snr);
   return findings;
 }
 

@@ -75,8 +75,16 @@ class SearchTargets {
   std::vector<TargetFinding> targets_;
 };
 
-/// Probability of detecting a steady target of that ratio in a cell far from the edges of a map of `rows` rows; of
-/// correlated reference cells as many count as they are worth, a whole number.
-[[nodiscard]] double steady_probability(const CfarOptions& cfar, std::size_t rows, double snr);
+/// Probability of detecting a steady target of that ratio in a cell in the middle of a map; of correlated reference
+/// cells as many count as they are worth, a whole number, and of the ordered statistic no more than 4096, whose
+/// probability is that of more to 0.003.
+[[nodiscard]] double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr);
+
+/// Power of white noise of power 1 in each row of a map of so many Doppler frequencies, 0 in the middle: the sum of the
+/// squares of what every pulse is multiplied with, by the canceller's differences d and the weights w, turned:
+/// sum over k and l of d[k] d[l] cos(2 pi f (l - k)) sum over n of w[n] w[n + |l - k|], f in cycles per pulse.
+/// @param canceller  pulses that the canceller takes besides the newest, 0 ... 2
+[[nodiscard]] std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller,
+                                              std::size_t rows);
 
 }  // namespace sarsim

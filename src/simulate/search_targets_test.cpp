@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
+#include "process/canceller.hpp"
 #include "process/steady_target.hpp"
 #include "simulate/search_test_scene.hpp"
 
@@ -209,17 +211,46 @@ TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
 TEST(SteadyProbability, IsThatOfTheDetectorChosen) {
   CfarOptions cfar;
   cfar.reference_columns = 10;
-  const double ca = steady_probability(cfar, 8, 20.0);
+  const double ca = steady_probability(cfar, 8, 100, 20.0);
   EXPECT_EQ(ca, cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-6), 20.0));
   cfar.kind = CfarOptions::Kind::ordered_statistic;
-  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
             ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-6), 20.0));
-  EXPECT_LT(steady_probability(cfar, 8, 20.0), ca);
+  EXPECT_LT(steady_probability(cfar, 8, 100, 20.0), ca);
   cfar.independence = 0.5;
-  EXPECT_EQ(steady_probability(cfar, 8, 20.0),
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
             ordered_statistic_steady_probability(8, 6, ordered_statistic_factor(8, 6, 1e-6), 20.0));
   cfar.reference_columns = cfar.guard_columns;
-  EXPECT_EQ(steady_probability(cfar, 8, 20.0), 0.0);
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0), 0.0);
+}
+
+TEST(SteadyProbability, CountsNoReferenceBeyondTheMap) {
+  CfarOptions cfar;
+  cfar.reference_columns = 50;
+  EXPECT_EQ(steady_probability(cfar, 8, 11, 20.0),
+            cell_averaging_steady_probability(6, cell_averaging_factor(6, 1e-6), 20.0));
+}
+
+// Each pulse is multiplied with the sum of the differences that it is part of.
+TEST(NoiseGains, AreTheSumOfTheSquaresOfWhatThePulsesAreMultipliedWith) {
+  const std::vector<double> weights{0.3, 1.0, 0.8, -0.2, 0.5};
+  for (const std::size_t canceller : {0u, 1u, 2u}) {
+    const std::vector<double> differences = canceller_weights(canceller);
+    for (const std::size_t rows : {1u, 6u, 7u}) {
+      const std::vector<double> gains = noise_gains(weights, canceller, rows);
+      ASSERT_EQ(gains.size(), rows);
+      for (std::size_t row = 0; row < rows; ++row) {
+        const double cycles = (static_cast<double>(row) - static_cast<double>(rows / 2)) / static_cast<double>(rows);
+        std::vector<std::complex<double>> filter(weights.size() + canceller);
+        for (std::size_t p = 0; p < weights.size(); ++p)
+          for (std::size_t k = 0; k < differences.size(); ++k)
+            filter[p + k] += weights[p] * differences[k] * std::polar(1.0, -2.0 * pi * cycles * static_cast<double>(p));
+        double power = 0.0;
+        for (const std::complex<double>& f : filter) power += std::norm(f);
+        EXPECT_NEAR(gains[row], power, 1e-12) << canceller << " " << rows << " " << row;
+      }
+    }
+  }
 }
 
 TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {

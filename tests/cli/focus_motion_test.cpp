@@ -254,6 +254,25 @@ TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
   EXPECT_EQ(sarsim({"focus", "odd.scr", "--quiet", "--algorithm", "back-projection"}).status, 0);
 }
 
+// An aircraft that speeds up is at both ends of the flight farther than the line that fits it best: the compensated
+// flight has its middle elsewhere.
+TEST_F(FocusMotion, OfAnAircraftThatSpeedsUpShowsTargetsWhereTheyAre) {
+  std::string points = "61\n";
+  for (int i = 0; i <= 60; ++i) {
+    const double time_s = -3.0 + 0.1 * i;
+    points += std::to_string(time_s) + ", " + std::to_string(150.0 * time_s + 0.3 * time_s * time_s) + "\n";
+  }
+  std::string text = text_of(strip);
+  const std::size_t begin = text.find("25                                       ! points of x");
+  const std::size_t end = text.find("25                                       ! points of y");
+  ASSERT_LT(begin, end);
+  ASSERT_NE(end, std::string::npos);
+  write_text(folder_ / "faster.scr", text.replace(begin, end - begin, points));
+  const std::string found = measured({"faster.scr"});
+  EXPECT_THAT(magnitudes_of(found, "azimuth_error_m"), testing::AllOf(SizeIs(9), Each(Lt(0.05))));
+  EXPECT_THAT(magnitudes_of(found, "amplitude_error_db"), Each(Lt(0.2)));
+}
+
 TEST_F(FocusMotion, OfPulsesAtOddTimesKeepsItsDopplerCentroid) {
   // The last part of the flight alone: all targets are left behind.
   const auto late = [](std::string text) {

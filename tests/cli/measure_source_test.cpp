@@ -59,6 +59,19 @@ TEST_F(MeasureSource, AScriptThatIsNamedIsTakenAsItIs) {
   EXPECT_THAT(named.err, Not(HasSubstr("warning")));
 }
 
+TEST_F(MeasureSource, AScriptThatIsNamedTakesThePlaceOfTheOneThatTheRecordingWasFocusedWith) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
+  std::string recording;
+  for (const std::string& name : entries("."))
+    if (name.ends_with(".npy")) recording = name;
+  ASSERT_EQ(sarsim({"focus", recording, "--script", "scene.scr", "--out", "x.img", "--quiet"}).status, 0);
+  const std::string then = sarsim({"measure", "x.img", "--target", "1"}).out;
+  fs::copy_file(folder_ / "scene.scr", folder_ / "then.scr");
+  change_script("-190, -100, 0", "-150, -100, 0");
+  EXPECT_EQ(sarsim({"measure", "x.img", "--target", "1", "--script", "then.scr"}).out, then);
+  EXPECT_NE(sarsim({"measure", "x.img", "--target", "1"}).out, then);
+}
+
 TEST_F(MeasureSource, IsFoundFromTheFolderOfTheImage) {
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
   std::string recording;

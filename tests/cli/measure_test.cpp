@@ -44,5 +44,16 @@ TEST_F(Measure, DrawsTheCutsThroughATarget) {
   EXPECT_EQ(again.out, "");  // Said before anything is measured.
 }
 
+TEST_F(Measure, KnowsTheWindowOfEachAxis) {
+  const Finished focus = sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--quiet", "--json", "--force",
+                                 "--range-window", "hann", "--azimuth-window", "taylor:35:5"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  EXPECT_THAT(focus.out, HasSubstr("\"range_window\": \"hann\""));
+  EXPECT_THAT(focus.out, HasSubstr("\"azimuth_window\": \"taylor:35:5\""));
+  const std::string header = text_of(folder_ / "sar_r.hdr");
+  EXPECT_THAT(header, HasSubstr("range window = {hann}"));
+  EXPECT_THAT(header, HasSubstr("azimuth window = {taylor:35:5}"));
+}
+
 }  // namespace
 }  // namespace sarsim::test

@@ -273,11 +273,15 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--pfa", "2"}, "--pfa");
   refused({"--rank", "1.5", "--cfar", "os"}, "--rank");
   refused({"--rank", "0.5"}, "--rank is for the ordered statistic");
-  refused({"--train", "0"}, "no reference cells");
+  refused({"--train", "0", "--guard", "3"}, "found '--train 0 --guard 3 in a map of");
+  refused({"--cfar", "none", "--pfa", "0.1"}, "--pfa means nothing with --cfar none");
+  refused({"--cfar", "none", "--train", "5", "--detections", "d.csv"}, "--detections means nothing with --cfar none");
+  refused({"--no-map", "--pixel", "20"}, "--pixel is for the picture", true);
   refused({"--interval", "300"}, "more pulses than there are");
   refused({"--frequencies", "8"}, "fewer Doppler frequencies");
   refused({"--canceller", "four"}, "none, two, three");
   refused({"--cfar", "none", "--no-map"}, "leaves nothing to do");
+  refused({"--pixel", "1e-300"}, "e+", true);
   refused({"--out", "a.csv", "--detections", "a.csv"}, "the name of two outputs");
   refused({"--out", "a.csv", "--detections", "./a.csv"}, "the name of two outputs");
   refused({"--out", "a.hdr"}, "'a.hdr' is the name of two outputs");

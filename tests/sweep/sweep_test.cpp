@@ -123,6 +123,18 @@ TEST_F(SweepCommand, PrintsWhatWouldRunAndMakesNothing) {
   EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
 }
 
+// Names of files lose blanks, and have a dash for what is no part of a word.
+TEST_F(SweepCommand, GivesEveryProductAFileOfItsOwn) {
+  SceneText scene;
+  scene.files = {"sim1.bin", "sim@1.bin", "sim-1.bin"};
+  write_scene(scene);
+  const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "seed=1,2", "--out", "o"});
+  EXPECT_EQ(sweep.status, 0) << sweep.err;
+  EXPECT_THAT(entries("o"),
+              ElementsAre("sim-1-2_seed=1.bin", "sim-1-2_seed=2.bin", "sim-1_seed=1.bin", "sim-1_seed=2.bin",
+                          "sim1_seed=1.bin", "sim1_seed=2.bin", "sweep.csv", "sweep.journal", "sweep.json"));
+}
+
 TEST_F(SweepCommand, ChangesTheExtensionWithTheFormat) {
   write_scene({});
   const Finished sweep =
