@@ -43,13 +43,13 @@ void append_number(std::string& text, double value, int exponent_shift = 0);
 /// The candidate closest to `word` by edit distance, ignoring case; empty where none is near
 /// (distance above 1 and a third of the length of the word).
 template <class Candidates>
-[[nodiscard]] std::string_view nearest_word(std::string_view word, const Candidates& candidates);
+[[nodiscard]] std::string nearest_word(std::string_view word, const Candidates& candidates);
 
 /// Number of insertions, deletions and replacements that turn `a` into `b`, ignoring case.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
 template <class Candidates>
-std::string_view nearest_word(std::string_view word, const Candidates& candidates) {
+std::string nearest_word(std::string_view word, const Candidates& candidates) {
   std::string_view best;
   std::size_t best_distance = word.size() / 3 + 1;
   for (const auto& candidate : candidates) {
@@ -59,7 +59,7 @@ std::string_view nearest_word(std::string_view word, const Candidates& candidate
       best_distance = distance;
     }
   }
-  return best;
+  return std::string(best);
 }
 
 }  // namespace sarsim

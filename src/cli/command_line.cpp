@@ -136,7 +136,7 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   };
   std::vector<std::string_view> names;
   for (const std::string& name : known) names.push_back(bare(name));
-  const std::string_view nearest = nearest_word(bare(word), names);
+  const std::string nearest = nearest_word(bare(word), names);
   const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
   const bool near =
       edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), std::string(nearest));

@@ -122,7 +122,7 @@ class IsarRun {
       std::vector<std::string> names;
       names.reserve(platforms.size());
       for (const ResolvedPlatform& platform : platforms) names.push_back(platform.name);
-      const std::string_view near = nearest_word(arguments_.platform, names);
+      const std::string near = nearest_word(arguments_.platform, names);
       throw BadInput(fmt::format("--platform: the script has no platform '{}'", arguments_.platform),
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }

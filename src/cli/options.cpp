@@ -74,7 +74,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& valu
 }
 
 void refuse_word(const std::string& names, const std::string& word, const std::vector<std::string>& words) {
-  const std::string_view nearest = nearest_word(word, words);
+  const std::string nearest = nearest_word(word, words);
   const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
   refuse(names, word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
 }

@@ -31,7 +31,7 @@ bool is_called(const Scene& scene, const ProductJob& job, const std::string& wor
 [[noreturn]] void refuse(const Scene& scene, const std::vector<ProductJob>& jobs, const std::string& word) {
   std::vector<std::string> names;
   for (const ProductJob& job : jobs) names.push_back(base_name(scripted_name(scene, job)));
-  const std::string_view nearest = nearest_word(word, names);
+  const std::string nearest = nearest_word(word, names);
   const std::size_t count = scene.simulations.size();
   std::string hint = count == 0
                          ? "the script has no simulation"

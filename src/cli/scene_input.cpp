@@ -203,7 +203,7 @@ std::size_t radar_named(const Scene& scene, const std::string& name) {
   if (found != not_found) return found;
   std::vector<std::string> names;
   for (const Radar& radar : scene.radars) names.push_back(radar.name);
-  const std::string_view nearest = nearest_word(name, names);
+  const std::string nearest = nearest_word(name, names);
   const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
   throw BadInput("the scene has no radar '" + name + "'",
                  nearest.empty() ? others : "did you mean '" + std::string(nearest) + "'?");

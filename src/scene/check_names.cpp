@@ -120,7 +120,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
   std::vector<std::string_view> candidates = table_->names();
   if (kind_ == "platform") candidates.emplace_back("Earth");
-  const std::string_view nearest = nearest_word(name, candidates);
+  const std::string nearest = nearest_word(name, candidates);
   std::string hint;
   if (!nearest.empty())
     hint = fmt::format("Did you mean {}?", nearest);

@@ -34,7 +34,7 @@ void read_unknown(Reading& reading, const Token& command) {
   if (command.text.empty()) {
     reporter.warning(command, "", {"a '$' without a command is ignored"});
   } else {
-    const std::string_view near = nearest_word(command.text.substr(0, longest_shown), command_words);
+    const std::string near = nearest_word(command.text.substr(0, longest_shown), command_words);
     reporter.error(command, "",
                    {"unknown command", "$" + shown(command.text),
                     "$PLATFORM, $TARGET, $SURFACE, $RADAR, $SIMULATION, $GEOMETRY or $OPTIONS",

@@ -51,7 +51,8 @@ TEST(RowFigure, OfSilenceInDecibelsIsFinite) {
   silent.samples.assign(6, 0.0);
   CutLook look;
   look.quantity = DisplayQuantity::decibels;
-  for (const double level : row_figure(silent, 0, look).panels[0].curves[0].y) EXPECT_TRUE(std::isfinite(level));
+  const Figure figure = row_figure(silent, 0, look);
+  for (const double level : figure.panels[0].curves[0].y) EXPECT_TRUE(std::isfinite(level));
 }
 
 TEST(RowFigure, MarksPeaksWhereWanted) {

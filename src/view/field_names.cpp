@@ -170,7 +170,7 @@ std::vector<std::string> short_names(const std::vector<Field>& fields) {
 std::string no_field(std::string_view owner, const std::vector<Field>& fields, std::string_view name) {
   const std::vector<std::string> names = short_names(fields);
   std::string failure = fmt::format("{} has no field '{}'", owner, name);
-  if (const std::string_view nearest = nearest_word(name, names); !nearest.empty())
+  if (const std::string nearest = nearest_word(name, names); !nearest.empty())
     return failure + fmt::format("; did you mean {}?", nearest);
   return failure + "; --fields lists what there is";
 }
@@ -181,7 +181,7 @@ std::string no_object(const Scene& scene, std::string_view word) {
   for (const Platform& platform : scene.platforms) names.push_back(platform.name);
   for (const ObjectKind kind : all_object_kinds)
     if (count_of(scene, kind) > 0) names.push_back(capital(name_of(kind)) + "1");
-  const std::string_view nearest = nearest_word(word, names);
+  const std::string nearest = nearest_word(word, names);
   std::string failure = fmt::format("the scene has no object '{}'", word);
   return nearest.empty() ? failure + "; --fields lists what there is"
                          : failure + fmt::format("; did you mean {}?", nearest);
@@ -318,7 +318,7 @@ NamedField find_named_field(const Scene& scene, std::string_view name, std::stri
   if (!failure.empty()) return failed(std::move(failure));
   const std::size_t dot = name.find('.');
   if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
-  const std::string_view nearest = nearest_word(name, short_names(option_fields()));
+  const std::string nearest = nearest_word(name, short_names(option_fields()));
   return failed(nearest.empty()
                     ? fmt::format("'{}' is no option; a field is written OBJECT.FIELD, as in Radar1.bandwidth", name)
                     : fmt::format("'{}' is no option; did you mean {}?", name, nearest));

@@ -96,7 +96,7 @@ ChoiceReading read_choice(const std::vector<std::string>& choices, std::string_v
   if (alike.size() > 1)
     return {0, fmt::format("'{}' can mean {}; write more of it", clipped(typed), listed(alike, " or "))};
   std::string failure = fmt::format("'{}' is none of {}", clipped(typed), listed(choices, " and "));
-  if (const std::string_view nearest = nearest_word(typed.substr(0, 60), choices); !nearest.empty())
+  if (const std::string nearest = nearest_word(typed.substr(0, 60), choices); !nearest.empty())
     failure += fmt::format("; did you mean {}?", nearest);
   return {0, std::move(failure)};
 }
