@@ -49,6 +49,8 @@ Product product_of_file(const SampleFile& file) {
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
   product.script = attribute_of(info.attributes, "script");
   take_origin(info.attributes, product);
+  if (product.script.empty()) product.unknown.emplace_back("script");
+  if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
   if (auto axes = file.axes()) {
     const auto shared = std::make_shared<const SampleAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
@@ -113,7 +115,11 @@ class Conversion {
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
     if (!problems.empty()) throw BadInput(std::move(problems));
-    if (product_.bits == 0) product_.bits = options_.counts ? 64 : Simulation{}.bits;
+    if (product_.lsb_v <= 0.0) product_.unknown.emplace_back("lsb_v");
+    if (product_.bits > 0) return;
+    // Enough for all counts; volts have none.
+    product_.bits = 64;
+    product_.unknown.emplace_back("bits");
   }
 
   void read(std::size_t first, std::size_t count) {

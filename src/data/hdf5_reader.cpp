@@ -155,6 +155,7 @@ void take_known_attributes(SampleFileInfo& info) {
   info.lsb_v = number_attribute(info.attributes, "lsb_v");
   if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
   info.sample_rate_hz = number_attribute(info.attributes, "sample_rate_hz");
+  if (info.sample_rate_hz && !(*info.sample_rate_hz > 0.0)) info.sample_rate_hz.reset();
 }
 
 // The old program named its attributes after the comments of the script and kept the script's units.

@@ -28,6 +28,9 @@ struct Product {
   RunOptions options;
   std::string engine = "reference";
   std::string script;  ///< Text of the scene as understood.
+  /// Attributes of docs/formats/samples.md that nobody knows: what stands here for them says nothing, and files leave
+  /// them out, as they do axes that are empty functions.
+  std::vector<std::string> unknown = {};
 };
 
 /// Some consecutive rows of a recording. I before Q, rows one after the other.

@@ -46,6 +46,29 @@ TEST_F(Convert, Hdf5KeepsAxesAndAttributes) {
   EXPECT_EQ(text_of(folder_ / "made.h5"), text_of(folder_ / "sim.h5"));
 }
 
+TEST_F(Convert, Hdf5SaysNothingThatNobodyKnows) {
+  ASSERT_EQ(sarsim({"convert", "sim.npy", "made.h5"}).status, 0);
+  const Finished known = sarsim({"info", "made.h5"});
+  ASSERT_EQ(known.status, 0) << known.err;
+  for (const char* word :
+       {"bits", "lsb_v", "LSB", "sampling rate", "sample_rate_hz", "seed", "engine", "profile", "processing",
+        "tolerance", "radar", "script", "send times", "carriers", "slant ranges", "nan"})
+    EXPECT_THAT(known.out, testing::Not(HasSubstr(word))) << word;
+  EXPECT_THAT(known.out, HasSubstr("format_version"));
+  // Neither do later conversions believe it.
+  const Finished bits = sarsim({"convert", "made.h5", "made.bin", "--lsb", "2e-8"});
+  EXPECT_EQ(bits.status, 2);
+  EXPECT_THAT(bits.err, HasSubstr("--bits"));
+  ASSERT_EQ(sarsim({"convert", "made.h5", "made.bin", "--lsb", "2e-8", "--bits", "8"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "made.bin"), text_of(folder_ / "sim.bin"));
+}
+
+TEST_F(Convert, Hdf5SaysWhatTheCommandLineGave) {
+  ASSERT_EQ(sarsim({"convert", "sim.asc", "made.h5", "--lsb", "2e-8", "--bits", "8"}).status, 0);
+  EXPECT_EQ(sarsim({"convert", "made.h5", "back.bin"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "back.bin"), text_of(folder_ / "sim.bin"));
+}
+
 TEST_F(Convert, CountsBecomeVoltsWithTheLsb) {
   ASSERT_EQ(sarsim({"convert", "sim.asc", "made.npy", "--lsb", "2e-8"}).status, 0);
   ASSERT_EQ(sarsim({"convert", "made.npy", "back.asc", "--lsb", "2e-8", "--bits", "8"}).status, 0);
