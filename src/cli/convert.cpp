@@ -88,6 +88,7 @@ class Conversion {
     }
     sink->finish(report());
     warn_of_clipping();
+    warn_of_what_is_no_number();
   }
 
  private:
@@ -135,12 +136,24 @@ class Conversion {
 
   void warn_of_clipping() {
     if (tally_.saturated == 0) return;
-    const std::string remedy =
-        change_ == Change::to_counts
-            ? fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits))
-            : std::string("more --bits would hold them all");
     streams_.err << fmt::format("warning: {} of {} samples were clipped to {} bits; {}\n", tally_.saturated,
-                                product_.rows * product_.columns, product_.bits, remedy);
+                                product_.rows * product_.columns, product_.bits, remedy_of_clipping());
+  }
+
+  [[nodiscard]] std::string remedy_of_clipping() const {
+    constexpr int most_bits = 64;
+    if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
+    if (change_ == Change::to_counts)
+      return fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits));
+    if (product_.bits < most_bits && tally_.maximum_v <= full_scale_count(most_bits))
+      return "more --bits would hold them all";
+    return fmt::format("{} are the most that counts can have", most_bits);
+  }
+
+  void warn_of_what_is_no_number() {
+    if (tally_.not_numbers == 0) return;
+    streams_.err << fmt::format("warning: I or Q of {} of {} samples is not a number; count 0 stands for it\n",
+                                tally_.not_numbers, product_.rows * product_.columns);
   }
 
   [[nodiscard]] RunReport report() const {

@@ -75,12 +75,6 @@ Product product_of(const ImageSource& source, const ImageWindow& window, const I
   return product;
 }
 
-// What is not a number is 0.
-std::complex<double> number_of(std::complex<float> sample) {
-  const auto part = [](float value) { return std::isnan(value) ? 0.0 : static_cast<double>(value); };
-  return {part(sample.real()), part(sample.imag())};
-}
-
 // What the sink is given of one block.
 struct BlockMaker {
   Converter converter;  // Of the numbers as they are read.
@@ -95,7 +89,7 @@ struct BlockMaker {
     for (const std::complex<float>& sample : samples) {
       const std::complex<double> value(sample);
       report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
-      values.push_back(counts ? number_of(sample) : value * volts_of_value);
+      values.push_back(counts ? value : value * volts_of_value);
     }
     if (!counts) return;
     numbers.resize(2 * values.size());
@@ -103,6 +97,7 @@ struct BlockMaker {
     converter.convert(values, numbers, tally);
     report.saturated += tally.saturated;
     report.zero += tally.zero;
+    report.not_numbers += tally.not_numbers;
   }
 };
 

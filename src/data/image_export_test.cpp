@@ -153,6 +153,7 @@ TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   options.sink.replace = true;
   const RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_EQ(clipped.saturated, 1U);
+  EXPECT_EQ(clipped.not_numbers, 1U);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "50 0\n-127 0\n\n0 100\n1 0\n\n");
 }
 

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <array>
+#include <limits>
+
 #include "program.hpp"
 
 namespace sarsim::test {
@@ -111,6 +114,33 @@ TEST_F(Convert, TellsOfClipping) {
   const Finished other = sarsim({"convert", "sim.asc", "small.bin", "--bits", "2"});
   EXPECT_EQ(other.status, 0);
   EXPECT_THAT(other.err, HasSubstr("clipped to 2 bits"));
+}
+
+TEST_F(Convert, SaysWhereNoBitsHoldThemAll) {
+  write_text(folder_ / "big.asc", "10000000000000000000 0\n1 2\n\n");
+  const Finished run = sarsim({"convert", "big.asc", "big.csv", "--bits", "64"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 64 bits; 64 are the most"));
+}
+
+// One row of (NaN, 1) and (infinite, -3) in float32, as NumPy stores it.
+std::string npy_of_odd_numbers() {
+  std::string header = "{'descr': '<c8', 'fortran_order': False, 'shape': (1, 2), }";
+  header += std::string(128 - 10 - 1 - header.size(), ' ') + '\n';
+  const std::array<float, 4> numbers{std::numeric_limits<float>::quiet_NaN(), 1.0F,
+                                     std::numeric_limits<float>::infinity(), -3.0F};
+  const std::string size{static_cast<char>(header.size()), '\0'};
+  return std::string("\x93NUMPY\x01\0", 8) + size + header +
+         std::string(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+}
+
+TEST_F(Convert, CountsZeroForWhatIsNoNumberAndTellsOfIt) {
+  write_text(folder_ / "odd.npy", npy_of_odd_numbers());
+  const Finished run = sarsim({"convert", "odd.npy", "odd.asc", "--bits", "8", "--lsb", "1"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(text_of(folder_ / "odd.asc"), "0 1\n128 -3\n\n");
+  EXPECT_THAT(run.err, HasSubstr("I or Q of 1 of 2 samples is not a number"));
+  EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 8 bits; some of the numbers are infinite"));
 }
 
 }  // namespace
