@@ -120,6 +120,20 @@ TEST_F(PartRefusals, RowsThatAreDamagedInAMerge) {
   EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
 }
 
+TEST_F(PartRefusals, AnOutputAmongTheParts) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  const auto before = entries("sim.bin.parts");
+  const std::string rows = text_of(folder_ / "sim.bin.parts/part-1-of-1.rows");
+  fs::create_directory_symlink("sim.bin.parts", folder_ / "other-name");
+  for (const char* output : {"sim.bin.parts/all.bin", "sim.bin.parts/part-1-of-1.rows", "other-name/all.bin",
+                             "sim.bin.parts/new/all.bin", "./new/../sim.bin.parts/all.bin"})
+    expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", output, "--force", "--remove"}),
+                   "is in the folder of parts");
+  EXPECT_EQ(entries("sim.bin.parts"), before);
+  EXPECT_EQ(text_of(folder_ / "sim.bin.parts/part-1-of-1.rows"), rows);
+  EXPECT_EQ(sarsim({"merge", "sim.bin.parts", "-o", "sim.bin.parts.bin"}).status, 0);
+}
+
 TEST_F(PartRefusals, TwoRunsOnOneFileAtOnce) {
   SceneText scene;
   scene.pulses = 400000;
