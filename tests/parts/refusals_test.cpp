@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -59,6 +61,16 @@ TEST_F(PartRefusals, PartsThatOverlap) {
   ASSERT_EQ(run({"--out", "other", "--pulses", "11:40"}).status, 0);
   expect_refusal(sarsim({"merge", "sim.bin.parts", "other/sim.bin.parts"}), "parts overlap: pulses 11 to 20");
   EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
+  expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", "other.bin"}), "are not what part 1/1 wrote");
+  EXPECT_EQ(entries("."), (std::vector<std::string>{"scene.scr", "sim.bin.parts"}));
+}
+
+TEST_F(PartRefusals, AMergeIntoWhatIsNoFile) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", "pipe", "--force"}), "parts can only become a file");
+  EXPECT_EQ(entries("."), (std::vector<std::string>{"pipe", "scene.scr", "sim.bin.parts"}));
+  EXPECT_EQ(sarsim({"merge", "sim.bin.parts"}).status, 0);
 }
 
 TEST_F(PartRefusals, PartsThatAreMissing) {
