@@ -135,6 +135,10 @@ void append_number(std::string& text, double value, int exponent_shift) {
     text += '0';
     return;
   }
+  if (!std::isfinite(value)) {
+    text += std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+    return;
+  }
   // Of the form "-d.ddde+xx".
   std::array<char, 40> buffer{};
   char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;

@@ -19,7 +19,8 @@ namespace sarsim {
 
 /// The shortest text that `parse_number(text, -exponent_shift)` turns back into exactly `value`:
 /// plain digits for exponents of moderate size, otherwise E notation. `format_number(8e-7, 9)` is
-/// "800". `value` must be finite. Negative zero is written "0".
+/// "800". Negative zero is written "0"; what is not finite "nan", "inf" and "-inf", as Python and NumPy read it and
+/// `parse_number` does not.
 [[nodiscard]] std::string format_number(double value, int exponent_shift = 0);
 
 /// Adds that text to another one.

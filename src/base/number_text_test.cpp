@@ -174,6 +174,13 @@ TEST(FormatNumber, ChoosesPlainDigitsForModerateExponents) {
   EXPECT_EQ(format_number(12.5), "12.5");
 }
 
+TEST(FormatNumber, NamesWhatIsNotFinite) {
+  EXPECT_EQ(format_number(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(format_number(-std::numeric_limits<double>::quiet_NaN(), 9), "nan");
+  EXPECT_EQ(format_number(std::numeric_limits<double>::infinity(), -3), "inf");
+  EXPECT_EQ(format_number(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
 TEST(WithPrefix, ChoosesThePrefix) {
   EXPECT_EQ(with_prefix(5.3e9, "Hz"), "5.3 GHz");
   EXPECT_EQ(with_prefix(-800e-9, "s"), "-800 ns");

@@ -49,6 +49,8 @@ Product product_of_file(const SampleFile& file) {
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
   product.script = attribute_of(info.attributes, "script");
   take_origin(info.attributes, product);
+  if (product.script.empty()) product.unknown.emplace_back("script");
+  if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
   if (auto axes = file.axes()) {
     const auto shared = std::make_shared<const SampleAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
@@ -86,6 +88,7 @@ class Conversion {
     }
     sink->finish(report());
     warn_of_clipping();
+    warn_of_what_is_no_number();
   }
 
  private:
@@ -113,7 +116,11 @@ class Conversion {
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
     if (!problems.empty()) throw BadInput(std::move(problems));
-    if (product_.bits == 0) product_.bits = options_.counts ? 64 : Simulation{}.bits;
+    if (product_.lsb_v <= 0.0) product_.unknown.emplace_back("lsb_v");
+    if (product_.bits > 0) return;
+    // Enough for all counts; volts have none.
+    product_.bits = 64;
+    product_.unknown.emplace_back("bits");
   }
 
   void read(std::size_t first, std::size_t count) {
@@ -129,12 +136,24 @@ class Conversion {
 
   void warn_of_clipping() {
     if (tally_.saturated == 0) return;
-    const std::string remedy =
-        change_ == Change::to_counts
-            ? fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits))
-            : std::string("more --bits would hold them all");
     streams_.err << fmt::format("warning: {} of {} samples were clipped to {} bits; {}\n", tally_.saturated,
-                                product_.rows * product_.columns, product_.bits, remedy);
+                                product_.rows * product_.columns, product_.bits, remedy_of_clipping());
+  }
+
+  [[nodiscard]] std::string remedy_of_clipping() const {
+    constexpr int most_bits = 64;
+    if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
+    if (change_ == Change::to_counts)
+      return fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits));
+    if (product_.bits < most_bits && tally_.maximum_v <= full_scale_count(most_bits))
+      return "more --bits would hold them all";
+    return fmt::format("{} are the most that counts can have", most_bits);
+  }
+
+  void warn_of_what_is_no_number() {
+    if (tally_.not_numbers == 0) return;
+    streams_.err << fmt::format("warning: I or Q of {} of {} samples is not a number; count 0 stands for it\n",
+                                tally_.not_numbers, product_.rows * product_.columns);
   }
 
   [[nodiscard]] RunReport report() const {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -14,6 +15,7 @@
 #include "cli/progress_display.hpp"
 #include "cli/report.hpp"
 #include "data/join_parts.hpp"
+#include "data/output_file.hpp"
 #include "data/raw_file.hpp"
 
 namespace sarsim::cli {
@@ -44,6 +46,7 @@ class Merger {
       JoinTask task;
       task.output = output();
       task.replace = arguments_.force;
+      for (const std::string& folder : arguments_.folders) expect_outside(task.output, folder);
       expect_free_outputs({task.output}, {{}, arguments_.force, "-o"});
       for (const std::string& folder : arguments_.folders) collect(folder, task.journals);
       task.product = load_product(product_file_of(arguments_.folders.front()));
@@ -64,6 +67,16 @@ class Merger {
       throw BadInput("'" + arguments_.folders.front() + "' is not a folder of parts",
                      "such a folder is called NAME.parts; for another one give the output with -o");
     return fs::path(folder).replace_extension();
+  }
+
+  // In there the output would be taken for a part, or take the place of one, and go with the parts.
+  static void expect_outside(const fs::path& output, const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    const fs::path inside = fs::canonical(folder);
+    const fs::path place = fs::weakly_canonical(fs::absolute(end_of_links(output)));
+    if (std::mismatch(inside.begin(), inside.end(), place.begin(), place.end()).first == inside.end())
+      throw BadInput(fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
+                     "choose another place with -o");
   }
 
   // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open

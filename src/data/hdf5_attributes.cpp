@@ -1,7 +1,6 @@
 #include "data/hdf5_attributes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -49,7 +48,7 @@ std::optional<std::string> read_integer(hid_t attribute, hid_t type) {
 std::optional<std::string> read_float(hid_t attribute) {
   double value = 0.0;
   if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) return std::nullopt;
-  return std::isfinite(value) ? format_number(value) : fmt::format("{}", value);
+  return format_number(value);
 }
 
 std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest) {

@@ -73,4 +73,7 @@ class Hdf5Handle {
 /// "unable to open file: file signature not found". Empty where there was none.
 [[nodiscard]] std::string hdf5_error_text();
 
+/// Whether that failure was that of getting memory or another resource of the system.
+[[nodiscard]] bool hdf5_lacked_memory();
+
 }  // namespace sarsim

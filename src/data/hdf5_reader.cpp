@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "base/stop.hpp"
 #include "data/hdf5_attributes.hpp"
 #include "data/hdf5_dataset.hpp"
 #include "data/trial.hpp"
@@ -18,6 +20,7 @@ namespace {
 constexpr const char* samples_path = "/samples";
 constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 constexpr hsize_t most_details = 1000;
+constexpr const char* good = "good";  // What a child process says of a file that it could read.
 
 // Memory layout of std::complex<double>: complex.array requires the real part first.
 Hdf5Handle complex_in_memory() {
@@ -27,14 +30,26 @@ Hdf5Handle complex_in_memory() {
   return type;
 }
 
-bool read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std::uint64_t count, void* out) {
+// The library could not get the memory that it wanted.
+struct LacksMemory : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Reads leading indices [first, first + count). Throws LacksMemory or std::runtime_error; `what` names what is read.
+void read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std::uint64_t count, void* out,
+               const std::string& what) {
   const Hdf5Handle place(H5Dget_space(dataset.id.get()), H5Sclose);
   const std::uint64_t columns = dataset.shape.size() > 1 ? dataset.shape[1] : 1;
   const std::array<hsize_t, 2> start{first, 0};
   const std::array<hsize_t, 2> size{count, columns};
   const Hdf5Handle memory(H5Screate_simple(static_cast<int>(dataset.shape.size()), size.data(), nullptr), H5Sclose);
-  return H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0 &&
-         H5Dread(dataset.id.get(), type, memory.get(), place.get(), H5P_DEFAULT, out) >= 0;
+  if (H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0 &&
+      H5Dread(dataset.id.get(), type, memory.get(), place.get(), H5P_DEFAULT, out) >= 0)
+    return;
+  // Now: closing the handles makes the library forget what went wrong.
+  const std::string text = "cannot read " + what + ": HDF5: " + hdf5_error_text();
+  if (hdf5_lacked_memory()) throw LacksMemory(text);
+  throw std::runtime_error(text);
 }
 
 class Hdf5Reader final : public SampleReader {
@@ -52,8 +67,7 @@ class Hdf5Reader final : public SampleReader {
   void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
     if (out.empty()) return;
     const Hdf5Use use;
-    if (!read_part(samples_, memory_.get(), first, count, out.data()))
-      throw std::runtime_error("cannot read " + name_ + ": HDF5: " + hdf5_error_text());
+    read_part(samples_, memory_.get(), first, count, out.data(), name_);
   }
 
   [[nodiscard]] std::optional<SampleAxes> axes() const override {
@@ -66,17 +80,47 @@ class Hdf5Reader final : public SampleReader {
     return SampleAxes{std::move(*time), std::move(*carrier), std::move(*range)};
   }
 
+  // Reads the axes as `axes` does, in memory that does not grow with their length.
+  void try_axes() const {
+    if (old_layout_) return;
+    const Hdf5Use use;
+    try_axis("/pulse_time_s", info().rows);
+    try_axis("/carrier_hz", info().rows);
+    try_axis("/slant_range_m", info().columns);
+  }
+
  private:
-  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length) const {
-    const auto opened = open_dataset(file_.get(), path, file_bytes_);
-    const auto* dataset = std::get_if<Hdf5Dataset>(&opened);
+  // The axis, where it is there and of numbers, one for each of `length`.
+  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length) const {
+    auto opened = open_dataset(file_.get(), path, file_bytes_);
+    auto* dataset = std::get_if<Hdf5Dataset>(&opened);
     if (dataset == nullptr || dataset->shape.size() != 1 || dataset->shape[0] != length) return std::nullopt;
     const H5T_class_t kind = H5Tget_class(dataset->type.get());
     if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+    return std::move(*dataset);
+  }
+
+  void read_axis_part(const Hdf5Dataset& axis, const char* path, std::size_t first, std::span<double> out) const {
+    read_part(axis, H5T_NATIVE_DOUBLE, first, out.size(), out.data(), fmt::format("{} of {}", path, name_));
+  }
+
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length) const {
+    const auto axis = open_axis(path, length);
+    if (!axis) return std::nullopt;
     std::vector<double> values(length);
-    if (!read_part(*dataset, H5T_NATIVE_DOUBLE, 0, length, values.data()))
-      throw std::runtime_error(fmt::format("cannot read {} of {}: HDF5: {}", path, name_, hdf5_error_text()));
+    read_axis_part(*axis, path, 0, values);
     return values;
+  }
+
+  void try_axis(const char* path, std::size_t length) const {
+    constexpr std::size_t at_once = std::size_t{1} << 22U;
+    const auto axis = open_axis(path, length);
+    if (!axis) return;
+    std::vector<double> values(std::min(length, at_once));
+    for (std::size_t first = 0; first < length; first += values.size()) {
+      values.resize(std::min(values.size(), length - first));
+      read_axis_part(*axis, path, first, values);
+    }
   }
 
   std::string name_;
@@ -111,6 +155,7 @@ void take_known_attributes(SampleFileInfo& info) {
   info.lsb_v = number_attribute(info.attributes, "lsb_v");
   if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
   info.sample_rate_hz = number_attribute(info.attributes, "sample_rate_hz");
+  if (info.sample_rate_hz && !(*info.sample_rate_hz > 0.0)) info.sample_rate_hz.reset();
 }
 
 // The old program named its attributes after the comments of the script and kept the script's units.
@@ -221,16 +266,16 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
   return {std::make_unique<Hdf5Reader>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
 }
 
-// Reads what a file claims to hold: all of a small one, the ends of a large one.
-void read_through(const SampleReader& reader) {
+// Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
+void read_through(const Hdf5Reader& reader) {
   constexpr std::size_t most_samples = std::size_t{1} << 22U;
   const SampleFileInfo& info = reader.info();
+  reader.try_axes();
   if (info.columns > most_samples) return;
   const std::size_t rows = std::min(info.rows, most_samples / info.columns);
   std::vector<std::complex<double>> samples(rows * info.columns);
   reader.read_rows(0, rows, samples);
   reader.read_rows(info.rows - rows, rows, samples);
-  (void)reader.axes();
 }
 
 // A problem as text and back, for the way from one process to the other.
@@ -254,21 +299,36 @@ Problem unpacked(const std::string& text) {
   return problem;
 }
 
+Problem lacks_memory(const std::string& what) {
+  return file_problem({}, "the HDF5 library needs more memory for the file than it is given", what,
+                      fmt::format("at most {} MB more than the program has", trial_bytes >> 20U),
+                      "the file is damaged, or stored in very large chunks: h5repack makes them smaller");
+}
+
+// What the child process does: the word that all is well, or a packed problem.
+std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  try {
+    const OpenedReader opened = open_here(path, file_bytes, hints);
+    if (!opened.reader) return packed(opened.problems.front());
+    read_through(static_cast<const Hdf5Reader&>(*opened.reader));
+    return good;
+  } catch (const LacksMemory& error) {
+    return packed(lacks_memory(error.what()));
+  } catch (const std::bad_alloc&) {
+    return packed(lacks_memory({}));
+  } catch (const std::exception& error) {
+    return packed(file_problem({}, "the file is damaged: the HDF5 library cannot read all of it", error.what()));
+  }
+}
+
 }  // namespace
 
 OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
   constexpr unsigned patience_s = 20;
-  const std::string good = "good";
-  const TrialReport trial = run_trial(
-      [&] {
-        const OpenedReader opened = open_here(path, file_bytes, hints);
-        if (!opened.reader) return packed(opened.problems.front());
-        read_through(*opened.reader);
-        return good;
-      },
-      patience_s, &hdf5_lock());
+  const TrialReport trial = run_trial([&] { return tried(path, file_bytes, hints); }, patience_s, &hdf5_lock());
+  if (trial.result == TrialResult::stopped) throw Interrupted();
   if (trial.result != TrialResult::passed)
     return refused(path.string(),
                    file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",

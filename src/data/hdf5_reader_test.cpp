@@ -78,6 +78,44 @@ TEST(Hdf5Reader, ReadsChunkedAndCompressedSamples) {
   EXPECT_EQ(opened.file->info().bits, 0);
 }
 
+// A file is tried in a child process of little memory. All of this one but its structure is a hole, which takes no
+// disk.
+TEST(Hdf5Reader, OpensFilesWhoseAxesAreLargerThanTheMemoryOfTheTrial) {
+  const TestFolder folder;
+  constexpr hsize_t rows = 36'000'000;
+  const auto hole = [](hid_t properties) {
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+  };
+  {
+    const Hdf5Handle file = create_file(folder / "a.h5");
+    add_dataset(file.get(), "samples", complex_float().get(), {{rows, 1}, hole});
+    for (const char* name : {"pulse_time_s", "carrier_hz"})
+      add_dataset(file.get(), name, H5T_IEEE_F64LE, {{rows}, hole});
+    add_dataset(file.get(), "slant_range_m", H5T_IEEE_F64LE, {{1}, hole});
+  }
+  const auto opened = SampleFile::open(folder / "a.h5");
+  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  EXPECT_EQ(opened.file->info().rows, rows);
+}
+
+TEST(Hdf5Reader, SaysWhatItCouldNotRead) {
+  const TestFolder folder;
+  {
+    const Hdf5Handle file = create_file(folder / "a.h5");
+    add_dataset(file.get(), "samples", complex_float().get(), {{2, 3}, [](hid_t properties) {
+                                                                 const std::array<hsize_t, 2> chunk{2, 3};
+                                                                 H5Pset_chunk(properties, 2, chunk.data());
+                                                                 H5Pset_deflate(properties, 6);
+                                                               }});
+    const Hdf5Handle dataset(H5Dopen2(file.get(), "samples", H5P_DEFAULT), H5Dclose);
+    const std::array<hsize_t, 2> begin{0, 0};
+    const std::string garbage = "this is no stream of deflate";
+    ASSERT_GE(H5Dwrite_chunk(dataset.get(), H5P_DEFAULT, 0, begin.data(), garbage.size(), garbage.data()), 0);
+  }
+  EXPECT_THAT(error_of(folder / "a.h5"), HasSubstr("inflate"));
+}
+
 // A file is tried in a child process; that must not begin with a copy of the library that another thread has locked.
 TEST(Hdf5Reader, OpensFilesWhileOtherThreadsReadAndWriteSome) {
   const TestFolder folder;

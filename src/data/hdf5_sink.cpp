@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/version.hpp"
+#include "data/product_attributes.hpp"
 
 namespace sarsim {
 
@@ -100,11 +100,11 @@ bool write_part(hid_t dataset, hid_t type, std::size_t first, std::size_t count,
 
 bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
                 const std::function<double(std::size_t)>& value) {
+  if (!value) return true;
   std::vector<double> values;
   for (std::size_t begin = first; begin < first + count; begin += values.size()) {
     values.resize(std::min(axis_chunk, first + count - begin));
-    for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = value ? value(begin + i) : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(begin + i);
     if (!write_part(dataset.get(), H5T_NATIVE_DOUBLE, begin, values.size(), 1, values.data())) return false;
   }
   return true;
@@ -146,28 +146,31 @@ void Hdf5Sink::create_file() {
 void Hdf5Sink::write_attributes() {
   const hid_t root = hdf5_.get();
   const RunOptions& options = product_.options;
+  const auto put = [&](const char* name, const auto&... value) {
+    return !is_known(product_, name) || write_attribute(root, name, value...);
+  };
   expect(write_attribute(root, "format_version", format_version) &&
-         write_attribute(root, "program_version", std::string(program_version)) &&
-         write_attribute(root, "script", product_.script) && write_attribute(root, "radar", product_.radar) &&
-         write_attribute(root, "processing", std::string(name_of(product_.processing))) &&
-         write_attribute(root, "profile", std::string(name_of(options.profile))) &&
-         write_attribute(root, "pulse", std::string(name_of(options.pulse))) &&
-         write_attribute(root, "seed", H5T_STD_U64LE, &options.seed) &&
-         write_attribute(root, "engine", product_.engine) && write_attribute(root, "tolerance", options.tolerance) &&
-         write_attribute(root, "sample_rate_hz", product_.sample_rate_hz) &&
-         write_attribute(root, "bits", static_cast<std::int32_t>(product_.bits)) &&
-         write_attribute(root, "lsb_v", product_.lsb_v));
+         write_attribute(root, "program_version", std::string(program_version)) && put("script", product_.script) &&
+         put("radar", product_.radar) && put("processing", std::string(name_of(product_.processing))) &&
+         put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&
+         put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
+         put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
+         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
 }
 
 void Hdf5Sink::create_datasets() {
   const std::array<hsize_t, 2> shape{product_.rows, product_.columns};
   const hid_t file = hdf5_.get();
-  pulse_time_ = create_dataset(file, "pulse_time_s", H5T_IEEE_F64LE, std::span(shape).first(1));
-  carrier_ = create_dataset(file, "carrier_hz", H5T_IEEE_F64LE, std::span(shape).first(1));
-  slant_range_ = create_dataset(file, "slant_range_m", H5T_IEEE_F64LE, std::span(shape).last(1));
+  const auto add_axis = [&](const char* name, const auto& axis, Hdf5Handle& dataset, std::span<const hsize_t> size) {
+    if (!axis) return;
+    dataset = create_dataset(file, name, H5T_IEEE_F64LE, size);
+    expect(static_cast<bool>(dataset));
+  };
+  add_axis("pulse_time_s", product_.row_time_s, pulse_time_, std::span(shape).first(1));
+  add_axis("carrier_hz", product_.row_carrier_hz, carrier_, std::span(shape).first(1));
+  add_axis("slant_range_m", product_.column_range_m, slant_range_, std::span(shape).last(1));
   samples_ = create_dataset(file, "samples", sample_type_.get(), shape);
-  expect(pulse_time_ && carrier_ && slant_range_ && samples_ &&
-         write_attribute(samples_.get(), "unit", std::string(encoding_.counts ? "count" : "V")));
+  expect(samples_ && write_attribute(samples_.get(), "unit", std::string(encoding_.counts ? "count" : "V")));
 }
 
 void Hdf5Sink::write_column_axis() { expect(write_axis(slant_range_, 0, product_.columns, product_.column_range_m)); }
@@ -204,7 +207,7 @@ std::uint64_t Hdf5Sink::samples_offset() const {
 void Hdf5Sink::finish(const RunReport& report) {
   order_.expect_all();
   const Hdf5Use use;
-  expect(write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
+  expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
   for (Hdf5Handle* handle : {&slant_range_, &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})
     closed = handle->close() && closed;

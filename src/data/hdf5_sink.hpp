@@ -12,8 +12,8 @@
 namespace sarsim {
 
 /// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`
-/// and `/slant_range_m`. Contiguous datasets of known size; rows and their axes are written as they come. No time
-/// stamps, and a fixed version of the format: the same input gives the same bytes.
+/// and `/slant_range_m`, but for what is not known. Contiguous datasets of known size; rows and their axes are written
+/// as they come. No time stamps, and a fixed version of the format: the same input gives the same bytes.
 class Hdf5Sink final : public Sink {
  public:
   /// Begins the file; an existing one is refused unless `replace`.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "data/formats.hpp"
 #include "data/product_attributes.hpp"
 #include "receiver/converter.hpp"
 
@@ -55,24 +56,23 @@ std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t 
 
 Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
   const ImageInfo& info = source.info();
-  SampleAxes axes = source.axes().value_or(SampleAxes{});
   Product product;
   product.rows = window.rows;
   product.columns = window.cols;
-  product.row_time_s = picked(std::move(axes.row_time_s), window.row0, window.row_step);
-  product.row_carrier_hz = picked(std::move(axes.row_carrier_hz), window.row0, window.row_step);
-  product.column_range_m = picked(std::move(axes.column_range_m), window.col0, window.col_step);
+  if (auto axes = source.axes()) {
+    product.row_time_s = picked(std::move(axes->row_time_s), window.row0, window.row_step);
+    product.row_carrier_hz = picked(std::move(axes->row_carrier_hz), window.row0, window.row_step);
+    product.column_range_m = picked(std::move(axes->column_range_m), window.col0, window.col_step);
+  }
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
   product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;
   take_origin(info.attributes, product);
   product.engine = "selection of " + info.path.filename().string();
+  std::erase(product.unknown, "engine");
+  if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
+  if (options.bits <= 0 && info.bits <= 0 && !holds_counts(options.sink.format, options.sink.counts))
+    product.unknown.emplace_back("bits");
   return product;
-}
-
-// What is not a number is 0.
-std::complex<double> number_of(std::complex<float> sample) {
-  const auto part = [](float value) { return std::isnan(value) ? 0.0 : static_cast<double>(value); };
-  return {part(sample.real()), part(sample.imag())};
 }
 
 // What the sink is given of one block.
@@ -89,7 +89,7 @@ struct BlockMaker {
     for (const std::complex<float>& sample : samples) {
       const std::complex<double> value(sample);
       report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
-      values.push_back(counts ? number_of(sample) : value * volts_of_value);
+      values.push_back(counts ? value : value * volts_of_value);
     }
     if (!counts) return;
     numbers.resize(2 * values.size());
@@ -97,6 +97,7 @@ struct BlockMaker {
     converter.convert(values, numbers, tally);
     report.saturated += tally.saturated;
     report.zero += tally.zero;
+    report.not_numbers += tally.not_numbers;
   }
 };
 
@@ -107,9 +108,11 @@ RunReport export_window(const ImageSource& source, const ImageWindow& window, co
   if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
   const auto begin = std::chrono::steady_clock::now();
   Product product = product_of(source, window, options);
+  const bool from_counts = source.info().counts;
+  const bool lsb_is_known = options.lsb_v > 0.0 || source.info().lsb_v || from_counts;
+  if (!lsb_is_known && !holds_counts(options.sink.format, options.sink.counts)) product.unknown.emplace_back("lsb_v");
   const auto sink = make_sink(path, product, options.sink);
   const double steps = full_scale_count(product.bits);
-  const bool from_counts = source.info().counts;
   double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
   if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
   if (!(lsb_v > 0.0)) lsb_v = 1.0;

@@ -20,10 +20,11 @@ struct ImageExport {
 /// Writes a window of an image as a file of samples in any of the formats of docs/formats/samples.md, some MB at a
 /// time.
 ///
-/// Counts stay counts where the format holds counts, clipped where they do not fit; volts become counts, and counts
-/// volts, by the LSB. Real values, magnitudes, powers and the luminance of colours are stored as they are, with Q 0.
-/// Numbers pass through float: counts above 2^24 are rounded. Times, carriers, ranges and the sampling rate are those
-/// of the samples that are taken; where the source has none they are not numbers, and the rate is 0.
+/// Counts stay counts where the format holds counts, clipped where they do not fit, and 0 for what is not a number;
+/// volts become counts, and counts volts, by the LSB. Real values, magnitudes, powers and the luminance of colours are
+/// stored as they are, with Q 0. Numbers pass through float: counts above 2^24 are rounded. Times, carriers, ranges and
+/// the sampling rate are those of the samples that are taken; what the source does not say the file does not say
+/// either.
 ///
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
 /// std::out_of_range for a window that is not inside or empty, Interrupted.

@@ -107,6 +107,31 @@ TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
   EXPECT_EQ(back.engine, "selection of a.h5");
 }
 
+TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
+  const TestFolder folder;
+  RawLayout layout;
+  layout.width = 2;
+  layout.number = RawNumber::float32;
+  ImageHints hints;
+  hints.raw = layout;
+  const std::array<float, 8> volts{0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, 0.0F};
+  const auto source = open_whole(put(folder / "a.raw", {reinterpret_cast<const char*>(volts.data()), 32}), hints);
+  ASSERT_TRUE(source);
+  ImageExport options;
+  options.sink.format = FileFormat::hdf5;
+  export_window(*source, {0, 2, 0, 2}, folder / "a.h5", options);
+  const auto stored = open_whole(folder / "a.h5");
+  ASSERT_TRUE(stored);
+  EXPECT_FALSE(stored->axes());
+  EXPECT_FALSE(stored->info().lsb_v);
+  EXPECT_FALSE(stored->info().sample_rate_hz);
+  EXPECT_EQ(stored->info().bits, 0);
+  Product back;
+  take_origin(stored->info().attributes, back);
+  EXPECT_EQ(back.unknown, (std::vector<std::string>{"radar", "processing", "profile", "pulse", "seed", "tolerance"}));
+  EXPECT_EQ(back.engine, "selection of a.raw");
+}
+
 TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   const TestFolder folder;
   RawLayout layout;
@@ -128,6 +153,7 @@ TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   options.sink.replace = true;
   const RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_EQ(clipped.saturated, 1U);
+  EXPECT_EQ(clipped.not_numbers, 1U);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "50 0\n-127 0\n\n0 100\n1 0\n\n");
 }
 

@@ -104,11 +104,41 @@ class Joiner {
         recorded_{task.product.product.rows, task.product.product.columns, task.product.product.bits} {}
 
   Joined join() {
-    fs::create_directories(folder_);
+    expect_place();
+    const bool made_here = fs::create_directories(folder_);
+    fs::path complete;
+    try {
+      return join_into(complete);
+    } catch (...) {
+      tidy(complete, made_here);
+      throw;
+    }
+  }
+
+ private:
+  // What is no file cannot get its content by a change of names.
+  void expect_place() const {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(task_.output, ignored);
+    if (!fs::exists(status) || fs::is_regular_file(status)) return;
+    Problem problem = file_problem(task_.output.string(), "parts can only become a file");
+    problem.hint = "give the output another name";
+    throw UnfitParts({problem});
+  }
+
+  // Takes away what a join that fails has made; the parts stay.
+  void tidy(const fs::path& complete, bool made_here) const {
+    std::error_code ignored;
+    if (complete == joined_path()) fs::remove(complete, ignored);
+    fs::remove(frame_path(), ignored);
+    if (made_here) fs::remove(folder_, ignored);
+  }
+
+  // @param[out] complete  the whole file, as soon as there is one
+  Joined join_into(fs::path& complete) {
     const ConversionTally tally = tally_of(pieces_);
     const double given_v = task_.product.product.lsb_v;
     Joined joined;
-    fs::path complete;
     if (task_.product.estimate_lsb) {
       complete = convert(joined.report, lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
     } else {
@@ -122,7 +152,9 @@ class Joiner {
     return joined;
   }
 
- private:
+  [[nodiscard]] fs::path joined_path() const { return folder_ / "joined"; }
+  [[nodiscard]] fs::path frame_path() const { return folder_ / "frame"; }
+
   [[nodiscard]] bool in_place() const {
     return std::ranges::all_of(pieces_, [&](const Piece& piece) {
       return piece.journal->head.store == RowStore::placed &&
@@ -134,7 +166,7 @@ class Joiner {
     verify(unchecked(), control_);
     const fs::path path = shared_rows_of(folder_);
     RawFile file(path, RawFile::Mode::write);
-    write_frame(file, folder_ / "frame", task_.product.product, task_.product.options, report);
+    write_frame(file, frame_path(), task_.product.product, task_.product.options, report);
     file.sync();
     return path;
   }
@@ -146,9 +178,9 @@ class Joiner {
   }
 
   fs::path concatenate(const RunReport& report) {
-    fs::path path = folder_ / "joined";
+    fs::path path = joined_path();
     const auto sink = sink_at(path);
-    const auto places = row_places(folder_ / "frame", task_.product.product, task_.product.options);
+    const auto places = row_places(frame_path(), task_.product.product, task_.product.options);
     const std::size_t row_bytes = places ? static_cast<std::size_t>(places->row_bytes) : 0;
     for (const Piece& piece : pieces_) {
       append(piece, row_bytes, *sink);
@@ -177,7 +209,7 @@ class Joiner {
 
   fs::path convert(RunReport& report, double lsb_v) {
     verify(pieces_, control_);
-    fs::path path = folder_ / "joined";
+    fs::path path = joined_path();
     const auto sink = sink_at(path);
     report = run_stored(
         recorded_, [&] { return reader(); }, lsb_v, *sink, control_);

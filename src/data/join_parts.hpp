@@ -64,7 +64,8 @@ struct Joined {
 /// Makes a recording's file of its parts, byte for byte the file of a single run, and gives it its name; beside it a
 /// receipt ".journal" by which a later `--resume` knows it. The parts stay where they are, but for the shared file,
 /// which becomes the output where all rows stand in it.
-/// @throws UnfitParts where rows are not what their journal says
+/// Where it fails, the parts are all that is left.
+/// @throws UnfitParts where rows are not what their journal says, and where the output is there but no file
 Joined join_parts(const JoinTask& task, const RunControl& control);
 
 /// A finished recording's receipt.

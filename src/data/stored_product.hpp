@@ -8,7 +8,8 @@
 
 namespace sarsim {
 
-/// What is needed to make a recording's file from its rows without the scene: for parts that are joined elsewhere.
+/// What is needed to make a recording's file from its rows without the scene: for parts that are joined elsewhere. Of a
+/// recording that is made here everything is known.
 struct StoredProduct {
   Product product;
   SinkOptions options;

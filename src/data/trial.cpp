@@ -1,6 +1,7 @@
 #include "data/trial.hpp"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,7 +17,8 @@ namespace sarsim {
 
 namespace {
 
-constexpr rlim_t more_bytes = rlim_t{512} << 20U;
+// What terminals and operators send to end programs. A terminal sends it to the child as well.
+constexpr std::array<int, 3> requests{SIGINT, SIGTERM, SIGHUP};
 
 // Address space of this process in bytes; 0 where the system does not say.
 rlim_t mapped_bytes() {
@@ -41,17 +43,38 @@ void send(int pipe_end, const std::string& text) {
   (void)sent;  // A lost text is an empty one.
 }
 
-[[noreturn]] void child(const std::function<std::string()>& work, unsigned seconds, rlim_t mapped, int pipe_end) {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM, SIGINT, SIGTERM})
-    std::signal(signal, SIG_DFL);
+// Handlers of the parent would only tell its copy of a flag. What it ignores, under nohup, is ignored here too.
+void obey_requests() {
+  for (const int signal : requests) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_IGN) std::signal(signal, SIG_DFL);
+  }
+}
+
+// Nobody waits for the result when the parent is gone.
+void end_with(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(0);
+}
+
+struct ChildRules {
+  unsigned seconds = 0;
+  rlim_t mapped = 0;  // By the parent; 0 where that is not known.
+  pid_t parent = 0;
+};
+
+[[noreturn]] void child(const std::function<std::string()>& work, const ChildRules& rules, int pipe_end) {
+  end_with(rules.parent);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM}) std::signal(signal, SIG_DFL);
+  obey_requests();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) {
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
   }
   limit(RLIMIT_CORE, 0);
-  if (mapped > 0) limit(RLIMIT_AS, mapped + more_bytes);
-  ::alarm(seconds);
+  if (rules.mapped > 0) limit(RLIMIT_AS, rules.mapped + trial_bytes);
+  ::alarm(rules.seconds);
   try {
     send(pipe_end, work());
   } catch (...) {
@@ -78,11 +101,19 @@ pid_t fork_under(std::mutex* lock) {
   return ::fork();
 }
 
+// Of a child that has not passed.
+TrialResult result_of(int status) {
+  if (!WIFSIGNALED(status)) return TrialResult::crashed;
+  const int signal = WTERMSIG(status);
+  if (signal == SIGALRM) return TrialResult::timed_out;
+  return std::ranges::find(requests, signal) != requests.end() ? TrialResult::stopped : TrialResult::crashed;
+}
+
 }  // namespace
 
 TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock) {
   const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
-  const rlim_t mapped = mapped_bytes();
+  const ChildRules rules{seconds, mapped_bytes(), ::getpid()};
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
   const pid_t process = fork_under(lock);
@@ -91,7 +122,7 @@ TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds
     ::close(ends[1]);
     fail("cannot start a process to try a file in");
   }
-  if (process == 0) child(work, seconds, mapped, ends[1]);
+  if (process == 0) child(work, rules, ends[1]);
   ::close(ends[1]);
   TrialReport report;
   report.text = everything_from(ends[0]);
@@ -100,8 +131,7 @@ TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds
   while (::waitpid(process, &status, 0) < 0)
     if (errno != EINTR) fail("cannot wait for the process that tries a file");
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return report;
-  const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
-  return {late ? TrialResult::timed_out : TrialResult::crashed, {}};
+  return {result_of(status), {}};
 }
 
 }  // namespace sarsim

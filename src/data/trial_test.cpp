@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -26,6 +27,34 @@ TEST(Trial, TellsSurvivalFromCrashAndHang) {
                 1)
                 .result,
             TrialResult::timed_out);
+}
+
+// The terminal sends Ctrl-C to the child as well.
+TEST(Trial, ARequestToEndIsNoCrash) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, SIG_DFL);
+    const TrialReport report = run_trial(
+        [signal] {
+          std::raise(signal);
+          return std::string("survived");
+        },
+        5);
+    std::signal(signal, before);
+    EXPECT_EQ(report.result, TrialResult::stopped) << signal;
+  }
+}
+
+TEST(Trial, WhatIsIgnoredStaysIgnored) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  const TrialReport report = run_trial(
+      [] {
+        std::raise(SIGHUP);
+        return std::string("survived");
+      },
+      5);
+  std::signal(SIGHUP, before);
+  EXPECT_EQ(report.result, TrialResult::passed);
+  EXPECT_EQ(report.text, "survived");
 }
 
 TEST(Trial, BringsBackTheTextAndNothingElse) {

@@ -27,6 +27,8 @@ double rounded_half_up(double value) {
   return value - below < 0.5 ? below : below + 1.0;
 }
 
+bool is_clipped(double value, double clipped) { return !std::isnan(value) && clipped != value; }
+
 }  // namespace
 
 double full_scale_count(int bits) { return std::max(1.0, std::ldexp(1.0, bits - 1) - 1.0); }
@@ -35,6 +37,7 @@ void ConversionTally::add(const ConversionTally& other) {
   maximum_v = std::max(maximum_v, other.maximum_v);
   saturated += other.saturated;
   zero += other.zero;
+  not_numbers += other.not_numbers;
 }
 
 void Converter::convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
@@ -45,9 +48,15 @@ void Converter::convert(std::span<const std::complex<double>> volts, std::span<s
   for (std::size_t i = 0; i < volts.size(); ++i) {
     const double in_phase = rounded_half_up(volts[i].real() / lsb_v);
     const double quadrature = rounded_half_up(volts[i].imag() / lsb_v);
-    const double clipped_i = std::clamp(in_phase, lowest, highest);
-    const double clipped_q = std::clamp(quadrature, lowest, highest);
-    if (clipped_i != in_phase || clipped_q != quadrature) ++tally.saturated;
+    double clipped_i = std::clamp(in_phase, lowest, highest);
+    double clipped_q = std::clamp(quadrature, lowest, highest);
+    if (clipped_i != in_phase || clipped_q != quadrature) {
+      const bool saturated = is_clipped(in_phase, clipped_i) || is_clipped(quadrature, clipped_q);
+      if (saturated) ++tally.saturated;
+      if (std::isnan(in_phase) || std::isnan(quadrature)) ++tally.not_numbers;
+      if (std::isnan(in_phase)) clipped_i = 0.0;
+      if (std::isnan(quadrature)) clipped_q = 0.0;
+    }
     if (clipped_i == 0.0 && clipped_q == 0.0) ++tally.zero;
     largest_power = std::max(largest_power, std::norm(volts[i]));
     if (!counts.empty()) {

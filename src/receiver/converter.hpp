@@ -11,16 +11,18 @@ namespace sarsim {
 
 /// What a conversion met.
 struct ConversionTally {
-  double maximum_v = 0.0;       ///< Largest magnitude before conversion.
-  std::uint64_t saturated = 0;  ///< Samples with I or Q clipped.
-  std::uint64_t zero = 0;       ///< Samples whose counts are both 0.
+  double maximum_v = 0.0;         ///< Largest magnitude before conversion.
+  std::uint64_t saturated = 0;    ///< Samples with I or Q clipped.
+  std::uint64_t zero = 0;         ///< Samples whose counts are both 0.
+  std::uint64_t not_numbers = 0;  ///< Samples whose I or Q is no number (NaN).
 
   /// Joins what two conversions met.
   void add(const ConversionTally& other);
 };
 
 /// An A/D converter for I and Q: count = floor(v/LSB + 1/2) clipped to [-C, C + 1] (decision 24).
-/// Counts are exact up to 53 bits; beyond, they are the multiples that doubles can hold.
+/// Counts are exact up to 53 bits; beyond, they are the multiples that doubles can hold. NaN becomes 0 and is tallied;
+/// infinity is clipped like any large value.
 struct Converter {
   int bits = 8;
   double lsb_v = 1.0;  ///< Positive.

@@ -86,6 +86,26 @@ TEST(Converter, TalliesMaximumClippingAndSilence) {
   EXPECT_EQ(c.tally.maximum_v, 130.0);
 }
 
+TEST(Converter, MakesNothingOfWhatIsNoNumberAndClipsInfinity) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const int bits : {1, 8, 64}) {
+    const Conversion c = convert(bits, 1.0, {{none, 1.0}, {-1.0, none}, {none, none}, {0.0, 0.0}});
+    EXPECT_EQ(c.counts, (std::vector<std::int64_t>{0, 1, -1, 0, 0, 0, 0, 0})) << bits;
+    EXPECT_EQ(c.tally.not_numbers, 3u);
+    EXPECT_EQ(c.tally.saturated, 0u);
+    EXPECT_EQ(c.tally.zero, 2u);
+    EXPECT_EQ(c.tally.maximum_v, 0.0);
+  }
+  const Conversion c = convert(8, 1.0, {{infinite, -infinite}, {none, infinite}});
+  EXPECT_EQ(c.counts, (std::vector<std::int64_t>{128, -127, 0, 128}));
+  EXPECT_EQ(c.tally.saturated, 2u);
+  EXPECT_EQ(c.tally.not_numbers, 1u);
+  ConversionTally sum{1.0, 2, 3, 4};
+  sum.add({1.0, 2, 3, 40});
+  EXPECT_EQ(sum.not_numbers, 44u);
+}
+
 TEST(Converter, TalliesWithoutCountsAndAddsToTheTally) {
   ConversionTally tally{7.0, 1, 2};
   const std::vector<std::complex<double>> volts{{3.0, 4.0}, {0.0, 0.0}};

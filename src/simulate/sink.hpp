@@ -28,6 +28,9 @@ struct Product {
   RunOptions options;
   std::string engine = "reference";
   std::string script;  ///< Text of the scene as understood.
+  /// Attributes of docs/formats/samples.md that nobody knows: what stands here for them says nothing, and files leave
+  /// them out, as they do axes that are empty functions.
+  std::vector<std::string> unknown = {};
 };
 
 /// Some consecutive rows of a recording. I before Q, rows one after the other.
@@ -46,10 +49,11 @@ struct RunReport {
   double seconds = 0.0;
   double maximum_v = 0.0;  ///< Largest magnitude.
   double lsb_v = 0.0;
-  double best_lsb_v = 0.0;      ///< maximum_v / (2^(bits-1) - 1).
-  double range_used = 0.0;      ///< maximum_v / (lsb_v (2^(bits-1) - 1)).
-  std::uint64_t saturated = 0;  ///< Samples whose I or Q was clipped.
-  std::uint64_t zero = 0;       ///< Samples whose counts are both 0.
+  double best_lsb_v = 0.0;        ///< maximum_v / (2^(bits-1) - 1).
+  double range_used = 0.0;        ///< maximum_v / (lsb_v (2^(bits-1) - 1)).
+  std::uint64_t saturated = 0;    ///< Samples whose I or Q was clipped.
+  std::uint64_t zero = 0;         ///< Samples whose counts are both 0.
+  std::uint64_t not_numbers = 0;  ///< Samples of an input whose I or Q is no number (NaN) and became count 0.
 };
 
 /// Where the rows of a recording go. `encode` may run on many threads at once; `append` is called from one thread,

@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <array>
+#include <limits>
+
 #include "program.hpp"
 
 namespace sarsim::test {
@@ -46,6 +49,29 @@ TEST_F(Convert, Hdf5KeepsAxesAndAttributes) {
   EXPECT_EQ(text_of(folder_ / "made.h5"), text_of(folder_ / "sim.h5"));
 }
 
+TEST_F(Convert, Hdf5SaysNothingThatNobodyKnows) {
+  ASSERT_EQ(sarsim({"convert", "sim.npy", "made.h5"}).status, 0);
+  const Finished known = sarsim({"info", "made.h5"});
+  ASSERT_EQ(known.status, 0) << known.err;
+  for (const char* word :
+       {"bits", "lsb_v", "LSB", "sampling rate", "sample_rate_hz", "seed", "engine", "profile", "processing",
+        "tolerance", "radar", "script", "send times", "carriers", "slant ranges", "nan"})
+    EXPECT_THAT(known.out, testing::Not(HasSubstr(word))) << word;
+  EXPECT_THAT(known.out, HasSubstr("format_version"));
+  // Neither do later conversions believe it.
+  const Finished bits = sarsim({"convert", "made.h5", "made.bin", "--lsb", "2e-8"});
+  EXPECT_EQ(bits.status, 2);
+  EXPECT_THAT(bits.err, HasSubstr("--bits"));
+  ASSERT_EQ(sarsim({"convert", "made.h5", "made.bin", "--lsb", "2e-8", "--bits", "8"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "made.bin"), text_of(folder_ / "sim.bin"));
+}
+
+TEST_F(Convert, Hdf5SaysWhatTheCommandLineGave) {
+  ASSERT_EQ(sarsim({"convert", "sim.asc", "made.h5", "--lsb", "2e-8", "--bits", "8"}).status, 0);
+  EXPECT_EQ(sarsim({"convert", "made.h5", "back.bin"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "back.bin"), text_of(folder_ / "sim.bin"));
+}
+
 TEST_F(Convert, CountsBecomeVoltsWithTheLsb) {
   ASSERT_EQ(sarsim({"convert", "sim.asc", "made.npy", "--lsb", "2e-8"}).status, 0);
   ASSERT_EQ(sarsim({"convert", "made.npy", "back.asc", "--lsb", "2e-8", "--bits", "8"}).status, 0);
@@ -88,6 +114,33 @@ TEST_F(Convert, TellsOfClipping) {
   const Finished other = sarsim({"convert", "sim.asc", "small.bin", "--bits", "2"});
   EXPECT_EQ(other.status, 0);
   EXPECT_THAT(other.err, HasSubstr("clipped to 2 bits"));
+}
+
+TEST_F(Convert, SaysWhereNoBitsHoldThemAll) {
+  write_text(folder_ / "big.asc", "10000000000000000000 0\n1 2\n\n");
+  const Finished run = sarsim({"convert", "big.asc", "big.csv", "--bits", "64"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 64 bits; 64 are the most"));
+}
+
+// One row of (NaN, 1) and (infinite, -3) in float32, as NumPy stores it.
+std::string npy_of_odd_numbers() {
+  std::string header = "{'descr': '<c8', 'fortran_order': False, 'shape': (1, 2), }";
+  header += std::string(128 - 10 - 1 - header.size(), ' ') + '\n';
+  const std::array<float, 4> numbers{std::numeric_limits<float>::quiet_NaN(), 1.0F,
+                                     std::numeric_limits<float>::infinity(), -3.0F};
+  const std::string size{static_cast<char>(header.size()), '\0'};
+  return std::string("\x93NUMPY\x01\0", 8) + size + header +
+         std::string(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+}
+
+TEST_F(Convert, CountsZeroForWhatIsNoNumberAndTellsOfIt) {
+  write_text(folder_ / "odd.npy", npy_of_odd_numbers());
+  const Finished run = sarsim({"convert", "odd.npy", "odd.asc", "--bits", "8", "--lsb", "1"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(text_of(folder_ / "odd.asc"), "0 1\n128 -3\n\n");
+  EXPECT_THAT(run.err, HasSubstr("I or Q of 1 of 2 samples is not a number"));
+  EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 8 bits; some of the numbers are infinite"));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -59,6 +61,16 @@ TEST_F(PartRefusals, PartsThatOverlap) {
   ASSERT_EQ(run({"--out", "other", "--pulses", "11:40"}).status, 0);
   expect_refusal(sarsim({"merge", "sim.bin.parts", "other/sim.bin.parts"}), "parts overlap: pulses 11 to 20");
   EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
+  expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", "other.bin"}), "are not what part 1/1 wrote");
+  EXPECT_EQ(entries("."), (std::vector<std::string>{"scene.scr", "sim.bin.parts"}));
+}
+
+TEST_F(PartRefusals, AMergeIntoWhatIsNoFile) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", "pipe", "--force"}), "parts can only become a file");
+  EXPECT_EQ(entries("."), (std::vector<std::string>{"pipe", "scene.scr", "sim.bin.parts"}));
+  EXPECT_EQ(sarsim({"merge", "sim.bin.parts"}).status, 0);
 }
 
 TEST_F(PartRefusals, PartsThatAreMissing) {
@@ -118,6 +130,20 @@ TEST_F(PartRefusals, RowsThatAreDamagedInAMerge) {
   write_text(folder_ / "sim.bin.parts/part-1-of-1.rows", rows);
   expect_refusal(sarsim({"merge", "sim.bin.parts"}), "are not what part 1/1 wrote");
   EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
+}
+
+TEST_F(PartRefusals, AnOutputAmongTheParts) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  const auto before = entries("sim.bin.parts");
+  const std::string rows = text_of(folder_ / "sim.bin.parts/part-1-of-1.rows");
+  fs::create_directory_symlink("sim.bin.parts", folder_ / "other-name");
+  for (const char* output : {"sim.bin.parts/all.bin", "sim.bin.parts/part-1-of-1.rows", "other-name/all.bin",
+                             "sim.bin.parts/new/all.bin", "./new/../sim.bin.parts/all.bin"})
+    expect_refusal(sarsim({"merge", "sim.bin.parts", "-o", output, "--force", "--remove"}),
+                   "is in the folder of parts");
+  EXPECT_EQ(entries("sim.bin.parts"), before);
+  EXPECT_EQ(text_of(folder_ / "sim.bin.parts/part-1-of-1.rows"), rows);
+  EXPECT_EQ(sarsim({"merge", "sim.bin.parts", "-o", "sim.bin.parts.bin"}).status, 0);
 }
 
 TEST_F(PartRefusals, TwoRunsOnOneFileAtOnce) {
