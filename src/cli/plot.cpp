@@ -243,7 +243,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
   add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
   add_text(app, "--function", a.function, "OBJECT:FIELD", "which user-defined function, such as Plane:trajectory");
   app.add_flag("--compare", a.compare, "a function by all three interpolations");
-  add_two(app, "--angles", a.angles_deg, "offsets of an antenna pattern, deg (default: -90 90)");
+  add_two(app, "--angles", a.angles_deg, "offsets of an antenna pattern, -360 to 360 deg (default: -90 90)");
 }
 
 void add_look(CLI::App& app, PlotArguments& a) {

@@ -161,6 +161,17 @@ std::size_t chosen_radar(const PlotArguments& a, const Scene& scene) {
   return radar_named(scene, chosen_simulation(a, scene).radar);
 }
 
+// Offsets repeat after a turn.
+void take_angles(const PlotArguments& a, AntennaLook& look) {
+  constexpr double turn_deg = 360.0;
+  if (a.angles_deg.size() != 2) return;
+  std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
+  if (look.first_deg < -turn_deg || look.last_deg > turn_deg)
+    throw BadInput(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
+                   "choose offsets from -360 to 360 deg");
+  if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
+}
+
 Plotted of_radar(const PlotArguments& a, SceneInput& input, const StopFlag* stop) {
   const std::size_t number = chosen_radar(a, input.scene);
   resolve_once(input, {thread_count(0), stop});
@@ -174,10 +185,7 @@ Plotted of_radar(const PlotArguments& a, SceneInput& input, const StopFlag* stop
     look.span_db = a.span_db.value_or(look.span_db);
     if (look.quantity == DisplayQuantity::imaginary || look.quantity == DisplayQuantity::phase)
       throw BadInput("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
-    if (a.angles_deg.size() == 2) {
-      std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
-      if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
-    }
+    take_angles(a, look);
     plotted.figure = antenna_figure(radar, input.resolved->conventions.pattern, look);
   }
   if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');

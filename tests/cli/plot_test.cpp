@@ -258,6 +258,23 @@ TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {
   EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "Time [s],linear [m],cubic splines [m],low-pass filter [m]");
 }
 
+TEST_F(PlotTable, OfAPictureWhoseRowsHaveNoTimesGoesByTheirNumbers) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/search_radar.scr";
+  ASSERT_EQ(sarsim({"search", scene, "--out", "ppi.h5", "--quiet"}).status, 0);
+  for (const char* kind : {"phase", "doppler"}) {
+    const Finished done = sarsim({"plot", "ppi.h5", "--kind", kind, "--csv", "a.csv"});
+    EXPECT_EQ(done.status, 2) << kind;
+    EXPECT_NE(done.err.find("does not say the times"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(sarsim({"plot", "ppi.h5", "--kind", "range", "--time", "0", "1", "--csv", "a.csv"}).status, 2);
+  const Finished done = sarsim({"plot", "ppi.h5", "--kind", "range", "--csv", "b.csv"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const std::string table = text_of(folder_ / "b.csv");
+  EXPECT_EQ(heading_of(table), "row,I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_EQ(table.find("nan"), std::string::npos);
+  EXPECT_EQ(numbers_of(table).at(3)[0], 3.0);
+}
+
 using PlotArguments = CommandTest;
 
 TEST_F(PlotArguments, ThatNameNothingToWriteAreRefused) {
@@ -297,6 +314,16 @@ TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
   EXPECT_NE(done.err.find("it is for antenna"), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("--padding"), std::string::npos) << done.err;
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
+}
+
+TEST_F(PlotArguments, WantingAnglesBeyondATurnAreRefused) {
+  write_scene({});
+  for (const auto& [first, last] : {std::pair{"-1e308", "1e308"}, std::pair{"-361", "0"}, std::pair{"0", "360.5"}}) {
+    const Finished done = sarsim({"plot", "scene.scr", "--kind", "antenna", "--angles", first, last, "--csv", "a.csv"});
+    EXPECT_EQ(done.status, 2);
+    EXPECT_NE(done.err.find("-360 to 360 deg"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "antenna", "--angles", "-360", "360", "--csv", "a.csv"}).status, 0);
 }
 
 TEST_F(PlotArguments, WantingAPlaceThatIsNotSeenSayWhatIs) {
