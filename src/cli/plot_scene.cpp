@@ -61,6 +61,18 @@ EchoWindow chosen_window(const PlotArguments& a, const Scene& scene, bool& show_
   return window;
 }
 
+// What is wrong with the recording, with the options that stand in for its values.
+BadInput with_options(Problems problems) {
+  for (Problem& problem : problems) {
+    const std::string& field = problem.subject.field;
+    const bool sampled = field.starts_with("range") || field.starts_with("sample_rate");
+    if (!sampled && !field.starts_with("time")) continue;
+    if (!problem.hint.empty()) problem.hint += ' ';
+    problem.hint += sampled ? "Choose others with --rate and --range." : "Choose another with --time.";
+  }
+  return BadInput(std::move(problems));
+}
+
 // The echo matrix of a window, as a simulation window computes it.
 std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const StopFlag* stop) {
   std::mutex lock;
@@ -80,7 +92,7 @@ std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const 
       if (stop != nullptr && stop->requested()) throw Interrupted();
     }
   }
-  if (end->kind == PreviewEvent::Kind::failed) throw BadInput(std::move(end->problems));
+  if (end->kind == PreviewEvent::Kind::failed) throw with_options(std::move(end->problems));
   return end->matrix;
 }
 
@@ -101,7 +113,14 @@ constexpr std::size_t samples_per_pixel = 4;  // of curves
 Plotted picture(const PlotArguments& a, const Scene& scene, const StopFlag* stop) {
   bool show_all = false;
   const EchoWindow window = chosen_window(a, scene, show_all);
-  PreviewRequest request{std::make_shared<Scene>(scene), window, plot_pixels(a), Engine::automatic, show_all};
+  // One sample of many shows as much on the screen's grid, unless those in between or the very values are wanted.
+  const bool exact = a.rate_hz || a.peak || !a.csv.empty();
+  PreviewRequest request{std::make_shared<Scene>(scene),
+                         window,
+                         plot_pixels(a),
+                         Engine::automatic,
+                         show_all,
+                         exact ? LongRows::computed : LongRows::by_screen};
   auto matrix = computed(request, stop);
   // Curves show what lies between the pixels of a chirp.
   if (!a.screen && drawn_as(window, *matrix) == DrawAs::curves_per_pulse) {
@@ -136,8 +155,9 @@ std::shared_ptr<const Plan> chosen_plan(const PlotArguments& a, SceneInput& inpu
   if (!smooth) size.width_px = 1;
   if (smooth && !a.screen) size.width_px *= samples_per_pixel;
   if (!smooth && window.sampling.kind == Sampling::Kind::screen) window.sampling = {Sampling::Kind::multiple, 0.0, 1.0};
-  ShownPlan planned = plan_shown(input.scene, input.resolved, window, size, Engine::automatic, stop);
-  if (!planned.plan) throw BadInput(std::move(planned.problems));
+  ShownPlan planned =
+      plan_shown(input.scene, input.resolved, window, size, Engine::automatic, LongRows::computed, stop);
+  if (!planned.plan) throw with_options(std::move(planned.problems));
   return planned.plan;
 }
 

@@ -73,6 +73,28 @@ TEST_F(Plot, IntoAFolderThatIsNotThereFailsInWordsAndLeavesNothing) {
   EXPECT_NE(done.err.find("none"), std::string::npos) << done.err;
 }
 
+// Neither the disk of temporary files nor a limit of the system may cut a picture off.
+TEST_F(Plot, ThatCannotBeDrawnWholeIsNotThere) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/mti.scr";
+  const auto words = [&](const char* out) {
+    return std::vector<std::string>{"plot", scene, "--kind", "antenna", "-o", out};
+  };
+  ASSERT_EQ(sarsim(words("whole.svg")).status, 0);
+  Start start;
+  start.folder = folder_;
+  // Room for the figure, which is handed on, but not for the picture, and then for neither.
+  const auto whole = static_cast<long>(std::filesystem::file_size(folder_ / "whole.svg"));
+  for (const long limit : {whole - 2000, 5000L}) {
+    start.largest_file_bytes = limit;
+    Program limited(words("cut.svg"), start);
+    const Finished done = limited.finish();
+    EXPECT_EQ(done.status, 1) << done.err;
+    EXPECT_NE(done.err.find("File too large"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("TMPDIR"), std::string::npos) << done.err;
+    EXPECT_EQ(entries("."), std::vector<std::string>{"whole.svg"});
+  }
+}
+
 TEST_F(Plot, DrawsEveryKind) {
   write_scene({});
   for (const char* kind :
@@ -211,6 +233,24 @@ TEST_F(PlotTable, OfTheSamplingFrequencyThatIsAskedFor) {
   const auto rows = numbers_of(text_of(folder_ / "a.csv"));
   ASSERT_GT(rows.size(), 2U);
   EXPECT_NEAR(rows[1][0] - rows[0][0], 0.149896, 1e-6);
+}
+
+TEST_F(PlotTable, OfRowsOfMillionsOfSamplesIsOfAllOfThem) {
+  write_scene({});
+  // 2 x 4e11 Hz x 500 m / c are 1.3 million samples.
+  for (const bool recorded : {true, false}) {
+    std::vector<std::string> words{"plot",       "scene.scr", "--kind", "range", "--pulses", "2",
+                                   "--at-range", "1000.0123", "--rate", "4e11",  "--csv",    "a.csv",
+                                   "--force",    "--time",    "0",      "0.002"};
+    if (recorded) words.emplace_back("--recorded");
+    const Finished done = sarsim(words);
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(numbers_of(text_of(folder_ / "a.csv")).size(), 2U);
+  }
+  const Finished refused = sarsim({"plot", "scene.scr", "--kind", "spectrum", "--rate", "1e13", "--csv", "b.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("is too long"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--rate"), std::string::npos) << refused.err;
 }
 
 TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
