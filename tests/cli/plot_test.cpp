@@ -356,6 +356,19 @@ TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
 }
 
+TEST_F(PlotArguments, ThatAreNoFiniteNumbersAreRefused) {
+  write_scene({});
+  for (const char* option : {"--time", "--range", "--azimuth", "--limits", "--angles"})
+    for (const auto& [first, last] :
+         {std::pair{"nan", "nan"}, std::pair{"nan", "5200"}, std::pair{"inf", "1"}, std::pair{"0", "1e999"}}) {
+      const Finished done = sarsim({"plot", "scene.scr", option, first, last, "--csv", "a.csv"});
+      EXPECT_EQ(done.status, 2) << option << ' ' << first;
+      EXPECT_NE(done.err.find(std::string(option) + ": '"), std::string::npos) << done.err;
+      EXPECT_NE(done.err.find("is not a number"), std::string::npos) << done.err;
+    }
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--range", "950", "1.05e3", "--csv", "a.csv"}).status, 0);
+}
+
 TEST_F(PlotArguments, WantingAnglesBeyondATurnAreRefused) {
   write_scene({});
   for (const auto& [first, last] : {std::pair{"-1e308", "1e308"}, std::pair{"-361", "0"}, std::pair{"0", "360.5"}}) {
