@@ -97,8 +97,22 @@ void expect_used(const PlotArguments& a) {
   using K = PlotKind;
   const std::vector<K> cuts{K::pulse, K::range};
   const std::vector<K> of_samples{K::pulse, K::range, K::profile, K::range_doppler, K::spectrum, K::phase};
+  std::vector<K> echoes = of_samples;
+  echoes.insert(echoes.begin(), K::picture);
+  std::vector<K> of_radars = echoes;
+  of_radars.insert(of_radars.end(), {K::antenna, K::sent});
   const std::vector<K> colours{K::picture};
-  const std::vector<Use> uses{{"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
+  const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
+                              {"--radar", !a.radar.empty(), of_radars},
+                              {"--data", a.processing.has_value(), echoes},
+                              {"--range", !a.range_m.empty(), echoes},
+                              {"--time", !a.time_s.empty(), echoes},
+                              {"--azimuth", !a.azimuth_m.empty(), echoes},
+                              {"--rate", a.rate_hz.has_value(), echoes},
+                              {"--screen", a.screen, echoes},
+                              {"--tolerance", a.overrides.tolerance.has_value(), echoes},
+                              {"--seed", a.overrides.seed.has_value(), echoes},
+                              {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
                               {"--at-time", a.at_s.has_value(), of_samples},
                               {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
                               {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},

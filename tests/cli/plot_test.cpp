@@ -379,6 +379,22 @@ TEST_F(PlotArguments, WantingAnglesBeyondATurnAreRefused) {
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "antenna", "--angles", "-360", "360", "--csv", "a.csv"}).status, 0);
 }
 
+TEST_F(PlotArguments, ForEchoesAreRefusedWhereNoneAreShown) {
+  write_scene({});
+  for (const char* kind : {"antenna", "sent", "function"}) {
+    const Finished done = sarsim({"plot",     "scene.scr", "--kind", kind,          "--range", "1",      "2",
+                                  "--time",   "3",         "4",      "--rate",      "5",       "--data", "compressed",
+                                  "--screen", "--seed",    "1",      "--tolerance", "1e-3",    "--csv",  "a.csv"});
+    EXPECT_EQ(done.status, 2) << kind;
+    for (const char* option : {"--range", "--time", "--rate", "--data", "--screen", "--seed", "--tolerance"})
+      EXPECT_NE(done.err.find(std::string(option) + " means nothing for --kind " + kind), std::string::npos)
+          << done.err;
+  }
+  const Finished done = sarsim({"plot", "scene.scr", "--kind", "function", "--radar", "Radar1", "--csv", "a.csv"});
+  EXPECT_NE(done.err.find("--radar means nothing for --kind function"), std::string::npos) << done.err;
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "sent", "--radar", "Radar1", "--csv", "a.csv"}).status, 0);
+}
+
 TEST_F(PlotArguments, WantingAPlaceThatIsNotSeenSayWhatIs) {
   write_scene({});
   const Finished range = sarsim({"plot", "scene.scr", "--kind", "range", "--at-range", "5000", "--csv", "a.csv"});

@@ -91,6 +91,25 @@ TEST_F(Words, ProfilesOfRangesThatWereNotRecordedAreRefused) {
   EXPECT_THAT(beyond.err, HasSubstr("the ranges go beyond those that were recorded"));
 }
 
+TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  const Finished script = sarsim(
+      {"info", "scene.scr", "--script", "nope.scr", "--columns", "3", "--bits", "8", "--lsb", "4", "--from", "csv"});
+  EXPECT_EQ(script.status, 2);
+  for (const char* option : {"--script", "--columns", "--bits", "--lsb", "--from"})
+    EXPECT_THAT(script.err, HasSubstr(option + std::string(" means nothing for 'scene.scr', which is a script")));
+  const Finished file = sarsim({"info", "sim.h5", "--set", "Radar1.prf=3", "--seed", "3", "--profile", "classic",
+                                "--pulse", "ideal", "--tolerance", "1e-3", "--all"});
+  EXPECT_EQ(file.status, 2);
+  for (const char* option : {"--set", "--seed", "--profile", "--pulse", "--tolerance", "--all"})
+    EXPECT_THAT(file.err, HasSubstr(option + std::string(" means nothing for 'sim.h5', which is no script")));
+  expect_refusal({"info", "scene.scr", "--plan", "--columns", "3"}, "--columns means nothing");
+  expect_refusal({"info", "scene.scr", "--plan", "--all"}, "--all means nothing with --plan");
+  EXPECT_EQ(sarsim({"info", "scene.scr", "--seed", "3", "--all"}).status, 0);
+  EXPECT_EQ(sarsim({"info", "sim.h5", "--from", "hdf5"}).status, 0);
+}
+
 TEST_F(Words, EveryRefusalIsJsonWhereJsonIsAskedFor) {
   write_scene({});
   for (const std::vector<std::string>& words :
