@@ -91,6 +91,13 @@ TEST_F(Words, ProfilesOfRangesThatWereNotRecordedAreRefused) {
   EXPECT_THAT(beyond.err, HasSubstr("the ranges go beyond those that were recorded"));
 }
 
+TEST_F(Words, FieldsThatAreNotThereLeadToTheCommandThatListsThem) {
+  write_scene({});
+  for (const char* command : {"run", "info"})
+    for (const char* setting : {"Radar1.qqqqqqqqqq=1", "Qqqqqqqqqq.prf=1"})
+      expect_refusal({command, "scene.scr", "--set", setting}, "'sarsim sweep SCENE --fields' lists what there is");
+}
+
 TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
   write_scene({});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
