@@ -1,3 +1,5 @@
+#include <csignal>
+
 #include <gmock/gmock.h>
 
 #include "program.hpp"
@@ -96,6 +98,27 @@ TEST_F(Words, FieldsThatAreNotThereLeadToTheCommandThatListsThem) {
   for (const char* command : {"run", "info"})
     for (const char* setting : {"Radar1.qqqqqqqqqq=1", "Qqqqqqqqqq.prf=1"})
       expect_refusal({command, "scene.scr", "--set", setting}, "'sarsim sweep SCENE --fields' lists what there is");
+}
+
+// A million points of a surface, looked at for each of many recordings after the warnings are told.
+TEST_F(Words, InfoIsInterruptedWhileItLooksAtEchoes) {
+  std::string text =
+      "$PLATFORM Earth STATIONARY 0 0 0 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0\n"
+      "$PLATFORM Mast STATIONARY 0 0 1000 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0\n"
+      "$SURFACE Earth -1000 5000 0 1000 5000 0 -1000 6000 0\n"
+      "$RADAR Radar1 Mast CHIRP 0.05 1000 RECT CONSTANT 1000 SINGLE 1 100 0 0\n"
+      "  ISOTROPIC SAME FIXED 0 0 RECT NO_STC\n";
+  for (int i = 0; i < 300; ++i)
+    text += "$SIMULATION Radar1 5000 5500 0 0.019 8 0.02 0 BINARY RAW sim" + std::to_string(i) + ".bin BEGIN 1 1\n";
+  write_text(folder_ / "scene.scr", text);
+  Start start;
+  start.folder = folder_;
+  Program program({"info", "scene.scr"}, start);
+  ASSERT_TRUE(program.wait_for("below the bandwidth", 60.0)) << program.err();
+  program.send(SIGINT);
+  const Finished end = program.finish();
+  EXPECT_EQ(end.status, 130) << end.err;
+  EXPECT_EQ(end.out, "");
 }
 
 TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
