@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 
@@ -119,6 +120,25 @@ TEST_F(Words, InfoIsInterruptedWhileItLooksAtEchoes) {
   const Finished end = program.finish();
   EXPECT_EQ(end.status, 130) << end.err;
   EXPECT_EQ(end.out, "");
+}
+
+TEST_F(Words, BashCompletesFilesAndChoicesOfEveryKindOfValue) {
+  write_text(folder_ / "my scene.scr", "");
+  write_text(folder_ / "out.svg", "");
+  write_text(
+      folder_ / "complete.sh",
+      "eval \"$('" SARSIM_PROGRAM
+      "' completion bash)\"\n"
+      "try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _sarsim; echo \"${#COMPREPLY[@]}: ${COMPREPLY[*]}\"; }\n"
+      "try sarsim plot my\ntry sarsim my\ntry sarsim plot 'my\\ s'\ntry sarsim plot '\"my s'\n"
+      "try sarsim plot -o o\ntry sarsim doppler --detections o\ntry sarsim focus --autofocus-phase o\n"
+      "try sarsim profiles --velocity e\ntry sarsim focus --doppler-centroid m\ntry sarsim plot --rate o\n");
+  const std::string command = "cd '" + folder_.string() + "' && bash complete.sh > answers 2> errors";
+  ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder_ / "errors");
+  EXPECT_EQ(text_of(folder_ / "errors"), "");
+  EXPECT_EQ(text_of(folder_ / "answers"),
+            "1: my scene.scr\n1: my scene.scr\n1: my scene.scr\n1: my scene.scr\n1: out.svg\n1: out.svg\n1: out.svg\n"
+            "1: estimated\n1: measured\n0: \n");
 }
 
 TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
