@@ -36,10 +36,9 @@ namespace {
 
 constexpr const char* program_name = "sarsim-gui";
 
-constexpr const char* remedy = "TMPDIR names another folder for temporary files";
-
 [[noreturn]] void fail(const fs::path& file, const char* what, const std::error_code& cause) {
-  throw std::runtime_error(fmt::format("'{}' could not be {}: {}; {}", file.string(), what, cause.message(), remedy));
+  throw std::runtime_error(fmt::format("'{}' could not be {}: {}; TMPDIR names another folder for temporary files",
+                                       file.string(), what, cause.message()));
 }
 
 // A folder for one picture, gone with it.
@@ -172,7 +171,7 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
   if (*status != 0) {
     if (received_signal() != 0) throw Interrupted();
     std::string words = words_of(workshop.file("errors"));
-    if (workshop.is_named_in(words)) words += std::string("; ") + remedy;
+    if (workshop.is_named_in(words)) words += "; TMPDIR names another folder for temporary files";
     throw std::runtime_error(
         fmt::format("'{}' could not be drawn: {}", out.string(),
                     words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words));
