@@ -9,15 +9,30 @@ namespace sarsim::cli {
 namespace {
 
 // Types of values that name files; see the functions that add options.
-constexpr std::array<std::string_view, 5> file_types{"FILE", "DIR", "SCENE", "IN", "OUT"};
+constexpr std::array<std::string_view, 9> file_types{"FILE",  "FILE.csv", "DIR", "SCENE",  "IN",
+                                                     "IMAGE", "OUT",      "CSV", "PICTURE"};
 
-std::vector<std::string> alternatives(const std::string& type) {
+// The words between the bars of a type.
+std::vector<std::string> parts(const std::string& type) {
   std::vector<std::string> words;
-  if (type.find('|') == std::string::npos || type.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string::npos)
-    return words;
   std::istringstream stream(type);
   for (std::string word; std::getline(stream, word, '|');) words.push_back(word);
   return words;
+}
+
+// Words to be typed as they are; others, such as HZ, stand for a value.
+std::vector<std::string> alternatives(const std::string& type) {
+  std::vector<std::string> words = parts(type);
+  if (words.size() < 2) return {};
+  std::erase_if(words, [](const std::string& word) {
+    return word.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") != std::string::npos;
+  });
+  return words;
+}
+
+bool names_file(const std::string& type) {
+  return std::ranges::any_of(
+      parts(type), [](const std::string& part) { return std::ranges::find(file_types, part) != file_types.end(); });
 }
 
 CompletedOption completed(const CLI::Option& option) {
@@ -28,7 +43,7 @@ CompletedOption completed(const CLI::Option& option) {
   result.takes_value = option.get_type_size_max() > 0;
   if (!result.takes_value) return result;
   result.values = alternatives(option.get_type_name());
-  result.takes_file = std::ranges::find(file_types, option.get_type_name()) != file_types.end();
+  result.takes_file = names_file(option.get_type_name());
   return result;
 }
 

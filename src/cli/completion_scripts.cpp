@@ -30,16 +30,18 @@ std::string plain(std::string text) {
   return text;
 }
 
+// Takes every line of what some commands of bash print for a word: names of files have blanks.
+std::string reply(const std::string& commands) { return "mapfile -t COMPREPLY < <(" + commands + ");"; }
+
 // "case" arms of bash: what follows an option.
 std::string bash_values(const CompletedCommand& command) {
   std::string text;
   for (const CompletedOption& option : command.options) {
     if (!option.takes_value) continue;
-    const std::string words = option.takes_file       ? "-f"
-                              : option.values.empty() ? "-W ''"
-                                                      : fmt::format("-W '{}'", fmt::join(option.values, " "));
-    text += fmt::format("        {}) COMPREPLY=($(compgen {} -- \"$word\")); return ;;\n", fmt::join(option.names, "|"),
-                        words);
+    std::string words = option.takes_file ? "compgen -f -- \"$file\"" : "";
+    if (!option.values.empty())
+      words += fmt::format("{}compgen -W '{}' -- \"$word\"", words.empty() ? "" : "; ", fmt::join(option.values, " "));
+    text += fmt::format("        {}) {} return ;;\n", fmt::join(option.names, "|"), words.empty() ? "" : reply(words));
   }
   return text;
 }
@@ -66,20 +68,23 @@ std::string bash_completion(const std::vector<CompletedCommand>& commands) {
       "# Completion of sarsim for bash; put it into a file that ~/.bashrc sources.\n"
       "_sarsim() {\n"
       "  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}\n"
+      "  local file=${word//\\\\/}\n"  // As it is called, not as it is typed.
+      "  file=${file#[\\\"\\']}\n"
       "  COMPREPLY=()\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n";
-  text += fmt::format("    COMPREPLY=($(compgen -W '{} {}' -- \"$word\") $(compgen -f -X '!*.scr' -- \"$word\"))\n",
-                      command_names(commands), all_names(commands.front()));
+  text += "    " +
+          reply(fmt::format("compgen -W '{} {}' -- \"$word\"; compgen -f -X '!*.scr' -- \"$file\"",
+                            command_names(commands), all_names(commands.front()))) +
+          "\n";
   text += "    return\n  fi\n  case $command in\n";
   for (const CompletedCommand& command : commands) {
     if (command.name.empty()) continue;
     text += fmt::format("    {})\n      case $previous in\n{}      esac\n", command.name, bash_values(command));
-    text += fmt::format("      COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n", all_names(command));
+    text += "      " + reply(fmt::format("compgen -W '{}' -- \"$word\"", all_names(command))) + ";\n";
   }
+  text += "  esac\n  case $word in -*) ;; *) " + reply("compgen -f -- \"$file\"") + " ;; esac\n";
+  text += "  if [ \"$command\" = completion ]; then " + reply("compgen -W 'bash zsh fish' -- \"$word\"") + " fi\n";
   text +=
-      "  esac\n"
-      "  case $word in -*) ;; *) COMPREPLY=($(compgen -f -- \"$word\")) ;; esac\n"
-      "  if [ \"$command\" = completion ]; then COMPREPLY=($(compgen -W 'bash zsh fish' -- \"$word\")); fi\n"
       "}\n"
       "complete -o filenames -F _sarsim sarsim\n";
   return text;

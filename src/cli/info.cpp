@@ -3,6 +3,8 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "base/number_text.hpp"
 #include "cli/commands.hpp"
@@ -52,20 +54,56 @@ bool is_script(const std::string& path) {
   return begins_like_script(path);
 }
 
+// An option that was given, and whether it is for scripts or for files of samples.
+struct InputUse {
+  const char* option;
+  bool given;
+  bool of_script;
+};
+
+// Options that would be ignored are mistakes, all of them at once.
+void expect_used(const InfoArguments& arguments, bool script) {
+  const SceneOverrides& overrides = arguments.overrides;
+  const SampleArguments& sample = arguments.sample;
+  const InputUse uses[] = {{"--all", arguments.all, true},
+                           {"--set", !overrides.settings.empty(), true},
+                           {"--profile", overrides.profile.has_value(), true},
+                           {"--pulse", overrides.pulse.has_value(), true},
+                           {"--tolerance", overrides.tolerance.has_value(), true},
+                           {"--seed", overrides.seed.has_value(), true},
+                           {"--from", sample.format.has_value(), false},
+                           {"--columns", sample.columns.has_value(), false},
+                           {"--bits", sample.bits.has_value(), false},
+                           {"--lsb", sample.lsb_v.has_value(), false},
+                           {"--script", !sample.script.empty(), false}};
+  Problems problems;
+  for (const InputUse& use : uses) {
+    if (!use.given || use.of_script == script) continue;
+    Problem& problem = problems.emplace_back();
+    problem.message = std::string(use.option) + " means nothing for '" + arguments.path +
+                      (script ? "', which is a script" : "', which is no script");
+    problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";
+  }
+  if (script && arguments.plan && arguments.all)
+    problems.push_back(BadInput("--all means nothing with --plan", "leave out one of them").problems.front());
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   if (!arguments.plan && (arguments.workers || arguments.threads))
     throw BadInput("info: --workers and --threads belong to --plan", "add --plan");
+  const bool script = is_script(arguments.path);
+  if (arguments.plan && !script)
+    throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
+                   "leave --plan out to see what the file holds");
+  expect_used(arguments, script);
   if (arguments.plan) {
-    if (!is_script(arguments.path))
-      throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
-                     "leave --plan out to see what the file holds");
     return print_plan(
         {arguments.path, arguments.overrides, arguments.json, static_cast<unsigned>(arguments.workers.value_or(1)),
          static_cast<unsigned>(arguments.threads.value_or(0))},
         streams);
   }
-  if (is_script(arguments.path))
-    return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
+  if (script) return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
   return print_data_info({arguments.path, arguments.sample, arguments.json}, streams);
 }
 

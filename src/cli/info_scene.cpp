@@ -110,7 +110,8 @@ void write_json(JsonWriter& json, std::size_t number, const TargetSurvey& t) {
 // Gathers the same facts as text and as JSON.
 class SceneInfo {
  public:
-  SceneInfo(const SceneInfoArguments& arguments, const Scene& scene) : arguments_(arguments), scene_(scene) {
+  SceneInfo(const SceneInfoArguments& arguments, const Scene& scene, const WorkControl& control)
+      : arguments_(arguments), scene_(scene), control_(control) {
     json_.begin_object().member("sarsim", program_version).member("script", arguments.path);
     text_ = arguments.path + ": " + profile_word(scene.options.profile) + " profile, " +
             pulse_word(scene.options.pulse) + " pulses, seed " + std::to_string(scene.options.seed) + "\n";
@@ -151,7 +152,7 @@ class SceneInfo {
   void add_simulations(const std::shared_ptr<const ResolvedScene>& resolved) {
     json_.key("simulations").begin_array();
     for (std::size_t i = 0; i < scene_.simulations.size(); ++i)
-      add_simulation(i, make_plan(scene_, i, resolved, Engine::automatic));
+      add_simulation(i, make_plan(scene_, i, resolved, Engine::automatic, control_.stop));
     json_.end_array();
   }
 
@@ -185,7 +186,7 @@ class SceneInfo {
   }
 
   void add_simulation(std::size_t index, const Plan& plan) {
-    const EchoSurvey survey = survey_echoes(plan);
+    const EchoSurvey survey = survey_echoes(plan, control_);
     const auto figures = figures_of(plan, simulation_figures(plan, survey), survey, false);
     const Simulation& simulation = plan.simulation;
     json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
@@ -219,6 +220,7 @@ class SceneInfo {
 
   const SceneInfoArguments& arguments_;
   const Scene& scene_;
+  WorkControl control_;
   JsonWriter json_;
   std::string text_;
 };
@@ -231,7 +233,7 @@ ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& stream
   expect_usable(input);
   print_problems(streams, input.problems);
   resolve_once(input, control);
-  SceneInfo info(arguments, input.scene);
+  SceneInfo info(arguments, input.scene, control);
   info.add_objects();
   info.add_radars(*input.resolved);
   info.add_simulations(input.resolved);

@@ -63,6 +63,19 @@ CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<dou
   return app.add_option_function<std::string>(names, read, description)->type_name(unit);
 }
 
+CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<double>& values,
+                           const std::string& type, const std::string& description) {
+  const auto read = [&values, names](const std::vector<std::string>& texts) {
+    values.clear();
+    for (const std::string& text : texts) {
+      const auto number = parse_number(text);
+      if (!number) refuse(names, text, "a number");
+      values.push_back(*number);
+    }
+  };
+  return app.add_option_function<std::vector<std::string>>(names, read, description)->expected(2)->type_name(type);
+}
+
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
                       const std::string& description) {
   const auto read = [&value, names, type](const std::string& text) {

@@ -31,6 +31,11 @@ CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<dou
 CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
                       const std::string& description, bool (*meets)(double), const std::string& expected);
 
+/// Two decimal numbers, finite; `values` stays empty where the option is not given.
+/// @param type  names of both: "FROM TO"
+CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<double>& values,
+                           const std::string& type, const std::string& description);
+
 /// A text that is not an option by mistake ("--out --force").
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
                       const std::string& description);

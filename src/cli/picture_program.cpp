@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -35,13 +36,20 @@ namespace {
 
 constexpr const char* program_name = "sarsim-gui";
 
+[[noreturn]] void fail(const fs::path& file, const char* what, const std::error_code& cause) {
+  throw std::runtime_error(fmt::format("'{}' could not be {}: {}; TMPDIR names another folder for temporary files",
+                                       file.string(), what, cause.message()));
+}
+
 // A folder for one picture, gone with it.
 class Workshop {
  public:
   Workshop() {
-    std::string pattern = (fs::temp_directory_path() / "sarsim-plot-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), "a folder for the picture could not be made");
+    std::error_code failure;
+    const fs::path folder = fs::temp_directory_path(failure);
+    if (failure) fail(std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp", "used", failure);
+    std::string pattern = (folder / "sarsim-plot-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) fail(pattern, "made", {errno, std::generic_category()});
     folder_ = pattern;
   }
   Workshop(const Workshop&) = delete;
@@ -51,6 +59,10 @@ class Workshop {
     fs::remove_all(folder_, ignored);
   }
   [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+  // Whether words are about a file of this folder.
+  [[nodiscard]] bool is_named_in(const std::string& words) const {
+    return words.find(folder_.string()) != std::string::npos;
+  }
 
  private:
   fs::path folder_;
@@ -63,13 +75,33 @@ std::string program() {
   return !failure && fs::exists(beside, failure) ? beside.string() : program_name;
 }
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+void write_figure(const fs::path& file, const Figure& figure) {
+  const std::string bytes = figure_bytes(figure);
+  try {
+    OutputFile output(file, false);
+    output.write(std::as_bytes(std::span(bytes)));
+    output.commit();
+  } catch (const std::system_error& error) {
+    fail(file, "written", error.code());
+  }
 }
 
+// A whole file that is not empty.
+std::string bytes_of(const fs::path& file) {
+  std::error_code failure;
+  const auto size = fs::file_size(file, failure);
+  if (failure) fail(file, "read", failure);
+  std::string bytes(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream || bytes.empty()) fail(file, "read", std::make_error_code(std::errc::io_error));
+  return bytes;
+}
+
+// What a program said, as far as it can be read.
 std::string words_of(const fs::path& file) {
-  std::string words = bytes_of(file);
+  std::ifstream stream(file, std::ios::binary);
+  std::string words{std::istreambuf_iterator<char>(stream), {}};
   while (!words.empty() && words.back() == '\n') words.pop_back();
   return words;
 }
@@ -118,13 +150,7 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
   const fs::path handed = workshop.file("figure");
   // Whatever ends the program that draws leaves nothing beside the picture.
   const fs::path drawn = workshop.file("picture" + out.extension().string());
-  {
-    std::ofstream file(handed, std::ios::binary);
-    const std::string bytes = figure_bytes(figure);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) throw std::runtime_error(fmt::format("'{}' could not be written", handed.string()));
-  }
+  write_figure(handed, figure);
   std::vector<std::string> arguments{program(),
                                      "--draw-figure",
                                      handed.string(),
@@ -144,13 +170,14 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
         "(tools/install-deps gui)");
   if (*status != 0) {
     if (received_signal() != 0) throw Interrupted();
-    const std::string words = words_of(workshop.file("errors"));
+    std::string words = words_of(workshop.file("errors"));
+    if (workshop.is_named_in(words)) words += "; TMPDIR names another folder for temporary files";
     throw std::runtime_error(
         fmt::format("'{}' could not be drawn: {}", out.string(),
                     words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words));
   }
-  OutputFile picture(out, true);
   const std::string bytes = bytes_of(drawn);
+  OutputFile picture(out, true);
   picture.write(std::as_bytes(std::span(bytes)));
   picture.commit();
 }

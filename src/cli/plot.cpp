@@ -97,8 +97,22 @@ void expect_used(const PlotArguments& a) {
   using K = PlotKind;
   const std::vector<K> cuts{K::pulse, K::range};
   const std::vector<K> of_samples{K::pulse, K::range, K::profile, K::range_doppler, K::spectrum, K::phase};
+  std::vector<K> echoes = of_samples;
+  echoes.insert(echoes.begin(), K::picture);
+  std::vector<K> of_radars = echoes;
+  of_radars.insert(of_radars.end(), {K::antenna, K::sent});
   const std::vector<K> colours{K::picture};
-  const std::vector<Use> uses{{"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
+  const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
+                              {"--radar", !a.radar.empty(), of_radars},
+                              {"--data", a.processing.has_value(), echoes},
+                              {"--range", !a.range_m.empty(), echoes},
+                              {"--time", !a.time_s.empty(), echoes},
+                              {"--azimuth", !a.azimuth_m.empty(), echoes},
+                              {"--rate", a.rate_hz.has_value(), echoes},
+                              {"--screen", a.screen, echoes},
+                              {"--tolerance", a.overrides.tolerance.has_value(), echoes},
+                              {"--seed", a.overrides.seed.has_value(), echoes},
+                              {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
                               {"--at-time", a.at_s.has_value(), of_samples},
                               {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
                               {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},
@@ -196,10 +210,6 @@ void add_kind(CLI::App& app, PlotArguments& a) {
 
 bool is_positive(double number) { return number > 0.0; }
 
-void add_two(CLI::App& app, const char* name, std::vector<double>& values, const char* meaning) {
-  app.add_option(name, values, meaning)->expected(2)->type_name("FROM TO");
-}
-
 void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
   CLI::Option* simulation =
       add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
@@ -209,9 +219,9 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
       app, "--data", a.processing,
       {{"raw", Processing::raw}, {"compressed", Processing::matched_filter}, {"srp", Processing::srp}},
       "raw return or range compressed");
-  add_two(app, "--range", a.range_m, "slant ranges that are seen, m");
-  add_two(app, "--time", a.time_s, "azimuth times that are seen, s");
-  add_two(app, "--azimuth", a.azimuth_m, "of a focused image, what is seen along the track, m");
+  add_two_reals(app, "--range", a.range_m, "FROM TO", "slant ranges that are seen, m");
+  add_two_reals(app, "--time", a.time_s, "FROM TO", "azimuth times that are seen, s");
+  add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "of a focused image, what is seen along the track, m");
   add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the middle)");
   add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
   add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the middle)");
@@ -243,7 +253,8 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
   add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
   add_text(app, "--function", a.function, "OBJECT:FIELD", "which user-defined function, such as Plane:trajectory");
   app.add_flag("--compare", a.compare, "a function by all three interpolations");
-  add_two(app, "--angles", a.angles_deg, "offsets of an antenna pattern, deg (default: -90 90)");
+  add_two_reals(app, "--angles", a.angles_deg, "FROM TO",
+                "offsets of an antenna pattern, -360 to 360 deg (default: -90 90)");
 }
 
 void add_look(CLI::App& app, PlotArguments& a) {
@@ -263,7 +274,7 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_real(
       app, "--percentile", a.percentile, "P", "share of the samples within the colours, percent (default: 100)",
       [](double p) { return p > 0.0 && p <= 100.0; }, "a number above 0, at most 100");
-  app.add_option("--limits", a.limits, "values of the first and the last colour")->expected(2)->type_name("LOW HIGH");
+  add_two_reals(app, "--limits", a.limits, "LOW HIGH", "values of the first and the last colour");
   app.add_option("--size", a.size, "pixels (default: 1000 700)")
       ->expected(2)
       ->check([](const std::string& text) {

@@ -159,6 +159,11 @@ std::vector<double> even_places(const ImagePlaces& places, std::size_t count) {
 
 std::vector<double> numbers(std::size_t count) { return even_places({}, count); }
 
+// Rows of pictures that are kept as HDF5 were sent at no time.
+bool has_times(const Input& input) {
+  return input.axes && std::ranges::all_of(input.axes->row_time_s, [](double time) { return std::isfinite(time); });
+}
+
 // The samples of a file, with the names of their places, cut to what --range, --time and --azimuth leave.
 struct Part {
   IndexSpan rows;
@@ -166,10 +171,11 @@ struct Part {
   PlotSamples samples;
 };
 
-void name_places(const Input& input, PlotSamples& samples) {
+void name_places(const PlotArguments& a, const Input& input, PlotSamples& samples) {
   const std::size_t rows = input.source->rows();
   const std::size_t columns = input.source->columns();
-  samples.timed = input.axes.has_value();
+  const bool of_times = a.kind == PlotKind::range_doppler || a.kind == PlotKind::phase;
+  samples.timed = input.axes && (!of_times || has_times(input));
   if (input.focused) {
     samples.row_place = even_places(input.focused->azimuth, rows);
     samples.column_place = even_places(input.focused->range, columns);
@@ -179,6 +185,11 @@ void name_places(const Input& input, PlotSamples& samples) {
     samples.row_place.assign(input.axes->row_time_s.begin(),
                              input.axes->row_time_s.begin() + static_cast<std::ptrdiff_t>(rows));
     samples.column_place = input.axes->column_range_m;
+    const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
+    if (cut && !has_times(input)) {
+      samples.row_place = numbers(rows);
+      samples.look.rows = {"Row", ""};
+    }
   } else {
     samples.row_place = numbers(rows);
     samples.column_place = numbers(columns);
@@ -196,6 +207,8 @@ void expect_places(const PlotArguments& a, const Input& input) {
   const bool placed = input.focused || input.axes;
   if (!placed && (!a.range_m.empty() || !a.time_s.empty()))
     throw BadInput("the file does not say its ranges and times", "name the script that wrote it with --script");
+  if (input.axes && !has_times(input) && (!a.time_s.empty() || a.at_s))
+    throw BadInput("the rows of the file have no times", "leave out --time and --at-time");
 }
 
 std::vector<double> cut_out(const std::vector<double>& list, std::size_t begin, std::size_t end) {
@@ -228,7 +241,7 @@ Part chosen_part(const PlotArguments& a, const Input& input, const StopFlag* sto
   expect_places(a, input);
   Part part;
   PlotSamples& samples = part.samples;
-  name_places(input, samples);
+  name_places(a, input, samples);
   part.rows = input.focused ? between(samples.row_place, a.azimuth_m, "--azimuth")
                             : between(samples.row_place, a.time_s, "--time");
   part.columns = between(samples.column_place, a.range_m, "--range");

@@ -61,6 +61,18 @@ EchoWindow chosen_window(const PlotArguments& a, const Scene& scene, bool& show_
   return window;
 }
 
+// What is wrong with the recording, with the options that stand in for its values.
+BadInput with_options(Problems problems) {
+  for (Problem& problem : problems) {
+    const std::string& field = problem.subject.field;
+    const bool sampled = field.starts_with("range") || field.starts_with("sample_rate");
+    if (!sampled && !field.starts_with("time")) continue;
+    if (!problem.hint.empty()) problem.hint += ' ';
+    problem.hint += sampled ? "Choose others with --rate and --range." : "Choose another with --time.";
+  }
+  return BadInput(std::move(problems));
+}
+
 // The echo matrix of a window, as a simulation window computes it.
 std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const StopFlag* stop) {
   std::mutex lock;
@@ -80,7 +92,7 @@ std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const 
       if (stop != nullptr && stop->requested()) throw Interrupted();
     }
   }
-  if (end->kind == PreviewEvent::Kind::failed) throw BadInput(std::move(end->problems));
+  if (end->kind == PreviewEvent::Kind::failed) throw with_options(std::move(end->problems));
   return end->matrix;
 }
 
@@ -101,7 +113,14 @@ constexpr std::size_t samples_per_pixel = 4;  // of curves
 Plotted picture(const PlotArguments& a, const Scene& scene, const StopFlag* stop) {
   bool show_all = false;
   const EchoWindow window = chosen_window(a, scene, show_all);
-  PreviewRequest request{std::make_shared<Scene>(scene), window, plot_pixels(a), Engine::automatic, show_all};
+  // One sample of many shows as much on the screen's grid, unless those in between or the very values are wanted.
+  const bool exact = a.rate_hz || a.peak || !a.csv.empty();
+  PreviewRequest request{std::make_shared<Scene>(scene),
+                         window,
+                         plot_pixels(a),
+                         Engine::automatic,
+                         show_all,
+                         exact ? LongRows::computed : LongRows::by_screen};
   auto matrix = computed(request, stop);
   // Curves show what lies between the pixels of a chirp.
   if (!a.screen && drawn_as(window, *matrix) == DrawAs::curves_per_pulse) {
@@ -136,8 +155,9 @@ std::shared_ptr<const Plan> chosen_plan(const PlotArguments& a, SceneInput& inpu
   if (!smooth) size.width_px = 1;
   if (smooth && !a.screen) size.width_px *= samples_per_pixel;
   if (!smooth && window.sampling.kind == Sampling::Kind::screen) window.sampling = {Sampling::Kind::multiple, 0.0, 1.0};
-  ShownPlan planned = plan_shown(input.scene, input.resolved, window, size, Engine::automatic, stop);
-  if (!planned.plan) throw BadInput(std::move(planned.problems));
+  ShownPlan planned =
+      plan_shown(input.scene, input.resolved, window, size, Engine::automatic, LongRows::computed, stop);
+  if (!planned.plan) throw with_options(std::move(planned.problems));
   return planned.plan;
 }
 
@@ -161,6 +181,17 @@ std::size_t chosen_radar(const PlotArguments& a, const Scene& scene) {
   return radar_named(scene, chosen_simulation(a, scene).radar);
 }
 
+// Offsets repeat after a turn.
+void take_angles(const PlotArguments& a, AntennaLook& look) {
+  constexpr double turn_deg = 360.0;
+  if (a.angles_deg.size() != 2) return;
+  std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
+  if (look.first_deg < -turn_deg || look.last_deg > turn_deg)
+    throw BadInput(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
+                   "choose offsets from -360 to 360 deg");
+  if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
+}
+
 Plotted of_radar(const PlotArguments& a, SceneInput& input, const StopFlag* stop) {
   const std::size_t number = chosen_radar(a, input.scene);
   resolve_once(input, {thread_count(0), stop});
@@ -174,10 +205,7 @@ Plotted of_radar(const PlotArguments& a, SceneInput& input, const StopFlag* stop
     look.span_db = a.span_db.value_or(look.span_db);
     if (look.quantity == DisplayQuantity::imaginary || look.quantity == DisplayQuantity::phase)
       throw BadInput("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
-    if (a.angles_deg.size() == 2) {
-      std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
-      if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
-    }
+    take_angles(a, look);
     plotted.figure = antenna_figure(radar, input.resolved->conventions.pattern, look);
   }
   if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');

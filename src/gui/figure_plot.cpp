@@ -1,17 +1,21 @@
 #include "gui/figure_plot.hpp"
 
-#include <QCoreApplication>
-#include <QDir>
+#include <QBuffer>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPdfWriter>
 #include <QSvgGenerator>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <cstddef>
+#include <span>
 #include <system_error>
 
+#include "data/output_file.hpp"
 #include "gui/figure_text.hpp"
 #include "gui/palette_colours.hpp"
 #include "view/ticks.hpp"
@@ -326,36 +330,60 @@ bool FigurePlot::save(const QString& path, QSize size, double scale, QString& fa
     failure = tr("'%1': pictures are written as .png, .svg or .pdf").arg(path);
     return false;
   }
-  // What stands under the name stays until the new picture is whole.
-  const QFileInfo place(path);
-  const QString partial = place.dir().filePath(
-      QStringLiteral(".%1.partial-%2.%3").arg(place.fileName()).arg(QCoreApplication::applicationPid()).arg(ending));
-  bool good = write_picture(partial, ending, size, scale);
-  good = good && QFileInfo(partial).size() > 0;
-  std::error_code renamed;
-  if (good) std::filesystem::rename(partial.toStdString(), path.toStdString(), renamed);
-  if (good && !renamed) return true;
-  QFile::remove(partial);
-  failure = tr("'%1' could not be written%2")
-                .arg(path, renamed ? ": " + QString::fromStdString(renamed.message()) : QString());
+  // Writers of pictures do not tell of a full disk: the picture is drawn into memory and written as any other output,
+  // and what stands under the name stays until it is whole.
+  QBuffer picture;
+  picture.open(QIODevice::WriteOnly);
+  if (!draw_picture(picture, ending, size, scale) || picture.data().isEmpty()) {
+    failure = tr("'%1' could not be drawn").arg(path);
+    return false;
+  }
+  try {
+    OutputFile file(path.toStdString(), true);
+    file.write(std::as_bytes(std::span(picture.data().constData(), static_cast<std::size_t>(picture.size()))));
+    file.commit();
+    return true;
+  } catch (const std::system_error& error) {
+    failure = tr("'%1' could not be written: %2").arg(path, QString::fromStdString(error.code().message()));
+  }
   return false;
 }
 
-bool FigurePlot::write_picture(const QString& path, const QString& ending, QSize size, double scale) {
+bool FigurePlot::draw_picture(QIODevice& device, const QString& ending, QSize size, double scale) {
   // Marks suit the lengths that axes had when they were drawn last.
   toPixmap(size.width(), size.height());
   keep_scales();
+  if (ending == "png") {
+    constexpr int dots_per_metre = 3780;  // 96 to the inch
+    QImage image = toPixmap(size.width(), size.height(), scale).toImage();
+    image.setDotsPerMeterX(dots_per_metre);
+    image.setDotsPerMeterY(dots_per_metre);
+    return image.save(&device, "PNG");
+  }
   const QString title = QString::fromStdString(figure_.title);
-  if (ending == "png") return savePng(path, size.width(), size.height(), scale);
-  if (ending == "pdf") return savePdf(path, size.width(), size.height(), QCP::epAllowCosmetic, "sarsim", title);
+  if (ending == "pdf") {
+    QPdfWriter writer(&device);
+    writer.setCreator("sarsim");
+    writer.setTitle(title);
+    writer.setResolution(logicalDpiX());
+    const QPageSize page(QSizeF(size), QPageSize::Point, QString(), QPageSize::ExactMatch);
+    QPageLayout layout(page, QPageLayout::Portrait, QMarginsF());
+    layout.setMode(QPageLayout::FullPageMode);
+    return writer.setPageLayout(layout) && paint_on(writer, size);
+  }
   QSvgGenerator generator;
-  generator.setFileName(path);
+  generator.setOutputDevice(&device);
   generator.setSize(size);
   generator.setViewBox(QRect(QPoint(), size));
   generator.setTitle(title);
+  return paint_on(generator, size);
+}
+
+bool FigurePlot::paint_on(QPaintDevice& device, QSize size) {
   QCPPainter painter;
-  if (!painter.begin(&generator)) return false;
+  if (!painter.begin(&device)) return false;
   painter.setMode(QCPPainter::pmVectorized);
+  painter.setWindow(QRect(QPoint(), size));
   toPainter(&painter, size.width(), size.height());
   return painter.end();
 }

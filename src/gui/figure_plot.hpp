@@ -27,8 +27,8 @@ class FigurePlot : public QCustomPlot {
   [[nodiscard]] QCPAxisRect* panel(std::size_t index) const { return panels_.at(index); }
 
   /// Writes the figure as it would look in a window of `size` to a file: PNG with `scale` dots for each pixel, SVG or
-  /// PDF, as the name ends. False with words in `failure` where the name ends otherwise or the file cannot be written;
-  /// then what stood there is left as it was.
+  /// PDF, as the name ends. False with words in `failure` where the name ends otherwise or the file cannot be written
+  /// whole; then what stood there is left as it was.
   bool save(const QString& path, QSize size, double scale, QString& failure);
 
  protected:
@@ -37,7 +37,8 @@ class FigurePlot : public QCustomPlot {
 
  private:
   void rebuild();
-  bool write_picture(const QString& path, const QString& ending, QSize size, double scale);
+  bool draw_picture(QIODevice& device, const QString& ending, QSize size, double scale);
+  bool paint_on(QPaintDevice& device, QSize size);
   void add_text(int row, const QString& text, bool bold);
   void add_panel(int row, const FigurePanel& panel);
   void add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px);

@@ -172,7 +172,7 @@ std::string no_field(std::string_view owner, const std::vector<Field>& fields, s
   std::string failure = fmt::format("{} has no field '{}'", owner, name);
   if (const std::string nearest = nearest_word(name, names); !nearest.empty())
     return failure + fmt::format("; did you mean {}?", nearest);
-  return failure + "; --fields lists what there is";
+  return failure + "; 'sarsim sweep SCENE --fields' lists what there is";
 }
 
 std::string no_object(const Scene& scene, std::string_view word) {
@@ -183,7 +183,7 @@ std::string no_object(const Scene& scene, std::string_view word) {
     if (count_of(scene, kind) > 0) names.push_back(capital(name_of(kind)) + "1");
   const std::string nearest = nearest_word(word, names);
   std::string failure = fmt::format("the scene has no object '{}'", word);
-  return nearest.empty() ? failure + "; --fields lists what there is"
+  return nearest.empty() ? failure + "; 'sarsim sweep SCENE --fields' lists what there is"
                          : failure + fmt::format("; did you mean {}?", nearest);
 }
 

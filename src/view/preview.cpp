@@ -20,7 +20,7 @@ constexpr std::size_t coarse_rows = 16;
 constexpr std::size_t coarsest_rows = 4;
 constexpr auto coarse_wait = std::chrono::milliseconds(20);
 constexpr auto between_events = std::chrono::milliseconds(30);
-// Longer rows of raw data take the screen's sampling: one of them would hold up a cancel.
+// Longer rows of raw data are long (LongRows).
 constexpr double longest_row = 0x1p20;
 
 Problem failure(std::string message) {
@@ -59,7 +59,7 @@ Problems simulation_errors(const Scene& scene) {
 }  // namespace
 
 ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved, const EchoWindow& window,
-                     const PlotSize& size, Engine engine, const StopFlag* stop) {
+                     const PlotSize& size, Engine engine, LongRows long_rows, const StopFlag* stop) {
   ShownPlan shown;
   const std::size_t radar = find_radar(scene, window.recording.radar);
   if (radar == not_found) {
@@ -69,7 +69,8 @@ ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> re
   const double bandwidth = bandwidth_hz(resolve_radar(scene, *resolved, radar).pulse);
   const Conventions& conventions = resolved->conventions;
   Simulation simulation = shown_simulation(window, bandwidth, size.width_px, conventions);
-  if (simulation.processing == Processing::raw && sample_count(simulation, conventions.light_speed_mps) > longest_row) {
+  if (long_rows == LongRows::by_screen && simulation.processing == Processing::raw &&
+      sample_count(simulation, conventions.light_speed_mps) > longest_row) {
     EchoWindow screen = window;
     screen.sampling.kind = Sampling::Kind::screen;
     simulation = shown_simulation(screen, bandwidth, size.width_px, conventions);
@@ -200,7 +201,8 @@ void Preview::compute(const PreviewRequest& request, std::uint64_t number, const
       set_view(window, showing_targets(view_of(window), extent.nearest_m, extent.farthest_m, seen_by.pulse.width_s,
                                        prepared_->resolved->conventions.light_speed_mps));
     }
-    shown = plan_shown(*request.scene, prepared_->resolved, window, request.size, request.engine, &stop);
+    shown =
+        plan_shown(*request.scene, prepared_->resolved, window, request.size, request.engine, request.long_rows, &stop);
     errors = std::move(shown.problems);
   } else if (errors.empty()) {
     errors.push_back(failure("radar '" + window.recording.radar + "' is not defined"));

@@ -18,6 +18,12 @@
 
 namespace sarsim {
 
+/// What becomes of rows of raw data that are longer than 2^20 samples.
+enum class LongRows {
+  by_screen,  ///< They take the screen's sampling: one of them would hold up a cancel.
+  computed,   ///< They are computed as they are, up to the length that recordings may have.
+};
+
 /// What a simulation window wants to see.
 struct PreviewRequest {
   std::shared_ptr<const Scene> scene;  ///< Its own simulations and geometry tables do not matter.
@@ -25,6 +31,7 @@ struct PreviewRequest {
   PlotSize size;
   Engine engine = Engine::automatic;
   bool show_all_targets = false;  ///< Choose the ranges so that all targets are seen; `EchoMatrix::window` has them.
+  LongRows long_rows = LongRows::by_screen;
 };
 
 /// What became of a request.
@@ -95,7 +102,7 @@ struct ShownPlan {
 };
 /// @param resolved  of the scene
 [[nodiscard]] ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
-                                   const EchoWindow& window, const PlotSize& size, Engine engine,
+                                   const EchoWindow& window, const PlotSize& size, Engine engine, LongRows long_rows,
                                    const StopFlag* stop = nullptr);
 
 }  // namespace sarsim

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simulate/resolved.hpp"
 #include "simulate/run.hpp"
 #include "view/preview_test_scene.hpp"
 
@@ -358,6 +359,25 @@ TEST(Preview, OfAVeryLongRowOfRawDataIsSampledByTheScreen) {
   const PreviewEvent event = shown(flight_scene(), window, {64, 3});
   ASSERT_EQ(event.kind, Kind::finished);
   EXPECT_EQ(event.matrix->plan().columns, 64U);
+}
+
+TEST(PlanShown, HasVeryLongRowsWhereTheyAreToBeComputed) {
+  const Scene scene = flight_scene();
+  const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
+  EchoWindow window = flight_window();
+  window.sampling.rate_hz = 5e11;
+  const auto columns = [&](LongRows long_rows) {
+    const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, Engine::direct, long_rows);
+    return shown.plan ? shown.plan->columns : 0;
+  };
+  EXPECT_EQ(columns(LongRows::by_screen), 64U);
+  // 2 x 5e11 Hz x 600 m / c
+  EXPECT_NEAR(static_cast<double>(columns(LongRows::computed)), 2001384.0, 2.0);
+  window.sampling.rate_hz = 5e12;
+  const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, Engine::direct, LongRows::computed);
+  EXPECT_EQ(shown.plan, nullptr);
+  ASSERT_EQ(shown.problems.size(), 1U);
+  EXPECT_EQ(shown.problems[0].subject.field, "range_end_m");
 }
 
 TEST(SamplePlaces, AreThePulsesNearestInTimeAlsoForStaggeredIntervals) {

@@ -81,6 +81,11 @@ std::size_t nearest_row(const Plan& plan, double time_s) {
   return low > 0 && time_s - time_of(low - 1) < time_of(low) - time_s ? low - 1 : low;
 }
 
+// Whether curves share their places; those that are not known are alike.
+bool same_places(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double p, double q) { return p == q || (std::isnan(p) && std::isnan(q)); });
+}
+
 }  // namespace
 
 std::string_view title_of(RadarView view) {
@@ -224,14 +229,14 @@ std::string curves_table(const Figure& figure, char separator) {
   for (const FigurePanel& panel : figure.panels) {
     for (std::size_t first = 0; first < panel.curves.size();) {
       const std::vector<double>& x = panel.curves[first].x;
-      std::size_t end = first;
-      while (end < panel.curves.size() && panel.curves[end].x == x) ++end;
+      std::size_t end = first + 1;
+      while (end < panel.curves.size() && same_places(panel.curves[end].x, x)) ++end;
       if (!text.empty()) text += '\n';
       text += heading(panel.x, {});
       for (std::size_t k = first; k < end; ++k) (text += separator) += heading(panel.y, panel.curves[k].name);
       text += '\n';
       for (std::size_t i = 0; i < x.size(); ++i) {
-        append_number(text, x[i]);
+        if (std::isfinite(x[i])) append_number(text, x[i]);
         for (std::size_t k = first; k < end; ++k) {
           text += separator;
           if (std::isfinite(panel.curves[k].y[i])) append_number(text, panel.curves[k].y[i]);

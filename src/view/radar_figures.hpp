@@ -59,7 +59,8 @@ struct RadarViewPlace {
 /// @}
 
 /// The curves of a figure as text for a spreadsheet: for each panel a header line with names and units, then a line for
-/// each point; an empty line between panels. Curves over the same places share their lines.
+/// each point; an empty line between panels. Curves over the same places share their lines. What is no finite number
+/// is left empty.
 [[nodiscard]] std::string curves_table(const Figure& figure, char separator);
 
 }  // namespace sarsim

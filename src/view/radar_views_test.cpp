@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "base/constants.hpp"
 #include "simulate/run.hpp"
 #include "view/preview_test_scene.hpp"
+#include "view/radar_figures.hpp"
 
 namespace sarsim {
 namespace {
@@ -152,6 +154,24 @@ TEST(PhaseHistory, UnwrappedIsThePathOfTheTarget) {
   }
   // The chirp moves with the target: a fixed cell sees its phase change by 2 pi K tau' (t - tau) too, below 30 %.
   EXPECT_NEAR(history.path_m[63] - history.path_m[0], 63.0 * 0.04, 0.3 * 63.0 * 0.04);
+}
+
+// Two curves over the same places, as one table.
+std::string table_over(const std::vector<double>& x) {
+  Figure figure;
+  FigurePanel& panel = figure.panels.emplace_back();
+  panel.x = {"Time", "s", 0.0, 1.0, {}};
+  panel.y = {"Level", "V", 0.0, 1.0, {}};
+  for (const char* name : {"a", "b"}) panel.curves.push_back({name, Role::curve, false, x, {1.0, 2.0}});
+  return curves_table(figure, ',');
+}
+
+TEST(CurvesTable, LeavesPlacesThatAreNotKnownEmpty) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(table_over({0.0, 1.0}), "Time [s],a [V],b [V]\n0,1,1\n1,2,2\n");
+  EXPECT_EQ(table_over({nan, 1.0}), "Time [s],a [V],b [V]\n,1,1\n1,2,2\n");
+  EXPECT_EQ(table_over({nan, -infinite}), "Time [s],a [V],b [V]\n,1,1\n,2,2\n");
 }
 
 }  // namespace

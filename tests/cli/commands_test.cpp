@@ -171,7 +171,8 @@ TEST_F(Commands, InfoTellsTheShapeOfAFile) {
   EXPECT_THAT(told.out, HasSubstr("rows                     20"));
   EXPECT_EQ(sarsim({"info", "sim.bin", "--script", "scene.scr"}).out, told.out);
   const Finished stranger = sarsim({"info", "scene.scr", "--script", "scene.scr"});
-  EXPECT_EQ(stranger.status, 0);
+  EXPECT_EQ(stranger.status, 2);
+  EXPECT_THAT(stranger.err, HasSubstr("--script means nothing"));
 }
 
 TEST_F(Commands, GeometryPrintsTablesOfTheScriptAndOthers) {

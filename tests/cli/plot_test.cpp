@@ -73,6 +73,28 @@ TEST_F(Plot, IntoAFolderThatIsNotThereFailsInWordsAndLeavesNothing) {
   EXPECT_NE(done.err.find("none"), std::string::npos) << done.err;
 }
 
+// Neither the disk of temporary files nor a limit of the system may cut a picture off.
+TEST_F(Plot, ThatCannotBeDrawnWholeIsNotThere) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/mti.scr";
+  const auto words = [&](const char* out) {
+    return std::vector<std::string>{"plot", scene, "--kind", "antenna", "-o", out};
+  };
+  ASSERT_EQ(sarsim(words("whole.svg")).status, 0);
+  Start start;
+  start.folder = folder_;
+  // Room for the figure, which is handed on, but not for the picture, and then for neither.
+  const auto whole = static_cast<long>(std::filesystem::file_size(folder_ / "whole.svg"));
+  for (const long limit : {whole - 2000, 5000L}) {
+    start.largest_file_bytes = limit;
+    Program limited(words("cut.svg"), start);
+    const Finished done = limited.finish();
+    EXPECT_EQ(done.status, 1) << done.err;
+    EXPECT_NE(done.err.find("File too large"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("TMPDIR"), std::string::npos) << done.err;
+    EXPECT_EQ(entries("."), std::vector<std::string>{"whole.svg"});
+  }
+}
+
 TEST_F(Plot, DrawsEveryKind) {
   write_scene({});
   for (const char* kind :
@@ -213,6 +235,24 @@ TEST_F(PlotTable, OfTheSamplingFrequencyThatIsAskedFor) {
   EXPECT_NEAR(rows[1][0] - rows[0][0], 0.149896, 1e-6);
 }
 
+TEST_F(PlotTable, OfRowsOfMillionsOfSamplesIsOfAllOfThem) {
+  write_scene({});
+  // 2 x 4e11 Hz x 500 m / c are 1.3 million samples.
+  for (const bool recorded : {true, false}) {
+    std::vector<std::string> words{"plot",       "scene.scr", "--kind", "range", "--pulses", "2",
+                                   "--at-range", "1000.0123", "--rate", "4e11",  "--csv",    "a.csv",
+                                   "--force",    "--time",    "0",      "0.002"};
+    if (recorded) words.emplace_back("--recorded");
+    const Finished done = sarsim(words);
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(numbers_of(text_of(folder_ / "a.csv")).size(), 2U);
+  }
+  const Finished refused = sarsim({"plot", "scene.scr", "--kind", "spectrum", "--rate", "1e13", "--csv", "b.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("is too long"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--rate"), std::string::npos) << refused.err;
+}
+
 TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
   const std::string scene = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
   ASSERT_EQ(sarsim({"focus", scene, "--out", "r.img", "--quiet"}).status, 0);
@@ -258,6 +298,23 @@ TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {
   EXPECT_EQ(heading_of(text_of(folder_ / "a.csv")), "Time [s],linear [m],cubic splines [m],low-pass filter [m]");
 }
 
+TEST_F(PlotTable, OfAPictureWhoseRowsHaveNoTimesGoesByTheirNumbers) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/search_radar.scr";
+  ASSERT_EQ(sarsim({"search", scene, "--out", "ppi.h5", "--quiet"}).status, 0);
+  for (const char* kind : {"phase", "doppler"}) {
+    const Finished done = sarsim({"plot", "ppi.h5", "--kind", kind, "--csv", "a.csv"});
+    EXPECT_EQ(done.status, 2) << kind;
+    EXPECT_NE(done.err.find("does not say the times"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(sarsim({"plot", "ppi.h5", "--kind", "range", "--time", "0", "1", "--csv", "a.csv"}).status, 2);
+  const Finished done = sarsim({"plot", "ppi.h5", "--kind", "range", "--csv", "b.csv"});
+  ASSERT_EQ(done.status, 0) << done.err;
+  const std::string table = text_of(folder_ / "b.csv");
+  EXPECT_EQ(heading_of(table), "row,I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_EQ(table.find("nan"), std::string::npos);
+  EXPECT_EQ(numbers_of(table).at(3)[0], 3.0);
+}
+
 using PlotArguments = CommandTest;
 
 TEST_F(PlotArguments, ThatNameNothingToWriteAreRefused) {
@@ -297,6 +354,45 @@ TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
   EXPECT_NE(done.err.find("it is for antenna"), std::string::npos) << done.err;
   EXPECT_NE(done.err.find("--padding"), std::string::npos) << done.err;
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
+}
+
+TEST_F(PlotArguments, ThatAreNoFiniteNumbersAreRefused) {
+  write_scene({});
+  for (const char* option : {"--time", "--range", "--azimuth", "--limits", "--angles"})
+    for (const auto& [first, last] :
+         {std::pair{"nan", "nan"}, std::pair{"nan", "5200"}, std::pair{"inf", "1"}, std::pair{"0", "1e999"}}) {
+      const Finished done = sarsim({"plot", "scene.scr", option, first, last, "--csv", "a.csv"});
+      EXPECT_EQ(done.status, 2) << option << ' ' << first;
+      EXPECT_NE(done.err.find(std::string(option) + ": '"), std::string::npos) << done.err;
+      EXPECT_NE(done.err.find("is not a number"), std::string::npos) << done.err;
+    }
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--range", "950", "1.05e3", "--csv", "a.csv"}).status, 0);
+}
+
+TEST_F(PlotArguments, WantingAnglesBeyondATurnAreRefused) {
+  write_scene({});
+  for (const auto& [first, last] : {std::pair{"-1e308", "1e308"}, std::pair{"-361", "0"}, std::pair{"0", "360.5"}}) {
+    const Finished done = sarsim({"plot", "scene.scr", "--kind", "antenna", "--angles", first, last, "--csv", "a.csv"});
+    EXPECT_EQ(done.status, 2);
+    EXPECT_NE(done.err.find("-360 to 360 deg"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "antenna", "--angles", "-360", "360", "--csv", "a.csv"}).status, 0);
+}
+
+TEST_F(PlotArguments, ForEchoesAreRefusedWhereNoneAreShown) {
+  write_scene({});
+  for (const char* kind : {"antenna", "sent", "function"}) {
+    const Finished done = sarsim({"plot",     "scene.scr", "--kind", kind,          "--range", "1",      "2",
+                                  "--time",   "3",         "4",      "--rate",      "5",       "--data", "compressed",
+                                  "--screen", "--seed",    "1",      "--tolerance", "1e-3",    "--csv",  "a.csv"});
+    EXPECT_EQ(done.status, 2) << kind;
+    for (const char* option : {"--range", "--time", "--rate", "--data", "--screen", "--seed", "--tolerance"})
+      EXPECT_NE(done.err.find(std::string(option) + " means nothing for --kind " + kind), std::string::npos)
+          << done.err;
+  }
+  const Finished done = sarsim({"plot", "scene.scr", "--kind", "function", "--radar", "Radar1", "--csv", "a.csv"});
+  EXPECT_NE(done.err.find("--radar means nothing for --kind function"), std::string::npos) << done.err;
+  EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "sent", "--radar", "Radar1", "--csv", "a.csv"}).status, 0);
 }
 
 TEST_F(PlotArguments, WantingAPlaceThatIsNotSeenSayWhatIs) {

@@ -1,3 +1,6 @@
+#include <csignal>
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 
 #include "program.hpp"
@@ -89,6 +92,72 @@ TEST_F(Words, ProfilesOfRangesThatWereNotRecordedAreRefused) {
   const Finished beyond = sarsim({"profiles", scene, "--from", "12000", "--to", "13000"});
   EXPECT_EQ(beyond.status, 0);
   EXPECT_THAT(beyond.err, HasSubstr("the ranges go beyond those that were recorded"));
+}
+
+TEST_F(Words, FieldsThatAreNotThereLeadToTheCommandThatListsThem) {
+  write_scene({});
+  for (const char* command : {"run", "info"})
+    for (const char* setting : {"Radar1.qqqqqqqqqq=1", "Qqqqqqqqqq.prf=1"})
+      expect_refusal({command, "scene.scr", "--set", setting}, "'sarsim sweep SCENE --fields' lists what there is");
+}
+
+// A million points of a surface, looked at for each of many recordings after the warnings are told.
+TEST_F(Words, InfoIsInterruptedWhileItLooksAtEchoes) {
+  std::string text =
+      "$PLATFORM Earth STATIONARY 0 0 0 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0\n"
+      "$PLATFORM Mast STATIONARY 0 0 1000 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0\n"
+      "$SURFACE Earth -1000 5000 0 1000 5000 0 -1000 6000 0\n"
+      "$RADAR Radar1 Mast CHIRP 0.05 1000 RECT CONSTANT 1000 SINGLE 1 100 0 0\n"
+      "  ISOTROPIC SAME FIXED 0 0 RECT NO_STC\n";
+  for (int i = 0; i < 300; ++i)
+    text += "$SIMULATION Radar1 5000 5500 0 0.019 8 0.02 0 BINARY RAW sim" + std::to_string(i) + ".bin BEGIN 1 1\n";
+  write_text(folder_ / "scene.scr", text);
+  Start start;
+  start.folder = folder_;
+  Program program({"info", "scene.scr"}, start);
+  ASSERT_TRUE(program.wait_for("below the bandwidth", 60.0)) << program.err();
+  program.send(SIGINT);
+  const Finished end = program.finish();
+  EXPECT_EQ(end.status, 130) << end.err;
+  EXPECT_EQ(end.out, "");
+}
+
+TEST_F(Words, BashCompletesFilesAndChoicesOfEveryKindOfValue) {
+  write_text(folder_ / "my scene.scr", "");
+  write_text(folder_ / "out.svg", "");
+  write_text(
+      folder_ / "complete.sh",
+      "eval \"$('" SARSIM_PROGRAM
+      "' completion bash)\"\n"
+      "try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _sarsim; echo \"${#COMPREPLY[@]}: ${COMPREPLY[*]}\"; }\n"
+      "try sarsim plot my\ntry sarsim my\ntry sarsim plot 'my\\ s'\ntry sarsim plot '\"my s'\n"
+      "try sarsim plot -o o\ntry sarsim doppler --detections o\ntry sarsim focus --autofocus-phase o\n"
+      "try sarsim profiles --velocity e\ntry sarsim focus --doppler-centroid m\ntry sarsim plot --rate o\n");
+  const std::string command = "cd '" + folder_.string() + "' && bash complete.sh > answers 2> errors";
+  ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder_ / "errors");
+  EXPECT_EQ(text_of(folder_ / "errors"), "");
+  EXPECT_EQ(text_of(folder_ / "answers"),
+            "1: my scene.scr\n1: my scene.scr\n1: my scene.scr\n1: my scene.scr\n1: out.svg\n1: out.svg\n1: out.svg\n"
+            "1: estimated\n1: measured\n0: \n");
+}
+
+TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  const Finished script = sarsim(
+      {"info", "scene.scr", "--script", "nope.scr", "--columns", "3", "--bits", "8", "--lsb", "4", "--from", "csv"});
+  EXPECT_EQ(script.status, 2);
+  for (const char* option : {"--script", "--columns", "--bits", "--lsb", "--from"})
+    EXPECT_THAT(script.err, HasSubstr(option + std::string(" means nothing for 'scene.scr', which is a script")));
+  const Finished file = sarsim({"info", "sim.h5", "--set", "Radar1.prf=3", "--seed", "3", "--profile", "classic",
+                                "--pulse", "ideal", "--tolerance", "1e-3", "--all"});
+  EXPECT_EQ(file.status, 2);
+  for (const char* option : {"--set", "--seed", "--profile", "--pulse", "--tolerance", "--all"})
+    EXPECT_THAT(file.err, HasSubstr(option + std::string(" means nothing for 'sim.h5', which is no script")));
+  expect_refusal({"info", "scene.scr", "--plan", "--columns", "3"}, "--columns means nothing");
+  expect_refusal({"info", "scene.scr", "--plan", "--all"}, "--all means nothing with --plan");
+  EXPECT_EQ(sarsim({"info", "scene.scr", "--seed", "3", "--all"}).status, 0);
+  EXPECT_EQ(sarsim({"info", "sim.h5", "--from", "hdf5"}).status, 0);
 }
 
 TEST_F(Words, EveryRefusalIsJsonWhereJsonIsAskedFor) {

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
@@ -137,6 +138,40 @@ class FigurePlotTest : public QObject {
     QVERIFY(QDir().mkdir(folder.filePath("taken.png")));
     QVERIFY(!plot.save(folder.filePath("taken.png"), {500, 300}, 1.0, failure));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 0);
+  }
+
+  // The libraries that draw say nothing of a full disk.
+  void a_full_disk_is_told_for_every_kind_of_picture() {
+    if (!QFile::exists("/dev/full")) QSKIP("there is no /dev/full");
+    const QTemporaryDir folder;
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
+      QVERIFY(QFile::link("/dev/full", folder.filePath(name)));
+      QString failure;
+      QVERIFY2(!plot.save(folder.filePath(name), {500, 300}, 1.0, failure), name);
+      QVERIFY2(failure.contains("No space left"), qPrintable(failure));
+    }
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::System | QDir::Hidden).size(), 3);
+  }
+
+  void pictures_that_are_saved_again_replace_the_ones_before() {
+    const QTemporaryDir folder;
+    FigurePlot plot;
+    plot.set_figure(four_cells());
+    QString failure;
+    for (const int width : {500, 600}) {
+      QVERIFY2(plot.save(folder.filePath("a.png"), {width, 300}, 1.0, failure), qPrintable(failure));
+      QCOMPARE(QImage(folder.filePath("a.png")).width(), width);
+    }
+    QFile::remove(folder.filePath("a.png"));
+    QVERIFY2(plot.save(folder.filePath("a.pdf"), {500, 300}, 1.0, failure), qPrintable(failure));
+    QFile pdf(folder.filePath("a.pdf"));
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    const QByteArray bytes = pdf.readAll();
+    QVERIFY(bytes.trimmed().endsWith("%%EOF"));
+    // A page of as many points as the window has pixels.
+    QVERIFY2(bytes.contains("/MediaBox [0 0 500"), bytes.mid(bytes.indexOf("/MediaBox"), 60).constData());
   }
 
   // The lowest row of letters is followed by rows of the ground alone, at every scale.
