@@ -155,6 +155,9 @@ OpenImageDialog::OpenImageDialog(QWidget* parent) : QDialog(parent) {
   setMinimumWidth(fontMetrics().averageCharWidth() * 110);
 }
 
+// A field that goes while it has the keyboard says once more that it is finished.
+OpenImageDialog::~OpenImageDialog() { path_->disconnect(this); }
+
 void OpenImageDialog::make_file_row(QFormLayout* form) {
   auto* const row = new QHBoxLayout;
   path_ = new QLineEdit(this);

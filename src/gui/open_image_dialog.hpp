@@ -33,6 +33,7 @@ class OpenImageDialog : public QDialog {
 
  public:
   explicit OpenImageDialog(QWidget* parent = nullptr);
+  ~OpenImageDialog() override;
 
   /// The scene that knows shape and bits of the files its simulations write.
   void set_scene(const Scene& scene) { scene_ = scene; }

@@ -310,7 +310,7 @@ TEST_F(PlotTable, OfAPictureWhoseRowsHaveNoTimesGoesByTheirNumbers) {
   const Finished done = sarsim({"plot", "ppi.h5", "--kind", "range", "--csv", "b.csv"});
   ASSERT_EQ(done.status, 0) << done.err;
   const std::string table = text_of(folder_ / "b.csv");
-  EXPECT_EQ(heading_of(table), "row,I [V],Q [V],magnitude [V],phase [deg]");
+  EXPECT_EQ(heading_of(table), "pulse,I [V],Q [V],magnitude [V],phase [deg]");
   EXPECT_EQ(table.find("nan"), std::string::npos);
   EXPECT_EQ(numbers_of(table).at(3)[0], 3.0);
 }
