@@ -48,11 +48,23 @@ TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
   expect_as_theory(sar_scene(600.0, {{3.0, 20.0, 0.0}}), {.doppler_bandwidth_hz = 150.0});
 }
 
+// Rows of a recording that holds what the scene's plan makes.
+std::pair<std::shared_ptr<const Plan>, EchoRows> stored(const Scene& scene) {
+  const auto plan = shared_plan(scene);
+  const auto recording = std::make_shared<const Recording>(record(*plan));
+  return {plan, sar_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
+            std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
+          })};
+}
+
 // Whose matched filter multiplies amplitudes by half the time-bandwidth product.
 TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
   Scene scene = sar_scene(600.0, {{}});
   scene.options.profile = Profile::classic;
-  const auto [plan, rows] = sar_recording(scene);
+  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].range_end_m = 10098.0 + 200.0 * 0.5 * 299792500.0 / 150e6;
+  const auto [plan, rows] = stored(scene);
+  ASSERT_EQ(plan->compressor->output_index().back() + 1, plan->columns);
   const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
   EXPECT_NEAR(focused_point(rows, theory.place).amplitude, theory.amplitude, 0.01 * theory.amplitude);
 }
@@ -84,15 +96,6 @@ TEST(TheoryOfTargets, HasNoRangeFiguresForOtherPulsesThanChirps) {
   scene.radars[0].pulse = Radar::Pulse::mono;
   const auto [plan, rows] = sar_recording(scene);
   EXPECT_FALSE(theory_of_targets(*plan, rows, {}).at(0).range);
-}
-
-// Rows of a recording that holds what the scene's plan makes.
-std::pair<std::shared_ptr<const Plan>, EchoRows> stored(const Scene& scene) {
-  const auto plan = shared_plan(scene);
-  const auto recording = std::make_shared<const Recording>(record(*plan));
-  return {plan, sar_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
-            std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
-          })};
 }
 
 // Slant range, from the start of the window, to a point on the ground.

@@ -1,5 +1,7 @@
 // `sarsim measure`: one target alone, pictures of its response.
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "program.hpp"
@@ -42,6 +44,20 @@ TEST_F(Measure, DrawsTheCutsThroughATarget) {
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists"));
   EXPECT_EQ(again.out, "");  // Said before anything is measured.
+}
+
+TEST_F(Measure, FindsAWeakTargetBesideAStrongOne) {
+  // 3.9 m farther than the first point, half as strong: nearer than three cells of 1.5 m.
+  write_text(folder_ / "near.scr", text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr") +
+                                       "\n$TARGET Earth\n-190, -96, 0\n0, 0, 0\n0.3, 0\nISOTROPIC\n");
+  const Finished focus = sarsim({"focus", "near.scr", "--quiet"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  const Finished measure = sarsim({"measure", "near.img", "--target", "25"});
+  ASSERT_EQ(measure.status, 0) << measure.err;
+  const std::size_t found = measure.out.find(" m away");
+  ASSERT_NE(found, std::string::npos) << measure.out;
+  const std::size_t number = measure.out.rfind(' ', found - 1);
+  EXPECT_LT(std::abs(std::stod(measure.out.substr(number))), 1.0) << measure.out;
 }
 
 TEST_F(Measure, KnowsTheWindowOfEachAxis) {
