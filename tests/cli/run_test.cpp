@@ -244,5 +244,13 @@ TEST_F(RunCommand, AllMistakesAreShownAtOnceWithTheirPlaces) {
   EXPECT_EQ(run.out, "");
 }
 
+TEST_F(RunCommand, NamesTheLevelsOfSimdThatThereAre) {
+  write_scene({});
+  const Finished run = sarsim({"run", "scene.scr", "--simd", "sse9"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("--simd: this processor has no 'sse9'"));
+  EXPECT_THAT(run.err, HasSubstr("choose among "));
+}
+
 }  // namespace
 }  // namespace sarsim::test
