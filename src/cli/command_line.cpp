@@ -138,8 +138,7 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   for (const std::string& name : known) names.push_back(bare(name));
   const std::string nearest = nearest_word(bare(word), names);
   const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
-  const bool near =
-      edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), std::string(nearest));
+  const bool near = edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), nearest);
   if (nearest.empty() || !near) return {};
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }

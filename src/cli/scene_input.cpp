@@ -205,8 +205,7 @@ std::size_t radar_named(const Scene& scene, const std::string& name) {
   for (const Radar& radar : scene.radars) names.push_back(radar.name);
   const std::string nearest = nearest_word(name, names);
   const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
-  throw BadInput("the scene has no radar '" + name + "'",
-                 nearest.empty() ? others : "did you mean '" + std::string(nearest) + "'?");
+  throw BadInput("the scene has no radar '" + name + "'", nearest.empty() ? others : "did you mean '" + nearest + "'?");
 }
 
 }  // namespace sarsim::cli

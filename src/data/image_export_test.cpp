@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 
 #include "data/data_test_support.hpp"
@@ -32,6 +33,16 @@ ImageHints shape(std::size_t columns, int bits) {
   hints.samples.columns = columns;
   hints.samples.bits = bits;
   return hints;
+}
+
+// Two rows of two samples in volts, as a file of bare numbers.
+std::shared_ptr<ImageSource> open_volts(const fs::path& path, const std::array<float, 8>& volts) {
+  RawLayout layout;
+  layout.width = 2;
+  layout.number = RawNumber::float32;
+  ImageHints hints;
+  hints.raw = layout;
+  return open_whole(put(path, {reinterpret_cast<const char*>(volts.data()), sizeof volts}), hints);
 }
 
 constexpr ImageWindow part{2, 5, 1, 4, 3, 2};
@@ -109,13 +120,7 @@ TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
 
 TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
   const TestFolder folder;
-  RawLayout layout;
-  layout.width = 2;
-  layout.number = RawNumber::float32;
-  ImageHints hints;
-  hints.raw = layout;
-  const std::array<float, 8> volts{0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, 0.0F};
-  const auto source = open_whole(put(folder / "a.raw", {reinterpret_cast<const char*>(volts.data()), 32}), hints);
+  const auto source = open_volts(folder / "a.raw", {0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, 0.0F});
   ASSERT_TRUE(source);
   ImageExport options;
   options.sink.format = FileFormat::hdf5;
@@ -134,13 +139,7 @@ TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
 
 TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   const TestFolder folder;
-  RawLayout layout;
-  layout.width = 2;
-  layout.number = RawNumber::float32;
-  ImageHints hints;
-  hints.raw = layout;
-  const std::array<float, 8> volts{0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, std::nanf("")};
-  const auto source = open_whole(put(folder / "a.raw", {reinterpret_cast<const char*>(volts.data()), 32}), hints);
+  const auto source = open_volts(folder / "a.raw", {0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, std::nanf("")});
   ASSERT_TRUE(source);
   ImageExport options;
   options.sink.format = FileFormat::ascii;

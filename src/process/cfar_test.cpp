@@ -274,6 +274,17 @@ TEST(DetectCfar, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
+// Every cell with reference cells is over its threshold.
+CfarOptions nearly_always(std::size_t reach, std::size_t guard, std::size_t rows) {
+  CfarOptions options;
+  options.reference_columns = reach;
+  options.guard_columns = guard;
+  options.reference_rows = rows;
+  options.guard_rows = guard / 2;
+  options.false_alarm = 0.999;
+  return options;
+}
+
 // What the detector finds nothing to compare with, anywhere, has no reference.
 TEST(HasReferenceCells, IsWhetherAnyCellOfTheMapHasSome) {
   for (const std::size_t rows : {1U, 3U, 4U})
@@ -281,12 +292,7 @@ TEST(HasReferenceCells, IsWhetherAnyCellOfTheMapHasSome) {
       for (const std::size_t reach : {0U, 2U, 4U, 20U})
         for (const std::size_t guard : {0U, 1U, 4U, 30U})
           for (const std::size_t other : {0U, 3U}) {
-            CfarOptions options;
-            options.reference_columns = reach;
-            options.guard_columns = guard;
-            options.reference_rows = other;
-            options.guard_rows = guard / 2;
-            options.false_alarm = 0.999;  // Every cell with some is over its threshold.
+            const CfarOptions options = nearly_always(reach, guard, other);
             std::vector<float> map(rows * columns, 1.0F);
             EXPECT_EQ(has_reference_cells(options, rows, columns), !detect_cfar(map, columns, options, one).empty())
                 << rows << ' ' << columns << ' ' << reach << ' ' << guard << ' ' << other;
@@ -299,12 +305,7 @@ TEST(ReferenceCells, AreAsManyAsAnyCellOfTheMapHas) {
       for (const std::size_t reach : {1U, 2U, 4U, 20U})
         for (const std::size_t guard : {0U, 1U, 4U})
           for (const std::size_t other : {0U, 1U, 3U}) {
-            CfarOptions options;
-            options.reference_columns = reach;
-            options.guard_columns = guard;
-            options.reference_rows = other;
-            options.guard_rows = guard / 2;
-            options.false_alarm = 0.999;  // Every cell with some is over its threshold.
+            const CfarOptions options = nearly_always(reach, guard, other);
             std::size_t middle = 0;
             for (const CfarDetection& d : detect_cfar(std::vector<float>(rows * columns, 1.0F), columns, options, one))
               if (d.row == rows / 2 && d.column == columns / 2) middle = d.reference_cells;

@@ -38,7 +38,7 @@ void read_unknown(Reading& reading, const Token& command) {
     reporter.error(command, "",
                    {"unknown command", "$" + shown(command.text),
                     "$PLATFORM, $TARGET, $SURFACE, $RADAR, $SIMULATION, $GEOMETRY or $OPTIONS",
-                    near.empty() ? "" : "did you mean $" + std::string(near) + "?"});
+                    near.empty() ? "" : "did you mean $" + near + "?"});
   }
   reading.tokens.skip_values();
 }

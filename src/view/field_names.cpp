@@ -167,12 +167,16 @@ std::vector<std::string> short_names(const std::vector<Field>& fields) {
   return names;
 }
 
+// What to try instead of a name that nothing has.
+std::string meant_among(std::string_view name, const std::vector<std::string>& names) {
+  const std::string nearest = nearest_word(name, names);
+  return nearest.empty() ? "'sarsim sweep SCENE --fields' lists what there is"
+                         : fmt::format("did you mean {}?", nearest);
+}
+
 std::string no_field(std::string_view owner, const std::vector<Field>& fields, std::string_view name) {
   const std::vector<std::string> names = short_names(fields);
-  std::string failure = fmt::format("{} has no field '{}'", owner, name);
-  if (const std::string nearest = nearest_word(name, names); !nearest.empty())
-    return failure + fmt::format("; did you mean {}?", nearest);
-  return failure + "; 'sarsim sweep SCENE --fields' lists what there is";
+  return fmt::format("{} has no field '{}'; {}", owner, name, meant_among(name, names));
 }
 
 std::string no_object(const Scene& scene, std::string_view word) {
@@ -181,10 +185,7 @@ std::string no_object(const Scene& scene, std::string_view word) {
   for (const Platform& platform : scene.platforms) names.push_back(platform.name);
   for (const ObjectKind kind : all_object_kinds)
     if (count_of(scene, kind) > 0) names.push_back(capital(name_of(kind)) + "1");
-  const std::string nearest = nearest_word(word, names);
-  std::string failure = fmt::format("the scene has no object '{}'", word);
-  return nearest.empty() ? failure + "; 'sarsim sweep SCENE --fields' lists what there is"
-                         : failure + fmt::format("; did you mean {}?", nearest);
+  return fmt::format("the scene has no object '{}'; {}", word, meant_among(word, names));
 }
 
 NamedField option_called(std::string_view name, std::string_view value) {
