@@ -101,6 +101,10 @@ void expect_used(const PlotArguments& a) {
   echoes.insert(echoes.begin(), K::picture);
   std::vector<K> of_radars = echoes;
   of_radars.insert(of_radars.end(), {K::antenna, K::sent});
+  std::vector<K> quantities = echoes;
+  quantities.push_back(K::antenna);
+  const std::vector<K> levels{K::picture,       K::pulse,    K::range,   K::profile,
+                              K::range_doppler, K::spectrum, K::antenna, K::sent};
   const std::vector<K> colours{K::picture};
   const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
                               {"--radar", !a.radar.empty(), of_radars},
@@ -117,6 +121,8 @@ void expect_used(const PlotArguments& a) {
                               {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
                               {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},
                               {"--recorded", a.recorded, of_samples},
+                              {"--show", a.quantity.has_value(), quantities},
+                              {"--span", a.span_db.has_value(), levels},
                               {"--mean", a.mean.has_value(), {K::profile}},
                               {"--window", a.window.has_value(), {K::range_doppler, K::spectrum}},
                               {"--padding", a.padding.has_value(), {K::range_doppler}},
@@ -140,6 +146,22 @@ void expect_used(const PlotArguments& a) {
     problems.push_back(std::move(problem));
   }
   if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+// What --show says by itself.
+DisplayQuantity shown_quantity(const PlotArguments& a) {
+  const bool in_decibels = a.kind == PlotKind::profile || a.kind == PlotKind::range_doppler ||
+                           a.kind == PlotKind::spectrum || a.kind == PlotKind::sent;
+  return a.quantity.value_or(in_decibels ? DisplayQuantity::decibels : DisplayQuantity::magnitude);
+}
+
+// Of two options that contradict each other, one would be ignored.
+void expect_no_contradiction(const PlotArguments& a) {
+  if (a.screen && (a.recorded || a.rate_hz))
+    throw BadInput(fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
+                   "leave one of them out");
+  if (a.span_db && shown_quantity(a) != DisplayQuantity::decibels)
+    throw BadInput("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
 }
 
 // An option that was given, and whether it is for scripts or for files.
@@ -189,6 +211,7 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   a.kind = a.wanted_kind.value_or(PlotKind::picture);
   expect_names(a);
   expect_used(a);
+  expect_no_contradiction(a);
   expect_used_by_input(a);
   expect_size(a);
   expect_limits(a);

@@ -356,6 +356,28 @@ TEST_F(PlotArguments, ThatWouldBeIgnoredAreRefusedAllAtOnce) {
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--simulation", "1", "--radar", "Radar1", "--csv", "a.csv"}).status, 2);
 }
 
+TEST_F(PlotArguments, ThatContradictEachOtherAreRefused) {
+  write_scene({});
+  const auto plot = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"plot", "scene.scr", "--csv", "a.csv", "--force"});
+    return sarsim(words);
+  };
+  const auto refused = [&](std::vector<std::string> words, const char* text) {
+    const Finished done = plot(std::move(words));
+    EXPECT_EQ(done.status, 2) << text;
+    EXPECT_NE(done.err.find(text), std::string::npos) << done.err;
+  };
+  refused({"--screen", "--rate", "1e8"}, "--screen and --rate ask for different samples");
+  refused({"--kind", "pulse", "--screen", "--recorded"}, "--screen and --recorded ask for different samples");
+  refused({"--span", "40"}, "--span is a number of decibels");
+  refused({"--kind", "pulse", "--show", "real", "--span", "40"}, "add --show db");
+  refused({"--kind", "phase", "--span", "40"}, "--span means nothing for --kind phase");
+  refused({"--kind", "sent", "--show", "db"}, "--show means nothing for --kind sent");
+  for (const char* kind : {"profile", "spectrum", "sent"}) EXPECT_EQ(plot({"--kind", kind, "--span", "40"}).status, 0);
+  for (const char* kind : {"pulse", "antenna"})
+    EXPECT_EQ(plot({"--kind", kind, "--show", "db", "--span", "40"}).status, 0);
+}
+
 TEST_F(PlotArguments, ThatAreNoFiniteNumbersAreRefused) {
   write_scene({});
   for (const char* option : {"--time", "--range", "--azimuth", "--limits", "--angles"})
