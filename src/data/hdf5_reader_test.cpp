@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <atomic>
@@ -80,6 +81,30 @@ TEST(Hdf5Reader, ReadsChunkedAndCompressedSamples) {
 
 // A file is tried in a child process of little memory. All of this one but its structure is a hole, which takes no
 // disk.
+// The library would clear two buffers of a megabyte for each of them: 512 pages a row.
+TEST(Hdf5Reader, ReadsShortRowsOneByOneWithoutClearingMegabytes) {
+  const TestFolder folder;
+  constexpr std::size_t rows = 2000;
+  {
+    const Hdf5Handle file = create_file(folder / "rows.h5");
+    const std::vector<float> samples(2 * rows * 10, 1.5F);
+    add_dataset(file.get(), "samples", complex_float().get(), {.shape = {rows, 10}}, samples.data());
+  }
+  OpenedSampleFile opened = SampleFile::open(folder / "rows.h5");
+  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  const auto faults = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_minflt;
+  };
+  std::vector<std::complex<double>> row(10);
+  opened.file->read_rows(0, 1, row);
+  const long before = faults();
+  for (std::size_t r = 0; r < rows; ++r) opened.file->read_rows(r, 1, row);
+  EXPECT_LT(faults() - before, 50'000);
+  EXPECT_EQ(row[9], std::complex<double>(1.5, 1.5));
+}
+
 TEST(Hdf5Reader, OpensFilesWhoseAxesAreLargerThanTheMemoryOfTheTrial) {
   const TestFolder folder;
   constexpr hsize_t rows = 36'000'000;

@@ -19,6 +19,11 @@ inline double hamming_window(double x) { return 0.54 - 0.46 * std::cos(2.0 * pi 
 /// The triangle from 0 at the ends to 1 in the middle.
 inline double bartlett_window(double x) { return x <= 0.5 ? 2.0 * x : 2.0 - 2.0 * x; }
 
+/// Whether weights cancel to rounding, so that nothing is left to divide by: |sum w| <= 1e-9 sum |w|.
+/// @param sum         of the weights, of either sign
+/// @param magnitudes  sum of their magnitudes
+inline bool weights_cancel(double sum, double magnitudes) { return std::abs(sum) <= 1e-9 * magnitudes; }
+
 /// Modified Bessel function of the first kind and order 0, by its power series (Abramowitz and Stegun 9.6.12): all
 /// terms are positive, so the sum is exact to rounding for any x whose value is finite. (std::cyl_bessel_i goes through
 /// lgamma, which writes a global variable: not to be called from several threads.)

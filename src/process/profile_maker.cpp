@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "math/window.hpp"
 #include "process/turns.hpp"
 
 namespace sarsim {
@@ -76,11 +77,13 @@ ProfileMaker::ProfileMaker(const SteppedBand& band, const WindowFunction& window
   axis_ = axis_of(band, from_m, to_m, fft_.size());
   const auto last = static_cast<double>(band.cells() - 1);
   double sum = 0.0;
+  double magnitudes = 0.0;
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     weights_[k] = !band.filled(k) ? 0.0 : window && last > 0.0 ? window(static_cast<double>(k) / last) : 1.0;
     sum += weights_[k];
+    magnitudes += std::abs(weights_[k]);
   }
-  if (std::abs(sum) > 1e-12)
+  if (!weights_cancel(sum, magnitudes))
     for (double& w : weights_) w /= sum;
   gate_.resize(axis_.count);
   for (std::size_t i = 0; i < gate_.size(); ++i)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/window.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -31,6 +33,7 @@ CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* ban
       static_cast<std::size_t>(std::max(1.0, std::ceil(pulse.width_s * sample_rate_hz - edge_tolerance)));
   CompressionFilter filter;
   double energy = 0.0;
+  double magnitudes = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     const double t = static_cast<double>(k) / sample_rate_hz;
     const std::complex<double> p =
@@ -38,8 +41,9 @@ CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* ban
     const double w = window(t / pulse.width_s);
     filter.taps.push_back(w * std::conj(p));
     energy += w * std::norm(p);
+    magnitudes += std::abs(w) * std::norm(p);
   }
-  if (energy > 0.0)
+  if (!weights_cancel(energy, magnitudes))
     for (auto& tap : filter.taps) tap /= energy;
   return filter;
 }

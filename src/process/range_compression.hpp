@@ -21,7 +21,7 @@ struct CompressionFilter {
 
 /// Filter of the physical profile (decision 12): the conjugate of the transmitted pulse sampled from its leading edge,
 /// times the window, divided by the sum of window |pulse|^2: the peak of a resting point target on the sampling grid
-/// keeps the amplitude and phase of its raw echo.
+/// keeps the amplitude and phase of its raw echo. Where that sum cancels, nothing is divided by.
 /// @param band_limited  the pulse as confined to a band, or null for the ideal one
 [[nodiscard]] CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* band_limited,
                                                const WindowFunction& window, double sample_rate_hz);

@@ -97,6 +97,26 @@ TEST(MatchedFilter, WeighsTheReplicaByTheWindowFromTheLeadingEdgeOn) {
     EXPECT_LT(std::abs(classic.taps[k] - (1.0 - static_cast<double>(k) / 4.0) / 2e6), 1e-6 * epsilon);
 }
 
+TEST(MatchedFilter, KeepsThePeakWhateverTheSignOfTheWeights) {
+  const Pulse pulse = pulse_of(Pulse::Kind::chirp, 5e-6);
+  const double rate_hz = 8e6;
+  const std::complex<double> amplitude = std::polar(3.0, 0.7);
+  for (const WindowFunction& window :
+       {WindowFunction([](double) { return -1.0; }), WindowFunction([](double x) { return 0.5 - 2.0 * x; })}) {
+    const CompressionFilter filter = matched_filter(pulse, nullptr, window, rate_hz);
+    const Row raw = raw_echo(pulse, rate_hz, 150, 37, amplitude);
+    EXPECT_LT(std::abs(compressed(filter, raw)[37] - amplitude), 1e3 * epsilon * std::abs(amplitude));
+  }
+}
+
+TEST(MatchedFilter, WhoseWeightsCancelIsLeftAsItIs) {
+  const Pulse pulse = pulse_of(Pulse::Kind::mono, 4e-6);
+  const WindowFunction tilted = [](double x) { return 0.3 - 0.8 * x; };  // at 0, 1/4, 1/2 and 3/4
+  const CompressionFilter filter = matched_filter(pulse, nullptr, tilted, 1e6);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_LT(std::abs(filter.taps[k] - tilted(static_cast<double>(k) / 4.0)), epsilon);
+}
+
 TEST(MatchedFilter, OfAMonochromePulseMakesATriangle) {
   const Pulse pulse = pulse_of(Pulse::Kind::mono, 5e-6);
   const Row out = compressed(matched_filter(pulse, nullptr, rectangular, 4e6), raw_echo(pulse, 4e6, 100, 40, 2.0));

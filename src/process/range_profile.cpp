@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "math/window.hpp"
 
 namespace sarsim {
 
@@ -13,11 +14,13 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
       fft_(static_cast<std::size_t>(steps)) {
   for (double& gate : gate_turns_) gate *= 2.0 * step_hz / light_speed_mps;
   double sum = 0.0;
+  double magnitudes = 0.0;
   for (std::size_t n = 0; n < weights_.size(); ++n) {
     weights_[n] = steps > 1 ? window(static_cast<double>(n) / (steps - 1)) : 1.0;
     sum += weights_[n];
+    magnitudes += std::abs(weights_[n]);
   }
-  if (sum != 0.0)
+  if (!weights_cancel(sum, magnitudes))
     for (double& w : weights_) w /= sum;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
+#include "math/window.hpp"
 #include "receiver/converter.hpp"
 
 namespace sarsim {
@@ -53,23 +54,43 @@ class Surveyor {
                          1});
   }
 
-  // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples.
-  void check_weights(const Plan& plan) {
-    double sum = 0.0;
-    std::size_t count = 0;
+  // The weights of the radar's window over the steps of a burst, or over the samples of a pulse times their power.
+  static std::vector<double> weights_of(const Plan& plan, double sample_rate_hz) {
+    std::vector<double> weights;
     if (plan.profiler) {
-      count = plan.profiler->steps();
-      for (std::size_t n = 0; n < count; ++n)
-        sum += count > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(count - 1)) : 1.0;
+      const std::size_t steps = plan.profiler->steps();
+      for (std::size_t n = 0; n < steps; ++n)
+        weights.push_back(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
     } else if (plan.compressor) {
-      const double pulse_samples = plan.radar.pulse.width_s * simulation_.sample_rate_hz;
-      for (; count == 0 || static_cast<double>(count) < pulse_samples - 1e-9; ++count)
-        sum += plan.radar.window(static_cast<double>(count) / pulse_samples);
+      const double samples = plan.radar.pulse.width_s * sample_rate_hz;
+      for (std::size_t k = 0; k == 0 || static_cast<double>(k) < samples - 1e-9; ++k) {
+        const double t_s = static_cast<double>(k) / sample_rate_hz;
+        weights.push_back(plan.radar.window(t_s / plan.radar.pulse.width_s) *
+                          std::norm(plan.radar.pulse.value(t_s, 1e-9 / sample_rate_hz)));
+      }
     }
-    if (count == 0 || sum != 0.0) return;
-    add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
-        fmt::format("{} samples", count), "a window that is above 0 somewhere",
-        plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
+    return weights;
+  }
+
+  // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples; one that is negative
+  // for a half leaves no peak to keep.
+  void check_weights(const Plan& plan) {
+    const std::vector<double> weights = weights_of(plan, simulation_.sample_rate_hz);
+    double sum = 0.0;
+    double magnitudes = 0.0;
+    for (const double weight : weights) {
+      sum += weight;
+      magnitudes += std::abs(weight);
+    }
+    if (weights.empty() || !weights_cancel(sum, magnitudes)) return;
+    if (magnitudes == 0.0)
+      add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
+          fmt::format("{} samples", weights.size()), "a window that is above 0 somewhere",
+          plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
+    else
+      add(Severity::warning, "radar", "the radar's window function cancels: its weights, with their signs, sum to 0",
+          "", "weights that leave a target its peak",
+          "the peak is 0 where the target stands, and nothing scales what is left; take another window");
   }
 
   bool check_bursts(const Plan& plan) {
@@ -133,7 +154,9 @@ class Surveyor {
   }
 
   void check_doppler(const EchoSurvey& survey, const Plan& plan) {
-    if (plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
+    // Nobody makes an image along the track of what a turning beam sees.
+    const bool turning = plan.radar.beam.kind == Beam::Kind::rotating && plan.radar.beam.rate_rad_per_s != 0.0;
+    if (turning || plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
     const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
@@ -153,19 +176,21 @@ class Surveyor {
       return;
     const double strongest = survey.totals.strongest_v + 3.0 * plan.noise_stddev_v;
     if (strongest <= 0.0) return;
+    // Echoes that meet each other may add up to this.
+    const double most_v = std::max(survey.largest_sum_v, strongest);
     const double full_v = simulation_.lsb_v * full_scale_count(simulation_.bits);
     const auto millivolts = [](double v) { return format_number(v, 3) + " mV"; };
     const auto rounded = [](double v) { return fmt::format("{:.6g} mV", v * 1e3); };
     if (strongest > 1.01 * full_v)
       add(Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(strongest / full_scale_count(simulation_.bits)),
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
-    else if (std::max(survey.largest_sum_v, strongest) < 0.5 * full_v)
+    else if (most_v < 0.5 * full_v)
       add(Severity::warning, "lsb_v",
           fmt::format("the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
-                      100.0 * std::max(survey.largest_sum_v, strongest) / full_v) +
+                      100.0 * most_v / full_v) +
               scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(strongest / full_scale_count(simulation_.bits)),
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
   }
 

@@ -40,9 +40,9 @@ struct SurveyTotals {
   friend bool operator==(const SurveyTotals&, const SurveyTotals&) = default;
 };
 
-/// A quick look at the echoes of a simulation: at most 64 of its pulses (3 where there are
-/// very many targets), all targets. An estimate: what happens between
-/// the sampled pulses is not seen.
+/// A quick look at the echoes of a simulation: at most 64 of its pulses (3 where there are very many targets), all
+/// targets, and up to five passes of a rotating beam over each target. An estimate: what happens between the sampled
+/// pulses is not seen.
 struct EchoSurvey {
   std::size_t pulses_sampled = 0;
   bool all_pulses = false;  ///< Every pulse was looked at.
