@@ -29,6 +29,7 @@ struct ConvertArguments {
   std::string input;
   std::string output;
   SampleArguments sample;
+  std::optional<std::int64_t> simulation;
   std::optional<FileFormat> to;
   bool counts = false;
   bool header = false;
@@ -173,7 +174,7 @@ class Conversion {
           fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
                       std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
                       std::string_view(what).ends_with("bits") ? "them" : "it");
-      problem.hint = fmt::format("give {}, or the script that wrote the file with --script", option);
+      problem.hint = hint_for(option);
       problems.push_back(problem);
     };
     const bool sized = options_.format != FileFormat::ascii && options_.format != FileFormat::bracket;
@@ -186,6 +187,14 @@ class Conversion {
     // Enough for all counts; volts have none.
     product_.bits = 64;
     product_.unknown.emplace_back("bits");
+  }
+
+  // A script that was given says the bits, but may leave the LSB to the data.
+  [[nodiscard]] std::string hint_for(std::string_view option) const {
+    if (option == "--lsb" && !arguments_.sample.script.empty())
+      return "the script leaves the LSB to the data (0): give with --lsb the lsb_v of the run's report "
+             "(sarsim run --json)";
+    return fmt::format("give {}, or the script that wrote the file with --script", option);
   }
 
   void read(std::size_t first, std::size_t count) {
@@ -243,7 +252,9 @@ class Conversion {
 };
 
 ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
-  const SampleFileHints hints = hints_for(arguments.input, arguments.sample);
+  if (arguments.simulation && arguments.sample.script.empty())
+    throw BadInput("--simulation is a number in a script", "name it with --script");
+  const SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
   const SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);
   OutputCare care{sources_of_script(arguments.sample.script), arguments.force, "OUT"};
@@ -261,6 +272,8 @@ Action add_convert(CLI::App& app) {
   add_text(app, "input", arguments->input, "IN", "file of samples")->required();
   add_text(app, "output", arguments->output, "OUT", "file to write")->required();
   add_sample_arguments(app, arguments->sample);
+  add_integer(app, "--simulation", arguments->simulation, 1, 1'000'000,
+              "which simulation of the script wrote the file (default: the one that names it)");
   add_format(app, "--to", arguments->to, "format of the new file (default: from its extension)");
   app.add_flag("--counts", arguments->counts, "converter counts instead of volts in HDF5 and NPY");
   app.add_flag("--header", arguments->header, "a header line in CSV");
