@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -8,7 +9,9 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -143,6 +146,22 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }
 
+// What to do instead of an option of the commands that simulate, in a command that takes these choices from its script;
+// empty for all others.
+std::string set_in_script(const CLI::App& command, std::string_view option) {
+  constexpr std::array<std::string_view, 3> commands{"focus", "doppler", "search"};
+  if (std::ranges::find(commands, command.get_name()) == commands.end()) return {};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> choices{{{"--seed", "SEED 2"},
+                                                                                  {"--tolerance", "TOLERANCE 1e-9"},
+                                                                                  {"--profile", "PROFILE CLASSIC"},
+                                                                                  {"--pulse", "PULSE BAND_LIMITED"}}};
+  const auto found =
+      std::ranges::find(choices, option, [](const auto& choice) -> std::string_view { return choice.first; });
+  if (found == choices.end()) return {};
+  return fmt::format("the script sets it, with a line such as '$OPTIONS {}'; sarsim run takes {}, too", found->second,
+                     option);
+}
+
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
@@ -157,6 +176,8 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  if (const std::string hint = option && command != nullptr ? set_in_script(*command, name) : ""; !hint.empty())
+    throw BadInput(fmt::format("{}{} '{}'", where, what, name), hint);
   throw BadInput(fmt::format("{}{} '{}'", where, what, name),
                  nearest.empty()
                      ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")

@@ -1,18 +1,22 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <ostream>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/copied_image.hpp"
 #include "cli/options.hpp"
 #include "cli/output_names.hpp"
 #include "cli/report.hpp"
 #include "cli/sample_input.hpp"
 #include "cli/scene_input.hpp"
 #include "data/formats.hpp"
+#include "data/output_file.hpp"
 #include "data/product_attributes.hpp"
 #include "data/sinks.hpp"
 #include "receiver/converter.hpp"
@@ -25,15 +29,24 @@ struct ConvertArguments {
   std::string input;
   std::string output;
   SampleArguments sample;
+  std::optional<std::int64_t> simulation;
   std::optional<FileFormat> to;
   bool counts = false;
   bool header = false;
   bool force = false;
 };
 
-FileFormat output_format(const ConvertArguments& arguments) {
+// The format of the new file; nothing for an ENVI image, which only images become.
+std::optional<FileFormat> output_format(const ConvertArguments& arguments, bool image) {
   if (arguments.to) return *arguments.to;
   if (const auto format = format_from_path(arguments.output)) return *format;
+  if (equal_ignoring_case(std::filesystem::path(arguments.output).extension().string(), ".img")) {
+    if (image && !arguments.counts) return std::nullopt;
+    throw BadInput(
+        image ? fmt::format("--counts: an image such as '{}' holds volts", arguments.output)
+              : fmt::format("'{}' has no header that makes it an image as '{}'", arguments.input, arguments.output),
+        "say another format with --to ascii, binary, bracket, hdf5, csv or npy");
+  }
   throw BadInput(fmt::format("the extension of '{}' names no format", arguments.output),
                  "say it with --to ascii, binary, bracket, hdf5, csv or npy");
 }
@@ -60,6 +73,36 @@ Product product_of_file(const SampleFile& file) {
   return product;
 }
 
+// The header of an image, for its copy or to be left behind.
+struct CarriedHeader {
+  std::optional<EnviHeader> copy;
+  std::filesystem::path file;  // of the copy
+  Problems notes;              // what is lost
+};
+
+CarriedHeader carried_header(const EnviHeader& header, const ConvertArguments& arguments,
+                             std::optional<FileFormat> format) {
+  const bool array = format == FileFormat::npy;
+  const auto left = [&](const std::string& why) {
+    return CarriedHeader{
+        {},
+        {},
+        {problem_of(Severity::note,
+                    fmt::format("axes and all else in the header of '{}' are left behind: {}", arguments.input, why),
+                    {}, {}, "NPY in volts and .img keep them")}};
+  };
+  if (format && !array) return left(fmt::format("{} has no place for them", format_word(*format)));
+  if (arguments.counts) return left("counts are no image");
+  if (array && is_of_magnitudes(header)) {
+    CarriedHeader carried = left("as NPY the magnitudes become complex numbers, which would be taken for the image");
+    carried.notes.back().hint = ".img keeps them";
+    return carried;
+  }
+  return {header_of_copy(header, arguments.input, arguments.output, array),
+          header_file_of_copy(arguments.input, arguments.output),
+          {}};
+}
+
 // What happens to each sample on its way.
 enum class Change { none, to_volts, to_counts };
 
@@ -69,16 +112,27 @@ class Conversion {
   Conversion(const SampleFile& file, const SampleFileHints& hints, const ConvertArguments& arguments, Streams& streams)
       : file_(file), product_(product_of_file(file)), arguments_(arguments), streams_(streams) {
     choose_converter(hints);
-    const FileFormat format = output_format(arguments);
-    const bool either = format == FileFormat::hdf5 || format == FileFormat::npy;
-    options_ = {format, arguments.force, arguments.counts || !either, arguments.header};
+    const auto image = header_beside(arguments.input, file.info());
+    const auto format = output_format(arguments, image.has_value());
+    if (image) header_ = carried_header(*image, arguments, format);
+    envi_ = !format;
+    const bool either = envi_ || format == FileFormat::hdf5 || format == FileFormat::npy;
+    options_ = {format.value_or(FileFormat::npy), arguments.force, arguments.counts || !either, arguments.header};
     const bool volts_in = !file.info().counts;
     change_ = volts_in == !options_.counts ? Change::none : volts_in ? Change::to_counts : Change::to_volts;
     expect_known();
   }
 
+  // Of the new file and, for images, its header.
+  [[nodiscard]] std::vector<std::filesystem::path> outputs() const {
+    if (!header_.copy) return {arguments_.output};
+    return {arguments_.output, header_.file};
+  }
+
   void carry_out() {
-    const std::unique_ptr<Sink> sink = make_sink(arguments_.output, product_, options_);
+    const std::unique_ptr<Sink> sink = envi_ ? make_pixel_sink(arguments_.output, *header_.copy, options_.replace)
+                                             : make_sink(arguments_.output, product_, options_);
+    const std::unique_ptr<OutputFile> header = begun_header();
     const std::size_t rows = rows_at_once(product_.columns);
     for (std::size_t first = 0; first < product_.rows; first += rows) {
       if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
@@ -87,6 +141,8 @@ class Conversion {
       sink->append(sink->encode({first, count, product_.columns, volts_, counts_}), first, count);
     }
     sink->finish(report());
+    if (header) header->commit();
+    print_problems(streams_, header_.notes);
     warn_of_clipping();
     warn_of_what_is_no_number();
   }
@@ -99,6 +155,16 @@ class Conversion {
     if (hints.lsb_v > 0.0 && (volts || product_.lsb_v <= 0.0)) product_.lsb_v = hints.lsb_v;
   }
 
+  // Complete but for its name, which it gets after the data.
+  [[nodiscard]] std::unique_ptr<OutputFile> begun_header() const {
+    if (!header_.copy) return nullptr;
+    auto file = std::make_unique<OutputFile>(header_.file, options_.replace);
+    const std::string text = to_text(*header_.copy);
+    file->write(std::as_bytes(std::span(text)));
+    file->secure();
+    return file;
+  }
+
   // Everything that the change needs must be known before the first row.
   void expect_known() {
     Problems problems;
@@ -108,7 +174,7 @@ class Conversion {
           fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
                       std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
                       std::string_view(what).ends_with("bits") ? "them" : "it");
-      problem.hint = fmt::format("give {}, or the script that wrote the file with --script", option);
+      problem.hint = hint_for(option);
       problems.push_back(problem);
     };
     const bool sized = options_.format != FileFormat::ascii && options_.format != FileFormat::bracket;
@@ -121,6 +187,14 @@ class Conversion {
     // Enough for all counts; volts have none.
     product_.bits = 64;
     product_.unknown.emplace_back("bits");
+  }
+
+  // A script that was given says the bits, but may leave the LSB to the data.
+  [[nodiscard]] std::string hint_for(std::string_view option) const {
+    if (option == "--lsb" && !arguments_.sample.script.empty())
+      return "the script leaves the LSB to the data (0): give with --lsb the lsb_v of the run's report "
+             "(sarsim run --json)";
+    return fmt::format("give {}, or the script that wrote the file with --script", option);
   }
 
   void read(std::size_t first, std::size_t count) {
@@ -169,6 +243,8 @@ class Conversion {
   const ConvertArguments& arguments_;
   Streams& streams_;
   SinkOptions options_;
+  CarriedHeader header_;
+  bool envi_ = false;  // pixels of an image without a format of samples
   Change change_ = Change::none;
   std::vector<std::complex<double>> volts_;
   std::vector<std::int64_t> counts_;
@@ -176,12 +252,15 @@ class Conversion {
 };
 
 ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
-  const SampleFileHints hints = hints_for(arguments.input, arguments.sample);
+  if (arguments.simulation && arguments.sample.script.empty())
+    throw BadInput("--simulation is a number in a script", "name it with --script");
+  const SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
   const SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);
   OutputCare care{sources_of_script(arguments.sample.script), arguments.force, "OUT"};
   care.sources.emplace_back(arguments.input);
-  expect_free_outputs({arguments.output}, care);
+  care.sources.emplace_back(envi_header_of(arguments.input));
+  expect_free_outputs(conversion.outputs(), care);
   conversion.carry_out();
   return exit_done;
 }
@@ -193,13 +272,16 @@ Action add_convert(CLI::App& app) {
   add_text(app, "input", arguments->input, "IN", "file of samples")->required();
   add_text(app, "output", arguments->output, "OUT", "file to write")->required();
   add_sample_arguments(app, arguments->sample);
+  add_integer(app, "--simulation", arguments->simulation, 1, 1'000'000,
+              "which simulation of the script wrote the file (default: the one that names it)");
   add_format(app, "--to", arguments->to, "format of the new file (default: from its extension)");
   app.add_flag("--counts", arguments->counts, "converter counts instead of volts in HDF5 and NPY");
   app.add_flag("--header", arguments->header, "a header line in CSV");
   app.add_flag("--force", arguments->force, "replace the new file where it exists");
   add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                      {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
-                     {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"}});
+                     {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
+                     {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"}});
   return [arguments](Streams& streams) { return convert(*arguments, streams); };
 }
 

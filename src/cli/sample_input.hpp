@@ -25,9 +25,11 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
 
 /// The hints for a file: what was said on the command line, otherwise what the simulation of --script with that output
 /// name says. Throws BadInput where the script has errors or no such simulation.
+[[nodiscard]] SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
+/// The same of a command that has --simulation, which its hints name.
 /// @param simulation  its number from 1, where the name shall not decide
 [[nodiscard]] SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
-                                        std::optional<std::int64_t> simulation = {});
+                                        std::optional<std::int64_t> simulation);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
 /// BadInput like `hints_for`.

@@ -151,17 +151,37 @@ std::optional<NpyHeader> array_header(const std::filesystem::path& data) {
   return std::nullopt;
 }
 
+// Whether a header says of an array what that says of itself.
+bool describes(const EnviHeader& header, const NpyHeader& array) {
+  const char* type = header.pixel == EnviHeader::Pixel::real_float ? "<f4" : "<c8";
+  const std::vector<std::uint64_t> shape{header.lines, header.samples};
+  return array.type == type && !array.fortran_order && array.shape == shape &&
+         array.data_offset == header.header_offset;
+}
+
 // Image and array of one stem share the name of the header, which can only be that of one of them.
 std::optional<Problem> misfit_of_array(const std::filesystem::path& data, const EnviHeader& header) {
   const auto array = array_header(data);
-  if (!array) return std::nullopt;
-  const char* type = header.pixel == EnviHeader::Pixel::real_float ? "<f4" : "<c8";
-  const std::vector<std::uint64_t> shape{header.lines, header.samples};
-  if (array->type == type && !array->fortran_order && array->shape == shape &&
-      array->data_offset == header.header_offset)
-    return std::nullopt;
+  if (!array || describes(header, *array)) return std::nullopt;
   return file_problem(data.string(), "the header beside the array is that of another file",
-                      envi_header_of(data).string(), "", "keep files of one name in folders of their own");
+                      envi_header_of(data).string(), "",
+                      "keep files of one name in folders of their own; sarsim convert writes an image's header anew");
+}
+
+std::filesystem::path appended_header_path(const std::filesystem::path& data) { return data.string() + ".hdr"; }
+
+// Whether a header can be that of a data file, as far as sizes tell and what an array says of itself.
+bool can_belong(const std::filesystem::path& header_file, const std::filesystem::path& data) {
+  std::error_code failure;
+  for (const std::filesystem::path& file : {header_file, data})
+    if (!std::filesystem::is_regular_file(file, failure)) return false;
+  const EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
+  if (!reading.header) return false;
+  const EnviHeader& header = *reading.header;
+  if (const auto array = array_header(data)) return describes(header, *array);
+  const auto bytes = checked_product(header.samples, header.lines, pixel_bytes(header.pixel));
+  const std::uintmax_t size = std::filesystem::file_size(data, failure);
+  return !failure && bytes && size >= *bytes + header.header_offset;
 }
 
 }  // namespace
@@ -211,7 +231,9 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
 
 std::filesystem::path envi_header_of(const std::filesystem::path& data) {
   const std::filesystem::path replaced = header_path(data);
-  return std::filesystem::exists(replaced) ? replaced : std::filesystem::path(data.string() + ".hdr");
+  const std::filesystem::path appended = appended_header_path(data);
+  if (!std::filesystem::exists(appended)) return replaced;
+  return std::filesystem::exists(replaced) && can_belong(replaced, data) ? replaced : appended;
 }
 
 EnviWriter::EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace)
@@ -267,8 +289,9 @@ std::pair<std::optional<EnviImage>, Problems> EnviImage::open(const std::filesys
   const std::filesystem::path header_file = envi_header_of(data);
   if (!std::filesystem::exists(header_file))
     return {std::nullopt,
-            {file_problem(data.string(), "the image has no header beside it", "", header_file.string(),
-                          "sarsim focus writes images with their headers as ENVI and NPY")}};
+            {file_problem(data.string(), "the image has no header beside it", "",
+                          fmt::format("{} or {}", header_file.string(), appended_header_path(data).string()),
+                          "sarsim focus writes images with their headers as ENVI and NPY, and convert copies them")}};
   for (const std::filesystem::path& file : {header_file, data})
     if (auto problem = problem_of_kind(file)) return {std::nullopt, {std::move(*problem)}};
   EnviReading reading = read_envi_header(header_text(header_file), header_file.string());

@@ -50,7 +50,9 @@ struct EnviReading {
 /// @param file  name of the header, for the problems
 [[nodiscard]] EnviReading read_envi_header(std::string_view text, const std::string& file);
 
-/// The header that belongs to a data file: "image.hdr" for "image.img", where that is there, otherwise "image.img.hdr".
+/// The header that belongs to a data file: "image.hdr" for "image.img". Where there is an "image.img.hdr", too, and
+/// the other one is missing or, by its sizes, that of another file: "image.img.hdr". Throws std::system_error where
+/// the disk fails.
 [[nodiscard]] std::filesystem::path envi_header_of(const std::filesystem::path& data);
 
 /// Whether a data file has a header beside it, and that is its own: what a NumPy array says of itself is what the

@@ -88,6 +88,32 @@ TEST_F(Envi, TheHeaderOfAnArrayIsOneThatSaysWhatTheArraySays) {
   EXPECT_FALSE(has_envi_header(file("image.npy")));
 }
 
+TEST_F(Envi, ImageAndArrayOfOneStemHaveAHeaderEach) {
+  const std::array<std::size_t, 2> shape{2, 3};
+  const std::string array = npy_header_text("<c8", shape);
+  write("image.img", std::string(48, '\0'));
+  write("image.npy", array + std::string(48, '\0'));
+  EnviHeader header = small_header();
+  write("image.hdr", to_text(header));
+  header.header_offset = array.size();
+  write("image.npy.hdr", to_text(header));
+  EXPECT_EQ(envi_header_of(file("image.img")), file("image.hdr"));
+  EXPECT_EQ(envi_header_of(file("image.npy")), file("image.npy.hdr"));
+  EXPECT_TRUE(EnviImage::open(file("image.npy")).first);
+  // The other way round: the short name is the array's.
+  write("image.hdr", to_text(header));
+  write("image.img.hdr", to_text(small_header()));
+  EXPECT_EQ(envi_header_of(file("image.npy")), file("image.hdr"));
+  EXPECT_EQ(envi_header_of(file("image.img")), file("image.img.hdr"));
+  EXPECT_TRUE(EnviImage::open(file("image.img")).first);
+}
+
+TEST_F(Envi, NamesTheHeadersThatAreLookedFor) {
+  write("image.npy", std::string(48, '\0'));
+  const Problem problem = EnviImage::open(file("image.npy")).second.at(0);
+  EXPECT_EQ(problem.expected, file("image.hdr").string() + " or " + file("image.npy.hdr").string());
+}
+
 TEST_F(Envi, WritesMagnitudesOfARealImage) {
   EnviHeader header = small_header();
   header.pixel = EnviHeader::Pixel::real_float;

@@ -1,12 +1,15 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <filesystem>
 #include <limits>
 
 #include "program.hpp"
 
 namespace sarsim::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
@@ -96,6 +99,38 @@ TEST_F(Convert, SaysWhatItNeedsToKnow) {
   EXPECT_THAT(format.err, HasSubstr("--to"));
   EXPECT_EQ(sarsim({"convert", "sim.asc", "made.xyz", "--to", "bracket"}).status, 0);
   EXPECT_EQ(text_of(folder_ / "made.xyz"), text_of(folder_ / "sim.brk"));
+}
+
+TEST_F(Convert, TakesTheSimulationOfARenamedFileByItsNumber) {
+  fs::copy_file(folder_ / "sim.bin", folder_ / "other.bin");
+  std::vector<std::string> words{"convert", "other.bin", "other.asc", "--script", "scene.scr"};
+  const Finished unnamed = sarsim(words);
+  EXPECT_EQ(unnamed.status, 2);
+  EXPECT_THAT(unnamed.err, HasSubstr("its outputs are sim.asc: give the file its name there, "
+                                     "say which with --simulation N, or say --columns, --bits and --lsb"));
+  words.insert(words.end(), {"--simulation", "1"});
+  const Finished named = sarsim(words);
+  EXPECT_EQ(named.status, 0) << named.err;
+  EXPECT_EQ(text_of(folder_ / "other.asc"), text_of(folder_ / "sim.asc"));
+  words.back() = "2";
+  words.emplace_back("--force");
+  EXPECT_THAT(sarsim(words).err, HasSubstr("the script has no simulation 2"));
+  EXPECT_THAT(sarsim({"convert", "sim.asc", "a.csv", "--simulation", "1"}).err, HasSubstr("name it with --script"));
+  // A command without --simulation does not name it.
+  const Finished info = sarsim({"info", "other.bin", "--script", "scene.scr"});
+  EXPECT_EQ(info.status, 2);
+  EXPECT_THAT(info.err, HasSubstr("give the file its name there, or say --columns"));
+}
+
+TEST_F(Convert, SaysWhereTheLsbIsThatAScriptLeavesToTheData) {
+  SceneText scene;
+  scene.format = "ASCII";
+  scene.files = {"sim.asc"};
+  write_scene(scene);
+  const Finished run = sarsim({"convert", "sim.asc", "made.npy", "--script", "scene.scr"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("the script leaves the LSB to the data (0)"));
+  EXPECT_THAT(run.err, HasSubstr("lsb_v"));
 }
 
 TEST_F(Convert, RefusesToReplaceWithoutForceAndNeverItsSource) {

@@ -205,9 +205,17 @@ TEST_F(Words, OnlyNearWordsAreSuggested) {
     return end.err;
   };
   EXPECT_THAT(suggestion("--bogus"), Not(HasSubstr("did you mean")));
-  EXPECT_THAT(suggestion("--seed"), Not(HasSubstr("did you mean '--help'")));
+  EXPECT_THAT(suggestion("--seed"), Not(HasSubstr("did you mean")));
   EXPECT_THAT(suggestion("--quite"), HasSubstr("did you mean '--quiet'?"));
   EXPECT_THAT(suggestion("--jsno"), HasSubstr("did you mean '--json'?"));
+}
+
+TEST_F(Words, ChoicesThatOnlyAScriptMakesForACommandAreNamed) {
+  for (const char* command : {"focus", "doppler", "search"}) {
+    expect_refusal({command, "x.scr", "--seed", "3"}, "'$OPTIONS SEED 2'");
+    expect_refusal({command, "x.scr", "--pulse=ideal"}, "'$OPTIONS PULSE BAND_LIMITED'");
+  }
+  expect_refusal({"merge", "x.parts", "--seed", "3"}, "see sarsim merge --help");
 }
 
 TEST_F(Words, OneOfAKindIsSingular) {
