@@ -76,6 +76,33 @@ bool check_points_ascend(Findings& findings, const FunctionRule& rule, std::size
   return false;
 }
 
+// The low-pass filter reads every point as if it stood at its even place: farther from there it misses the point.
+// A table whose x is rounded to a few digits is even; the value is then off by at most this part of a spacing.
+constexpr double even_within = 0.05;
+
+void check_points_are_even(Findings& findings, const FunctionRule& rule, std::size_t part,
+                           const SampledFunction& function) {
+  const auto& knots = function.knots;
+  if (function.method != Interpolation::low_pass || knots.size() < 3) return;
+  const double spacing = (knots.back().x - knots.front().x) / static_cast<double>(knots.size() - 1);
+  std::size_t worst = 0;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double off = std::abs((knots[i].x - knots.front().x) / spacing - static_cast<double>(i));
+    if (off <= farthest) continue;
+    farthest = off;
+    worst = i;
+  }
+  if (!(farthest > even_within)) return;
+  findings.warning(
+      Consequence::lost_signal, rule.field,
+      {.message = fmt::format("the points of the {} are not evenly spaced: MFILTER passes them by", title(rule, part)),
+       .found = fmt::format("x = {:.9g} at point {}, {:.3g} spacings from its even place", knots[worst].x, worst + 1,
+                            farthest),
+       .expected = fmt::format("points {:.9g} apart, within {:g} %", spacing, 100.0 * even_within),
+       .hint = "Take CUBIC, which goes through points at any spacing, or give the points at even spacing."});
+}
+
 bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t part, const SampledFunction& function) {
   if (!function.knots.empty() || rule.empty == FunctionRule::Empty::allowed) return true;
   const std::string message = fmt::format("the {} has no points", title(rule, part));
@@ -215,15 +242,18 @@ Problems Findings::take() && {
 }
 
 bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts) {
-  bool sound = true;
+  bool all_sound = true;
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    const bool numbers = check_points_are_numbers(findings, rule, part, parts[part]);
-    sound = numbers && check_points_are_computable(findings, rule, part, parts[part]) && sound;
-    if (!rule.used) continue;
-    sound = check_not_empty(findings, rule, part, parts[part]) && sound;
-    if (rule.x_matters) sound = check_points_ascend(findings, rule, part, parts[part]) && sound;
+    bool sound = check_points_are_numbers(findings, rule, part, parts[part]) &&
+                 check_points_are_computable(findings, rule, part, parts[part]);
+    if (rule.used) {
+      sound = check_not_empty(findings, rule, part, parts[part]) && sound;
+      if (rule.x_matters) sound = check_points_ascend(findings, rule, part, parts[part]) && sound;
+      if (rule.x_matters && sound) check_points_are_even(findings, rule, part, parts[part]);
+    }
+    all_sound = sound && all_sound;
   }
-  return sound;
+  return all_sound;
 }
 
 }  // namespace sarsim

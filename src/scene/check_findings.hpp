@@ -89,6 +89,8 @@ struct FunctionRule {
 };
 
 /// Checks the parts of a user-defined function against a rule; true where a function that is used can be evaluated.
+/// Points for Interpolation::low_pass that are farther than a twentieth of their mean spacing from even places lead to
+/// a warning.
 bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts);
 
 /// Names of the parts of functions that stand alone and of those with three coordinates.

@@ -119,5 +119,43 @@ TEST(CheckSurface, WarnsOfCornersOnALine) {
   expect_warning(scene, {"surface", 0, "corner_m"});
 }
 
+Scene with_low_pass_trajectory(std::initializer_list<double> times_s) {
+  Scene scene = sound_scene();
+  SampledFunction& x_m = scene.platforms[1].trajectory_m.part[0];
+  x_m = {.method = Interpolation::low_pass, .knots = {}};
+  for (const double t : times_s) x_m.knots.push_back({t, 100.0 - 200.0 * t});
+  return scene;
+}
+
+TEST(CheckFunctions, WarnOfUnevenPointsThatALowPassFilterMisses) {
+  const Scene scene = with_low_pass_trajectory({0.0, 1.0, 2.0, 10.0});  // even places: 0, 3.33, 6.67, 10
+  const Problem problem = expect_warning(scene, {"platform", 1, "trajectory_m"});
+  EXPECT_EQ(problem.message, "the points of the trajectory X are not evenly spaced: MFILTER passes them by");
+  EXPECT_EQ(problem.found, "x = 2 at point 3, 1.4 spacings from its even place");
+  EXPECT_EQ(problem.expected, "points 3.33333333 apart, within 5 %");
+  EXPECT_THAT(problem.hint, testing::HasSubstr("CUBIC"));
+  expect_warning(with_low_pass_trajectory({0.0, 0.3, 0.67, 1.0}), {"platform", 1, "trajectory_m"});
+}
+
+TEST(CheckFunctions, TakeRoundedTablesForEven) {
+  EXPECT_TRUE(check(with_low_pass_trajectory({0.0, 1.0, 2.0, 3.0})).empty());
+  EXPECT_TRUE(check(with_low_pass_trajectory({0.0, 0.333, 0.667, 1.0})).empty());
+  EXPECT_TRUE(check(with_low_pass_trajectory({-1.0, -0.67, -0.33, 0.0})).empty());
+  EXPECT_TRUE(check(with_low_pass_trajectory({0.0, 7.5})).empty());
+  EXPECT_TRUE(check(with_low_pass_trajectory({7.5})).empty());
+}
+
+TEST(CheckFunctions, SayNothingOfUnevenPointsThatNoLowPassFilterReads) {
+  Scene scene = with_low_pass_trajectory({0.0, 1.0, 2.0, 10.0});
+  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic}) {
+    scene.platforms[1].trajectory_m.part[0].method = method;
+    EXPECT_TRUE(check(scene).empty());
+  }
+  scene = sound_scene();
+  scene.platforms[0].trajectory_m.part[0] = {.method = Interpolation::low_pass,
+                                             .knots = {{0.0, 0.0}, {1.0, 1.0}, {10.0, 2.0}}};
+  EXPECT_TRUE(check(scene).empty()) << "a platform that stands does not look at its trajectory";
+}
+
 }  // namespace
 }  // namespace sarsim

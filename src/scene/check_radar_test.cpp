@@ -232,5 +232,13 @@ TEST(NominalBandwidth, IsThatOfTheModulation) {
   EXPECT_FALSE(nominal_bandwidth_hz(radar));
 }
 
+// The x of a list of intervals is not looked at, so it cannot be uneven.
+TEST(CheckRadar, TakesListsWhoseNumbersAreNotEven) {
+  Scene scene = sound_scene();
+  scene.radars[0].repetition = Radar::Repetition::user;
+  scene.radars[0].pri_s.part[0] = {.method = Interpolation::low_pass, .knots = {{0.0, 4e-3}, {5.0, 4e-3}, {6.0, 4e-3}}};
+  EXPECT_TRUE(check(scene).empty());
+}
+
 }  // namespace
 }  // namespace sarsim

@@ -146,6 +146,25 @@ void check_file(Findings& findings, std::string_view file) {
                           .hint = {}});
 }
 
+// Only a band-limited pulse is shaped by them (decision 7).
+void check_pulse_factors(Findings& findings, const Simulation& simulation, PulseDefinition pulse) {
+  const bool numbers =
+      findings.between("oversampling", "over-sampling factor", simulation.oversampling, 1.0, 100.0, "") &
+      findings.between("width_factor", "pulse width factor", simulation.width_factor, 1.0, 100.0, "");
+  if (!numbers || pulse != PulseDefinition::ideal) return;
+  if (simulation.oversampling == 1.0 && simulation.width_factor == 1.0) return;
+  findings.note(
+      simulation.oversampling == 1.0 ? "width_factor" : "oversampling",
+      {.message = "the pulse is ideal: its over-sampling factor and kept length have no effect",
+       .found =
+           fmt::format("{} and {}", value_text(simulation.oversampling, ""), value_text(simulation.width_factor, "")),
+       .expected = "1 and 1, or a pulse that is limited to its band",
+       .hint =
+           simulation.oversampling == 1.0
+               ? "They take effect with PULSE BAND_LIMITED in $OPTIONS (or --pulse band-limited) and a factor above 1."
+               : "They take effect with PULSE BAND_LIMITED in $OPTIONS (or --pulse band-limited)."});
+}
+
 void check_converter(Findings& findings, const Simulation& simulation) {
   if (simulation.bits < 1 || simulation.bits > 64)
     findings.error("bits", {.message = "the number of A/D bits is out of range",
@@ -159,8 +178,6 @@ void check_converter(Findings& findings, const Simulation& simulation) {
                       .expected = "up to 53",
                       .hint = {}});
   findings.not_negative("lsb_v", "value of the least significant bit", simulation.lsb_v, "V");
-  findings.between("oversampling", "over-sampling factor", simulation.oversampling, 1.0, 100.0, "");
-  findings.between("width_factor", "pulse width factor", simulation.width_factor, 1.0, 100.0, "");
 }
 
 // The band that sampling has to keep. A given shape has edges of any kind, and what lies beyond nine tenths of its
@@ -266,6 +283,7 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
   const bool window_sound = check_ends(findings, window_of(simulation));
   const bool rate_sound = findings.positive("sample_rate_hz", "sampling frequency", simulation.sample_rate_hz, "Hz");
   check_converter(findings, simulation);
+  check_pulse_factors(findings, simulation, scene.options.pulse);
   check_file(findings, simulation.file);
 
   const Radar* radar = index == not_found ? nullptr : &scene.radars[index];

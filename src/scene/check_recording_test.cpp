@@ -139,7 +139,26 @@ TEST(CheckRecording, RefusesANegativeLsbAndFactorsOutOfRange) {
     expect_error(with_simulation([&](Simulation& s) { s.oversampling = factor; }), simulation_field("oversampling"));
     expect_error(with_simulation([&](Simulation& s) { s.width_factor = factor; }), simulation_field("width_factor"));
   }
-  EXPECT_TRUE(check(with_simulation([](Simulation& s) { s.oversampling = 100.0, s.width_factor = 1.0; })).empty());
+  EXPECT_FALSE(has_errors(check(with_simulation([](Simulation& s) { s.oversampling = 100.0; }))));
+}
+
+TEST(CheckRecording, NotesFactorsThatDoNothingToAnIdealPulse) {
+  Scene scene = with_simulation([](Simulation& s) { s.oversampling = 5.0, s.width_factor = 2.0; });
+  const Problem both = expect_single(scene, Severity::note, simulation_field("oversampling"));
+  EXPECT_EQ(both.found, "5 and 2");
+  EXPECT_THAT(both.hint, HasSubstr("PULSE BAND_LIMITED"));
+  scene.options.profile = Profile::classic;
+  expect_single(scene, Severity::note, simulation_field("oversampling"));
+  scene.simulations[0].oversampling = 1.0;
+  const Problem length = expect_single(scene, Severity::note, simulation_field("width_factor"));
+  EXPECT_THAT(length.hint, HasSubstr("a factor above 1"));
+}
+
+TEST(CheckRecording, SaysNothingOfFactorsThatShapeTheirPulseOrAreOne) {
+  Scene scene = with_simulation([](Simulation& s) { s.oversampling = 5.0, s.width_factor = 2.0; });
+  scene.options.pulse = PulseDefinition::band_limited;
+  EXPECT_TRUE(check(scene).empty());
+  EXPECT_TRUE(check(with_simulation([](Simulation& s) { s.oversampling = 1.0, s.width_factor = 1.0; })).empty());
 }
 
 TEST(CheckRecording, RefusesOutputWithoutAFileName) {

@@ -95,8 +95,12 @@ inline constexpr Field format{"format", "file format"};
 inline constexpr Field processing{"processing", "processing"};
 inline constexpr Field file{"file", "name of the output file"};
 inline constexpr Field pulse_position{"pulse_position", "place of a target within its pulse"};
-inline constexpr Field oversampling{"oversampling", "pulse over-sampling factor",       "", 0,
-                                    {1.0, 100.0},   "above 1 the pulse is band-limited"};
+inline constexpr Field oversampling{"oversampling",
+                                    "pulse over-sampling factor",
+                                    "",
+                                    0,
+                                    {1.0, 100.0},
+                                    "above 1 a band-limited pulse keeps its own band only"};
 inline constexpr Field width_factor{
     "width_factor", "kept length of a band-limited pulse in pulse widths", "", 0, {1.0, 100.0}};
 
