@@ -74,14 +74,14 @@ TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
   }
 }
 
-// A beam of 2 degrees that turns by 0.03 degrees from pulse to pulse over a strong target that rests, in the middle of
-// a sample. It is met in pulse 203.
+// A beam of 2 degrees that turns by 0.03 degrees from pulse to pulse over a strong target that rests. It is met in
+// pulse 203; its echo is one sample, the next one behind it.
 Scene swept_scene() {
   Scene scene = noise_scene(400, 60);
-  const double range_m = scene.simulations[0].range_start_m + 29.5 * 0.5 * exact_light_speed_mps / 1e6;
-  const double azimuth_rad = 6.1 * pi / 180.0;
+  const double range_m = scene.simulations[0].range_start_m + 29.7 * 0.5 * exact_light_speed_mps / 1e6;
+  const double bearing_rad = 6.1 * pi / 180.0;
   scene.targets.push_back(
-      target_on("Earth", {range_m * std::sin(azimuth_rad), range_m * std::cos(azimuth_rad), 0.0}, 1e3));
+      target_on("Earth", {range_m * std::sin(bearing_rad), range_m * std::cos(bearing_rad), 0.0}, 1e3));
   Radar& radar = scene.radars[0];
   radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
   radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
@@ -147,7 +147,7 @@ TEST(SearchTargets, AreFoundBehindACancellerWhereTheyAreExpected) {
   Scene scene = swept_scene();
   // 63 dB in a pulse; a hundredth of the amplitude passes.
   scene.radars[0].noise_temperature_k = 290.0;
-  const double echo_v = equation_amplitude(15e3 + 4422.0, 1.0, wavelength_m);
+  const double echo_v = equation_amplitude(15e3 + 4452.0, 1.0, wavelength_m);
   scene.targets[0].rcs_m2 = 2e6 * 290.0 * boltzmann_j_per_k * 1e6 / (echo_v * echo_v);
   const PulseRows rows = pulse_rows_of(scene);
   SearchOptions options;
