@@ -54,6 +54,7 @@ class Remarks {
     window();
     cut_echoes();
     dwell();
+    unseen_end();
     still_beam();
     if (options_.detect) detector();
     return std::move(problems_);
@@ -176,6 +177,27 @@ class Remarks {
          fmt::format("at most {:.3g} degrees", degrees(width_rad)),
          pulses >= 2.0 ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
                        : std::string("turn more slowly or raise the PRF"));
+  }
+
+  // The picture of a single turn stays black where its last pulses make no interval. Of several turns another one shows
+  // it.
+  void unseen_end() {
+    const auto pulses = static_cast<std::size_t>(plan_.pulses.count());
+    const std::size_t intervals = interval_count(options_, pulses);
+    if (plan_.radar.beam.kind != Beam::Kind::rotating || intervals == 0) return;
+    const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
+    const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / pi;
+    const double unseen_deg =
+        std::min(turn_deg * static_cast<double>(pulses - taken), 360.0 - turn_deg * static_cast<double>(taken));
+    constexpr double rounding_deg = 1e-6;
+    if (unseen_deg < rounding_deg) return;
+    problems_.push_back(
+        problem_of(Severity::note,
+                   fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
+                               pulses - taken, pulses, unseen_deg),
+                   "", "",
+                   fmt::format("take intervals of another number of pulses, or record {} more",
+                               taken + options_.step_pulses() - pulses)));
   }
 
   // Of single pulses nothing is left but the beam's azimuth and the range.

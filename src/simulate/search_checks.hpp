@@ -12,8 +12,8 @@ namespace sarsim {
 
 /// What a user should know before, without errors: targets beyond the unambiguous Doppler frequencies and ranges, at
 /// blind speeds of the canceller, that walk through range cells; a beam that turns farther in an interval than it is
-/// wide, or not at all, for intervals of single pulses; no noise to hold detections against; reference cells over
-/// unlike Doppler rows. Looks at some pulses of the plan.
+/// wide, or not at all, for intervals of single pulses; last pulses of its only turn that make no interval (a note); no
+/// noise to hold detections against; reference cells over unlike Doppler rows. Looks at some pulses of the plan.
 [[nodiscard]] Problems remarks_on_search(const Plan& plan, const SearchOptions& options,
                                          const WorkControl& control = {});
 

@@ -108,6 +108,26 @@ TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
   EXPECT_EQ(dwell_pulses(plan_of(noisy_scene(0.0))), 1u);
 }
 
+TEST(RemarksOnSearch, SayWhichPartOfATurnNoIntervalSees) {
+  Scene scene = noisy_scene(0.0);
+  scene.radars[0].beam = Radar::Beam::rotating;
+  // 0.25 degrees a pulse: 1024 pulses are 256 degrees.
+  scene.radars[0].beam_rate = Angle::from_deg(1000.0);
+  const Problems remarks = remarks_on_search(plan_of(scene), train_of(10));
+  EXPECT_TRUE(mentions(remarks, Severity::note, "the last 4 of 1024 pulses make no interval: 1 deg of the turn"));
+  EXPECT_TRUE(mentions(remarks, Severity::note, "record 6 more"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(8)), Severity::note, "make no interval"));
+  // Behind a canceller of order 2 102 intervals take 1022 pulses.
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10, 2)), Severity::note, "the last 2 of 1024"));
+  // The turn ends in the 1021st pulse: 0.1 degrees of 360 are left, or of a longer one nothing.
+  scene.radars[0].beam_rate = Angle::from_deg(4000.0 * 359.9 / 1020.0);
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, ": 0.1 deg of the turn"));
+  scene.radars[0].beam_rate = Angle::from_deg(4000.0 * 360.1 / 1020.0);
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, "make no interval"));
+  scene.radars[0].beam = Radar::Beam::fixed;
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, "make no interval"));
+}
+
 TEST(RemarksOnSearch, SayWhenASearchingBeamDoesNotTurn) {
   Scene scene = noisy_scene(0.0);
   EXPECT_FALSE(beam_turns(plan_of(scene)));

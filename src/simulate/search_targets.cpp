@@ -39,6 +39,14 @@ std::size_t nearest_index(const std::vector<double>& ascending, double value) {
   return value - ascending[index - 1] < ascending[index] - value ? index - 1 : index;
 }
 
+// Pulses that one look stands for: an odd number, which has a middle. A canceller takes what changes from one pulse to
+// the next and needs each of them.
+std::size_t pulses_of_look(const SearchOptions& options) {
+  constexpr std::size_t most_looks = 64;
+  if (options.canceller > 0) return 1;
+  return (options.recorded_pulses() + most_looks - 1) / most_looks | 1U;
+}
+
 }  // namespace
 
 double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
@@ -79,6 +87,10 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
       geometry_(*rows.plan->scene, rows.plan->radar),
       gain_(*rows.plan, rows.samples(), rows.plan->radar.window),
       weights_(pulse_weights(coherent_interval(options))),
+      differences_(canceller_weights(options.canceller)),
+      pulses_v_(options.pulses),
+      look_pulses_(pulses_of_look(options)),
+      looks_((options.recorded_pulses() + look_pulses_ - 1) / look_pulses_),
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
   const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
   cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
@@ -91,72 +103,112 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
 }
 
-// Where the targets are in some pulses of an interval, taken together.
+// Some targets at a time, which bounds what is held of a long interval.
 std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
-  constexpr std::size_t most_looks = 5;
-  const std::size_t looks = std::min(most_looks, options_.recorded_pulses());
+  constexpr std::size_t most_held = std::size_t{1} << 18;
+  const std::size_t at_once = std::max<std::size_t>(1, most_held / looks_);
   std::vector<TargetSight> sights(targets_.size());
-  for (std::size_t look = 0; look < looks; ++look) add_look(interval, look, looks, sights);
-  for (TargetSight& sight : sights) {
-    sight.interval = interval.number;
-    sight.time_s = interval.time_s;
-    sight.amplitude_v = std::abs(sight.amplitude_v) * rows_.peak_gain;
-    // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
-    const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
-    if (rate != 0.0) sight.range_m -= 0.5 * rows_.plan->scene->conventions.light_speed_mps * sight.doppler_hz / rate;
-    place(interval, sight);
+  for (std::size_t first = 0; first < sights.size(); first += at_once) {
+    const std::span<TargetSight> some = std::span(sights).subspan(first, std::min(at_once, sights.size() - first));
+    look(interval, first, some);
+    for (std::size_t t = 0; t < some.size(); ++t)
+      place(interval, std::span<const double>(amplitudes_v_).subspan(t * looks_, looks_), some[t]);
   }
   return sights;
 }
 
-void SearchTargets::add_look(const SearchInterval& interval, std::size_t look, std::size_t looks,
-                             std::vector<TargetSight>& sights) {
+// Where the targets from `first` on are in the interval, and the amplitudes of their echoes, look by look.
+void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights) {
   const ResolvedScene& scene = *rows_.plan->scene;
-  const std::size_t pulse = looks > 1 ? look * (options_.recorded_pulses() - 1) / (looks - 1) : 0;
-  const double share = 1.0 / static_cast<double>(looks);
-  geometry_.set_pulse(rows_.number(interval.first_pulse + pulse));
-  const Pointing pointing = geometry_.pointing();
-  for (std::size_t t = 0; t < sights.size(); ++t) {
-    const ScattererView view = geometry_.view(t, pointing);
-    TargetSight& sight = sights[t];
-    sight.range_m += share * 0.5 * scene.conventions.light_speed_mps * view.delay_s;
-    sight.amplitude_v += share * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
-    sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / scene.conventions.light_speed_mps;
-    if (look != looks / 2) continue;
-    const Scatterer& scatterer = scene.scatterers[t];
-    sight.azimuth_rad = azimuth_rad(world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
-                                    geometry_.radar_pose().position_world_m);
+  const double light_speed_mps = scene.conventions.light_speed_mps;
+  const std::size_t pulses = options_.recorded_pulses();
+  amplitudes_v_.resize(sights.size() * looks_);
+  for (std::size_t look = 0; look < looks_; ++look) {
+    const std::size_t begin = look * look_pulses_;
+    const std::size_t length = std::min(look_pulses_, pulses - begin);
+    const std::size_t pulse = begin + length / 2;
+    const double share = static_cast<double>(length) / static_cast<double>(pulses);
+    geometry_.set_pulse(rows_.number(interval.first_pulse + pulse));
+    const Pointing pointing = geometry_.pointing();
+    for (std::size_t t = 0; t < sights.size(); ++t) {
+      const ScattererView view = geometry_.view(first + t, pointing);
+      TargetSight& sight = sights[t];
+      sight.range_m += share * 0.5 * light_speed_mps * view.delay_s;
+      sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / light_speed_mps;
+      amplitudes_v_[t * looks_ + look] =
+          rows_.peak_gain * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
+      if (look != looks_ / 2) continue;
+      const Scatterer& scatterer = scene.scatterers[first + t];
+      sight.azimuth_rad = azimuth_rad(world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
+                                      geometry_.radar_pose().position_world_m);
+    }
   }
 }
 
-// The cell, and what of the echoes' amplitude and of the noise comes there.
-void SearchTargets::place(const SearchInterval& interval, TargetSight& sight) const {
+// The cell, and what of the echoes' amplitudes and of the noise comes there.
+void SearchTargets::place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetSight& sight) {
+  sight.interval = interval.number;
+  sight.time_s = interval.time_s;
+  // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
+  const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
+  if (rate != 0.0) sight.range_m -= 0.5 * rows_.plan->scene->conventions.light_speed_mps * sight.doppler_hz / rate;
   const double step_m = rows_.samples() > 1 ? rows_.range_m[1] - rows_.range_m[0] : cell_m_;
   sight.in_window =
       sight.range_m > rows_.range_m.front() - 0.5 * step_m && sight.range_m < rows_.range_m.back() + 0.5 * step_m;
   sight.column = nearest_index(rows_.range_m, sight.range_m);
-  double cell_hz = 0.0;
-  if (options_.pulses > 1) {
-    sight.seen_doppler_hz = folded(sight.doppler_hz, prf_hz_);
-    const auto rows = static_cast<double>(options_.rows());
-    const double row =
-        std::round((sight.seen_doppler_hz - interval.map.first_doppler_hz) / interval.map.doppler_step_hz);
-    sight.row = static_cast<std::size_t>(row - rows * std::floor(row / rows));
-    cell_hz = interval.map.doppler_hz(sight.row);
-  }
-  sight.amplitude_v *= response(sight.doppler_hz, cell_hz);
+  take_pulses(amplitudes_v, sight.doppler_hz);
+  if (options_.pulses > 1)
+    take_strongest_row(interval, sight);
+  else
+    sight.amplitude_v = response(sight.doppler_hz, 0.0);
   if (!(sight.amplitude_v > 0.0)) return;
   const double delay_s = 2.0 * rows_.range_m[sight.column] / rows_.plan->scene->conventions.light_speed_mps;
   const double noise_w = noise_w_[sight.row] * gain_.noise(delay_s);
   sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
 }
 
-// Of the pulses, cancelled and summed for one Doppler frequency, to another one.
+// The echoes of one target behind the canceller, but for the turn of the Doppler frequency from one output to the next.
+void SearchTargets::take_pulses(std::span<const double> amplitudes_v, double doppler_hz) {
+  const std::complex<double> step = std::polar(1.0, 2.0 * pi * doppler_hz / prf_hz_);
+  for (std::size_t p = 0; p < pulses_v_.size(); ++p) {
+    std::complex<double> sum;
+    // Horner's rule: equal echoes of a resting target leave exactly nothing.
+    for (std::size_t k = differences_.size(); k-- > 0;) {
+      sum = sum * step + differences_[k] * amplitudes_v[(p + k) / look_pulses_];
+    }
+    pulses_v_[p] = sum;
+  }
+}
+
+// That of the Doppler frequency; behind a canceller, which takes away its middle, one beside it may be higher.
+void SearchTargets::take_strongest_row(const SearchInterval& interval, TargetSight& sight) const {
+  constexpr double rounding = 1e-9;
+  sight.seen_doppler_hz = folded(sight.doppler_hz, prf_hz_);
+  const auto rows = static_cast<std::ptrdiff_t>(options_.rows());
+  const auto middle = static_cast<std::ptrdiff_t>(
+      std::round((sight.seen_doppler_hz - interval.map.first_doppler_hz) / interval.map.doppler_step_hz));
+  const auto take = [&](std::ptrdiff_t wanted) {
+    const auto row = static_cast<std::size_t>(((wanted % rows) + rows) % rows);
+    const double amplitude_v = response(sight.doppler_hz, interval.map.doppler_hz(row));
+    if (wanted != middle && !(amplitude_v > (1.0 + rounding) * sight.amplitude_v)) return;
+    sight.row = row;
+    sight.amplitude_v = amplitude_v;
+  };
+  take(middle);
+  if (options_.canceller == 0) return;
+  const auto reach = rows / static_cast<std::ptrdiff_t>(options_.pulses);
+  for (std::ptrdiff_t away = 1; away <= reach; ++away) {
+    take(middle - away);
+    take(middle + away);
+  }
+}
+
+// Of the pulses that were taken, summed for one Doppler frequency, to another one.
 double SearchTargets::response(double doppler_hz, double cell_hz) const {
   const std::complex<double> step = std::polar(1.0, 2.0 * pi * (doppler_hz - cell_hz) / prf_hz_);
   std::complex<double> sum;
-  for (std::size_t p = weights_.size(); p-- > 0;) sum = sum * step + weights_[p];
-  return std::abs(sum) * std::sqrt(canceller_gain(options_.canceller, doppler_hz, prf_hz_));
+  for (std::size_t p = weights_.size(); p-- > 0;) sum = sum * step + weights_[p] * pulses_v_[p];
+  return std::abs(sum);
 }
 
 // Of a detection from a target, in cells; no number where that is too far.

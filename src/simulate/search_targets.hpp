@@ -1,7 +1,9 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "simulate/recorded_gain.hpp"
@@ -17,11 +19,12 @@ struct TargetSight {
   double range_m = 0.0;          ///< Where its compressed echo lies, range-Doppler coupling included.
   double doppler_hz = 0.0;       ///< True one, positive approaching.
   double seen_doppler_hz = 0.0;  ///< Within half the PRF.
-  std::size_t row = 0;           ///< Cell of the map.
+  std::size_t row = 0;           ///< Cell of the map, the strongest no more than PRF/pulses away.
   std::size_t column = 0;
   bool in_window = false;  ///< Its cell is among those recorded.
-  /// In the map, at the middle of a range cell; Doppler between the cells taken off. With the receiver's gain over time
-  /// (STC); of echoes that the end of a raw recording cuts, what there is of them.
+  /// In the map, at the middle of a range cell; Doppler between the cells taken off. Of the pulses one by one: what a
+  /// turning beam changes from pulse to pulse passes a canceller. With the receiver's gain over time (STC); of echoes
+  /// that the end of a raw recording cuts, what there is of them.
   double amplitude_v = 0.0;
   double snr = 0.0;  ///< Power over that of the receiver's noise there; infinite without noise.
 };
@@ -56,8 +59,10 @@ class SearchTargets {
 
  private:
   [[nodiscard]] std::vector<TargetSight> sights(const SearchInterval& interval);
-  void add_look(const SearchInterval& interval, std::size_t look, std::size_t looks, std::vector<TargetSight>& sights);
-  void place(const SearchInterval& interval, TargetSight& sight) const;
+  void look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights);
+  void place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetSight& sight);
+  void take_pulses(std::span<const double> amplitudes_v, double doppler_hz);
+  void take_strongest_row(const SearchInterval& interval, TargetSight& sight) const;
   [[nodiscard]] double response(double doppler_hz, double cell_hz) const;
   [[nodiscard]] bool beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const;
   [[nodiscard]] double distance(const SearchDetection& detection, const TargetSight& sight) const;
@@ -67,7 +72,12 @@ class SearchTargets {
   PulseGeometry geometry_;
   RecordedGain gain_;
   std::vector<double> weights_;
-  std::vector<double> noise_w_;  // of each row of a map
+  std::vector<double> differences_;             // of the canceller
+  std::vector<double> amplitudes_v_;            // of some targets, each in all looks
+  std::vector<std::complex<double>> pulses_v_;  // of one target, cancelled, its Doppler frequency taken off
+  std::size_t look_pulses_;                     // the same for as many pulses
+  std::size_t looks_;                           // of an interval
+  std::vector<double> noise_w_;                 // of each row of a map
   double prf_hz_;
   double cell_m_;
   double still_beam_rad_ = 0.0;  // width of a beam that does not turn, for single pulses; 0: detections have azimuths

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
+#include <vector>
 
 #include "process/canceller.hpp"
 #include "process/steady_target.hpp"
@@ -69,6 +72,97 @@ TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
       }
     EXPECT_NEAR(power / count / noise_w, 1.0, 5.0 / std::sqrt(count)) << canceller;
   }
+}
+
+// A beam of 2 degrees that turns by 0.03 degrees from pulse to pulse over a strong target that rests. It is met in
+// pulse 203; its echo is one sample, the next one behind it.
+Scene swept_scene() {
+  Scene scene = noise_scene(400, 60);
+  const double range_m = scene.simulations[0].range_start_m + 29.7 * 0.5 * exact_light_speed_mps / 1e6;
+  const double bearing_rad = 6.1 * pi / 180.0;
+  scene.targets.push_back(
+      target_on("Earth", {range_m * std::sin(bearing_rad), range_m * std::cos(bearing_rad), 0.0}, 1e3));
+  Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
+  radar.beam = Radar::Beam::rotating;
+  radar.beam_rate = Angle::from_deg(120.0);
+  radar.noise_temperature_k = 0.0;
+  return scene;
+}
+
+// What the turning beam changes from pulse to pulse passes the cancellers, in the middle row or beside it: 0.2 % of the
+// largest, which is 0.02 dB. Of intervals of 70 pulses every third is looked at.
+TEST(SearchTargets, KnowWhatATurningBeamMakesOfATargetThatRests) {
+  const PulseRows rows = pulse_rows_of(swept_scene());
+  for (const std::size_t canceller : {0u, 1u, 2u})
+    for (const std::size_t pulses : {7u, 33u, 70u}) {
+      SearchOptions options;
+      options.pulses = pulses;
+      options.canceller = canceller;
+      options.frequencies = pulses == 7 ? 16 : 0;
+      double largest_v = 0.0;
+      std::vector<std::pair<double, double>> expected_and_there;
+      for (const SearchInterval& interval : intervals_of(rows, options)) {
+        SearchTargets targets(rows, options);
+        (void)targets.take(interval);
+        const TargetSight sight = targets.findings().at(0).sight;
+        const double there_v =
+            static_cast<double>(std::abs(interval.map.values.at(sight.row * interval.map.samples + sight.column)));
+        largest_v = std::max(largest_v, there_v);
+        expected_and_there.emplace_back(sight.amplitude_v, there_v);
+      }
+      EXPECT_GT(largest_v, 0.0);
+      for (const auto& [expected_v, there_v] : expected_and_there)
+        EXPECT_NEAR(expected_v, there_v, 2e-3 * largest_v) << canceller << " " << pulses;
+    }
+}
+
+// Where the canceller leaves as much of the rising as of the falling echo, the middle row is empty.
+TEST(SearchTargets, ExpectWhatPassesACancellerInItsStrongestRow) {
+  const PulseRows rows = pulse_rows_of(swept_scene());
+  SearchOptions options;
+  options.pulses = 33;
+  options.canceller = 1;
+  options.step = 1;
+  options.detect = false;
+  std::size_t beside = 0;
+  for (const SearchInterval& interval : intervals_of(rows, options)) {
+    if (interval.number < 160 || interval.number > 200) continue;
+    SearchTargets targets(rows, options);
+    (void)targets.take(interval);
+    const TargetSight sight = targets.findings().at(0).sight;
+    const auto height_v = [&](std::size_t row) {
+      return static_cast<double>(std::abs(interval.map.values.at(row * interval.map.samples + sight.column)));
+    };
+    // Row 16 is that of resting targets.
+    for (const std::size_t row : {15u, 16u, 17u}) EXPECT_LE(height_v(row), 1.02 * height_v(sight.row)) << row;
+    if (sight.row != 16) ++beside;
+  }
+  EXPECT_GT(beside, 0u);
+  EXPECT_LT(beside, 41u);
+}
+
+TEST(SearchTargets, AreFoundBehindACancellerWhereTheyAreExpected) {
+  Scene scene = swept_scene();
+  // 63 dB in a pulse; a hundredth of the amplitude passes.
+  scene.radars[0].noise_temperature_k = 290.0;
+  const double echo_v = equation_amplitude(15e3 + 4452.0, 1.0, wavelength_m);
+  scene.targets[0].rcs_m2 = 2e6 * 290.0 * boltzmann_j_per_k * 1e6 / (echo_v * echo_v);
+  const PulseRows rows = pulse_rows_of(scene);
+  SearchOptions options;
+  options.pulses = 33;
+  options.canceller = 1;
+  const TargetFinding finding = findings_of(rows, options).at(0);
+  ASSERT_TRUE(finding.best);
+  ASSERT_TRUE(finding.probability);
+  EXPECT_GT(finding.sight.snr, 1e3);
+  EXPECT_GT(*finding.probability, 0.99);
+  EXPECT_GE(finding.expected, 3u);
+  EXPECT_GE(finding.found + 2, finding.expected);
+  EXPECT_LE(finding.found, finding.expected + 3);
+  // 33 dB of noise and more leave 10 %.
+  EXPECT_NEAR(finding.best->magnitude_v / finding.sight.amplitude_v, 1.0, 0.1);
 }
 
 TEST(SearchTargets, PredictHowOftenTheyAreFound) {
