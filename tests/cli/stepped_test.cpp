@@ -179,6 +179,30 @@ TEST_F(Isar, FindsThePathOfTheShipInTheEchoes) {
   EXPECT_LT(largest(numbers_of(run.out, "range_error_m")), 0.5);
 }
 
+// The strongest peak may be either of two points that are equally strong.
+TEST_F(Isar, LaysTargetsThatAreEquallyStrongUponTheirOwnPeaks) {
+  write_text(folder_ / "truck.scr", R"($PLATFORM Truck TRAJECTORY LINEAR LINEAR LINEAR INLINE
+ 2 -1 2502 1 2498
+ 1 0 0
+ 1 0 0
+ NOT_ALIGNED CONST 0 0 30  0 0 5  STDDEV 0 0 0 STDDEV 0 0 0
+$TARGET Truck  0 0 0  0 0 0 1 0 ISOTROPIC
+$TARGET Truck  6 0 0  0 0 0 1 0 ISOTROPIC
+$TARGET Truck -6 1.2 0  0 0 0 0.5 0 ISOTROPIC
+$TARGET Truck  2 -2 0  0 0 0 0.25 0 ISOTROPIC
+$RADAR X Earth MONO 200 RECT CONSTANT 20000 STEPPED 9 0.004 128 1
+ 1 30 30 2 400 ISOTROPIC SAME FIXED 0 90 HAMMING NO_STC
+$SIMULATION X 2460 2540 -0.32 0.3199 12 0.01 0 HDF5 RAW sf.h5 CENTRE
+)");
+  const Finished run = sarsim({"isar", "truck.scr", "--motion", "estimated", "--json", "--quiet"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  // All four are found: the report has no error of one that is not.
+  ASSERT_EQ(numbers_of(run.out, "cross_range_error_m").size(), 4U);
+  EXPECT_LT(largest(numbers_of(run.out, "cross_range_error_m")), 0.1);
+  EXPECT_LT(largest(numbers_of(run.out, "range_error_m")), 0.1);
+  EXPECT_LT(largest(numbers_of(run.out, "amplitude_error_db")), 1.5);
+}
+
 TEST_F(Isar, MakesSeriesOfImagesAndTheSameBytesOnAnyNumberOfThreads) {
   ASSERT_EQ(isar({"--bursts", "60", "--step", "30", "--out", "a.npy", "--threads", "1", "--quiet"}).status, 0);
   ASSERT_EQ(isar({"--bursts", "60", "--step", "30", "--out", "b.npy", "--threads", "3", "--quiet"}).status, 0);
