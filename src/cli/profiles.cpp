@@ -342,7 +342,7 @@ void add_profiles_options(CLI::App& app, ProfilesArguments& a) {
   add_text(app, "--window", a.window, "WINDOW",
            "over the band: rectangular, hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]; default: the script's");
   add_real(app, "--from", a.from_m, "M", "first range (default: the script's)");
-  add_real(app, "--to", a.to_m, "M", "last range (default: the script's)");
+  add_real(app, "--to", a.to_m, "M", "last range (default: the script's, as far as the recording shows it)");
   add_integer(app, "--oversampling", a.oversampling, 1, 64, "bins for each resolution cell (default: 4)");
   add_real(app, "--illumination", a.illumination_db, "DB",
            "bursts within so many dB of the strongest, two-way, belong to a scan (default: 6)");
