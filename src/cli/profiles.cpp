@@ -115,27 +115,46 @@ class ProfilesRun {
   }
 
   void expect_ranges() {
-    const double from_m = options_.from_m.value_or(input_.rows.from_m);
-    const double to_m = options_.to_m.value_or(input_.rows.to_m);
+    const RangeStretch shown = shown_ranges(input_.rows);
+    if (!(shown.to_m > shown.from_m))
+      throw BadInput("the recording is too short: no range of the script's window has half of its echo in it",
+                     "record a longer range window");
+    const double from_m = options_.from_m.value_or(shown.from_m);
+    const double to_m = options_.to_m.value_or(shown.to_m);
+    const std::string recorded = stretch_text(shown);
+    const std::string hint = fmt::format("the recording reaches from {}; see --from and --to", recorded);
     if (!(to_m > from_m))
-      throw BadInput(fmt::format("the ranges from {} m to {} m are none", format_number(from_m), format_number(to_m)),
-                     fmt::format("the recording reaches from {} m to {} m; see --from and --to",
-                                 format_number(input_.rows.from_m), format_number(input_.rows.to_m)));
-    if (to_m <= input_.rows.from_m || from_m >= input_.rows.to_m)
-      throw BadInput(fmt::format("nothing was recorded from {} m to {} m", format_number(from_m), format_number(to_m)),
-                     fmt::format("the recording reaches from {} m to {} m; see --from and --to",
-                                 format_number(input_.rows.from_m), format_number(input_.rows.to_m)));
+      throw BadInput(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
+    if (to_m <= shown.from_m || from_m >= shown.to_m)
+      throw BadInput(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
     const double bins = (to_m - from_m) / (0.5 * input_.rows.band->waveform().light_speed_mps /
                                            input_.rows.band->band_hz() / static_cast<double>(options_.oversampling));
     constexpr double most_bins = 0x1p26;
     if (bins > most_bins)
       throw BadInput(fmt::format("a profile of {:.3g} bins cannot be held", bins),
                      "choose fewer ranges with --from and --to, or less --oversampling");
-    if (from_m < input_.rows.from_m || to_m > input_.rows.to_m)
-      input_.problems.push_back(problem_of(
-          Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
-          fmt::format("{} m to {} m", format_number(from_m), format_number(to_m)),
-          fmt::format("{} m to {} m", format_number(input_.rows.from_m), format_number(input_.rows.to_m)), {}));
+    if (from_m < shown.from_m || to_m > shown.to_m)
+      input_.problems.push_back(
+          problem_of(Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
+                     stretch_text({from_m, to_m}), recorded, {}));
+    else
+      remark_on_window(shown);
+  }
+
+  // What of the script's window is not in the recording, where the user did not choose ranges.
+  void remark_on_window(const RangeStretch& shown) {
+    const RangeStretch window{input_.rows.from_m, input_.rows.to_m};
+    const bool short_begin = !options_.from_m && shown.from_m > window.from_m;
+    const bool short_end = !options_.to_m && shown.to_m < window.to_m;
+    if (!short_begin && !short_end) return;
+    input_.problems.push_back(problem_of(
+        Severity::note, "the recorded samples do not show all of the script's window: profiles end with what they show",
+        stretch_text(shown), stretch_text(window), "to see the rest, simulate the script, or record a longer window"));
+  }
+
+  static std::string stretch_text(const RangeStretch& ranges) {
+    const auto to_millimetres = [](double range_m) { return format_number(std::round(range_m * 1e3) / 1e3); };
+    return fmt::format("{} m to {} m", to_millimetres(ranges.from_m), to_millimetres(ranges.to_m));
   }
 
   void find_problems() {
@@ -323,7 +342,7 @@ void add_profiles_options(CLI::App& app, ProfilesArguments& a) {
   add_text(app, "--window", a.window, "WINDOW",
            "over the band: rectangular, hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]; default: the script's");
   add_real(app, "--from", a.from_m, "M", "first range (default: the script's)");
-  add_real(app, "--to", a.to_m, "M", "last range (default: the script's)");
+  add_real(app, "--to", a.to_m, "M", "last range (default: the script's, as far as the recording shows it)");
   add_integer(app, "--oversampling", a.oversampling, 1, 64, "bins for each resolution cell (default: 4)");
   add_real(app, "--illumination", a.illumination_db, "DB",
            "bursts within so many dB of the strongest, two-way, belong to a scan (default: 6)");

@@ -99,13 +99,22 @@ std::size_t SteppedBand::gate_of(double delay_s) const {
   if (w.subband_hz > 0.0) {
     // Of a raw echo half must be recorded, of a compressed one its peak.
     const double half = w.filter.empty() ? 0.0 : 0.5 * w.pulse_width_s * w.sample_rate_hz;
-    return first >= -half && first <= last_sample - half ? 0 : gates_;
+    constexpr double rounding = 1e-6;
+    return first >= -half - rounding && first <= last_sample - half + rounding ? 0 : gates_;
   }
   const double from = std::max(0.0, std::ceil(first + w.seen_from_s * w.sample_rate_hz - 1e-6));
   const double to = std::min(last_sample, std::ceil(first + w.seen_to_s * w.sample_rate_hz - 1e-6) - 1.0);
   if (from > to) return gates_;
   const double middle = first + 0.5 * (w.seen_from_s + w.seen_to_s) * w.sample_rate_hz;
   return static_cast<std::size_t>(std::clamp(std::floor(middle + 0.5), from, to));
+}
+
+SeenDelays SteppedBand::seen_delays() const {
+  const SteppedWaveform& w = waveform_;
+  const double last_sample_s = w.first_sample_s + (static_cast<double>(w.samples) - 1.0) / w.sample_rate_hz;
+  if (w.subband_hz <= 0.0) return {w.first_sample_s - w.seen_to_s, last_sample_s - w.seen_from_s};
+  const double half_s = w.filter.empty() ? 0.0 : 0.5 * w.pulse_width_s;
+  return {w.first_sample_s - half_s, last_sample_s - half_s};
 }
 
 // out[k] = sum over i of row[i] exp(-2 pi j f t), f = first_hz + k cell_hz, t = first_s + i/fs.

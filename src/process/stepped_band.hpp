@@ -47,6 +47,12 @@ struct PulseMotion {
   double speed_mps = 0.0;  ///< Positive receding.
 };
 
+/// The delays of the targets whose echoes a row holds.
+struct SeenDelays {
+  double first_s = 0.0;
+  double last_s = 0.0;
+};
+
 /// The band that the pulses of a burst cover together, as evenly spaced frequencies ("cells"), and how the echoes of
 /// each pulse lie in it (docs/theory/stepped-frequency.md).
 ///
@@ -77,6 +83,9 @@ class SteppedBand {
   /// The gate that shows a delay best: the sample in the middle of its echo, as far as that is recorded. `gates()`
   /// where no sample holds it; of modulated pulses, where less than half of the echo is recorded.
   [[nodiscard]] std::size_t gate_of(double delay_s) const;
+  /// The first and the last delay that `gate_of` finds a gate for, seconds; those between them have one too, unless
+  /// gates are farther apart than the pulse is long. Of rows shorter than half an echo the last is before the first.
+  [[nodiscard]] SeenDelays seen_delays() const;
 
   [[nodiscard]] std::size_t values_per_pulse() const { return gates_ * pulse_cells_; }
   [[nodiscard]] std::size_t values_per_burst() const { return values_per_pulse() * waveform_.burst_pulses(); }

@@ -144,6 +144,26 @@ TEST(SteppedBand, ShowsADelayByTheSampleInTheMiddleOfItsEcho) {
   EXPECT_EQ(gate(3070.0), band.gates());
 }
 
+TEST(SteppedBand, SeesTheDelaysThatHaveAGate) {
+  const Pulse pulse = test::chirp_of(8e6, 10e-6);
+  SteppedWaveform compressed = test::chirped_waveform(pulse, 9e9, 8e6, 8, 20e6, 2900.0, 64);
+  compressed.filter.clear();
+  SteppedWaveform begin = test::sampled_waveform(3000.0, 4);  // Echoes begin at the delay, not half a pulse before it.
+  begin.seen_from_s = 0.0;
+  begin.seen_to_s = 200e-9;
+  for (const SteppedWaveform& w : {test::sampled_waveform(3000.0, 4), begin, compressed,
+                                   test::chirped_waveform(pulse, 9e9, 8e6, 8, 20e6, 2900.0, 64)}) {
+    const SteppedBand band(w);
+    const SeenDelays seen = band.seen_delays();
+    constexpr double beside_s = 1e-9;  // 15 cm
+    EXPECT_LT(seen.first_s, seen.last_s);
+    EXPECT_LT(band.gate_of(seen.first_s + beside_s), band.gates());
+    EXPECT_EQ(band.gate_of(seen.first_s - beside_s), band.gates());
+    EXPECT_LT(band.gate_of(seen.last_s - beside_s), band.gates());
+    EXPECT_EQ(band.gate_of(seen.last_s + beside_s), band.gates());
+  }
+}
+
 TEST(SteppedBand, RefusesWaveformsThatMakeNoBand) {
   const auto refused = [](auto change) {
     SteppedWaveform w = test::sampled_waveform(3000.0, 4);

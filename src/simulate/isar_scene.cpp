@@ -9,6 +9,7 @@
 #include "base/constants.hpp"
 #include "process/autofocus.hpp"
 #include "process/stepped_limits.hpp"
+#include "process/stepped_overlay.hpp"
 #include "process/velocity_search.hpp"
 
 namespace sarsim {
@@ -152,21 +153,16 @@ void set_amplitudes(IsarImage& made, const SteppedRows& rows, std::size_t first,
   for (HeldPoint& point : made.points) point.amplitude = truth[point.target].amplitude;
 }
 
-// Where only differences of places are known, the strongest point of scene and image are laid upon each other.
+// Without the path only differences of places are known.
 void lay_upon_image(IsarImage& made) {
-  const FocusedImage& image = made.image;
-  const auto largest = std::ranges::max_element(image.values, {}, [](const auto& v) { return std::norm(v); });
-  const auto strongest = std::ranges::max_element(made.points, {}, &HeldPoint::amplitude);
-  if (largest == image.values.end() || strongest == made.points.end()) return;
-  const auto index = static_cast<std::size_t>(largest - image.values.begin());
-  ImagePlace place{image.azimuth.at(static_cast<double>(index / image.range.count)),
-                   image.range.at(static_cast<double>(index % image.range.count))};
-  if (const auto peak = measure_point(image, reader_of(image), place, image.range.step_m)) place = peak->place;
-  const double across_m = place.azimuth_m - strongest->expected.azimuth_m;
-  const double along_m = place.range_m - strongest->expected.range_m;
+  std::vector<OverlayPoint> points;
+  points.reserve(made.points.size());
+  for (const HeldPoint& point : made.points) points.push_back({point.expected, point.amplitude});
+  const auto shift = shift_upon_image(made.image, points, {made.cross_range_resolution_m, made.range_resolution_m});
+  if (!shift) return;
   for (HeldPoint& point : made.points) {
-    point.expected.azimuth_m += across_m;
-    point.expected.range_m += along_m;
+    point.expected.azimuth_m += shift->azimuth_m;
+    point.expected.range_m += shift->range_m;
   }
 }
 

@@ -101,10 +101,22 @@ double search_around(const std::vector<HeldTarget>& targets, std::size_t index, 
 
 }  // namespace
 
+RangeStretch shown_ranges(const SteppedRows& rows) {
+  const SeenDelays seen = rows.band->seen_delays();
+  const SteppedWaveform& w = rows.band->waveform();
+  const double half_c = 0.5 * w.light_speed_mps;
+  const double rounding_m = 1e-6 * half_c / w.sample_rate_hz;
+  RangeStretch shown{half_c * seen.first_s, half_c * seen.last_s};
+  if (shown.from_m < rows.from_m + rounding_m) shown.from_m = rows.from_m;
+  if (shown.to_m > rows.to_m - rounding_m) shown.to_m = rows.to_m;
+  return shown;
+}
+
 ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options, const WorkControl& control,
                             const ProgressReport& progress) {
-  const ProfileMaker maker(*rows.band, options.window, options.from_m.value_or(rows.from_m),
-                           options.to_m.value_or(rows.to_m), options.oversampling);
+  const RangeStretch shown = shown_ranges(rows);
+  const ProfileMaker maker(*rows.band, options.window, options.from_m.value_or(shown.from_m),
+                           options.to_m.value_or(shown.to_m), options.oversampling);
   ProfileSeries series;
   series.axis = maker.axis();
   series.limits = limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());

@@ -24,7 +24,7 @@ struct SeriesOptions {
     estimated,  ///< Of each scan the speed that makes its profiles sharpest.
   };
   WindowFunction window;         ///< Over the band; empty: none.
-  std::optional<double> from_m;  ///< Ranges; nothing: those of the script's window.
+  std::optional<double> from_m;  ///< Ranges; nothing: `shown_ranges`.
   std::optional<double> to_m;
   std::size_t oversampling = 4;     ///< Bins for each resolution cell.
   double illuminated_share = 0.25;  ///< Of the strongest burst's power: what counts as illuminated.
@@ -65,7 +65,20 @@ struct ProfileSeries {
   }
 };
 
-/// Makes the profiles of all illuminated bursts. The same bytes for any number of threads. Throws Interrupted.
+/// A stretch of slant ranges, c/2 times the delay.
+struct RangeStretch {
+  double from_m = 0.0;
+  double to_m = 0.0;
+};
+
+/// The ranges of the script's window that the recorded samples show. A recording ends with its last sample: of an echo
+/// that begins after it nothing is known, so that a window of CENTRE ends half a pulse behind that sample, one of BEGIN
+/// at it, and one of raw modulated pulses where half of the echo is left. Rows of a scene are long enough for all of
+/// the window. Where nothing of it is shown, `to_m` is not above `from_m`.
+[[nodiscard]] RangeStretch shown_ranges(const SteppedRows& rows);
+
+/// Makes the profiles of all illuminated bursts. The same bytes for any number of threads. Throws Interrupted, and
+/// std::invalid_argument where the ranges are none.
 [[nodiscard]] ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options,
                                           const WorkControl& control, const ProgressReport& progress = {});
 

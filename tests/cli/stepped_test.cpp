@@ -11,6 +11,21 @@ namespace {
 
 using testing::HasSubstr;
 
+// Two points that are equally strong, two weaker ones. The window has room for five samples, the last at 2519.96 m.
+constexpr const char* truck = R"($PLATFORM Truck TRAJECTORY LINEAR LINEAR LINEAR INLINE
+ 2 -1 2502 1 2498
+ 1 0 0
+ 1 0 0
+ NOT_ALIGNED CONST 0 0 30  0 0 5  STDDEV 0 0 0 STDDEV 0 0 0
+$TARGET Truck  0 0 0  0 0 0 1 0 ISOTROPIC
+$TARGET Truck  6 0 0  0 0 0 1 0 ISOTROPIC
+$TARGET Truck -6 1.2 0  0 0 0 0.5 0 ISOTROPIC
+$TARGET Truck  2 -2 0  0 0 0 0.25 0 ISOTROPIC
+$RADAR X Earth MONO 200 RECT CONSTANT 20000 STEPPED 9 0.004 128 1
+ 1 30 30 2 400 ISOTROPIC SAME FIXED 0 90 HAMMING NO_STC
+$SIMULATION X 2460 2540 -0.32 0.3199 12 0.01 0 HDF5 RAW sf.h5 CENTRE
+)";
+
 class Profiles : public CommandTest {
  protected:
   [[nodiscard]] Finished profiles(std::vector<std::string> more, const std::string& scene = "stepped_srp.scr") const {
@@ -65,6 +80,28 @@ TEST_F(Profiles, AreTheSameOfTheRecording) {
   const auto from_scene = numbers_of(other.out, "range_error_m");
   ASSERT_EQ(from_data.size(), from_scene.size());
   for (std::size_t i = 0; i < from_data.size(); ++i) EXPECT_NEAR(from_data[i], from_scene[i], 0.05);
+}
+
+// Of 80 m five samples are recorded, 15 m apart; with CENTRE the last sees half a pulse, 15 m, beyond itself.
+TEST_F(Profiles, OfARecordingEndWithWhatItsLastSampleSees) {
+  write_text(folder_ / "truck.scr", truck);
+  ASSERT_EQ(sarsim({"run", "truck.scr", "--quiet"}).status, 0);
+  const auto last_m = [](const Finished& run) {
+    return numbers_of(run.out, "range_first_m").at(0) +
+           (numbers_of(run.out, "columns").at(0) - 1.0) * numbers_of(run.out, "range_step_m").at(0);
+  };
+  const Finished data = sarsim({"profiles", "sf.h5", "--json"});
+  ASSERT_EQ(data.status, 0) << data.err;
+  EXPECT_NEAR(last_m(data), 2534.91, 0.04);
+  EXPECT_THAT(data.err, HasSubstr("do not show all of the script's window"));
+  EXPECT_THAT(data.err, HasSubstr("2460 m to 2534.948 m"));
+  const Finished scene = sarsim({"profiles", "truck.scr", "--json", "--out", "scene.img"});
+  ASSERT_EQ(scene.status, 0) << scene.err;
+  EXPECT_NEAR(last_m(scene), 2539.96, 0.04);
+  EXPECT_THAT(scene.err, testing::Not(HasSubstr("do not show")));
+  const Finished beyond = sarsim({"profiles", "sf.h5", "--to", "2540", "--out", "beyond.img"});
+  ASSERT_EQ(beyond.status, 0) << beyond.err;
+  EXPECT_THAT(beyond.err, HasSubstr("the ranges go beyond those that were recorded"));
 }
 
 TEST_F(Profiles, AreReadFromFilesThatCarryNoScript) {
@@ -177,6 +214,18 @@ TEST_F(Isar, FindsThePathOfTheShipInTheEchoes) {
   ASSERT_GE(numbers_of(run.out, "cross_range_error_m").size(), 8U);
   EXPECT_LT(largest(numbers_of(run.out, "cross_range_error_m")), 0.6);
   EXPECT_LT(largest(numbers_of(run.out, "range_error_m")), 0.5);
+}
+
+// The strongest peak may be either of two points that are equally strong.
+TEST_F(Isar, LaysTargetsThatAreEquallyStrongUponTheirOwnPeaks) {
+  write_text(folder_ / "truck.scr", truck);
+  const Finished run = sarsim({"isar", "truck.scr", "--motion", "estimated", "--json", "--quiet"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  // All four are found: the report has no error of one that is not.
+  ASSERT_EQ(numbers_of(run.out, "cross_range_error_m").size(), 4U);
+  EXPECT_LT(largest(numbers_of(run.out, "cross_range_error_m")), 0.1);
+  EXPECT_LT(largest(numbers_of(run.out, "range_error_m")), 0.1);
+  EXPECT_LT(largest(numbers_of(run.out, "amplitude_error_db")), 1.5);
 }
 
 TEST_F(Isar, MakesSeriesOfImagesAndTheSameBytesOnAnyNumberOfThreads) {
