@@ -22,6 +22,7 @@ class GeometryWindow;
 struct HelpPlace;
 class ImageViewers;
 class ObjectTree;
+class ProblemWatch;
 class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
@@ -87,6 +88,7 @@ class MainWindow : public QMainWindow {
   void fill_recent();
   void show_title();
   void show_state();
+  void make_badge();
   void commit_typed();
   bool may_go();
   bool may_end_work();
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
 
   Session session_;
   DocumentKeeper* documents_ = nullptr;
+  ProblemWatch* problems_ = nullptr;
   ScenePanel* scene_ = nullptr;
   ObjectTree* tree_ = nullptr;
   PropertyPanel* panel_ = nullptr;
