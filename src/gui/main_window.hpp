@@ -27,6 +27,7 @@ class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
+class SimulationWindow;
 class SimulationWindows;
 class StoredSimulations;
 
@@ -51,7 +52,8 @@ class MainWindow : public QMainWindow {
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
   /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, products,
   /// viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that has what
-  /// they show.
+  /// they show. Simulation and what belongs to it show the stored simulation that is selected; where none is, a new
+  /// window of raw echoes.
   [[nodiscard]] QWidget* window_named(const QString& name);
   /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();
@@ -100,6 +102,7 @@ class MainWindow : public QMainWindow {
   void go_to_panel(int step);
   void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  SimulationWindow* open_simulation();
   [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
   void show_targets();
