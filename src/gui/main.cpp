@@ -25,7 +25,7 @@ namespace {
 struct Options {
   std::string script;
   std::string screenshot;
-  std::string window = "main";
+  std::string window;
   std::vector<std::string> selected;
   std::vector<std::string> commands;
   std::vector<std::string> typed;
@@ -58,7 +58,7 @@ void read_options(CLI::App& app, Options& options) {
   const auto add = [&](const char* flag, auto& value, const std::string& help) {
     return app.add_option(flag, value, help)->needs(picture)->group("Pictures");
   };
-  add("--window", options.window, "which window is shown:" + names);
+  add("--window", options.window, "which window is shown; without it main, or viewer of a file of samples:" + names);
   add("--scale", options.scale, "device pixels per pixel, 1 or 2 for instance")->check(CLI::Range(1.0, 8.0));
   add("--size", options.size, "width and height of the window, pixels")->expected(2)->check(CLI::Range(100, 10000));
   add("--select", options.selected, "select an object: kind and number, such as radar:1")->allow_extra_args(false);

@@ -419,7 +419,14 @@ QStringList MainWindow::window_names() {
           "range_profile", "range_doppler", "spectrum",   "phase_history", "products"};
 }
 
-// Windows that belong to one of raw echoes, which is opened with them.
+// A window of echoes: of the stored simulation that is selected, otherwise a new one.
+SimulationWindow* MainWindow::open_simulation() {
+  const auto current = session_.current();
+  if (current && current->kind == ObjectKind::simulation) return simulation_windows_->open_stored(*current);
+  return simulation_windows_->open_new(Processing::raw);
+}
+
+// Windows that belong to one of echoes, which is opened with them.
 QWidget* MainWindow::simulation_part(const QString& name) {
   static const std::map<QString, RadarView> views{{"range_profile", RadarView::range_profile},
                                                   {"range_doppler", RadarView::range_doppler},
@@ -428,7 +435,7 @@ QWidget* MainWindow::simulation_part(const QString& name) {
   if (name == "saving") return &saver_->queue();
   const auto view = views.find(name);
   if (view == views.end() && name != "save_data") return nullptr;
-  SimulationWindow* window = simulation_windows_->open_new(Processing::raw);
+  SimulationWindow* window = open_simulation();
   if (window == nullptr) return nullptr;
   if (view != views.end()) return window->open_radar_view(view->second);
   // The dialog tells of the picture, which must be there first.
@@ -447,7 +454,7 @@ QWidget* MainWindow::window_named(const QString& name) {
     return docks_[name];
   }
   if (name == "geometry") return show_geometry(), geometry_;
-  if (name == "simulation") return simulation_windows_->open_new(Processing::raw);
+  if (name == "simulation") return open_simulation();
   if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
   if (name == "viewer") {
     const auto viewers = image_viewers_->viewers();

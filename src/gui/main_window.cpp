@@ -21,6 +21,8 @@
 #include "gui/image_viewers.hpp"
 #include "gui/log_panel.hpp"
 #include "gui/object_tree.hpp"
+#include "gui/problem_badge.hpp"
+#include "gui/problem_watch.hpp"
 #include "gui/product_window.hpp"
 #include "gui/property_panel.hpp"
 #include "gui/run_panel.hpp"
@@ -49,13 +51,15 @@ QString dropped_file(const QMimeData* data) {
 
 }  // namespace
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), documents_(new DocumentKeeper(session_, this)) {
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), documents_(new DocumentKeeper(session_, this)), problems_(new ProblemWatch(session_, this)) {
   setObjectName("main_window");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   scene_ = new ScenePanel(session_);
   setCentralWidget(scene_);
   make_docks();
+  make_badge();
   make_menus();
   make_tool_bar();
   ask_end_work = [this](const QStringList& work) {
@@ -117,7 +121,7 @@ void MainWindow::make_docks() {
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
   QDockWidget* simulations = add_dock(simulations_, tr("Previously Stored"), "simulations", Qt::BottomDockWidgetArea);
-  QDockWidget* log = add_dock(new LogPanel(session_), tr("Log"), "log", Qt::BottomDockWidgetArea);
+  QDockWidget* log = add_dock(new LogPanel(session_, *problems_), tr("Log"), "log", Qt::BottomDockWidgetArea);
   tabifyDockWidget(simulations, script);
   tabifyDockWidget(simulations, log);
   simulations->raise();
@@ -170,6 +174,22 @@ void MainWindow::show_state() {
     if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
   }
   statusBar()->showMessage(text);
+}
+
+// How much is wrong, at a glance; a click shows what, in the panel that lists it.
+void MainWindow::make_badge() {
+  auto* badge = new ProblemBadge(this);
+  statusBar()->addPermanentWidget(badge);
+  connect(problems_, &ProblemWatch::changed, this, [this, badge] {
+    badge->show_problems(problems_->problems());
+    script_->list_also(problems_->of_echoes());
+  });
+  connect(badge, &ProblemBadge::clicked, this, [this] {
+    docks_["script"]->show();
+    docks_["script"]->raise();
+    const Problems& all = problems_->problems();
+    script_->show_problem(all.empty() ? Place{} : all.front().place);
+  });
 }
 
 // What is typed and not yet entered belongs to what is saved, run or left.

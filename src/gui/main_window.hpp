@@ -22,10 +22,12 @@ class GeometryWindow;
 struct HelpPlace;
 class ImageViewers;
 class ObjectTree;
+class ProblemWatch;
 class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
+class SimulationWindow;
 class SimulationWindows;
 class StoredSimulations;
 
@@ -50,7 +52,8 @@ class MainWindow : public QMainWindow {
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
   /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, products,
   /// viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that has what
-  /// they show.
+  /// they show. Simulation and what belongs to it show the stored simulation that is selected; where none is, a new
+  /// window of raw echoes.
   [[nodiscard]] QWidget* window_named(const QString& name);
   /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();
@@ -87,6 +90,7 @@ class MainWindow : public QMainWindow {
   void fill_recent();
   void show_title();
   void show_state();
+  void make_badge();
   void commit_typed();
   bool may_go();
   bool may_end_work();
@@ -98,6 +102,7 @@ class MainWindow : public QMainWindow {
   void go_to_panel(int step);
   void fill_functions(QMenu* menu);
   void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  SimulationWindow* open_simulation();
   [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
   void show_targets();
@@ -113,6 +118,7 @@ class MainWindow : public QMainWindow {
 
   Session session_;
   DocumentKeeper* documents_ = nullptr;
+  ProblemWatch* problems_ = nullptr;
   ScenePanel* scene_ = nullptr;
   ObjectTree* tree_ = nullptr;
   PropertyPanel* panel_ = nullptr;

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "gui/document_keeper.hpp"
+#include "gui/image_viewers.hpp"
 #include "gui/main_window.hpp"
 #include "gui/object_tree.hpp"
 #include "gui/scene_panel.hpp"
@@ -130,6 +131,12 @@ QWidget* shown_window(MainWindow& main, const QString& name) {
   return window;
 }
 
+// What a wish that names no window is about: the file that is shown.
+QString window_of(MainWindow& main, const PictureWish& wish) {
+  if (!wish.window.isEmpty()) return wish.window;
+  return main.image_viewers().viewers().empty() ? QStringLiteral("main") : QStringLiteral("viewer");
+}
+
 // The most frequent colour of every corner of the colour cube, so that no hue is lost, then the most frequent others;
 // what is left becomes the nearest of them.
 QImage with_few_colours(const QImage& picture) {
@@ -191,8 +198,9 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
     if (!type_into(main, text)) return false;
   QApplication::processEvents();
   if (!wish.size.isEmpty()) main.resize(wish.size);  // Where a command has closed a panel it may be smaller now.
-  QWidget* window = shown_window(main, wish.window);
-  if (window == nullptr) return complain(QStringLiteral("no window '%1' for this script").arg(wish.window));
+  const QString name = window_of(main, wish);
+  QWidget* window = shown_window(main, name);
+  if (window == nullptr) return complain(QStringLiteral("no window '%1' for this script").arg(name));
   if (!wish.size.isEmpty() && window->isWindow()) window->resize(wish.size);
   bool good = false;
   QTimer::singleShot(settling_ms / 2, &main, [&main] { main.scene().scene().fit(); });

@@ -9,7 +9,7 @@ class MainWindow;
 
 /// What a picture of the workbench is to show.
 struct PictureWish {
-  QString window = "main";   ///< One of picture_names().
+  QString window;            ///< One of picture_names(); empty: the viewer of a file of samples, else the main one.
   QString file;              ///< PNG file that is written.
   QStringList selected;      ///< Objects by kind and number from 1: "radar:2".
   QStringList commands;      ///< Object names of actions that are triggered first: "view_filled".

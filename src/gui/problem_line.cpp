@@ -33,6 +33,22 @@ QString problem_text(const Problem& problem) {
   return text;
 }
 
+bool stands_in(const Place& place, const std::filesystem::path& script) {
+  return place.line > 0 && (place.file.empty() || place.file == script.string());
+}
+
+QString placed_problem_text(const Problem& problem, const std::filesystem::path& script) {
+  const QString text = problem_text(problem);
+  const Place& place = problem.place;
+  if (place.line == 0) return text;
+  if (stands_in(place, script))
+    return QCoreApplication::translate("ProblemLine", "Line %1: %2").arg(place.line).arg(text);
+  return QCoreApplication::translate("ProblemLine", "%1, line %2: %3")
+      .arg(QString::fromStdString(place.file))
+      .arg(place.line)
+      .arg(text);
+}
+
 QIcon severity_icon(Severity severity, const QWidget& widget) {
   const auto icon = severity == Severity::error     ? QStyle::SP_MessageBoxCritical
                     : severity == Severity::warning ? QStyle::SP_MessageBoxWarning

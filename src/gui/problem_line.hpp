@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include <vector>
+#include <filesystem>
 
 #include "base/problem.hpp"
 
@@ -13,6 +13,14 @@ namespace sarsim {
 /// What is wrong, in words: "Error: the pulse width is not above zero; found 0 s, expected more than 0 s". Severity is
 /// told by the first word, so that neither colour nor icon is needed to understand it.
 [[nodiscard]] QString problem_text(const Problem& problem);
+
+/// True where a place is in a script itself, rather than in a file that it speaks of, or nowhere.
+/// @param script  its file; may be empty
+[[nodiscard]] bool stands_in(const Place& place, const std::filesystem::path& script);
+
+/// The same with its place: "Line 47: Error: unknown command", with the name of any other file before it.
+/// @param script  the file of the script; may be empty
+[[nodiscard]] QString placed_problem_text(const Problem& problem, const std::filesystem::path& script);
 
 /// "Error", "Warning" or "Note".
 [[nodiscard]] QString severity_word(Severity severity);

@@ -36,6 +36,7 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
       direction_(new QLabel(scene_)) {
   setObjectName("scene_panel");
   direction_->setObjectName("view_direction");
+  direction_->setAutoFillBackground(true);  // Marks of the scene pass behind the words.
   direction_->setToolTip(tr("Where the scene is seen from: azimuth clockwise from +y, elevation above the x-y plane"));
   // In a corner of the scene, so that the time has the whole width below.
   auto* corner = new QVBoxLayout(scene_);
@@ -117,6 +118,12 @@ void ScenePanel::show_time() {
 
 void ScenePanel::show_marks() {
   scene_->set_dark(is_dark(palette()));
+  if (const QColor ground = colour_of(Role::background, palette());
+      direction_->palette().color(QPalette::Window) != ground) {
+    QPalette own;  // Only what is set here is the label's own; the rest follows the theme.
+    own.setColor(QPalette::Window, ground);
+    direction_->setPalette(own);
+  }
   DrawingOptions options = scene_->options();
   options.selected = session_.selection();
   options.hidden = session_.hidden();

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "gui/find_bar.hpp"
@@ -163,6 +164,7 @@ void ScriptEditor::take_document() {
   stale_ = false;
   agreed_ = true;
   revision_ = session_.document().revision();
+  of_echoes_.clear();
   splicing_ = true;
   text_->set_script(shared_);
   splicing_ = false;
@@ -248,25 +250,25 @@ void ScriptEditor::commit() {
   refresh_problems();
 }
 
-bool ScriptEditor::in_script(const Place& place) const {
-  return place.line > 0 && (place.file.empty() || place.file == session_.document().path().string());
+Problems ScriptEditor::listed_problems() const {
+  Problems found = session_.problems();
+  if (of_echoes_.empty() || has_errors(found)) return found;
+  std::ranges::copy(of_echoes_, std::back_inserter(found));
+  return ranked(std::move(found));
 }
 
 void ScriptEditor::refresh_problems() {
   problems_soon_.stop();
-  const Problems& found = session_.problems();
+  const Problems found = listed_problems();
+  const std::filesystem::path& script = session_.document().path();
   places_.clear();
   problems_->clear();
   std::vector<Problem> here;
   for (const Problem& problem : found) {
-    const bool ours = in_script(problem.place);
+    const bool ours = stands_in(problem.place, script);
     if (ours) here.push_back(problem);
     if (places_.size() == most_listed) continue;
-    QString text = problem_text(problem);
-    if (ours)
-      text = tr("Line %1: %2").arg(problem.place.line).arg(text);
-    else if (problem.place.line > 0)
-      text = tr("%1, line %2: %3").arg(QString::fromStdString(problem.place.file)).arg(problem.place.line).arg(text);
+    const QString text = placed_problem_text(problem, script);
     auto* item = new QListWidgetItem(severity_icon(problem.severity, *this), text, problems_);
     item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
     places_.push_back(ours ? problem.place : Place{});
@@ -283,6 +285,16 @@ void ScriptEditor::refresh_problems() {
 }
 
 void ScriptEditor::jump_to(const Place& place) { text_->jump_to(place, coding_); }
+
+void ScriptEditor::show_problem(const Place& place) {
+  text_->setFocus();
+  if (stands_in(place, session_.document().path())) jump_to(place);
+}
+
+void ScriptEditor::list_also(Problems of_echoes) {
+  of_echoes_ = std::move(of_echoes);
+  problems_soon_.start();
+}
 
 void ScriptEditor::show_position() {
   const QTextCursor cursor = text_->textCursor();

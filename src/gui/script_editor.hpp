@@ -33,6 +33,10 @@ class ScriptEditor : public QWidget {
   [[nodiscard]] ScriptText& text() { return *text_; }
   /// Puts the cursor where a problem is.
   void jump_to(const Place& place);
+  /// Takes the keyboard, with the cursor where a problem is, where that is in the script.
+  void show_problem(const Place& place);
+  /// Lists these below those that the session knows, as long as it knows no errors.
+  void list_also(Problems of_echoes);
   /// The command that runs the script without the workbench: "sarsim run 'ship.scr'"; empty where it was never saved.
   [[nodiscard]] QString command_line() const;
   [[nodiscard]] QAction* find_action() const { return find_; }
@@ -53,7 +57,7 @@ class ScriptEditor : public QWidget {
   void refresh_problems();
   void show_position();
   void copy_command();
-  [[nodiscard]] bool in_script(const Place& place) const;
+  [[nodiscard]] Problems listed_problems() const;
 
   Session& session_;
   ScriptText* text_ = nullptr;
@@ -73,6 +77,7 @@ class ScriptEditor : public QWidget {
   std::uint64_t revision_ = 0;  // of the document then
   bool splicing_ = false;       // the session's text is being put in
   std::vector<Place> places_;   // of the lines of the list
+  Problems of_echoes_;          // what the session does not know
 };
 
 /// A file name as one word for a shell.

@@ -17,8 +17,9 @@ constexpr double mark_part = 0.9;     // of a main axis: the mark stands below
 constexpr double letter_part = 1.07;  // of an axis: where its letter stands
 constexpr double end_on_px = 12.0;    // a shorter line is seen end on and carries no words
 constexpr double letter_drop_px = 4.0;
-constexpr double triad_room_px = 48.0;  // about the corner triad: main axes end there
-constexpr double label_gap_px = 12.0;   // from a mark to its label
+constexpr double triad_room_px = 48.0;   // about the corner triad: main axes end there
+constexpr double label_gap_px = 12.0;    // from a mark to its label
+constexpr double letter_room_px = 12.0;  // a letter that stands nearer to the edge of the picture is cut
 
 Vec3 axis_of(std::size_t i) { return Mat3{}.row[i]; }
 
@@ -26,6 +27,16 @@ double distance_px(const PicturePoint& a, const PicturePoint& b) { return std::h
 
 void put_letter(Pen& pen, const PicturePoint& at, std::size_t axis) {
   pen.text(at.x, at.y + pen.px(letter_drop_px), axis_letters[axis], axis_roles[axis], true, true);
+}
+
+// A letter that the edge would cut stands just inside; one that is out of sight stays there.
+PicturePoint whole_in_picture(const Pen& pen, const PicturePoint& point) {
+  const double room = pen.px(letter_room_px);
+  const double right = pen.camera().width_px;
+  const double bottom = pen.camera().height_px;
+  if (point.x < -room || point.y < -room || point.x > right + room || point.y > bottom + room) return point;
+  if (right < 2.0 * room || bottom < 2.0 * room) return point;
+  return {std::clamp(point.x, room, right - room), std::clamp(point.y, room, bottom - room), point.depth_m};
 }
 
 PicturePoint triad_origin(const Pen& pen) {
@@ -71,7 +82,7 @@ void draw_main_axis(Pen& pen, const PicturePoint& origin, std::size_t axis, doub
   pen.world_line({}, shown * length_m * unit, axis_roles[axis], 2.0);
   if (!end || distance_px(origin, *end) < pen.px(end_on_px)) return;
   if (const auto letter = pen.project(letter_part * length_m * unit); letter && !in_triad(pen, *letter))
-    put_letter(pen, *letter, axis);
+    put_letter(pen, whole_in_picture(pen, *letter), axis);
   const double mark_m = round_below(mark_part * length_m);
   const auto mark = pen.project(mark_m * unit);
   if (!mark || shown * length_m < mark_m || in_triad(pen, *mark) || distance_px(origin, *mark) < pen.px(end_on_px))

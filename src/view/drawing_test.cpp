@@ -308,6 +308,20 @@ TEST(Drawing, MainAxesEndBeforeTheCornerTriad) {
   EXPECT_NEAR(lines_of(drawing, Role::z_axis).at(0).y1, 350.0, 1e-3);
 }
 
+TEST(Drawing, TheEdgeOfThePictureCutsNoLetterOfAMainAxis) {
+  DrawingOptions options = bare_options();
+  options.coordinate_systems = true;
+  Camera camera = front_camera();
+  camera.focus_world_m = {-188.0, 0.0, 0.0};  // the origin at (588, 300), the letter of x at (802, 300)
+  const Drawing near_edge = drawn({}, camera, options);
+  ASSERT_TRUE(text_of(near_edge, "X"));
+  EXPECT_NEAR(text_of(near_edge, "X")->x, 788.0, 1e-3);
+  camera.focus_world_m = {-230.0, 0.0, 0.0};  // the letter at (844, 300), out of sight
+  const Drawing beyond = drawn({}, camera, options);
+  ASSERT_TRUE(text_of(beyond, "X"));
+  EXPECT_NEAR(text_of(beyond, "X")->x, 844.0, 1e-3);
+}
+
 TEST(Drawing, LabelsOfMainAxesStandBesideTheirAxes) {
   DrawingOptions options = bare_options();
   options.coordinate_systems = true;

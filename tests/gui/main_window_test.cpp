@@ -8,6 +8,7 @@
 #include "gui/main_window.hpp"
 #include "gui/scene_panel.hpp"
 #include "gui/scene_widget.hpp"
+#include "gui/simulation_window.hpp"
 #include "script/reader.hpp"
 
 namespace sarsim {
@@ -110,6 +111,22 @@ class MainWindowTest : public QObject {
     QVERIFY(window.documents().save_to(path));
     QVERIFY(!window.isWindowModified());
     QVERIFY(read_script_file(path.toStdString()).scene == window.session().scene());
+  }
+
+  void the_picture_of_a_simulation_is_the_stored_one_that_is_selected() {
+    MainWindow window;
+    QVERIFY(window.documents().open_file(example()));
+    const Simulation stored = window.session().scene().simulations.at(0);
+    window.session().select_only({ObjectKind::simulation, 0});
+    auto* shown = qobject_cast<SimulationWindow*>(window.window_named("simulation"));
+    QVERIFY(shown != nullptr);
+    QCOMPARE(shown->simulation().range_start_m, stored.range_start_m);
+    QCOMPARE(shown->simulation().time_start_s, stored.time_start_s);
+    QCOMPARE(shown->simulation().time_end_s, stored.time_end_s);
+    window.session().select({});
+    auto* made = qobject_cast<SimulationWindow*>(window.window_named("simulation"));
+    QVERIFY(made != nullptr);
+    QVERIFY(made->simulation().time_start_s != stored.time_start_s);
   }
 
   void every_window_can_be_made_into_a_picture() {

@@ -4,6 +4,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 #include "gui/small_scene.hpp"
 
 // The workbench called for a picture, as scripts and tools call it: nobody is there to close a dialog.
@@ -28,6 +30,14 @@ void write(const QString& path, const QByteArray& bytes) {
   QFile file(path);
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(bytes);
+}
+
+// How many pixels two pictures have in common.
+int alike(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+    for (int x = 0; x < std::min(a.width(), b.width()); ++x) count += a.pixel(x, y) == b.pixel(x, y) ? 1 : 0;
+  return count;
 }
 
 }  // namespace
@@ -63,6 +73,27 @@ class ScreenshotTest : public QObject {
     const Ended ended = run({script_, "--screenshot", picture, "--size", "1400", "800"});
     QVERIFY2(ended.status == 0, qPrintable(ended.told));
     QCOMPARE(QImage(picture, "PNG").size(), QSize(1400, 800));
+  }
+
+  // A file of samples is shown as opening it in the menu or dropping it does.
+  void a_picture_of_a_file_of_samples_is_that_of_its_viewer() {
+    const QString image = folder_.filePath("stripes.img");
+    write(image, QByteArray("\x00\x00\x80\x3f", 4).repeated(32).append(QByteArray("\x00\x00\x10\x41", 4).repeated(32)));
+    write(folder_.filePath("stripes.hdr"),
+          "ENVI\nsamples = 64\nlines = 1\nbands = 1\nheader offset = 0\ndata type = 4\ninterleave = bsq\nbyte order = "
+          "0\n");
+    const QString by_itself = folder_.filePath("by_itself.png");
+    const QString viewer = folder_.filePath("viewer.png");
+    const QString workbench = folder_.filePath("main.png");
+    const auto take = [&](const QString& picture, const QStringList& more) {
+      const Ended ended = run(QStringList{image, "--screenshot", picture, "--size", "1000", "700"} + more);
+      QVERIFY2(ended.status == 0, qPrintable(ended.told));
+    };
+    take(by_itself, {});
+    take(viewer, {"--window", "viewer"});
+    take(workbench, {"--window", "main"});
+    // A busy machine may not have painted all of the samples in one of them.
+    QVERIFY(alike(QImage(by_itself), QImage(viewer)) > alike(QImage(by_itself), QImage(workbench)));
   }
 
   void the_script_that_is_shown_is_never_replaced() {
