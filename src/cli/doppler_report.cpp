@@ -64,7 +64,7 @@ std::string finding_text(const TargetFinding& finding, bool doppler) {
   }
   text += fmt::format(", cell {} x {}, SNR {}", sight.row, sight.column, decibel_text(sight.snr));
   if (finding.probability)
-    text += fmt::format(", Pd {:.3g}; found in {}, expected in {}", *finding.probability,
+    text += fmt::format(", Pd at best {:.3g}; found in {}, expected in {}", *finding.probability,
                         counted(finding.found, "interval"), finding.expected);
   else
     text += fmt::format("; found in {}", counted(finding.found, "interval"));
