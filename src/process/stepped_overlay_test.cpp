@@ -35,11 +35,12 @@ FocusedImage image_of(const std::vector<OverlayPoint>& points, const ImagePlace&
   return image;
 }
 
+// The side lobes of the others pull a peak by up to a twentieth of a cell.
 void expect_shift(const FocusedImage& image, const std::vector<OverlayPoint>& points, const ImagePlace& expected) {
   const auto shift = shift_upon_image(image, points, cell);
   ASSERT_TRUE(shift);
-  EXPECT_NEAR(shift->azimuth_m, expected.azimuth_m, 0.05);
-  EXPECT_NEAR(shift->range_m, expected.range_m, 0.05);
+  EXPECT_NEAR(shift->azimuth_m, expected.azimuth_m, 0.1);
+  EXPECT_NEAR(shift->range_m, expected.range_m, 0.1);
 }
 
 TEST(ShiftUponImage, IsRightWhicheverOfTwoEqualPointsIsTheStrongerInTheImage) {

@@ -24,7 +24,7 @@ const std::string strip = SARSIM_SOURCE_DIR "/examples/stripmap_motion.scr";
 // Magnitudes of all numbers that follow a name in JSON.
 std::vector<double> magnitudes_of(const std::string& json, const std::string& name) {
   std::vector<double> numbers;
-  const std::regex pattern("\"" + name + "\": (-?[0-9.e+-]+)");
+  const std::regex pattern("\"" + name + "\": (-?[0-9.eE+-]+)");
   for (std::sregex_iterator i(json.begin(), json.end(), pattern), end; i != end; ++i)
     numbers.push_back(std::abs(std::stod((*i)[1])));
   return numbers;

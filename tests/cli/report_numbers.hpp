@@ -15,7 +15,7 @@ inline const std::string examples = SARSIM_SOURCE_DIR "/examples/";
 /// All numbers that follow a name in JSON, in their order.
 inline std::vector<double> numbers_of(const std::string& json, const std::string& name) {
   std::vector<double> numbers;
-  const std::regex pattern("\"" + name + "\": (-?[0-9.e+-]+)");
+  const std::regex pattern("\"" + name + "\": (-?[0-9.eE+-]+)");
   for (std::sregex_iterator i(json.begin(), json.end(), pattern), end; i != end; ++i)
     numbers.push_back(std::stod((*i)[1]));
   return numbers;

@@ -54,7 +54,7 @@ std::vector<float> floats_of(const std::filesystem::path& path) {
 
 double header_number(const std::string& header, const std::string& name) {
   std::smatch match;
-  EXPECT_TRUE(std::regex_search(header, match, std::regex(name + " = \\{?(-?[0-9.e+-]+)"))) << name;
+  EXPECT_TRUE(std::regex_search(header, match, std::regex(name + " = \\{?(-?[0-9.eE+-]+)"))) << name;
   return match.empty() ? std::nan("") : std::stod(match[1]);
 }
 
