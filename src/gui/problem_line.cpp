@@ -29,8 +29,10 @@ QString problem_text(const Problem& problem) {
     text += (found.isEmpty() ? QStringLiteral("; ") : QStringLiteral(", ")) +
             QCoreApplication::translate("ProblemLine", "expected %1").arg(expected);
   text += '.';
-  if (!problem.hint.empty()) text += ' ' + QString::fromStdString(problem.hint);
-  return text;
+  QString hint = QString::fromStdString(problem.hint);
+  if (hint.isEmpty()) return text;
+  hint[0] = hint[0].toUpper();
+  return text + ' ' + hint;
 }
 
 bool stands_in(const Place& place, const std::filesystem::path& script) {
