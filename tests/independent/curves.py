@@ -1,4 +1,4 @@
-"""Functions that a script gives by points, by the formulas of docs/theory/echo-model.md, "Functions given by points"."""
+"""Functions that a script gives by points (docs/theory/echo-model.md, "Functions given by points")."""
 
 import functools
 
@@ -37,7 +37,7 @@ class Curve:
         return {"LINEAR": self._linear, "CUBIC": self._cubic}[self.kind](x, order)
 
     def _piece(self, x):
-        """Number of the piece that x lies in; a point belongs to the piece on its right, the ends to the outer pieces."""
+        """Number of the piece that x lies in; a point belongs to the right one, what is outside to the outer ones."""
         return np.clip(np.searchsorted(self.knots, x, side="right") - 1, 0, len(self.points) - 2)
 
     def _linear(self, x, order):
@@ -47,7 +47,7 @@ class Curve:
 
     @functools.cached_property
     def _knot_slopes(self):
-        """Slopes of the clamped spline: those of the outer chords at the ends, continuous second derivatives between."""
+        """Of the clamped spline: those of the outer chords at the ends, continuous second derivatives between."""
         width, chord, count = np.diff(self.knots), np.diff(self.heights) / np.diff(self.knots), len(self.points)
         matrix, right = np.eye(count), np.zeros(count)
         right[0], right[-1] = chord[0], chord[-1]

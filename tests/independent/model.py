@@ -1,8 +1,9 @@
 """A second echo model: what a recording has to contain, written from the theory and from nothing else.
 
-The sources are the pages of docs/theory and R. Lengenfelder, The Design and Implementation of a Radar Simulator, University of
-Cape Town, 1998 ("thesis"). It shares nothing with the program, and has to stay so: where the two differ, the pages decide, never
-the program's sources. Chance (noise, jitter), surfaces and the converter to counts are left out. Plain and slow.
+The sources are the pages of docs/theory and R. Lengenfelder, The Design and Implementation of a Radar Simulator,
+University of Cape Town, 1998 ("thesis"). It shares nothing with the program, and has to stay so: where the two
+differ, the pages decide, never the program's sources. Chance (noise, jitter), surfaces and the converter to counts are
+left out.
 """
 
 import math
@@ -160,7 +161,7 @@ class Model:
     # ---- Antennas and beams: docs/theory/frames.md, "Antenna frame" ----
 
     def beam_angles(self, time, radar_motion):
-        """Azimuth and elevation of the beam, in the platform's frame or, where it is held on a point, in the world's."""
+        """Azimuth and elevation of the beam: in the platform's frame, or in the world's where it is held on a point."""
         beam = self.radar.beam
         if beam.kind == "FIXED":
             return np.radians(beam.azimuth_deg), np.radians(beam.elevation_deg)
@@ -332,6 +333,20 @@ class Model:
             steered = weights[:, None] * averaged * np.exp(2j * np.pi * cycles)
             rows.append((to_bins @ steered / weights.sum()).T.ravel())
         return np.array(rows)
+
+    def echo_level(self):
+        """How high the echoes of the strongest pulse stand in its row where the swath holds them whole.
+
+        The root of the sum of their squares, of those near the swath, behind the filter (docs/theory/compression.md).
+        """
+        reach = self.shape.width_s * max(1.0, self.radar.pulse.kept_width)
+        begin = 2 * self.recording.near_m / self.light_speed - 2 * reach
+        end = 2 * self.recording.far_m / self.light_speed + 2 * reach
+        rows = [[echo.amplitude for echo in self.echoes(n) if begin < echo.delay_s < end] for n in self.pulses()]
+        level = max(float(np.linalg.norm(row)) for row in rows)
+        gain = np.max(self.stc_gain(np.array([self.recording.near_m, self.recording.far_m])))
+        filtered = self.classic and self.recording.processing == "MATCHED_FILTER"
+        return level * gain * (self.shape.width_s / 2 if filtered else 1.0)
 
     def samples(self):
         """Of the whole recording: a row for each pulse, or for each burst of range profiles."""

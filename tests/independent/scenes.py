@@ -1,7 +1,7 @@
 """Scenes as Python objects, their text as scripts (docs/formats/script.md), and random ones.
 
-Values are in the units of the scripts: ns, GHz, kW, dB, degrees, metres, seconds. Only what the model computes can be said: no
-chance, no surfaces, volts instead of counts.
+Values are in the units of the scripts: ns, GHz, kW, dB, degrees, metres, seconds. Only what the model computes can be
+said: no chance, no surfaces, volts instead of counts.
 """
 
 import dataclasses

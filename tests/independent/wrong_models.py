@@ -12,7 +12,7 @@ from running import TOLERANCE, error_of, reason_to_leave_out, simulated
 
 
 def telling_scene(**changes):
-    """One in which every rule that a wrong model breaks can be seen: all moves and turns, and echoes lie within the swath."""
+    """One that shows every rule that a wrong model breaks: all moves and turns, and echoes lie within the swath."""
     aircraft = scenes.Platform(
         "Aircraft", trajectory=flight((0, 90), (0, 120), (500, -4)), aligned=True, rotation=(3, -4, 60)
     )
@@ -162,6 +162,41 @@ WRONG_ELSEWHERE = (
 )
 
 
+def features(scene):
+    """Words of the language that a scene uses."""
+    radar, recording = scene.radar, scene.recording
+    antennas = {f"antenna {antenna.kind}" for antenna in (radar.transmit, radar.receive) if antenna}
+    laws = {
+        "ISOTROPIC" if t.normal_deg is None else "OTHER_GAIN" if t.reflectivity else "COS_GAIN" for t in scene.targets
+    }
+    platforms = {f"aligned {platform.aligned}" for platform in scene.platforms if platform.trajectory}
+    return {
+        scene.profile,
+        f"pulse {radar.pulse.kind}",
+        f"envelope {radar.pulse.envelope}",
+        f"band-limited {radar.pulse.band_limited} {radar.pulse.oversampling > 1}",
+        f"intervals {radar.intervals is not None}",
+        f"carrier {radar.carrier.kind}",
+        f"beam {radar.beam.kind}",
+        f"STC {radar.stc} {scene.profile}",
+        f"{recording.processing} {scene.profile}",
+        recording.pulse_position,
+        *([f"window {radar.window.kind}"] if recording.processing != "RAW" else []),
+        *antennas,
+        *laws,
+        *platforms,
+    }
+
+
+class SceneDraw(unittest.TestCase):
+    def test_the_sixty_scenes_of_the_suite_use_all_that_others_do(self):
+        used = set.union(*(features(scenes.random_scene(number)) for number in range(1, 61)))
+        every = set.union(*(features(scenes.random_scene(number)) for number in range(1, 201)))
+        self.assertEqual(sorted(every - used), [])
+        self.assertGreater(len(every), 45)
+        print(f"{len(every)} features")
+
+
 class WrongModels(unittest.TestCase):
     """What differs from the program has to be told, and by more than any engine may differ."""
 
@@ -183,7 +218,7 @@ class WrongModels(unittest.TestCase):
         for model, changes in WRONG_ELSEWHERE:
             with self.subTest(model=model.__name__, changes=changes):
                 right, wrong = self.errors((Model, model), **changes)
-                print(f"{model.__name__} {changes}: {wrong:.1e}")
+                print(f"{model.__name__} ({', '.join(changes)}): {wrong:.1e}")
                 self.assertLessEqual(right, TOLERANCE["reference"])
                 self.assertGreater(wrong, TOLERANCE["auto"])
 
