@@ -21,7 +21,8 @@ try:
     import numpy as np
 except ImportError:  # The Python that CMake found may be without it; Debian's has it.
     DEBIAN = "/usr/bin/python3"
-    if sys.executable == DEBIAN or subprocess.run([DEBIAN, "-c", "import numpy"], capture_output=True).returncode != 0:
+    known = sys.executable == DEBIAN or not os.path.exists(DEBIAN)
+    if known or subprocess.run([DEBIAN, "-c", "import numpy"], capture_output=True, check=False).returncode != 0:
         print("skipped: no Python with NumPy")
         sys.exit(77)
     os.execv(DEBIAN, [DEBIAN, "-B", *sys.argv])
