@@ -1,0 +1,104 @@
+"""Functions that a script gives by points (docs/theory/echo-model.md, "Functions given by points")."""
+
+import functools
+
+import numpy as np
+
+REACH = 11  # Grid points that the low-pass filter reaches to either side.
+
+
+class Curve:
+    """One function y(x) of a kind (LINEAR, CUBIC, MFILTER) by its points; x and results are numbers or arrays.
+
+    No points are zero everywhere, one point is a constant. Slope and bend are known of LINEAR and CUBIC only.
+    """
+
+    def __init__(self, kind, points):
+        self.kind = kind
+        self.points = [(float(x), float(y)) for x, y in points]
+        self.knots = np.array([x for x, _ in self.points])
+        self.heights = np.array([y for _, y in self.points])
+
+    def value(self, x, classic=False):
+        if self.kind == "MFILTER" and len(self.points) > 1:
+            return self._low_pass_classic(np.asarray(x)) if classic else self._low_pass(np.asarray(x))
+        return self._derivative(x, 0)
+
+    def slope(self, x):
+        return self._derivative(x, 1)
+
+    def bend(self, x):
+        return self._derivative(x, 2)
+
+    def _derivative(self, x, order):
+        x = np.asarray(x, float)
+        if len(self.points) < 2:
+            return np.full(x.shape, self.heights[0] if len(self.points) == 1 and order == 0 else 0.0)
+        return {"LINEAR": self._linear, "CUBIC": self._cubic}[self.kind](x, order)
+
+    def _piece(self, x):
+        """Number of the piece that x lies in; a point belongs to the right one, what is outside to the outer ones."""
+        return np.clip(np.searchsorted(self.knots, x, side="right") - 1, 0, len(self.points) - 2)
+
+    def _linear(self, x, order):
+        i = self._piece(x + 4e-16 * np.maximum(np.abs(x), np.abs(self.knots[-1])))
+        slope = (np.diff(self.heights) / np.diff(self.knots))[i]
+        return (self.heights[i] + slope * (x - self.knots[i]), slope, np.zeros_like(slope))[order]
+
+    @functools.cached_property
+    def _knot_slopes(self):
+        """Of the clamped spline: those of the outer chords at the ends, continuous second derivatives between."""
+        width, chord, count = np.diff(self.knots), np.diff(self.heights) / np.diff(self.knots), len(self.points)
+        matrix, right = np.eye(count), np.zeros(count)
+        right[0], right[-1] = chord[0], chord[-1]
+        for k in range(1, count - 1):
+            matrix[k, k - 1 : k + 2] = 1 / width[k - 1], 2 / width[k - 1] + 2 / width[k], 1 / width[k]
+            right[k] = 3 * (chord[k - 1] / width[k - 1] + chord[k] / width[k])
+        return np.linalg.solve(matrix, right)
+
+    def _cubic(self, x, order):
+        slopes, i = self._knot_slopes, self._piece(x)
+        width, begin, end = np.diff(self.knots)[i], slopes[i], slopes[i + 1]
+        chord, u = (np.diff(self.heights) / np.diff(self.knots))[i], x - self.knots[i]
+        square = (3 * chord - 2 * begin - end) / width
+        cube = (begin + end - 2 * chord) / width**2
+        inside = (
+            self.heights[i] + u * (begin + u * (square + u * cube)),
+            begin + u * (2 * square + 3 * u * cube),
+            2 * square + 6 * u * cube,
+        )[order]
+        for outside, k in ((x < self.knots[0], 0), (x >= self.knots[-1], -1)):
+            line = (self.heights[k] + slopes[k] * (x - self.knots[k]), slopes[k], 0.0)[order]
+            inside = np.where(outside, line, inside)
+        return inside
+
+    def _spacing(self):
+        return (self.knots[-1] - self.knots[0]) / (len(self.points) - 1)
+
+    def _bins(self, places):
+        """Mean height of the points nearest to each whole number, by that number; half way counts downwards."""
+        numbers = np.ceil(places - 0.5 - 1e-9).astype(int)
+        return {k: self.heights[numbers == k].mean() for k in numbers}
+
+    def _low_pass(self, x):
+        """Tapered sinc on a grid anchored at the first point, normalised, the ends held."""
+        spacing, count = self._spacing(), len(self.points)
+        means = self._bins((self.knots - self.knots[0]) / spacing)
+        between = Curve("LINEAR", self.points)
+        grid = np.array([means.get(k, between.value(self.knots[0] + k * spacing)) for k in range(count)], float)
+        u = np.clip((x - self.knots[0]) / spacing, 0, count - 1)
+        total, weights = np.zeros(u.shape), np.zeros(u.shape)
+        for step in range(-REACH, REACH + 2):
+            k = np.floor(u).astype(int) + step
+            z = u - k
+            weight = np.where(np.abs(z) < REACH, np.sinc(z) * (1 + np.cos(np.pi * z / REACH)) / 2, 0.0)
+            total = total + weight * grid[np.clip(k, 0, count - 1)]
+            weights = weights + weight
+        return total / weights
+
+    def _low_pass_classic(self, x):
+        """Bare sinc of the 21 nearest points of a grid anchored at 0, empty grid points being zero."""
+        means = self._bins(self.knots / self._spacing())
+        u = x / self._spacing()
+        nearest = np.floor(u + 0.5)
+        return sum(np.where(np.abs(k - nearest) < REACH, height * np.sinc(u - k), 0.0) for k, height in means.items())

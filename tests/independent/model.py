@@ -1,0 +1,356 @@
+"""A second echo model: what a recording has to contain, written from the theory and from nothing else.
+
+The sources are the pages of docs/theory and R. Lengenfelder, The Design and Implementation of a Radar Simulator,
+University of Cape Town, 1998 ("thesis"). It shares nothing with the program, and has to stay so: where the two
+differ, the pages decide, never the program's sources. Chance (noise, jitter), surfaces and the converter to counts are
+left out.
+"""
+
+import math
+import typing
+
+import numpy as np
+
+from pulse import EDGE, Shape
+
+LIGHT_SPEED = {"physical": 299792458.0, "classic": 299792500.0}  # m/s; docs/decisions/physics-rules.md, 1.
+
+
+class Motion(typing.NamedTuple):
+    """A platform when a pulse leaves: metres, metres per second, radians."""
+
+    position: np.ndarray
+    velocity: np.ndarray
+    world_from_platform: np.ndarray
+    turning: np.ndarray  # Derivative of world_from_platform.
+    pitch: float
+    yaw: float
+
+
+class Echo(typing.NamedTuple):
+    """One target as one pulse meets it."""
+
+    delay_s: float
+    amplitude: float
+    speed: float  # m/s, receding is positive.
+
+
+def direction(azimuth, elevation):
+    """Unit vector; azimuth clockwise from y towards x, elevation up (docs/theory/frames.md)."""
+    level = np.cos(elevation)
+    return np.array([np.sin(azimuth) * level, np.cos(azimuth) * level, np.sin(elevation)])
+
+
+def angles_of(vector):
+    """Azimuth and elevation of a vector (docs/theory/frames.md)."""
+    return np.arctan2(vector[0], vector[1]), np.arctan2(vector[2], np.hypot(vector[0], vector[1]))
+
+
+def wrapped(angle):
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+def turn(axis, angle):
+    """Right-handed rotation about axis 0, 1 or 2, and its derivative by the angle."""
+    cross = np.zeros((3, 3))
+    cross[(axis + 2) % 3, (axis + 1) % 3], cross[(axis + 1) % 3, (axis + 2) % 3] = 1.0, -1.0
+    across = -cross @ cross
+    return (
+        np.eye(3) + np.sin(angle) * cross - (1 - np.cos(angle)) * across,
+        np.cos(angle) * cross - np.sin(angle) * across,
+    )
+
+
+def world_from_platform(angles, rates):
+    """Rz(-c) Ry(-b) Rx(-a) and its derivative by time (docs/theory/frames.md; thesis 6.1)."""
+    (roll, d_roll), (pitch, d_pitch), (yaw, d_yaw) = (turn(axis, -angles[axis]) for axis in range(3))
+    derivative = -rates[2] * d_yaw @ pitch @ roll - rates[1] * yaw @ d_pitch @ roll - rates[0] * yaw @ pitch @ d_roll
+    return yaw @ pitch @ roll, derivative
+
+
+def sinx_gain(offset, beamwidth_deg):
+    """sin(x)/x, x = 0.88 pi sin(offset)/beamwidth, nothing from 90 degrees on (thesis A.17)."""
+    offset = abs(wrapped(offset))
+    return 0.0 if offset >= np.pi / 2 else np.sinc(0.88 * np.sin(offset) / np.radians(beamwidth_deg))
+
+
+class Model:
+    """The samples of a scene's recording. Each rule is a method, so that a test can put a wrong one in its place."""
+
+    def __init__(self, scene):
+        self.scene = scene
+        self.radar = scene.radar
+        self.recording = scene.recording
+        self.classic = scene.profile == "classic"
+        self.light_speed = LIGHT_SPEED[scene.profile]
+        self.sampling_hz = self.recording.sampling_ghz * 1e9
+        self.shape = Shape(self.radar.pulse, self.sampling_hz, self.classic)
+        self.lead_s = self.shape.width_s / 2 if self.recording.pulse_position == "CENTRE" else 0.0  # thesis 6.19
+        self.burst_size = self.radar.carrier.steps * self.radar.carrier.pulses_per_step
+
+    # ---- Which pulses, when, on which carrier: docs/theory/echo-model.md, 1 ----
+
+    def send_time(self, number):
+        """n/PRF, or the running sum of intervals that repeat in both directions (thesis 6.1, 6.7, 6.8)."""
+        if not self.radar.intervals:
+            return number / self.radar.prf_hz
+        sums = np.concatenate([[0.0], np.cumsum(self.radar.intervals)])
+        rounds, rest = divmod(number, len(self.radar.intervals))
+        return rounds * sums[-1] + sums[rest]
+
+    def pulses(self):
+        """Numbers of the pulses of the window of slow time; both ends belong to it, widened by 1e-9 of an interval."""
+        intervals = self.radar.intervals or [1 / self.radar.prf_hz]
+        begin, end, shortest = self.recording.begin_s, self.recording.end_s, min(intervals)
+        first, last = math.floor(begin / shortest), math.ceil(end / shortest)
+        numbers = range(min(first, 0) - 2, max(last, 0) + 3)
+        return [n for n in numbers if begin - EDGE * shortest <= self.send_time(n) <= end + EDGE * shortest]
+
+    def carrier(self, number):
+        """In Hz: constant, stepped or a list in turn (thesis 6.4 to 6.6)."""
+        plan = self.radar.carrier
+        if plan.kind == "OTHER":
+            return plan.frequencies_ghz[number % len(plan.frequencies_ghz)] * 1e9
+        return plan.first_ghz * 1e9 + plan.step_ghz * 1e9 * ((number % self.burst_size) // plan.pulses_per_step)
+
+    # ---- Geometry: docs/theory/echo-model.md, 2, and docs/theory/frames.md ----
+
+    def track(self, platform, time):
+        """Position, velocity and acceleration."""
+        if platform.trajectory is None:
+            return np.array(platform.position, float), np.zeros(3), np.zeros(3)
+        curves = platform.trajectory
+        return tuple(
+            np.array([float(of(time)) for of in (getattr(curve, name) for curve in curves)])
+            for name in ("value", "slope", "bend")
+        )
+
+    def alignment(self, velocity, acceleration):
+        """What "align x axis to path" adds to the angles about y and z, and its rates."""
+        level = np.hypot(velocity[0], velocity[1])
+        azimuth, elevation = angles_of(velocity)
+        level_rate = (velocity[:2] @ acceleration[:2]) / level
+        azimuth_rate = (acceleration[0] * velocity[1] - velocity[0] * acceleration[1]) / level**2
+        elevation_rate = (acceleration[2] * level - velocity[2] * level_rate) / (velocity @ velocity)
+        return np.array([0.0, elevation, azimuth - np.pi / 2]), np.array([0.0, elevation_rate, azimuth_rate])
+
+    def motion(self, platform, time):
+        position, velocity, acceleration = self.track(platform, time)
+        angles, rates = np.array(platform.rotation, float), np.array(platform.rotation_rate, float)
+        if platform.rotation_curves:
+            angles = np.array([float(curve.value(time)) for curve in platform.rotation_curves])
+            rates = rates + np.array([float(curve.slope(time)) for curve in platform.rotation_curves])
+        angles, rates = np.radians(angles + np.array(platform.rotation_rate) * time), np.radians(rates)
+        if platform.aligned:
+            more, more_rates = self.alignment(velocity, acceleration)
+            angles, rates = angles + more, rates + more_rates
+        rotation, turning = world_from_platform(angles, rates)
+        return Motion(position, velocity, rotation, turning, angles[1], angles[2])
+
+    def look(self, target, target_motion, radar_motion):
+        """From the radar to the target in world axes, and how it changes."""
+        place = np.array(target.position, float)
+        vector = target_motion.world_from_platform @ place + target_motion.position - radar_motion.position
+        rate = target_motion.turning @ place + target_motion.velocity - radar_motion.velocity
+        return vector, rate
+
+    def delay(self, distance, speed):
+        """tau = 2 d/(c - v) (thesis 6.9)."""
+        return 2 * distance / (self.light_speed - speed)
+
+    # ---- Antennas and beams: docs/theory/frames.md, "Antenna frame" ----
+
+    def beam_angles(self, time, radar_motion):
+        """Azimuth and elevation of the beam: in the platform's frame, or in the world's where it is held on a point."""
+        beam = self.radar.beam
+        if beam.kind == "FIXED":
+            return np.radians(beam.azimuth_deg), np.radians(beam.elevation_deg)
+        if beam.kind == "ROTATING":
+            return np.radians(beam.rate_deg_s * time), np.radians(beam.elevation_deg)
+        point = [float(curve.value(time)) for curve in beam.curves] if beam.kind == "OTHER" else beam.point
+        return angles_of(np.array(point, float) - radar_motion.position)
+
+    def offsets(self, look, time, radar_motion):
+        """How far the target is from the beam in azimuth and elevation."""
+        azimuth, elevation = self.beam_angles(time, radar_motion)
+        on_platform = self.radar.beam.kind in ("FIXED", "ROTATING")
+        if self.classic:
+            target_azimuth, target_elevation = angles_of(look)
+            if on_platform:
+                azimuth, elevation = azimuth + radar_motion.yaw, elevation + radar_motion.pitch
+            return wrapped(azimuth - target_azimuth), wrapped(elevation - target_elevation)
+        along = direction(azimuth, elevation)
+        right = np.array([np.cos(azimuth), -np.sin(azimuth), 0.0])
+        seen = radar_motion.world_from_platform.T @ look if on_platform else look
+        seen = np.array([right @ seen, along @ seen, np.cross(right, along) @ seen]) / np.linalg.norm(look)
+        return np.arctan2(seen[0], seen[1]), np.arcsin(np.clip(seen[2], -1, 1))
+
+    def antenna_factor(self, antenna, azimuth, elevation):
+        """One-way amplitude (docs/theory/echo-model.md, "Amplitude"; thesis 6.14, A.17)."""
+        if antenna.kind == "ISOTROPIC":
+            return 1.0
+        if antenna.kind == "SINX":
+            gain = sinx_gain(azimuth, antenna.azimuth_beamwidth_deg) * sinx_gain(
+                elevation, antenna.elevation_beamwidth_deg
+            )
+            return math.sqrt(abs(gain)) if self.classic else gain
+        offsets = np.degrees(np.abs([wrapped(azimuth), wrapped(elevation)]))
+        cuts = zip((antenna.azimuth_cut, antenna.elevation_cut), offsets)
+        return 10 ** (sum(float(cut.value(offset, self.classic)) for cut, offset in cuts) / 20)
+
+    # ---- The echo: docs/theory/echo-model.md, 3 ----
+
+    def cross_section(self, target, look, target_motion):
+        """In square metres: RCS times the law of the incidence angle (thesis 4.2)."""
+        if target.normal_deg is None:
+            return target.cross_section
+        normal = target_motion.world_from_platform @ direction(*np.radians(target.normal_deg))
+        cosine = np.clip(-(normal @ look) / np.linalg.norm(look), -1, 1)
+        if target.reflectivity is None:
+            return target.cross_section * max(cosine, 0.0)
+        return target.cross_section * 10 ** (
+            float(target.reflectivity.value(np.degrees(np.arccos(cosine)), self.classic)) / 10
+        )
+
+    def amplitude(self, carrier, antennas, cross_section, distance):
+        """The radar equation, in sqrt W (thesis 2.2, 6.13, 6.15); classic STC leaves 1/d^2 out."""
+        radar = self.radar
+        power = radar.power_kw * 1e3 * 10 ** ((radar.transmit_gain_db + radar.receive_gain_db - radar.losses_db) / 10)
+        strength = math.sqrt(power * cross_section) * self.light_speed / carrier * antennas / (4 * np.pi) ** 1.5
+        return strength if self.classic and radar.stc else strength / distance**2
+
+    def echoes(self, number):
+        """Of all targets to one pulse."""
+        time = self.send_time(number)
+        motions = {platform.name: self.motion(platform, time) for platform in self.scene.platforms}
+        radar_motion = motions[self.radar.platform]
+        found = []
+        for target in self.scene.targets:
+            look, rate = self.look(target, motions[target.platform], radar_motion)
+            distance = np.linalg.norm(look)
+            speed = (look @ rate) / distance
+            azimuth, elevation = self.offsets(look, time, radar_motion)
+            antennas = self.antenna_factor(self.radar.transmit, azimuth, elevation)
+            antennas *= self.antenna_factor(self.radar.receive or self.radar.transmit, azimuth, elevation)
+            cross_section = self.cross_section(target, look, motions[target.platform])
+            amplitude = self.amplitude(self.carrier(number), antennas, cross_section, distance)
+            found.append(Echo(self.delay(distance, speed), amplitude, speed))
+        return found
+
+    def doppler(self, speed):
+        """Of an echo over the frequency, 2 v/c (thesis 6.21 to 6.24)."""
+        return 2 * speed / self.light_speed
+
+    def received(self, number, times, interval_s):
+        """The sum of all echoes of a pulse at two-way times after it (thesis 6.20 to 6.24)."""
+        total, carrier, rate = np.zeros(times.shape, complex), self.carrier(number), self.shape.sweep_rate
+        for echo in self.echoes(number):
+            after_edge = times - echo.delay_s + self.lead_s
+            from_middle = after_edge - self.shape.width_s / 2
+            turns = self.doppler(echo.speed) * (carrier * from_middle + rate * from_middle**2 / 2)
+            phase = np.exp(-2j * np.pi * (math.fmod(carrier * echo.delay_s, 1.0) + turns))
+            total += echo.amplitude * self.shape.transmitted(after_edge, interval_s) * phase
+        return total * self.stc_gain(self.light_speed * times / 2)
+
+    # ---- The receiver: docs/theory/echo-model.md, 4 and 5, and docs/theory/compression.md ----
+
+    def stc_gain(self, slant_range):
+        """Physical: R^2 or the user's gain at the range of the sample; classic: see amplitude()."""
+        if self.classic or not self.radar.stc:
+            return 1.0
+        return slant_range**2 if self.radar.stc == "1OVERR4" else self.radar.stc_curve.value(slant_range)
+
+    def gates(self):
+        """N = floor(2 fs (end - start)/c + 1/2) (thesis 4.5.2)."""
+        return math.floor(
+            2 * self.sampling_hz * (self.recording.far_m - self.recording.near_m) / self.light_speed + 0.5
+        )
+
+    def raw_row(self, number):
+        """Sample i at slant range start + i c/(2 fs); classic: start + i (end - start)/N."""
+        spacing = self.light_speed / (2 * self.sampling_hz)
+        if self.classic:
+            spacing = (self.recording.far_m - self.recording.near_m) / self.gates()
+        times = 2 * (self.recording.near_m + np.arange(self.gates()) * spacing) / self.light_speed
+        return self.received(number, times, 2 * spacing / self.light_speed)
+
+    def window(self, x):
+        """Weights against x = t/Tp (docs/theory/compression.md, "Windows")."""
+        window = self.radar.window
+        return {
+            "RECT": lambda: np.ones_like(x),
+            "HANNING": lambda: (1 + window.pedestal - (1 - window.pedestal) * np.cos(2 * np.pi * x)) / 2,
+            "HAMMING": lambda: 0.54 - 0.46 * np.cos(2 * np.pi * x),
+            "BARTLETT": lambda: np.where(x < 0.5, 2 * x, 2 - 2 * x),
+            "OTHER": lambda: window.curve.value(x, self.classic),
+        }[window.kind]()
+
+    def compressed_row(self, number):
+        """Behind the matched filter; the raw row begins at the start of the window, moved by the pulse position."""
+        count, interval, width = self.gates(), 1 / self.sampling_hz, self.shape.width_s
+        length = math.floor(width * self.sampling_hz + EDGE)
+        begin = 2 * self.recording.near_m / self.light_speed - self.lead_s
+        raw = self.received(number, begin + np.arange(count + length + 4) * interval, interval)
+        if self.classic:
+            return self.compressed_classic(raw, length)
+        times = np.arange(length + 1) * interval
+        times = times[times < width - EDGE * interval]
+        weights, pulse = self.window(times / width), self.shape.transmitted(times, interval)
+        return np.correlate(raw, weights * pulse, "valid")[:count] / np.sum(weights * np.abs(pulse) ** 2)
+
+    def compressed_classic(self, raw, length):
+        """The conjugate of the bare pulse, taken from its trailing edge with both ends, over 2 fs."""
+        width, count = self.shape.width_s, self.gates()
+        times = np.arange(length + 1) / self.sampling_hz
+        if self.radar.pulse.kind == "BARKER":  # Chips are counted from the trailing edge.
+            chips = np.floor((times + EDGE / self.sampling_hz) * len(self.shape.code) / width).astype(int)
+            replica = self.shape.code[::-1][np.minimum(chips, len(self.shape.code) - 1)]
+        else:
+            replica = np.conj(self.shape.bare(width - times))
+        filtered = np.convolve(raw, self.window(np.minimum(times / width, 1)) * replica)[length:] / (
+            2 * self.sampling_hz
+        )
+        extent = self.recording.far_m - self.recording.near_m
+        step = 2 * self.sampling_hz * extent / (self.light_speed * count)
+        return filtered[np.floor(np.arange(count) * step + EDGE).astype(int)]
+
+    def range_profiles(self):
+        """A row for each complete burst, all bins of a gate beside each other (docs/theory/compression.md, "SRP")."""
+        plan, numbers = self.radar.carrier, self.pulses()
+        bursts = [n for n in numbers if n % self.burst_size == 0 and n + self.burst_size - 1 <= numbers[-1]]
+        spacing = (self.recording.far_m - self.recording.near_m) / self.gates()
+        if not self.classic:
+            spacing = self.light_speed / (2 * self.sampling_hz)
+        slant_ranges = self.recording.near_m + np.arange(self.gates()) * spacing
+        steps = np.arange(plan.steps)
+        weights = self.window(steps / (plan.steps - 1))
+        cycles = np.outer(steps, plan.step_ghz * 1e9 * 2 * slant_ranges / self.light_speed)
+        to_bins = np.exp(2j * np.pi * np.outer(steps, steps) / plan.steps)
+        rows = []
+        for first in bursts:
+            raw = np.array([self.raw_row(first + n) for n in range(self.burst_size)])
+            averaged = raw.reshape(plan.steps, plan.pulses_per_step, -1).mean(axis=1)
+            steered = weights[:, None] * averaged * np.exp(2j * np.pi * cycles)
+            rows.append((to_bins @ steered / weights.sum()).T.ravel())
+        return np.array(rows)
+
+    def echo_level(self):
+        """How high the echoes of the strongest pulse stand in its row where the swath holds them whole.
+
+        The root of the sum of their squares, of those near the swath, behind the filter (docs/theory/compression.md).
+        """
+        reach = self.shape.width_s * max(1.0, self.radar.pulse.kept_width)
+        begin = 2 * self.recording.near_m / self.light_speed - 2 * reach
+        end = 2 * self.recording.far_m / self.light_speed + 2 * reach
+        rows = [[echo.amplitude for echo in self.echoes(n) if begin < echo.delay_s < end] for n in self.pulses()]
+        level = max(float(np.linalg.norm(row)) for row in rows)
+        gain = np.max(self.stc_gain(np.array([self.recording.near_m, self.recording.far_m])))
+        filtered = self.classic and self.recording.processing == "MATCHED_FILTER"
+        return level * gain * (self.shape.width_s / 2 if filtered else 1.0)
+
+    def samples(self):
+        """Of the whole recording: a row for each pulse, or for each burst of range profiles."""
+        if self.recording.processing == "SRP":
+            return self.range_profiles()
+        row = self.raw_row if self.recording.processing == "RAW" else self.compressed_row
+        return np.array([row(number) for number in self.pulses()])
