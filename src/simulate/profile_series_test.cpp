@@ -4,30 +4,20 @@
 
 #include <memory>
 
-#include "simulate/simulate_test_scene.hpp"
+#include "simulate/stepped_test_scene.hpp"
 
 namespace sarsim {
 namespace {
 
 constexpr double c = exact_light_speed_mps;
 
-// 16 steps of 5 MHz, pulses of 30 m, samples 15 m apart over 126 m: eight of them.
+// Pulses of 30 m, samples 15 m apart over 126 m: eight of them.
 Scene short_scene(Simulation::PulsePosition position) {
-  Scene scene = one_target_scene();
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::mono;
-  radar.pulse_width_s = 200e-9;
-  radar.prf_hz = 4000.0;
-  radar.carrier = Radar::Carrier::stepped;
-  radar.carrier_hz = 9e9;
-  radar.carrier_step_hz = 5e6;
-  radar.carrier_steps = 16;
-  radar.pulses_per_step = 1;
+  Scene scene = stepped_scene();
+  scene.targets.push_back(target_on("Earth", {1000.0, 0.0, 0.0}));
   Simulation& simulation = scene.simulations[0];
   simulation.range_start_m = 950.0;
   simulation.range_end_m = 1076.0;
-  simulation.time_end_s = 0.02;
-  simulation.sample_rate_hz = 10e6;
   simulation.pulse_position = position;
   return scene;
 }

@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "base/number_text.hpp"
 #include "process/canceller.hpp"
+#include "simulate/beam_passes.hpp"
 #include "simulate/pulse_geometry.hpp"
 #include "simulate/recorded_gain.hpp"
 #include "simulate/survey.hpp"
@@ -184,7 +185,7 @@ class Remarks {
   void unseen_end() {
     const auto pulses = static_cast<std::size_t>(plan_.pulses.count());
     const std::size_t intervals = interval_count(options_, pulses);
-    if (plan_.radar.beam.kind != Beam::Kind::rotating || intervals == 0) return;
+    if (!turns(plan_.radar.beam) || intervals == 0) return;
     const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
     const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / pi;
     const double unseen_deg =

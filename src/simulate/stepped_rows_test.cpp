@@ -6,7 +6,7 @@
 
 #include "simulate/profile_series.hpp"
 #include "simulate/run.hpp"
-#include "simulate/simulate_test_scene.hpp"
+#include "simulate/stepped_test_scene.hpp"
 
 namespace sarsim {
 namespace {
@@ -15,31 +15,6 @@ using testing::HasSubstr;
 
 constexpr double c = exact_light_speed_mps;
 const WorkControl one{1, nullptr};
-
-// 32 steps of 5 MHz from 9 GHz at 4 kHz; targets rest on Earth or fly.
-Scene stepped_scene(double end_s = 0.05) {
-  Scene scene;
-  scene.platforms.push_back(resting("Earth", {}));
-  Radar radar;
-  radar.platform = "Earth";
-  radar.pulse = Radar::Pulse::mono;
-  radar.pulse_width_s = 200e-9;
-  radar.prf_hz = 4000.0;
-  radar.carrier = Radar::Carrier::stepped;
-  radar.carrier_hz = 9e9;
-  radar.carrier_step_hz = 5e6;
-  radar.carrier_steps = 32;
-  radar.pulses_per_step = 1;
-  scene.radars.push_back(radar);
-  Simulation simulation;
-  simulation.radar = "Radar1";
-  simulation.range_start_m = 2950.0;
-  simulation.range_end_m = 3080.0;
-  simulation.time_end_s = end_s;
-  simulation.sample_rate_hz = 10e6;
-  scene.simulations.push_back(simulation);
-  return scene;
-}
 
 void make_chirped(Scene& scene) {
   Radar& radar = scene.radars[0];

@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "math/window.hpp"
 #include "receiver/converter.hpp"
+#include "simulate/beam_passes.hpp"
 
 namespace sarsim {
 
@@ -54,19 +55,32 @@ class Surveyor {
                          1});
   }
 
-  // The weights of the radar's window over the steps of a burst, or over the samples of a pulse times their power.
-  static std::vector<double> weights_of(const Plan& plan, double sample_rate_hz) {
-    std::vector<double> weights;
+  struct Weights {
+    double sum = 0.0;
+    double magnitudes = 0.0;
+    std::size_t count = 0;
+
+    void add(double weight) {
+      sum += weight;
+      magnitudes += std::abs(weight);
+      ++count;
+    }
+  };
+
+  // Of the radar's window over the steps of a burst, or over the samples of a pulse times their power.
+  [[nodiscard]] Weights weights_of(const Plan& plan) const {
+    Weights weights;
     if (plan.profiler) {
       const std::size_t steps = plan.profiler->steps();
       for (std::size_t n = 0; n < steps; ++n)
-        weights.push_back(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
+        weights.add(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
     } else if (plan.compressor) {
-      const double samples = plan.radar.pulse.width_s * sample_rate_hz;
+      const Pulse& pulse = plan.radar.pulse;
+      const double samples = pulse.width_s * simulation_.sample_rate_hz;
       for (std::size_t k = 0; k == 0 || static_cast<double>(k) < samples - 1e-9; ++k) {
-        const double t_s = static_cast<double>(k) / sample_rate_hz;
-        weights.push_back(plan.radar.window(t_s / plan.radar.pulse.width_s) *
-                          std::norm(plan.radar.pulse.value(t_s, 1e-9 / sample_rate_hz)));
+        const double t_s = static_cast<double>(k) / simulation_.sample_rate_hz;
+        weights.add(plan.radar.window(t_s / pulse.width_s) *
+                    std::norm(pulse.value(t_s, 1e-9 / simulation_.sample_rate_hz)));
       }
     }
     return weights;
@@ -75,17 +89,11 @@ class Surveyor {
   // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples; one that is negative
   // for a half leaves no peak to keep.
   void check_weights(const Plan& plan) {
-    const std::vector<double> weights = weights_of(plan, simulation_.sample_rate_hz);
-    double sum = 0.0;
-    double magnitudes = 0.0;
-    for (const double weight : weights) {
-      sum += weight;
-      magnitudes += std::abs(weight);
-    }
-    if (weights.empty() || !weights_cancel(sum, magnitudes)) return;
-    if (magnitudes == 0.0)
+    const Weights weights = weights_of(plan);
+    if (weights.count == 0 || !weights_cancel(weights.sum, weights.magnitudes)) return;
+    if (weights.magnitudes == 0.0)
       add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
-          fmt::format("{} samples", weights.size()), "a window that is above 0 somewhere",
+          fmt::format("{} samples", weights.count), "a window that is above 0 somewhere",
           plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
     else
       add(Severity::warning, "radar", "the radar's window function cancels: its weights, with their signs, sum to 0",
@@ -155,8 +163,7 @@ class Surveyor {
 
   void check_doppler(const EchoSurvey& survey, const Plan& plan) {
     // Nobody makes an image along the track of what a turning beam sees.
-    const bool turning = plan.radar.beam.kind == Beam::Kind::rotating && plan.radar.beam.rate_rad_per_s != 0.0;
-    if (turning || plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
+    if (turns(plan.radar.beam) || plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
     const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
