@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <string>
 
-#include "math/window.hpp"
-#include "process/sar_test_support.hpp"
+#include "core/maths/window.hpp"
+#include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim {
 namespace {

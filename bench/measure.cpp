@@ -11,10 +11,10 @@
 #include <cstring>
 #include <vector>
 
-#include "base/constants.hpp"
-#include "script/reader.hpp"
-#include "simulate/plan.hpp"
-#include "simulate/simd_level.hpp"
+#include "core/maths/constants.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/plan/plan.hpp"
+#include "simulate/resolve/simd_level.hpp"
 
 namespace {
 

@@ -19,11 +19,11 @@
 #include <thread>
 #include <vector>
 
-#include "base/random.hpp"
-#include "script/reader.hpp"
-#include "simulate/simd_level.hpp"
-#include "view/echo_picture.hpp"
-#include "view/preview.hpp"
+#include "core/maths/random.hpp"
+#include "picture/echo/echo_picture.hpp"
+#include "picture/echo/preview.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/resolve/simd_level.hpp"
 
 namespace {
 

@@ -20,11 +20,11 @@ if(SARSIM_SANITIZE)
 endif()
 add_custom_target(sarsim_commit
   COMMAND ${CMAKE_COMMAND} -D SOURCE=${CMAKE_SOURCE_DIR} -D NUMBER=${PROJECT_VERSION} -D STAMP=${stamp}
-          -D TEMPLATE=${CMAKE_CURRENT_SOURCE_DIR}/base/build.cpp.in -D OUT=${CMAKE_BINARY_DIR}/generated/base/build.cpp
+          -D TEMPLATE=${CMAKE_CURRENT_SOURCE_DIR}/core/build/build.cpp.in -D OUT=${CMAKE_BINARY_DIR}/generated/core/build/build.cpp
           -D "TYPE=${build_type}" -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
           -D "SYSTEM=${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}" -P ${CMAKE_SOURCE_DIR}/cmake/WriteBuild.cmake
-  BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/base/build.cpp
+  BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/core/build/build.cpp
   COMMENT "" VERBATIM)
-add_library(sarsim_build STATIC ${CMAKE_BINARY_DIR}/generated/base/build.cpp)
+add_library(sarsim_build STATIC ${CMAKE_BINARY_DIR}/generated/core/build/build.cpp)
 add_dependencies(sarsim_build sarsim_commit)
 target_link_libraries(sarsim_build PUBLIC sarsim_flags)

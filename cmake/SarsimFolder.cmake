@@ -1,11 +1,12 @@
 # One folder of src/ is one library target; its tests stand beside its code.
 #
-#   sarsim_folder(NAME USES lower folders... LIBS outside libraries...
+#   sarsim_folder(NAME USES lower folders... LIBS outside libraries... ROOMS subfolders...
 #                 MODULE name MODULE_LIBS outside libraries... MODULE_SHARES sources...)
 #
 # x.cpp goes into the library, x_test.cpp into the test program NAME_test, x_bench.cpp into the benchmark
-# NAME_bench. The names after USES are the folder's allowed includes; tools/check-layers holds the same rule
-# against the sources.
+# NAME_bench. The names after USES are the folder's allowed includes. An entry of ROOMS is "room" or "room: rooms of the
+# same folder that it may use"; without ROOMS the sources stand in the folder itself. tools/check-layers compares the
+# includes of all sources with both lists.
 #
 # With MODULE, the sources name_*.cpp become the loadable module sarsim_name.so instead, which is built with the library
 # and which a program opens when it first needs what MODULE_LIBS offer. MODULE_SHARES are sources of other libraries
@@ -109,8 +110,14 @@ function(sarsim_module name sources libraries)
 endfunction()
 
 function(sarsim_folder name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODULE" "USES;LIBS;MODULE_LIBS;MODULE_SHARES")
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODULE" "USES;LIBS;ROOMS;MODULE_LIBS;MODULE_SHARES")
+  set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(arg_ROOMS)
+    list(TRANSFORM arg_ROOMS REPLACE ":.*" "")
+    set(patterns ${arg_ROOMS})
+    list(TRANSFORM patterns REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/${name}/\\1/*.cpp")
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
   set(benches ${sources})
@@ -135,6 +142,7 @@ function(sarsim_folder name)
   endif()
   if(SARSIM_TESTS AND tests)
     add_executable(${name}_test ${tests})
+    target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     target_link_libraries(${name}_test PRIVATE sarsim_${name} ${arg_MODULE_LIBS} GTest::gmock GTest::gtest_main)
     sarsim_reuse_headers(${name}_test sarsim_test_headers)
     sarsim_compile_quickly(${name}_test)
@@ -163,7 +171,7 @@ endfunction()
 function(sarsim_test name)
   add_executable(${name} ${ARGN})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  target_link_libraries(${name} PRIVATE sarsim_script sarsim_simulate GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE sarsim_workflow GTest::gmock GTest::gtest_main)
   sarsim_reuse_headers(${name} sarsim_test_headers)
   sarsim_compile_quickly(${name})
   gtest_discover_tests(${name} PROPERTIES LABELS tests DISCOVERY_TIMEOUT 60 TIMEOUT 300)

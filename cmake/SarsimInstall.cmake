@@ -52,8 +52,8 @@ if(TARGET sarsim-mpi)
   sarsim_install_page(sarsim-mpi mpi)
 endif()
 
-# The library, for other programs: its layers from base to files, with the headers that are not private to a layer.
-set(libraries base math motion waveform antenna target echo receiver process scene simulate script data)
+# The library, for other programs: its folders from core to workflow, with the headers that are not private to a layer.
+set(libraries core radar signal scene simulate raster workflow)
 foreach(name IN LISTS libraries)
   set_target_properties(sarsim_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(Sarsim::${name} ALIAS sarsim_${name})
@@ -61,7 +61,7 @@ foreach(name IN LISTS libraries)
   install(DIRECTORY ${name} DESTINATION include/sarsim COMPONENT development FILES_MATCHING PATTERN "*.hpp"
           PATTERN "*-inl.hpp" EXCLUDE PATTERN "*_test_*" EXCLUDE PATTERN "hdf5_*" EXCLUDE PATTERN "build.hpp" EXCLUDE)
 endforeach()
-install(FILES ${generated}/base/version.hpp DESTINATION include/sarsim/base COMPONENT development)
+install(FILES ${generated}/core/build/version.hpp DESTINATION include/sarsim/core/build COMPONENT development)
 set_target_properties(sarsim_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS sarsim_flags EXPORT SarsimTargets)
 install(EXPORT SarsimTargets NAMESPACE Sarsim:: DESTINATION lib/cmake/Sarsim COMPONENT development)

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "data/image_source.hpp"
-#include "data/sample_file_probe.hpp"
+#include "raster/format/image_source.hpp"
+#include "raster/format/sample_file_probe.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // HDF5 files of samples.
 
-#include "data/sample_file_probe.hpp"
+#include "raster/format/sample_file_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   sarsim::SampleFileHints hints;

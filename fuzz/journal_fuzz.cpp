@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "data/checksum.hpp"
-#include "data/journal.hpp"
+#include "core/hash/checksum.hpp"
+#include "raster/parts/journal.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "script/reader.hpp"
-#include "script/writer.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "data/sample_file_probe.hpp"
+#include "raster/format/sample_file_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using sarsim::FileFormat;

@@ -5,10 +5,10 @@
 
 #include <hwy/nanobenchmark.h>
 
-#include "cli/command_line.hpp"
+#include "cli/program/command_line.hpp"
 #include "mpi/mpi_team.hpp"
 
-// See cli/main.cpp.
+// See cli/program/main.cpp.
 std::uint64_t hwy::platform::TimerResolution() { return 1; }
 
 namespace {

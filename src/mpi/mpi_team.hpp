@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/team.hpp"
+#include "cli/shell/team.hpp"
 
 namespace sarsim::mpi {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "process/autofocus.hpp"
-#include "process/back_projection.hpp"
-#include "process/motion_compensation.hpp"
-#include "process/response_test_support.hpp"
-#include "process/sar_test_support.hpp"
+#include "signal/measure/response_test_support.hpp"
+#include "signal/sar/autofocus.hpp"
+#include "signal/sar/back_projection.hpp"
+#include "signal/sar/motion_compensation.hpp"
+#include "signal/sar/sar_test_support.hpp"
 #include "support/scenes.hpp"
 
 namespace sarsim {

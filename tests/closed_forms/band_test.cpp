@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "math/fft.hpp"
+#include "core/maths/fft.hpp"
 #include "support/scenes.hpp"
 
 namespace sarsim {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "script/reader.hpp"
-#include "simulate/run.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/run/run.hpp"
 #include "support/ascii_samples.hpp"
 #include "support/folders.hpp"
 

@@ -15,9 +15,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/main_window.hpp"
-#include "gui/property_panel.hpp"
-#include "script/reader.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "scene/script/reader.hpp"
 
 // The worked example of thesis chapter 3 as its reader builds it: with menus, fields and dialogs only. What the
 // workbench made of it is then judged by the command line program, which knows nothing of the workbench.

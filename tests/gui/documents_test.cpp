@@ -15,11 +15,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/property_panel.hpp"
-#include "script/reader.hpp"
-#include "view/edit.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/script/reader.hpp"
 
 namespace sarsim {
 

@@ -2,13 +2,13 @@
 #include <QStandardPaths>
 #include <QTest>
 
-#include "gui/object_tree.hpp"
-#include "gui/script_coding.hpp"
-#include "gui/script_editor.hpp"
-#include "gui/script_text.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/script/script_coding.hpp"
+#include "gui/script/script_editor.hpp"
+#include "gui/script/script_text.hpp"
 #include "gui/small_scene.hpp"
 #include "gui/window_drags.hpp"
-#include "view/edit.hpp"
+#include "scene/edit/edit.hpp"
 
 namespace sarsim {
 namespace {

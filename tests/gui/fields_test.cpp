@@ -10,12 +10,12 @@
 #include <map>
 #include <set>
 
-#include "gui/problem_line.hpp"
-#include "gui/property_panel.hpp"
-#include "script/reader.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/schema/fields.hpp"
+#include "scene/script/reader.hpp"
 #include "small_scene.hpp"
-#include "view/edit.hpp"
-#include "view/fields.hpp"
 
 // Every field of every panel, from the widget to the script and back.
 

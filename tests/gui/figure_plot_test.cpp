@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "gui/appearance.hpp"
-#include "gui/figure_plot.hpp"
+#include "gui/common/appearance.hpp"
+#include "gui/common/figure_plot.hpp"
 
 namespace sarsim {
 

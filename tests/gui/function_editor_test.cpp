@@ -13,10 +13,10 @@
 #include <fstream>
 #include <memory>
 
-#include "gui/function_editor.hpp"
-#include "gui/function_plot.hpp"
-#include "gui/function_table.hpp"
-#include "gui/problem_line.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/function_editor.hpp"
+#include "gui/objects/function_plot.hpp"
+#include "gui/objects/function_table.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
 

@@ -16,11 +16,11 @@
 #include <map>
 #include <sstream>
 
-#include "base/number_text.hpp"
-#include "gui/geometry_model.hpp"
-#include "gui/geometry_view.hpp"
-#include "gui/geometry_window.hpp"
-#include "gui/problem_line.hpp"
+#include "core/text/number_text.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/scene/geometry_model.hpp"
+#include "gui/scene/geometry_view.hpp"
+#include "gui/scene/geometry_window.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
 

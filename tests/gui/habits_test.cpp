@@ -13,11 +13,11 @@
 #include <QTabBar>
 #include <QtTest>
 
-#include "gui/command_list.hpp"
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/object_tree.hpp"
-#include "gui/pictures.hpp"
+#include "gui/frame/command_list.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/frame/pictures.hpp"
+#include "gui/objects/object_tree.hpp"
 
 namespace sarsim {
 

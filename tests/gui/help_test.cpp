@@ -10,15 +10,15 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "gui/document_keeper.hpp"
-#include "gui/guide_site.hpp"
-#include "gui/help_key.hpp"
-#include "gui/help_window.hpp"
-#include "gui/main_window.hpp"
-#include "gui/property_panel.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
-#include "gui/time_bar.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/guide_site.hpp"
+#include "gui/frame/help_key.hpp"
+#include "gui/frame/help_window.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
 
 namespace sarsim {
 

@@ -13,9 +13,9 @@
 #include <functional>
 #include <vector>
 
-#include "data/sinks.hpp"
-#include "gui/image_plot.hpp"
-#include "gui/image_viewer.hpp"
+#include "gui/image/image_plot.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "raster/format/sinks.hpp"
 
 /// Files of samples, and viewers that show them, for tests.
 namespace sarsim::test {

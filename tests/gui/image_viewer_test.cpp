@@ -7,10 +7,10 @@
 
 #include <string>
 
-#include "data/sun_raster.hpp"
-#include "gui/figure_plot.hpp"
-#include "gui/image_thumbnail.hpp"
+#include "gui/common/figure_plot.hpp"
+#include "gui/image/image_thumbnail.hpp"
 #include "image_viewer_bench.hpp"
+#include "raster/format/sun_raster.hpp"
 
 // What an image viewer shows, and what mouse and keys do in it.
 

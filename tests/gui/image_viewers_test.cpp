@@ -6,11 +6,11 @@
 #include <complex>
 #include <vector>
 
-#include "data/envi.hpp"
-#include "gui/image_viewers.hpp"
-#include "gui/main_window.hpp"
-#include "gui/open_image_dialog.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/image/image_viewers.hpp"
+#include "gui/image/open_image_dialog.hpp"
 #include "image_viewer_bench.hpp"
+#include "raster/format/envi.hpp"
 
 // Several image viewers, and how files come to them.
 

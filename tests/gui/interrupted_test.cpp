@@ -7,17 +7,17 @@
 #include <fstream>
 #include <string>
 
-#include "gui/data_saver.hpp"
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/run_panel.hpp"
-#include "gui/save_queue.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
+#include "gui/echo/data_saver.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/runs/run_panel.hpp"
+#include "gui/runs/save_queue.hpp"
+#include "gui/runs/stored_simulations.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
 #include "gui/small_scene.hpp"
-#include "gui/stored_simulations.hpp"
-#include "script/writer.hpp"
-#include "view/edit.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/script/writer.hpp"
 
 /// What happens when something else comes between: an undo or a lost release in a drag, another program at the file,
 /// the end of the workbench while work is under way.

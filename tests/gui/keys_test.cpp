@@ -9,14 +9,14 @@
 #include <QStandardPaths>
 #include <QtTest>
 
-#include "gui/document_keeper.hpp"
-#include "gui/function_editor.hpp"
-#include "gui/main_window.hpp"
-#include "gui/object_tree.hpp"
-#include "gui/property_panel.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
-#include "gui/stored_simulations.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/function_editor.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "gui/runs/stored_simulations.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
 
 namespace sarsim {
 

@@ -4,12 +4,12 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
-#include "gui/simulation_window.hpp"
-#include "script/reader.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "scene/script/reader.hpp"
 
 namespace sarsim {
 

@@ -12,10 +12,10 @@
 
 #include <algorithm>
 
-#include "gui/field_editor.hpp"
-#include "gui/problem_line.hpp"
-#include "gui/property_panel.hpp"
-#include "script/reader.hpp"
+#include "gui/common/field_editor.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "scene/script/reader.hpp"
 #include "small_scene.hpp"
 
 namespace sarsim {

@@ -9,12 +9,12 @@
 
 #include <fstream>
 
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/problem_badge.hpp"
-#include "gui/problem_watch.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/frame/problem_badge.hpp"
+#include "gui/frame/problem_watch.hpp"
 #include "gui/text_files.hpp"
-#include "view/edit.hpp"
+#include "scene/edit/edit.hpp"
 
 // What is wrong with the script is told in the log, once, and counted in the status bar.
 

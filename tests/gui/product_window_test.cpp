@@ -16,15 +16,15 @@
 #include <fstream>
 #include <string>
 
-#include "gui/document_keeper.hpp"
-#include "gui/image_viewer.hpp"
-#include "gui/image_viewers.hpp"
-#include "gui/main_window.hpp"
-#include "gui/problem_line.hpp"
-#include "gui/product_window.hpp"
-#include "script/data_file.hpp"
-#include "script/function_block.hpp"
-#include "script/writer.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/image_viewers.hpp"
+#include "gui/runs/product_window.hpp"
+#include "scene/schema/function_block.hpp"
+#include "scene/script/data_file.hpp"
+#include "scene/script/writer.hpp"
 
 namespace sarsim {
 

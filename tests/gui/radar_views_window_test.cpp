@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/document_keeper.hpp"
-#include "gui/figure_plot.hpp"
-#include "gui/main_window.hpp"
-#include "gui/radar_view_window.hpp"
-#include "gui/simulation_window.hpp"
-#include "gui/simulation_windows.hpp"
-#include "view/edit.hpp"
+#include "gui/common/figure_plot.hpp"
+#include "gui/echo/radar_view_window.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "scene/edit/edit.hpp"
 
 namespace sarsim {
 

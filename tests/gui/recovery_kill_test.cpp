@@ -17,11 +17,11 @@
 #include <sstream>
 #include <thread>
 
-#include "gui/document_keeper.hpp"
-#include "gui/main_window.hpp"
-#include "gui/property_panel.hpp"
-#include "view/edit.hpp"
-#include "view/recovery.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/edit/recovery.hpp"
 
 // What is left of unsaved work when the workbench is killed. This program starts itself as the victim: with --edit it
 // opens a script, types into the properties of a target and waits; with --write it keeps copies for recovery without

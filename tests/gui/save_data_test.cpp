@@ -12,20 +12,20 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/sinks.hpp"
-#include "gui/data_saver.hpp"
-#include "gui/document_keeper.hpp"
-#include "gui/echo_plot.hpp"
-#include "gui/main_window.hpp"
-#include "gui/save_data_dialog.hpp"
-#include "gui/save_queue.hpp"
-#include "gui/simulation_window.hpp"
-#include "gui/simulation_windows.hpp"
-#include "script/writer.hpp"
-#include "simulate/run.hpp"
+#include "gui/echo/data_saver.hpp"
+#include "gui/echo/echo_plot.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/runs/save_data_dialog.hpp"
+#include "gui/runs/save_queue.hpp"
+#include "raster/format/sinks.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/run/run.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
-#include "view/edit.hpp"
 
 namespace sarsim {
 

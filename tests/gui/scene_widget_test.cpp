@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "base/constants.hpp"
-#include "gui/scene_widget.hpp"
+#include "core/maths/constants.hpp"
+#include "gui/scene/scene_widget.hpp"
 
 namespace sarsim {
 namespace {

@@ -13,10 +13,10 @@
 #include <QTextLayout>
 #include <QWheelEvent>
 
-#include "gui/palette_colours.hpp"
-#include "gui/script_editor.hpp"
-#include "gui/script_highlighter.hpp"
-#include "gui/script_text.hpp"
+#include "gui/common/palette_colours.hpp"
+#include "gui/script/script_editor.hpp"
+#include "gui/script/script_highlighter.hpp"
+#include "gui/script/script_text.hpp"
 #include "small_scene.hpp"
 
 namespace sarsim {

@@ -10,13 +10,13 @@
 
 #include <filesystem>
 
-#include "gui/document_keeper.hpp"
-#include "gui/echo_plot.hpp"
-#include "gui/main_window.hpp"
-#include "gui/save_data_dialog.hpp"
-#include "gui/simulation_window.hpp"
-#include "gui/simulation_windows.hpp"
-#include "view/edit.hpp"
+#include "gui/echo/echo_plot.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/runs/save_data_dialog.hpp"
+#include "scene/edit/edit.hpp"
 
 /// Simulation windows while their scene changes or is faulty, and the dialog that saves from them.
 namespace sarsim {

@@ -10,13 +10,13 @@
 
 #include <cmath>
 
-#include "gui/document_keeper.hpp"
-#include "gui/echo_controls.hpp"
-#include "gui/echo_plot.hpp"
-#include "gui/main_window.hpp"
-#include "gui/simulation_window.hpp"
-#include "gui/simulation_windows.hpp"
-#include "view/edit.hpp"
+#include "gui/echo/echo_controls.hpp"
+#include "gui/echo/echo_plot.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "scene/edit/edit.hpp"
 
 namespace sarsim {
 

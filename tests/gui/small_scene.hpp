@@ -3,9 +3,9 @@
 #include <set>
 #include <string>
 
-#include "gui/session.hpp"
-#include "script/writer.hpp"
-#include "view/document.hpp"
+#include "gui/common/session.hpp"
+#include "scene/edit/document.hpp"
+#include "scene/script/writer.hpp"
 
 /// Scenes for tests of the workbench.
 namespace sarsim::test {

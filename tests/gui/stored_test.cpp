@@ -10,12 +10,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "data/sinks.hpp"
-#include "gui/problem_line.hpp"
-#include "gui/run_panel.hpp"
-#include "gui/stored_simulations.hpp"
-#include "scene/check.hpp"
-#include "simulate/run.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/runs/run_panel.hpp"
+#include "gui/runs/stored_simulations.hpp"
+#include "raster/format/sinks.hpp"
+#include "scene/check/check.hpp"
+#include "simulate/run/run.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
 

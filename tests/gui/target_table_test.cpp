@@ -13,10 +13,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "gui/import_dialog.hpp"
-#include "gui/problem_line.hpp"
-#include "gui/target_table.hpp"
-#include "gui/target_table_model.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/import_dialog.hpp"
+#include "gui/objects/target_table.hpp"
+#include "gui/objects/target_table_model.hpp"
 #include "small_scene.hpp"
 
 namespace sarsim {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gui/time_bar.hpp"
+#include "gui/scene/time_bar.hpp"
 
 namespace sarsim {
 namespace {

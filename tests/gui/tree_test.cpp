@@ -14,9 +14,9 @@
 
 #include <memory>
 
-#include "gui/object_tree.hpp"
-#include "gui/object_tree_model.hpp"
-#include "gui/problem_line.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/objects/object_tree_model.hpp"
 #include "small_scene.hpp"
 
 namespace sarsim {

@@ -21,28 +21,28 @@
 #include <set>
 #include <sstream>
 
-#include "gui/data_saver.hpp"
-#include "gui/function_editor.hpp"
-#include "gui/import_dialog.hpp"
-#include "gui/main_window.hpp"
-#include "gui/object_tree.hpp"
-#include "gui/object_tree_model.hpp"
-#include "gui/property_panel.hpp"
-#include "gui/run_panel.hpp"
-#include "gui/save_data_dialog.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
-#include "gui/script_coding.hpp"
-#include "gui/script_editor.hpp"
-#include "gui/script_text.hpp"
-#include "gui/simulation_window.hpp"
-#include "gui/simulation_windows.hpp"
-#include "gui/target_table.hpp"
-#include "gui/target_table_model.hpp"
-#include "script/reader.hpp"
+#include "gui/echo/data_saver.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/function_editor.hpp"
+#include "gui/objects/import_dialog.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/objects/object_tree_model.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "gui/objects/target_table.hpp"
+#include "gui/objects/target_table_model.hpp"
+#include "gui/runs/run_panel.hpp"
+#include "gui/runs/save_data_dialog.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/script/script_coding.hpp"
+#include "gui/script/script_editor.hpp"
+#include "gui/script/script_text.hpp"
+#include "scene/edit/edit_test_support.hpp"
+#include "scene/script/reader.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
-#include "view/edit_test_support.hpp"
 
 // Every way to change a scene, undone and done again: scene and text come back, byte by byte.
 
@@ -79,7 +79,7 @@ std::string commented_script() {
 
 using Maker = std::function<Edit(const Scene&)>;
 
-// By the names of the functions in view/edit.hpp that make edits; one entry for each or more.
+// By the names of the functions in scene/edit/edit.hpp that make edits; one entry for each or more.
 const std::multimap<std::string, Maker>& makers() {
   static const std::multimap<std::string, Maker> all{
       {"replace_object",
@@ -299,7 +299,7 @@ const Command all_commands[] = {
 // How many places in a file of src/gui change the document.
 std::map<std::string, int> places_that_edit() {
   std::map<std::string, int> places;
-  for (const auto& entry : std::filesystem::directory_iterator(SARSIM_SOURCE_DIR "/src/gui")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SARSIM_SOURCE_DIR "/src/gui")) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with(".cpp") || name == "session.cpp") continue;
     const std::string text = file_text(entry.path());
@@ -337,7 +337,7 @@ class UndoTest : public QObject {
   }
 
   void every_maker_of_edits_is_tested() {
-    const std::string header = file_text(SARSIM_SOURCE_DIR "/src/view/edit.hpp");
+    const std::string header = file_text(SARSIM_SOURCE_DIR "/src/scene/edit/edit.hpp");
     const std::regex declaration(R"(\[\[nodiscard\]\] Edit (\w+)\()");
     std::set<std::string> declared;
     for (std::sregex_iterator at(header.begin(), header.end(), declaration); at != std::sregex_iterator(); ++at)

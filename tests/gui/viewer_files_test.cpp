@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "gui/image_controls.hpp"
-#include "gui/image_plot.hpp"
-#include "gui/image_thumbnail.hpp"
-#include "gui/image_viewer.hpp"
-#include "gui/image_viewers.hpp"
-#include "gui/main_window.hpp"
-#include "gui/open_image_dialog.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/image/image_controls.hpp"
+#include "gui/image/image_plot.hpp"
+#include "gui/image/image_thumbnail.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/image_viewers.hpp"
+#include "gui/image/open_image_dialog.hpp"
 #include "gui/small_scene.hpp"
 #include "image_viewer_bench.hpp"
 

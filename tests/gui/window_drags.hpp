@@ -20,13 +20,13 @@
 #include <string>
 #include <vector>
 
-#include "gui/main_window.hpp"
-#include "gui/scene_panel.hpp"
-#include "gui/scene_widget.hpp"
-#include "gui/target_table.hpp"
-#include "gui/target_table_model.hpp"
-#include "script/writer.hpp"
-#include "view/document.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/target_table.hpp"
+#include "gui/objects/target_table_model.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "scene/edit/document.hpp"
+#include "scene/script/writer.hpp"
 
 /// Drags in the whole window, as a hand makes them, and the time until each is answered: for the benchmark and the
 /// test.

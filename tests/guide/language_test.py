@@ -23,8 +23,8 @@ def without_breaks(source):
     return re.sub(r'"\s*\n\s*"', "", source)
 
 
-def read(project, names):
-    return "\n".join(without_breaks((project / "src/script" / name).read_text(encoding="utf-8")) for name in names)
+def read(files):
+    return "\n".join(without_breaks(file.read_text(encoding="utf-8")) for file in files)
 
 
 def main():
@@ -32,12 +32,11 @@ def main():
     folder = project / "docs/formats"
     page = (folder / "script-diagrams.md").read_text(encoding="utf-8")
     pictures = html.unescape(" ".join(file.read_text(encoding="utf-8") for file in (folder / "diagrams").glob("*.svg")))
-    grammar = read(project, ["scene_grammar.hpp", "radar_grammar.hpp"])
+    schema = project / "src/scene/schema"
+    grammar = read([schema / "scene_grammar.hpp", schema / "radar_grammar.hpp"])
     words = WORD.findall(grammar)
-    blocks = BLOCK.findall(read(project, ["function_block.hpp"]))
-    read_as_values = set(
-        VALUE.findall(read(project, [file.name for file in (project / "src/script").glob("read_*.cpp")]))
-    )
+    blocks = BLOCK.findall(read([schema / "function_block.hpp"]))
+    read_as_values = set(VALUE.findall(read((project / "src/scene/script").glob("read_*.cpp"))))
     values = [words_of_field for name, words_of_field in FIELD.findall(grammar) if name in read_as_values]
     wrong = [f"word {word}" for word in words if word not in page or f">{word}<" not in pictures]
     reference = (folder / "script.md").read_text(encoding="utf-8")

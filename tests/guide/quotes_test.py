@@ -13,23 +13,23 @@ import unittest
 STRING = r'"((?:[^"\\]|\\.)*)"'
 # Files whose messages users meet; each message in them has to be in the guide.
 EXPLAINED = [
-    "scene/check_findings.cpp",
-    "scene/check_names.cpp",
-    "scene/check_platform.cpp",
-    "scene/check_radar.cpp",
-    "scene/check_recording.cpp",
-    "scene/check_target.cpp",
-    "simulate/impossible_echo.cpp",
-    "simulate/survey.cpp",
-    "simulate/sar_ghosts.cpp",
-    "simulate/search_checks.cpp",
-    "simulate/stepped_remarks.cpp",
-    "simulate/isar_scene.cpp",
-    "script/field_reader.cpp",
-    "script/problem_log.cpp",
-    "script/data_file.cpp",
-    "script/read_options.cpp",
-    "cli/output_names.cpp",
+    "scene/check/check_findings.cpp",
+    "scene/check/check_names.cpp",
+    "scene/check/check_platform.cpp",
+    "scene/check/check_radar.cpp",
+    "scene/check/check_recording.cpp",
+    "scene/check/check_target.cpp",
+    "simulate/resolve/impossible_echo.cpp",
+    "simulate/survey/survey.cpp",
+    "workflow/focus/sar_ghosts.cpp",
+    "workflow/search/search_checks.cpp",
+    "workflow/stepped/stepped_remarks.cpp",
+    "workflow/stepped/isar_scene.cpp",
+    "scene/script/field_reader.cpp",
+    "scene/script/problem_log.cpp",
+    "scene/script/data_file.cpp",
+    "scene/script/read_options.cpp",
+    "cli/shell/output_names.cpp",
 ]
 # Where a message stands in the sources.
 MESSAGE = [
@@ -181,13 +181,13 @@ WINDOWS = {
 
 
 def check_windows(project):
-    source = (project / "src/gui/main_menus.cpp").read_text(encoding="utf-8")
+    source = (project / "src/gui/frame/main_menus.cpp").read_text(encoding="utf-8")
     page = (project / "docs/guide/windows.md").read_text(encoding="utf-8")
     names = re.findall(r'"(\w+)"', source.split("MainWindow::window_names()")[1].split("}")[0])
     wrong = [
         f"a window of the program is not in windows.md: {name}" for name in names if WINDOWS.get(name, "\0") not in page
     ]
-    return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/main_menus.cpp"]
+    return wrong if len(names) > 20 else [*wrong, "the names of the windows were not found in src/gui/frame/main_menus.cpp"]
 
 
 def numbers_of(text):
@@ -211,10 +211,10 @@ def check_numbers(project):
 
 def check_help_places(project):
     """Every page and heading that F1 leads to is there."""
-    source = (project / "src/gui/help_key.cpp").read_text(encoding="utf-8")
+    source = (project / "src/gui/frame/help_key.cpp").read_text(encoding="utf-8")
     constants = dict(re.findall(r'constexpr const char\* (\w+) = "([^"]+)";', source))
     places = re.findall(r'^    \{"(\w+)", (\w+|"[^"]+"), "([^"]*)"\},$', source, re.MULTILINE)
-    wrong = [] if len(places) > 15 else ["the places of F1 were not found in src/gui/help_key.cpp"]
+    wrong = [] if len(places) > 15 else ["the places of F1 were not found in src/gui/frame/help_key.cpp"]
     for widget, page, heading in places:
         file = project / "docs" / (page.strip('"') if page.startswith('"') else constants[page])
         if not file.exists():

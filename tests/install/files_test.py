@@ -43,8 +43,8 @@ def everything(prefix, components):
         "share/doc/sarsim/LICENSE",
         "lib/libsarsim_simulate.a",
         "lib/cmake/Sarsim/SarsimConfig.cmake",
-        "include/sarsim/simulate/run.hpp",
-        "include/sarsim/base/version.hpp",
+        "include/sarsim/simulate/run/run.hpp",
+        "include/sarsim/core/build/version.hpp",
         "share/doc/sarsim-dev/copyright",
     ]
     if "workbench" in components:

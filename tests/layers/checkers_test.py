@@ -93,6 +93,37 @@ class Layers(unittest.TestCase):
             ],
         )
 
+    def test_rooms_use_what_they_declare(self):
+        cmake = 'sarsim_folder(core ROOMS text)\nsarsim_folder(scene USES core ROOMS model "check: model" edit)\n'
+        sound = {
+            "core/text/a.hpp": "#pragma once\n",
+            "scene/model/b.hpp": '#pragma once\n#include "core/text/a.hpp"\n',
+            "scene/check/c.cpp": '#include "scene/check/c.hpp"\n#include "scene/model/b.hpp"\n',
+            "scene/model/b_test.cpp": '#include "scene/check/c.hpp"\n',
+        }
+        self.assertEqual(check("check-layers", {"CMakeLists.txt": cmake, **sound}), (0, ["layers: nothing found"]))
+        found = self.lines(
+            {
+                "scene/edit/d.cpp": '#include "scene/model/b.hpp"\n#include "scene/b.hpp"\n',
+                "scene/other/e.cpp": "",
+                "scene/f.cpp": "",
+            },
+            cmake,
+        )
+        self.assertEqual(
+            found,
+            [
+                "scene/edit/d.cpp:1: scene/edit may not use scene/model",
+                'scene/edit/d.cpp:2: "scene/b.hpp" is in no declared folder',
+                "scene/f.cpp:1: folder scene is not declared in CMakeLists.txt",
+                "scene/other/e.cpp:1: folder scene/other is not declared in CMakeLists.txt",
+            ],
+        )
+
+    def test_a_room_that_uses_a_later_one_is_found(self):
+        found = self.lines({}, 'sarsim_folder(scene ROOMS "model: check" "check: model")\n')
+        self.assertEqual(found, ["CMakeLists.txt:1: scene/model uses check, which is not declared before it"])
+
     def test_a_folder_that_uses_a_later_one_is_found(self):
         found = self.lines({}, "sarsim_folder(base USES math)\nsarsim_folder(math USES base)\n")
         self.assertEqual(found, ["CMakeLists.txt:1: base uses math, which is not declared before it"])

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "data/checksum.hpp"
+#include "core/hash/checksum.hpp"
 #include "parts_support.hpp"
 
 namespace sarsim::test {

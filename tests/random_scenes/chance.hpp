@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "base/angle.hpp"
-#include "math/vector.hpp"
+#include "core/maths/angle.hpp"
+#include "core/maths/vector.hpp"
 
 namespace sarsim::test {
 

@@ -10,16 +10,16 @@
 
 #include <fmt/format.h>
 
-#include "data/sinks.hpp"
 #include "random_scenes/engine_errors.hpp"
 #include "random_scenes/scene_maker.hpp"
-#include "scene/check.hpp"
-#include "script/reader.hpp"
-#include "script/writer.hpp"
-#include "simulate/geometry_table.hpp"
-#include "simulate/impossible_echo.hpp"
-#include "simulate/run.hpp"
-#include "simulate/survey.hpp"
+#include "raster/format/sinks.hpp"
+#include "scene/check/check.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+#include "simulate/run/geometry_table.hpp"
+#include "simulate/run/run.hpp"
+#include "simulate/survey/survey.hpp"
 
 namespace sarsim::test {
 

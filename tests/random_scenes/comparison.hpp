@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::test {
 

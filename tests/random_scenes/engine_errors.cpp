@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-#include "base/constants.hpp"
+#include "core/maths/constants.hpp"
 
 namespace sarsim::test {
 

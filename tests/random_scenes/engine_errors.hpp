@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "simulate/plan.hpp"
+#include "simulate/plan/plan.hpp"
 
 namespace sarsim::test {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "random_scenes/scene_maker.hpp"
-#include "script/reader.hpp"
-#include "script/scene_grammar.hpp"
-#include "script/writer.hpp"
+#include "scene/schema/scene_grammar.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
 
 namespace sarsim::test {
 
@@ -53,9 +53,9 @@ std::size_t objects_of(const Scene& scene, const std::string& kind) {
 
 }  // namespace
 
-FieldCover::FieldCover(const std::filesystem::path& script_folder) {
-  read_tables(text_of(script_folder / "scene_grammar.hpp"));
-  read_tables(text_of(script_folder / "radar_grammar.hpp"));
+FieldCover::FieldCover(const std::filesystem::path& schema_folder) {
+  read_tables(text_of(schema_folder / "scene_grammar.hpp"));
+  read_tables(text_of(schema_folder / "radar_grammar.hpp"));
   if (values_.size() < 50 || keywords_.size() < 50)
     throw std::runtime_error("the grammar's tables were not understood");
   for (const FunctionBlock* block : function_blocks::all) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::test {
 
@@ -15,8 +15,8 @@ namespace sarsim::test {
 /// that reader and writer work from, as they stand in the sources, so that a field that is added there is missed here.
 class FieldCover {
  public:
-  /// @param script_folder  where scene_grammar.hpp and radar_grammar.hpp are; throws where they hold no tables
-  explicit FieldCover(const std::filesystem::path& script_folder);
+  /// @param schema_folder  where scene_grammar.hpp and radar_grammar.hpp are; throws where they hold no tables
+  explicit FieldCover(const std::filesystem::path& schema_folder);
 
   /// Notes what a scene's script says.
   void note(const Scene& scene);

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "random_scenes/chance.hpp"
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::test {
 

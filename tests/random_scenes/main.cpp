@@ -17,7 +17,7 @@
 #include "random_scenes/field_cover.hpp"
 #include "random_scenes/scene_maker.hpp"
 #include "random_scenes/shrink.hpp"
-#include "script/writer.hpp"
+#include "scene/script/writer.hpp"
 
 namespace sarsim::test {
 namespace {
@@ -67,7 +67,7 @@ void print_count(const Count& count, const FieldCover& cover, double seconds) {
 }
 
 int run(const Limits& limits) {
-  FieldCover cover(std::filesystem::path(SARSIM_SOURCE_DIR) / "src/script");
+  FieldCover cover(std::filesystem::path(SARSIM_SOURCE_DIR) / "src/scene/schema");
   Count count;
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };

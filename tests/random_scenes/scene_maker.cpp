@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include "base/constants.hpp"
+#include "core/maths/constants.hpp"
 #include "random_scenes/radar_maker.hpp"
 
 namespace sarsim::test {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "scene/scene.hpp"
-#include "script/data_file.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/script/data_file.hpp"
 
 namespace sarsim::test {
 

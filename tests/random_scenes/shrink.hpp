@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "scene/scene.hpp"
+#include "scene/model/scene.hpp"
 
 namespace sarsim::test {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "script/reader.hpp"
-#include "simulate/run.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/run/run.hpp"
 #include "support/ascii_samples.hpp"
 #include "support/folders.hpp"
 

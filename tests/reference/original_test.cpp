@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "data/sample_file.hpp"
-#include "script/reader.hpp"
-#include "simulate/run.hpp"
+#include "raster/format/sample_file.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/run/run.hpp"
 #include "support/ascii_samples.hpp"
 #include "support/count_fit.hpp"
 #include "support/folders.hpp"

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scene/check.hpp"
-#include "script/reader.hpp"
-#include "script/writer.hpp"
-#include "simulate/run.hpp"
-#include "simulate/survey.hpp"
+#include "scene/check/check.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/run/run.hpp"
+#include "simulate/survey/survey.hpp"
 #include "support/discarding_sink.hpp"
 #include "support/folders.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "math/fft.hpp"
+#include "core/maths/fft.hpp"
 #include "support/moments.hpp"
 #include "support/scenes.hpp"
 

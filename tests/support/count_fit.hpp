@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "verify/counts.hpp"
+#include "workflow/verify/counts.hpp"
 
 namespace sarsim::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulate/sink.hpp"
+#include "simulate/plan/sink.hpp"
 
 namespace sarsim::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/moments.hpp"
+#include "workflow/verify/moments.hpp"
 
 namespace sarsim::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "support/scenes.hpp"
-#include "verify/response.hpp"
+#include "workflow/verify/response.hpp"
 
 namespace sarsim::test {
 

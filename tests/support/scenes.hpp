@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/scenes.hpp"
+#include "workflow/verify/scenes.hpp"
 
 /// The scenes that `sarsim verify` measures with serve the tests, too.
 namespace sarsim::test {

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "thesis/table.hpp"
-#include "verify/thesis_numbers.hpp"
+#include "workflow/verify/thesis_numbers.hpp"
 
 namespace sarsim::verify {
 

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "math/interpolator.hpp"
-#include "script/reader.hpp"
-#include "simulate/run.hpp"
+#include "core/maths/interpolator.hpp"
+#include "scene/script/reader.hpp"
+#include "simulate/run/run.hpp"
 #include "support/count_fit.hpp"
 #include "support/scenes.hpp"
 

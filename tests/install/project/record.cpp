@@ -10,14 +10,14 @@
 #include <memory>
 #include <vector>
 
-#include "base/problem.hpp"
-#include "base/version.hpp"
-#include "data/sinks.hpp"
-#include "scene/check.hpp"
-#include "script/reader.hpp"
-#include "script/writer.hpp"
-#include "simulate/plan.hpp"
-#include "simulate/run.hpp"
+#include "core/build/version.hpp"
+#include "core/report/problem.hpp"
+#include "raster/format/sinks.hpp"
+#include "scene/check/check.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/plan/plan.hpp"
+#include "simulate/run/run.hpp"
 
 namespace {
 

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "cli/command/commands.hpp"
+#include "cli/shell/options.hpp"
+#include "cli/shell/output_names.hpp"
+#include "cli/shell/report.hpp"
+#include "cli/shell/scene_input.hpp"
+#include "core/build/version.hpp"
+#include "core/text/json.hpp"
+#include "scene/script/reader.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> scenes;
+  SceneOverrides overrides;
+  bool json = false;
+  bool strict = false;
+};
+
+std::size_t count_of(const Problems& problems, Severity severity) {
+  std::size_t count = 0;
+  for (const Problem& problem : problems)
+    if (problem.severity == severity) count += problem.count;
+  return count;
+}
+
+Problems problems_of(const std::string& path, const SceneOverrides& overrides, const StopFlag* stop) {
+  SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {thread_count(0), stop});
+  Problems names = output_names(input.scene, {}).problems;
+  locate(names, input.places);
+  std::ranges::move(names, std::back_inserter(input.problems));
+  return ranked(std::move(input.problems));
+}
+
+std::string verdict(const std::string& path, const Problems& problems) {
+  if (problems.empty()) return path + ": no problems";
+  std::string text = fmt::format("{}: {}, {}", path, counted(count_of(problems, Severity::error), "error"),
+                                 counted(count_of(problems, Severity::warning), "warning"));
+  const std::size_t notes = count_of(problems, Severity::note);
+  return notes > 0 ? text + ", " + counted(notes, "note") : text;
+}
+
+void add_json(JsonWriter& json, const std::string& path, const Problems& problems) {
+  json.begin_object().member("script", path).member("errors", count_of(problems, Severity::error));
+  json.member("warnings", count_of(problems, Severity::warning)).member("notes", count_of(problems, Severity::note));
+  json.key("problems");
+  write_json(json, problems);
+  json.end_object();
+}
+
+ExitStatus check_scenes(const CheckArguments& arguments, Streams& streams) {
+  JsonWriter json;
+  json.begin_object().member("sarsim", program_version).key("scripts").begin_array();
+  ExitStatus status = exit_done;
+  for (const std::string& path : arguments.scenes) {
+    const Problems problems = problems_of(path, arguments.overrides, streams.stop);
+    if (has_errors(problems) || (arguments.strict && count_of(problems, Severity::warning) > 0))
+      status = exit_bad_input;
+    if (arguments.json) {
+      add_json(json, path, problems);
+      continue;
+    }
+    std::string text;
+    for (const Problem& problem : problems) text += to_string(problem) + "\n";
+    write_out(streams, text + verdict(path, problems) + "\n");
+  }
+  json.end_array().end_object();
+  if (arguments.json) write_out(streams, json.text());
+  return status;
+}
+
+}  // namespace
+
+Action add_check(CLI::App& app) {
+  auto arguments = std::make_shared<CheckArguments>();
+  app.add_option("scenes", arguments->scenes, "scripts to check")->type_name("SCENE")->required();
+  add_scene_overrides(app, arguments->overrides);
+  app.add_flag("--json", arguments->json, "the problems as JSON on standard output");
+  app.add_flag("--strict", arguments->strict, "warnings, too, give exit status 2");
+  add_examples(app, {{"sarsim check sar_r.scr", "all problems of a script, with line and column"},
+                     {"sarsim check *.scr", "of many"},
+                     {"sarsim check --json sar_r.scr", "for programs"}});
+  return [arguments](Streams& streams) { return check_scenes(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

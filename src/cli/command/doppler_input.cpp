@@ -1,0 +1,40 @@
+#include "cli/command/doppler_input.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+// Synthetic range profiles have to be refused before they are planned as pulses.
+void expect_pulses(const Simulation& simulation) {
+  if (simulation.processing == Processing::srp)
+    throw BadInput("synthetic range profiles hold no pulses", "take a simulation of RAW or MATCHED_FILTER processing");
+}
+
+PulseInput of_script(const RecordingArguments& arguments, const WorkControl& control) {
+  auto [input, number] = open_script(arguments, records_pulses, control);
+  Simulation& simulation = input.scene.simulations[number];
+  expect_pulses(simulation);
+  simulation = compressed_simulation(simulation);
+  auto plan =
+      std::make_shared<const Plan>(make_plan(input.scene, number, input.resolved, Engine::automatic, control.stop));
+  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
+}
+
+PulseInput of_file(const RecordingArguments& arguments) {
+  StoredRecording stored = open_recording(arguments, records_pulses, [](const Plan& plan) {
+    expect_pulses(plan.simulation);
+    return Problems();
+  });
+  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+          std::move(stored.sources)};
+}
+
+}  // namespace
+
+PulseInput open_pulse_input(const RecordingArguments& arguments, const WorkControl& control) {
+  PulseInput input = names_script(arguments) ? of_script(arguments, control) : of_file(arguments);
+  input.problems = ranked(std::move(input.problems));
+  return input;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "cli/shell/recording_input.hpp"
+#include "workflow/search/pulse_rows.hpp"
+
+namespace sarsim::cli {
+
+/// Pulses and what there is to say about their source.
+struct PulseInput {
+  PulseRows rows;
+  std::size_t simulation = 0;  ///< Position in the script's list.
+  Problems problems;
+  std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
+};
+
+/// Opens what the arguments name; throws BadInput with all problems where it has no pulses.
+[[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const WorkControl& control);
+
+}  // namespace sarsim::cli

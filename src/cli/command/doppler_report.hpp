@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/os/output_file.hpp"
+#include "core/text/json.hpp"
+#include "workflow/search/search_targets.hpp"
+
+namespace sarsim::cli {
+
+/// A point on the ground.
+struct GroundPlace {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+/// The table of detections, written as they come (docs/theory/search-and-doppler.md): a line of names, then one for
+/// each. What does not apply is left empty: Doppler of single pulses, ratios without noise, targets that are none of
+/// the script's. The file appears with `finish`.
+class DetectionTable {
+ public:
+  /// @param doppler  intervals have Doppler frequencies
+  /// @param places   detections have places on the ground
+  DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places);
+
+  /// Adds a line.
+  /// @param target  position in the script of the target that it is of
+  void append(const SearchDetection& detection, std::optional<std::size_t> target, const GroundPlace& place = {});
+  /// Gives the file its name.
+  void finish();
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  void write_pending();
+
+  OutputFile file_;
+  std::string pending_;
+  bool doppler_;
+  bool places_;
+  std::size_t count_ = 0;
+};
+
+/// The first targets of a script and what became of them, a line or two for each.
+[[nodiscard]] std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler);
+
+/// Members of the open JSON object: the first targets and what became of them, or the options of the work.
+void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bool doppler);
+void write_json(JsonWriter& json, const SearchOptions& options);
+
+}  // namespace sarsim::cli

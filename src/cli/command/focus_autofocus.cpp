@@ -1,0 +1,141 @@
+#include "cli/command/focus_autofocus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/os/output_file.hpp"
+#include "core/text/number_text.hpp"
+#include "signal/sar/autofocus.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+// What the targets say of the apertures that they are seen with, within 20 dB.
+struct Apertures {
+  double mean_m = 0.0;   // along the flight; all of it where there are no targets
+  double band_hz = 0.0;  // of Doppler frequencies about the centroid that holds those of all targets; 0: none known
+};
+
+Apertures apertures_of(const FocusInput& input, const FocusOptions& options, const WorkControl& control) {
+  const StraightTrack track = fit_straight(input.echoes.track);
+  const double flight_m = track.speed_mps * track.interval_s * static_cast<double>(input.echoes.track.size());
+  const SarWaveform& wave = input.echoes.waveform;
+  Apertures apertures;
+  double sum_m = 0.0;
+  double count = 0.0;
+  EchoRows echoes = input.echoes;
+  echoes.compensated = true;  // The image's frequencies are those about the straight line.
+  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+    if (!(target.amplitude > 0.0)) continue;
+    const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
+    sum_m += 0.5 * wave.light_speed_mps / wave.carrier_hz * target.place.range_m * band_hz / track.speed_mps;
+    count += 1.0;
+    apertures.band_hz = std::max({apertures.band_hz, 2.0 * (target.highest_doppler_hz - options.doppler_centroid_hz),
+                                  2.0 * (options.doppler_centroid_hz - target.lowest_doppler_hz)});
+  }
+  apertures.mean_m = count > 0.0 ? std::min(sum_m / count, flight_m) : flight_m;
+  if (options.doppler_bandwidth_hz > 0.0 && apertures.band_hz > 0.0)
+    apertures.band_hz = std::min(apertures.band_hz, options.doppler_bandwidth_hz);
+  return apertures;
+}
+
+// Image and copies of it, and one piece at a time in double precision.
+void expect_memory(const FocusedImage& image, double piece_m, std::size_t memory_bytes) {
+  const auto columns = static_cast<double>(image.range.count);
+  const double rows = static_cast<double>(image.azimuth.count);
+  const double bytes = columns * (3.0 * 8.0 * rows + 3.0 * 16.0 * piece_m / image.azimuth.step_m);
+  if (memory_bytes == 0 || bytes <= static_cast<double>(memory_bytes)) return;
+  throw BadInput(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}", bytes_text(bytes),
+                             bytes_text(static_cast<double>(memory_bytes))),
+                 "allow more, or do without --autofocus");
+}
+
+// Of a piece, in metres.
+double piece_of(const FocusedImage& axes, const AutofocusChoice& choice, double aperture_m) {
+  constexpr double share_of_aperture = 0.1;
+  constexpr double least_rows = 16.0;
+  const double least_m = least_rows * axes.azimuth.step_m;
+  const double length_m = static_cast<double>(axes.azimuth.count) * axes.azimuth.step_m;
+  if (!(length_m >= least_m))
+    throw BadInput(
+        fmt::format("autofocus needs an image of {:.0f} rows or more; this one has {}", least_rows, axes.azimuth.count),
+        "record more pulses, or do without --autofocus");
+  if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, least_m, length_m);
+  if (!(choice.piece_m >= least_m && choice.piece_m <= length_m))
+    throw BadInput(
+        fmt::format("autofocus cannot work on pieces of {:.4g} m", choice.piece_m),
+        fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", least_m, length_m));
+  return choice.piece_m;
+}
+
+FocusedImage in_memory(const FocusedRows& rows) {
+  FocusedImage image = rows.image;
+  image.values.resize(image.azimuth.count * image.range.count);
+  for (std::size_t r = 0; r < image.azimuth.count; ++r)
+    rows.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
+  return image;
+}
+
+}  // namespace
+
+void expect_autofocus(const FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
+                      const FocusOptions& options, const WorkControl& control) {
+  expect_memory(axes, piece_of(axes, choice, apertures_of(input, options, control).mean_m), choice.memory_bytes);
+}
+
+FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
+                        const FocusOptions& options, const WorkControl& control, AutofocusFinding& finding) {
+  const Apertures apertures = apertures_of(input, options, control);
+  finding.piece_m = piece_of(rows.image, choice, apertures.mean_m);
+  expect_memory(rows.image, finding.piece_m, choice.memory_bytes);
+  const FocusedImage blurred = in_memory(rows);
+  const AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
+  StripmapAutofocusResult result = autofocus_strip(blurred, finding.piece_m, how, control);
+  finding.entropy_before = image_entropy(blurred);
+  finding.entropy_after = image_entropy(result.image);
+  finding.applied = finding.entropy_after < finding.entropy_before;
+
+  const StraightTrack track = fit_straight(input.echoes.track);
+  const double first_m = track.speed_mps * track.time_s(0.0);
+  const double last_m = track.speed_mps * track.time_s(static_cast<double>(input.echoes.track.size()) - 1.0);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < result.along_m.size(); ++i) {
+    if (result.along_m[i] < first_m || result.along_m[i] > last_m) continue;
+    finding.along_m.push_back(result.along_m[i]);
+    finding.phase_rad.push_back(result.phase_rad[i]);
+    sum += result.phase_rad[i] * result.phase_rad[i];
+  }
+  if (!finding.along_m.empty()) finding.rms_rad = std::sqrt(sum / static_cast<double>(finding.along_m.size()));
+
+  FocusedRows sharp;
+  const auto image = std::make_shared<const FocusedImage>(finding.applied ? std::move(result.image) : blurred);
+  sharp.image = rows.image;
+  sharp.on_disk = rows.on_disk;
+  sharp.read = [image](std::size_t row, std::span<std::complex<float>> out) {
+    std::copy_n(image->values.data() + row * image->range.count, out.size(), out.data());
+  };
+  return sharp;
+}
+
+void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {
+  std::string text = "along_m,phase_rad\n";
+  for (std::size_t i = 0; i < finding.along_m.size(); ++i) {
+    append_number(text, finding.along_m[i]);
+    text += ',';
+    append_number(text, finding.phase_rad[i]);
+    text += '\n';
+  }
+  OutputFile file(path, replace);
+  file.write(std::as_bytes(std::span(text)));
+  file.commit();
+}
+
+}  // namespace sarsim::cli

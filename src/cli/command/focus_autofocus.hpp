@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/command/focus_input.hpp"
+#include "core/task/parallel.hpp"
+#include "signal/sar/focusing.hpp"
+
+namespace sarsim::cli {
+
+/// What autofocus did to an image.
+struct AutofocusFinding {
+  double piece_m = 0.0;
+  std::vector<double> along_m;    ///< Places of the antenna, from the image's azimuth 0.
+  std::vector<double> phase_rad;  ///< That was taken out of the echoes received there.
+  double rms_rad = 0.0;           ///< Of phase_rad along the flight.
+  double entropy_before = 0.0;
+  double entropy_after = 0.0;
+  bool applied = false;  ///< Not where the image would have lost sharpness: it is then as it was.
+};
+
+/// How it is to go to work.
+struct AutofocusChoice {
+  double piece_m = 0.0;          ///< Length of the pieces that are looked at one by one; 0: a tenth of the synthetic
+                                 ///< aperture that the targets have, or of the flight where there are none, but sixteen
+                                 ///< rows at least.
+  std::size_t memory_bytes = 0;  ///< 0: no limit.
+};
+
+/// Throws BadInput where an image with these axes is too short for the pieces, or the memory too small for it.
+void expect_autofocus(const FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
+                      const FocusOptions& options, const WorkControl& control);
+
+/// Phase gradient autofocus of a strip (signal/sar/autofocus.hpp), in memory, at the Doppler frequencies that the
+/// targets have. BadInput as above.
+[[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
+                                      const FocusOptions& options, const WorkControl& control,
+                                      AutofocusFinding& finding);
+
+/// Writes places and phases as CSV: along_m, phase_rad.
+void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,137 @@
+#include "cli/command/focus_back_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "signal/sar/back_projection.hpp"
+#include "signal/sar/ground_grid.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/sar_rows.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+// Towards the scene, perpendicular to the track.
+Vec3 across_of(const Vec3& scene_m, const ImageFrame& frame) {
+  const Vec3 to_scene = scene_m - frame.origin_m;
+  const Vec3 across = to_scene - dot(to_scene, frame.along) * frame.along;
+  return norm(across) > 0.0 ? (1.0 / norm(across)) * across : Vec3{0.0, 0.0, -1.0};
+}
+
+// The azimuth window over the record, as weights whose mean is 1.
+void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
+  const auto weight = weight_of(window);
+  const double count = static_cast<double>(echoes.track.size());
+  double sum = 0.0;
+  for (std::size_t p = 0; p < echoes.track.size(); ++p) sum += weight((static_cast<double>(p) + 0.5) / count - 0.5);
+  for (std::size_t p = 0; p < echoes.track.size(); ++p) {
+    const auto factor = static_cast<float>(weight((static_cast<double>(p) + 0.5) / count - 0.5) * count / sum);
+    for (std::size_t n = 0; n < echoes.samples; ++n) echoes.volts[p * echoes.samples + n] *= factor;
+  }
+}
+
+// Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
+// them nevertheless, and its image is to hold them.
+void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps,
+                    const WorkControl& control) {
+  double band_hz = 0.0;
+  EchoRows echoes = input.echoes;
+  echoes.compensated = true;  // The image's frequencies are those about the straight line.
+  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+    if (!(target.amplitude > 0.0)) continue;
+    // All pulses are summed, those that see the target in sidelobes of the antenna, too.
+    const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
+    const double below_hz = options.doppler_centroid_hz - target.least_doppler_hz;
+    band_hz = std::max({band_hz, 2.0 * above_hz, 2.0 * below_hz});
+  }
+  if (options.doppler_bandwidth_hz > 0.0) band_hz = std::min(band_hz, options.doppler_bandwidth_hz);
+  constexpr double most = 16.0;
+  const auto factor = static_cast<std::size_t>(std::clamp(std::ceil(band_hz * axis.step_m / speed_mps), 1.0, most));
+  axis.step_m /= static_cast<double>(factor);
+  axis.count *= factor;
+}
+
+BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage& image) {
+  const double per_hz = 0.5 * image.light_speed_mps / (image.carrier_hz * image.frame.speed_mps);
+  const auto angle = [&](double hz) { return std::asin(std::clamp(per_hz * hz, -1.0, 1.0)); };
+  BackProjectionOptions back;
+  back.heading = image.frame.along;
+  back.squint_rad = angle(options.doppler_centroid_hz);
+  const auto shifted = [](const SarWindow& window) {
+    return [weight = weight_of(window)](double x) { return weight(x - 0.5); };
+  };
+  if (options.range_window.kind != SarWindow::Kind::rectangular) back.range_window = shifted(options.range_window);
+  if (options.doppler_bandwidth_hz <= 0.0) return back;
+  back.aperture = BackProjectionOptions::Aperture::beam;
+  const double low_rad = angle(options.doppler_centroid_hz - 0.5 * options.doppler_bandwidth_hz);
+  const double high_rad = angle(options.doppler_centroid_hz + 0.5 * options.doppler_bandwidth_hz);
+  back.squint_rad = 0.5 * (low_rad + high_rad);
+  back.beam_rad = high_rad - low_rad;
+  back.azimuth_window = shifted(options.azimuth_window);
+  return back;
+}
+
+// The frame of the points that are focused.
+void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
+  Vec3 scene_m = scene_middle_m(*input.plan);
+  if (choice.ground_m) scene_m.z = *choice.ground_m;
+  if (!choice.ground) {
+    axes.frame.across = across_of(scene_m, axes.frame);
+    return;
+  }
+  if (norm(cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
+    throw BadInput("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
+                   "leave out --grid ground");
+  try {
+    axes = on_ground(axes, scene_m);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what(), "give the ground another --height, or leave out --grid ground");
+  }
+}
+
+}  // namespace
+
+FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options, const WorkControl& control) {
+  FocusOptions plain = options;
+  plain.method = FocusMethod::range_doppler;
+  FocusedImage axes = image_of(input.echoes, plain);
+  refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps, control);
+  return axes;
+}
+
+FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice, const FocusOptions& options,
+                           const WorkControl& control, const ProgressReport& progress) {
+  FocusedImage axes = back_projection_axes(input, options, control);
+  BackProjectionOptions back = options_of(options, axes);
+  back.start_stop = choice.start_stop;
+  place_axes(axes, input, choice);
+  const double bytes =
+      8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.samples) +
+             static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
+  if (options.memory_bytes > 0 && bytes > static_cast<double>(options.memory_bytes))
+    throw BadInput(fmt::format("back projection holds echoes and image in memory, {}, but --memory allows {}",
+                               bytes_text(bytes), bytes_text(static_cast<double>(options.memory_bytes))),
+                   "allow more, or use another --algorithm");
+  SarEchoes echoes = sar_echoes(input.echoes, control);
+  if (options.doppler_bandwidth_hz <= 0.0) weigh_pulses(echoes, options.azimuth_window);
+  const auto image = std::make_shared<const FocusedImage>(
+      back_project(echoes, axes.frame, axes.azimuth, axes.range, back, control, progress));
+  FocusedRows rows;
+  rows.image = {.frame = image->frame,
+                .azimuth = axes.azimuth,
+                .range = axes.range,
+                .carrier_hz = axes.carrier_hz,
+                .light_speed_mps = axes.light_speed_mps,
+                .values = {}};
+  rows.read = [image](std::size_t row, std::span<std::complex<float>> out) {
+    std::copy_n(image->values.data() + row * image->range.count, out.size(), out.data());
+  };
+  return rows;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/command/focus_input.hpp"
+#include "core/task/parallel.hpp"
+#include "core/task/progress.hpp"
+#include "signal/sar/focusing.hpp"
+
+namespace sarsim::cli {
+
+/// What back projection can do that the other methods cannot.
+struct BackProjectionChoice {
+  bool ground = false;             ///< Columns are places on level ground, not slant ranges.
+  std::optional<double> ground_m;  ///< Height of the ground, world; nothing: that of the middle of the scene.
+  bool start_stop = false;         ///< As if the antenna rested while a pulse travels.
+};
+
+/// The axes and the frame of the image of slant range that `back_projected` makes, without values.
+[[nodiscard]] FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options,
+                                                const WorkControl& control);
+
+/// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
+/// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
+/// bandwidth keeps the pulses that see a point at such frequencies from the line of flight; the azimuth window is over
+/// them, or, where all are kept, over the record. Amplitudes are means over the pulses that are there: near the ends of
+/// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
+/// image of level ground. Throws BadInput where the echoes need more memory than allowed or the ground is out of reach.
+[[nodiscard]] FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
+                                         const FocusOptions& options, const WorkControl& control,
+                                         const ProgressReport& progress);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "cli/shell/recording_input.hpp"
+#include "signal/sar/focusing.hpp"
+#include "simulate/plan/plan.hpp"
+
+namespace sarsim::cli {
+
+/// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
+struct FocusInput {
+  std::shared_ptr<const Plan> plan;
+  EchoRows echoes;
+  std::size_t simulation = 0;  ///< Position in the script's list.
+  Problems problems;           ///< Warnings about script and file.
+};
+
+/// Opens what the arguments name; throws BadInput with all problems where it cannot be focused.
+[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const WorkControl& control);
+
+}  // namespace sarsim::cli

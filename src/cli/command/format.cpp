@@ -1,0 +1,59 @@
+#include <memory>
+#include <ostream>
+#include <span>
+
+#include "cli/command/commands.hpp"
+#include "cli/shell/options.hpp"
+#include "cli/shell/output_names.hpp"
+#include "cli/shell/scene_input.hpp"
+#include "core/os/output_file.hpp"
+#include "scene/script/writer.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct FormatArguments {
+  std::string scene;
+  std::string output;
+  bool in_place = false;
+  bool force = false;
+};
+
+void write_file(const std::string& path, bool replace, const std::string& text) {
+  OutputFile file(path, replace);
+  file.write(std::as_bytes(std::span(text)));
+  file.commit();
+}
+
+ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
+  const SceneInput input = read_scene(arguments.scene, {}, Scrutiny::reading);
+  expect_usable(input);
+  if (!arguments.output.empty()) expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
+  print_problems(streams, input.problems);
+  const std::string text = write_script(input.scene);
+  if (arguments.in_place)
+    write_file(arguments.scene, true, text);
+  else if (!arguments.output.empty())
+    write_file(arguments.output, arguments.force, text);
+  else
+    write_out(streams, text);
+  return exit_done;
+}
+
+}  // namespace
+
+Action add_format_command(CLI::App& app) {
+  auto arguments = std::make_shared<FormatArguments>();
+  add_text(app, "scene", arguments->scene, "SCENE", "script to rewrite")->required();
+  auto* output = add_text(app, "-o,--output", arguments->output, "FILE", "file to write (default: standard output)");
+  auto* in_place = app.add_flag("--in-place", arguments->in_place, "replace the script itself, all or nothing");
+  app.add_flag("--force", arguments->force, "replace the output file where it exists");
+  output->excludes(in_place);
+  add_examples(app, {{"sarsim format old.scr", "the script as understood, on standard output"},
+                     {"sarsim format old.scr -o new.scr", "into another file"},
+                     {"sarsim format old.scr --in-place", "instead of the old text; its own comments are lost"}});
+  return [arguments](Streams& streams) { return format_scene(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

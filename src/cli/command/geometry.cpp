@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "cli/command/commands.hpp"
+#include "cli/shell/options.hpp"
+#include "cli/shell/output_names.hpp"
+#include "cli/shell/scene_input.hpp"
+#include "core/os/output_file.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/check/check.hpp"
+#include "simulate/run/geometry_table.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct GeometryArguments {
+  std::string scene;
+  std::vector<std::string> numbers;
+  std::string radar;
+  std::optional<double> start_s;
+  std::optional<double> end_s;
+  std::optional<std::int64_t> columns;
+  std::string output;
+  bool csv = false;
+  bool force = false;
+  SceneOverrides overrides;
+};
+
+constexpr double unlimited_m = 1e300;
+
+// The table that --radar, --start and --end describe: every target, wherever it is.
+GeometryTable described_table(const GeometryArguments& arguments, const Scene& scene) {
+  if (!arguments.start_s || !arguments.end_s)
+    throw BadInput("a table of a radar needs --start and --end",
+                   "give the send times of its first and last pulse in s");
+  if (*arguments.end_s < *arguments.start_s)
+    throw BadInput(fmt::format("--end {} lies before --start {}", format_number(*arguments.end_s),
+                               format_number(*arguments.start_s)),
+                   "exchange them");
+  GeometryTable table;
+  table.radar = scene.radars[radar_named(scene, arguments.radar)].name;
+  table.range_start_m = 0.0;
+  table.range_end_m = unlimited_m;
+  table.time_start_s = *arguments.start_s;
+  table.time_end_s = *arguments.end_s;
+  table.columns = 255;
+  return table;
+}
+
+std::vector<GeometryTable> chosen_tables(const GeometryArguments& arguments, const Scene& scene) {
+  if (!arguments.radar.empty()) return {described_table(arguments, scene)};
+  if (arguments.start_s || arguments.end_s)
+    throw BadInput("--start and --end belong to a table of a radar", "name it with --radar");
+  if (scene.geometries.empty())
+    throw BadInput(arguments.scene + ": the script has no $GEOMETRY", "choose pulses with --radar, --start and --end");
+  if (arguments.numbers.empty()) return scene.geometries;
+  std::vector<GeometryTable> tables;
+  for (const std::string& word : arguments.numbers) {
+    const auto number = parse_integer(word);
+    if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
+      throw BadInput(fmt::format("the script has no geometry table '{}'", word),
+                     fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
+    tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
+  }
+  return tables;
+}
+
+void write_tables(const GeometryArguments& arguments, const Scene& scene, const std::vector<GeometryTable>& tables,
+                  const std::function<void(std::string_view)>& write, const StopFlag* stop) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    if (i > 0) write("\n");
+    arguments.csv ? write_geometry_csv(scene, tables[i], write, stop)
+                  : write_geometry_text(scene, tables[i], write, stop);
+  }
+}
+
+// What the script does not say has not been checked with it: whether pulses leave at these times.
+void expect_pulses(const GeometryTable& table, Scene& scene) {
+  scene.geometries = {table};
+  scene.geometries[0].file = "table";
+  scene.geometries[0].range_end_m = 1.0;
+  Problems problems = check(scene);
+  std::erase_if(problems, [](const Problem& p) { return p.severity != Severity::error; });
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) {
+  SceneInput input = read_scene(arguments.scene, arguments.overrides, Scrutiny::values);
+  expect_usable(input);
+  std::vector<GeometryTable> tables = chosen_tables(arguments, input.scene);
+  if (!arguments.radar.empty()) expect_pulses(tables.front(), input.scene);
+  if (arguments.columns)
+    for (GeometryTable& table : tables) table.columns = static_cast<int>(*arguments.columns);
+  if (arguments.output.empty()) {
+    const auto write = [&](std::string_view piece) { write_out(streams, piece); };
+    write_tables(arguments, input.scene, tables, write, streams.stop);
+    return exit_done;
+  }
+  expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
+  OutputFile file(arguments.output, arguments.force);
+  const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
+  write_tables(arguments, input.scene, tables, write, streams.stop);
+  file.commit();
+  return exit_done;
+}
+
+}  // namespace
+
+Action add_geometry(CLI::App& app) {
+  auto arguments = std::make_shared<GeometryArguments>();
+  add_text(app, "scene", arguments->scene, "SCENE", "script")->required();
+  auto* numbers = app.add_option("numbers", arguments->numbers, "which tables of the script, from 1 (default: all)")
+                      ->type_name("NUMBER");
+  auto* radar = add_text(app, "--radar", arguments->radar, "NAME", "make a table of this radar instead");
+  numbers->excludes(radar);
+  add_real(app, "--start", arguments->start_s, "S", "send time of its first pulse, s");
+  add_real(app, "--end", arguments->end_s, "S", "send time of its last pulse, s");
+  add_integer(app, "--columns", arguments->columns, 0, 255, "sum of column bits, see docs/formats/geometry-table.md");
+  app.add_flag("--csv", arguments->csv, "comma-separated values, all columns, exact numbers");
+  add_text(app, "-o,--output", arguments->output, "FILE", "file to write (default: standard output)");
+  app.add_flag("--force", arguments->force, "replace the output file where it exists");
+  add_scene_overrides(app, arguments->overrides);
+  add_examples(app, {{"sarsim geometry scene.scr", "the $GEOMETRY tables of the script"},
+                     {"sarsim geometry sar_r.scr --radar Radar1 --start 0 --end 0.1", "any other pulses"},
+                     {"sarsim geometry scene.scr 1 --csv -o table.csv", "for other programs"}});
+  return [arguments](Streams& streams) { return print_geometry(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,77 @@
+#include "cli/command/image_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "cli/command/image_script.hpp"
+#include "cli/command/image_writer.hpp"
+#include "raster/table/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Calls use(row) for every row of an image.
+template <class Use>
+void each_row(const FocusedRows& image, const StopFlag* stop, const Use& use) {
+  std::vector<std::complex<float>> row(image.image.range.count);
+  for (std::size_t r = 0; r < image.image.azimuth.count; ++r) {
+    if (stop != nullptr && stop->requested()) throw Interrupted();
+    image.read(r, row);
+    use(std::span<const std::complex<float>>(row));
+  }
+}
+
+Product product_of(const FocusedImage& image, const ImageOrigin& origin) {
+  Product product;
+  product.radar = origin.radar;
+  product.options = origin.run;
+  // A row is where the antenna passes at that time.
+  const double speed = image.frame.speed_mps;
+  product.row_time_s = [axis = image.azimuth, speed](std::size_t row) {
+    return axis.at(static_cast<double>(row)) / speed;
+  };
+  product.row_carrier_hz = [carrier = image.carrier_hz](std::size_t) { return carrier; };
+  product.column_range_m = [axis = image.range](std::size_t column) { return axis.at(static_cast<double>(column)); };
+  product.sample_rate_hz = 0.5 * image.light_speed_mps / image.range.step_m;
+  product.engine = "focus";
+  return product;
+}
+
+double largest_of(const FocusedRows& image, const StopFlag* stop) {
+  float largest = 0.0F;
+  each_row(image, stop, [&](std::span<const std::complex<float>> row) {
+    for (const std::complex<float> value : row) largest = std::max(largest, std::abs(value));
+  });
+  return static_cast<double>(largest);
+}
+
+}  // namespace
+
+bool is_envi(const fs::path& path) { return !format_from_path(path); }
+
+fs::path magnitude_path(const fs::path& path) {
+  return path.parent_path() / (path.stem().string() + "-magnitude" + path.extension().string());
+}
+
+std::vector<fs::path> files_of_image(const fs::path& path) {
+  const auto format = format_from_path(path);
+  if (format && *format != FileFormat::npy) return {path};
+  return {path, fs::path(path).replace_extension(".hdr")};
+}
+
+void write_image(const FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
+                 bool magnitude, const StopFlag* stop) {
+  ImageContent content{header_of(image.image, origin), product_of(image.image, origin)};
+  if (files_of_image(path).size() > 1) add_way_back(content.header, origin, path);
+  if (magnitude) content.header.pixel = EnviHeader::Pixel::real_float;
+  ImageWriter writer(path, std::move(content), replace, is_envi(path) ? 0.0 : largest_of(image, stop));
+  each_row(image, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });
+  writer.finish();
+}
+
+}  // namespace sarsim::cli

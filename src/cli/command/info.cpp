@@ -1,0 +1,132 @@
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/command/commands.hpp"
+#include "cli/command/info_data.hpp"
+#include "cli/command/info_plan.hpp"
+#include "cli/command/info_scene.hpp"
+#include "cli/shell/options.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct InfoArguments {
+  std::string path;
+  SampleArguments sample;
+  SceneOverrides overrides;
+  bool json = false;
+  bool all = false;
+  bool plan = false;
+  std::optional<std::int64_t> workers;
+  std::optional<std::int64_t> threads;
+};
+
+// Whether the beginning of a file holds a command of the script language at the start of a line.
+bool begins_like_script(const std::string& path) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(1U << 16U, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.find('\0') != std::string::npos) return false;
+  for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
+    const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
+    const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';
+    if (starts_line && i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) return true;
+  }
+  return false;
+}
+
+bool is_script(const std::string& path) {
+  const std::filesystem::path name(path);
+  if (equal_ignoring_case(name.extension().string(), ".scr")) return true;
+  const auto format = format_from_path(name);
+  if (format && *format != FileFormat::ascii) return false;
+  return begins_like_script(path);
+}
+
+// An option that was given, and whether it is for scripts or for files of samples.
+struct InputUse {
+  const char* option;
+  bool given;
+  bool of_script;
+};
+
+// Options that would be ignored are mistakes, all of them at once.
+void expect_used(const InfoArguments& arguments, bool script) {
+  const SceneOverrides& overrides = arguments.overrides;
+  const SampleArguments& sample = arguments.sample;
+  const InputUse uses[] = {{"--all", arguments.all, true},
+                           {"--set", !overrides.settings.empty(), true},
+                           {"--profile", overrides.profile.has_value(), true},
+                           {"--pulse", overrides.pulse.has_value(), true},
+                           {"--tolerance", overrides.tolerance.has_value(), true},
+                           {"--seed", overrides.seed.has_value(), true},
+                           {"--from", sample.format.has_value(), false},
+                           {"--columns", sample.columns.has_value(), false},
+                           {"--bits", sample.bits.has_value(), false},
+                           {"--lsb", sample.lsb_v.has_value(), false},
+                           {"--script", !sample.script.empty(), false}};
+  Problems problems;
+  for (const InputUse& use : uses) {
+    if (!use.given || use.of_script == script) continue;
+    Problem& problem = problems.emplace_back();
+    problem.message = std::string(use.option) + " means nothing for '" + arguments.path +
+                      (script ? "', which is a script" : "', which is no script");
+    problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";
+  }
+  if (script && arguments.plan && arguments.all)
+    problems.push_back(BadInput("--all means nothing with --plan", "leave out one of them").problems.front());
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
+  if (!arguments.plan && (arguments.workers || arguments.threads))
+    throw BadInput("info: --workers and --threads belong to --plan", "add --plan");
+  const bool script = is_script(arguments.path);
+  if (arguments.plan && !script)
+    throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
+                   "leave --plan out to see what the file holds");
+  expect_used(arguments, script);
+  if (arguments.plan) {
+    return print_plan(
+        {arguments.path, arguments.overrides, arguments.json, static_cast<unsigned>(arguments.workers.value_or(1)),
+         static_cast<unsigned>(arguments.threads.value_or(0))},
+        streams);
+  }
+  if (script) return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
+  return print_data_info({arguments.path, arguments.sample, arguments.json}, streams);
+}
+
+}  // namespace
+
+Action add_info(CLI::App& app) {
+  auto arguments = std::make_shared<InfoArguments>();
+  add_text(app, "file", arguments->path, "FILE", "script, or file of samples")->required();
+  app.add_flag("--json", arguments->json, "the same as JSON");
+  app.add_flag("--all", arguments->all, "list every object and target of a script, not the first 20");
+  app.add_flag("--plan", arguments->plan, "samples, bytes, memory and time of a script's recordings, measured here");
+  add_integer(app, "--workers", arguments->workers, 1, 1000000, "of --plan: also the time of so many machines");
+  add_integer(app, "--threads", arguments->threads, 0, 4096,
+              "of --plan: threads of each; 0 for one per core (default)");
+  add_settings(app, arguments->overrides);
+  add_scene_overrides(app, arguments->overrides);
+  add_sample_arguments(app, arguments->sample);
+  add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},
+                     {"sarsim info sar_r.scr --plan --workers 8", "what a run will take, and on eight machines"},
+                     {"sarsim info sim1.h5", "shape and statistics of a file of samples"},
+                     {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
+                     {"sarsim info sim1.bin --script sar_r.scr", "or with what its script says"}});
+  return [arguments](Streams& streams) { return print_info(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,244 @@
+#include "cli/command/info_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/shell/figures.hpp"
+#include "cli/shell/report.hpp"
+#include "core/build/version.hpp"
+#include "core/task/parallel.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/format/sinks.hpp"
+#include "raster/table/formats.hpp"
+#include "simulate/survey/derived.hpp"
+#include "simulate/survey/survey.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+constexpr std::size_t most_listed = 20;
+
+std::string between(double low, double high, std::string_view unit) {
+  // Adding 0 turns -0 into 0.
+  if (low == high) return with_prefix(low + 0.0, unit);
+  return with_prefix(low + 0.0, unit) + " to " + with_prefix(high + 0.0, unit);
+}
+
+std::string decibels(double ratio) { return fmt::format("{:.1f} dB", 10.0 * std::log10(ratio)); }
+
+// @param shaped  whether the pulse is user-defined, whose resolution is a width and not c/2B
+std::vector<Figure> figures_of(const RadarFigures& r, bool shaped) {
+  std::vector<Figure> f;
+  f.push_back(figure("carrier", "lowest_carrier_hz", r.lowest_carrier_hz,
+                     between(r.lowest_carrier_hz, r.highest_carrier_hz, "Hz")));
+  f.push_back({"", "", "highest_carrier_hz", r.highest_carrier_hz, {}});
+  f.push_back(figure("wavelength", "shortest_wavelength_m", r.shortest_wavelength_m,
+                     between(r.shortest_wavelength_m, r.longest_wavelength_m, "m")));
+  f.push_back({"", "", "longest_wavelength_m", r.longest_wavelength_m, {}});
+  f.push_back(si_figure("bandwidth", "bandwidth_hz", r.bandwidth_hz, "Hz"));
+  f.push_back(si_figure(shaped ? "range resolution" : "range resolution c/2B", "range_resolution_m",
+                        r.range_resolution_m, "m"));
+  if (r.synthetic_range_resolution_m > 0.0)
+    f.push_back(
+        si_figure("over all frequency steps", "synthetic_range_resolution_m", r.synthetic_range_resolution_m, "m"));
+  f.push_back(si_figure("pulse length", "pulse_length_m", r.pulse_length_m, "m"));
+  f.push_back(figure("time-bandwidth product", "time_bandwidth", r.time_bandwidth));
+  f.push_back(si_figure("PRF (mean)", "mean_prf_hz", r.mean_prf_hz, "Hz"));
+  f.push_back(si_figure("shortest PRI", "shortest_pri_s", r.shortest_pri_s, "s"));
+  f.push_back(si_figure("unambiguous range", "unambiguous_range_m", r.unambiguous_range_m, "m"));
+  f.push_back(figure("unambiguous speed", "unambiguous_speed_mps", r.unambiguous_speed_mps,
+                     "+-" + with_prefix(r.unambiguous_speed_mps, "m/s")));
+  f.push_back(figure("duty cycle", "duty_cycle", r.duty_cycle, fmt::format("{:.4g} %", 100.0 * r.duty_cycle)));
+  f.push_back(si_figure("mean power", "mean_power_w", r.mean_power_w, "W"));
+  f.push_back(figure("noise power kTB", "noise_power_w", r.noise_power_w, fmt::format("{:.4g} W", r.noise_power_w)));
+  return f;
+}
+
+std::vector<Figure> figures_of(const Plan& plan, const SimulationFigures& s, const EchoSurvey& survey, bool counts) {
+  const unsigned threads = thread_count(0);
+  const Cost cost = estimated_cost(plan, threads);
+  const double bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, counts, false});
+  const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation.format, counts);
+  const double seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
+  const auto microseconds = [](double v) { return with_prefix(v, "s"); };
+  const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
+  std::vector<Figure> f;
+  f.push_back(figure("pulses", "pulses", static_cast<double>(plan.pulses.count()),
+                     fmt::format("{} ({} to {})", plan.pulses.count(), plan.pulses.first, plan.pulses.last)));
+  f.push_back(figure("rows", "rows", static_cast<double>(plan.rows)));
+  f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.columns)));
+  f.push_back(figure("file size", "bytes", bytes, bytes_text(bytes)));
+  f.push_back(figure("expected time", "seconds", seconds,
+                     fmt::format("{} on {} thread{}", duration_text(seconds), threads, threads == 1 ? "" : "s")));
+  f.push_back(figure("expected memory", "memory_bytes", cost.memory_bytes, bytes_text(cost.memory_bytes)));
+  f.push_back(figure("window, delay", "first_delay_s", s.first_delay_s,
+                     microseconds(s.first_delay_s) + " to " + microseconds(s.last_delay_s)));
+  f.push_back({"", "", "last_delay_s", s.last_delay_s, {}});
+  f.push_back(si_figure("column spacing", "column_spacing_m", s.column_spacing_m, "m"));
+  f.push_back(figure("sampling/bandwidth", "sampling_ratio", s.sampling_ratio));
+  f.push_back(
+      figure("noise power of a sample", "noise_power_w", s.noise_power_w, fmt::format("{:.4g} W", s.noise_power_w)));
+  f.push_back(figure("Doppler band", "lowest_doppler_hz", survey.lowest_doppler_hz,
+                     between(survey.lowest_doppler_hz, survey.highest_doppler_hz, "Hz")));
+  f.push_back({"", "", "highest_doppler_hz", survey.highest_doppler_hz, {}});
+  f.push_back(figure("strongest echo", "largest_echo_v", s.largest_echo_v, volts(s.largest_echo_v)));
+  f.push_back(figure("largest magnitude below", "largest_sum_v", s.largest_sum_v, volts(s.largest_sum_v)));
+  f.push_back(figure("LSB without clipping", "suggested_lsb_v", s.suggested_lsb_v,
+                     fmt::format("{:.4g} mV", 1e3 * s.suggested_lsb_v)));
+  return f;
+}
+
+std::string target_line(std::size_t number, const TargetSurvey& t) {
+  std::string text =
+      fmt::format("    target {:<6} {}, Doppler {}, {:.4g} V", number, between(t.nearest_m, t.farthest_m, "m"),
+                  between(t.lowest_doppler_hz, t.highest_doppler_hz, "Hz"), t.largest_amplitude_v);
+  if (t.snr > 0.0) text += ", SNR " + decibels(t.snr);
+  return text + (t.in_window ? "\n" : ", outside the window\n");
+}
+
+void write_json(JsonWriter& json, std::size_t number, const TargetSurvey& t) {
+  json.begin_object().member("number", number).member("nearest_m", t.nearest_m).member("farthest_m", t.farthest_m);
+  json.member("lowest_doppler_hz", t.lowest_doppler_hz).member("highest_doppler_hz", t.highest_doppler_hz);
+  json.member("largest_amplitude_v", t.largest_amplitude_v).member("snr", t.snr).member("in_window", t.in_window);
+  json.end_object();
+}
+
+// Gathers the same facts as text and as JSON.
+class SceneInfo {
+ public:
+  SceneInfo(const SceneInfoArguments& arguments, const Scene& scene, const WorkControl& control)
+      : arguments_(arguments), scene_(scene), control_(control) {
+    json_.begin_object().member("sarsim", program_version).member("script", arguments.path);
+    text_ = arguments.path + ": " + profile_word(scene.options.profile) + " profile, " +
+            pulse_word(scene.options.pulse) + " pulses, seed " + std::to_string(scene.options.seed) + "\n";
+    json_.member("profile", profile_word(scene.options.profile)).member("pulse", pulse_word(scene.options.pulse));
+    json_.member("seed", scene.options.seed).member("tolerance", scene.options.tolerance);
+  }
+
+  void add_objects() {
+    json_.key("objects").begin_object();
+    add_named("platforms", names_of(scene_.platforms));
+    add_named("radars", names_of(scene_.radars));
+    const auto count = [this](const char* kind, std::size_t number) {
+      json_.member(kind, number);
+      if (number > 0) text_ += fmt::format("  {:<24} {}\n", kind, number);
+    };
+    count("targets", scene_.targets.size());
+    count("surfaces", scene_.surfaces.size());
+    count("simulations", scene_.simulations.size());
+    count("geometries", scene_.geometries.size());
+    json_.end_object();
+  }
+
+  void add_radars(const ResolvedScene& resolved) {
+    json_.key("radars").begin_array();
+    for (std::size_t i = 0; i < scene_.radars.size(); ++i) {
+      const Radar& radar = scene_.radars[i];
+      const auto figures =
+          figures_of(radar_figures(resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions),
+                     radar.pulse == Radar::Pulse::user);
+      json_.begin_object().member("name", radar.name).member("platform", radar.platform);
+      cli::write_json(json_, figures);
+      json_.end_object();
+      text_ += "\nradar " + radar.name + " on " + radar.platform + "\n" + shown(figures);
+    }
+    json_.end_array();
+  }
+
+  void add_simulations(const std::shared_ptr<const ResolvedScene>& resolved) {
+    json_.key("simulations").begin_array();
+    for (std::size_t i = 0; i < scene_.simulations.size(); ++i)
+      add_simulation(i, make_plan(scene_, i, resolved, Engine::automatic, control_.stop));
+    json_.end_array();
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::string json() { return json_.end_object().text(); }
+
+ private:
+  template <class Objects>
+  static std::vector<std::string> names_of(const Objects& objects) {
+    std::vector<std::string> names;
+    for (const auto& object : objects) names.push_back(object.name);
+    return names;
+  }
+
+  // Figures without a label are for programs only.
+  static std::string shown(std::vector<Figure> figures) {
+    std::erase_if(figures, [](const Figure& f) { return f.label.empty(); });
+    return figures_text(figures);
+  }
+
+  void add_named(const char* kind, const std::vector<std::string>& names) {
+    std::string list;
+    json_.key(kind).begin_array();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      json_.value(names[i]);
+      if (i < most_listed || arguments_.all) list += (i == 0 ? "" : ", ") + names[i];
+      if (i == most_listed && !arguments_.all) list += ", ...";
+    }
+    json_.end_array();
+    if (!names.empty()) text_ += fmt::format("  {:<24} {} ({})\n", kind, names.size(), list);
+  }
+
+  void add_simulation(std::size_t index, const Plan& plan) {
+    const EchoSurvey survey = survey_echoes(plan, control_);
+    const auto figures = figures_of(plan, simulation_figures(plan, survey), survey, false);
+    const Simulation& simulation = plan.simulation;
+    json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
+    json_.member("format", format_word(simulation.format)).member("processing", processing_word(simulation.processing));
+    json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
+    json_.member("pulses_surveyed", survey.pulses_sampled).member("all_pulses_surveyed", survey.all_pulses);
+    cli::write_json(json_, figures);
+    text_ += fmt::format("\nsimulation {}: {}, {}, {}, {} bits, radar {}\n", index + 1, simulation.file,
+                         format_word(simulation.format), processing_word(simulation.processing), simulation.bits,
+                         plan.radar.name);
+    text_ += shown(figures);
+    add_targets(plan, survey);
+    json_.end_object();
+  }
+
+  void add_targets(const Plan& plan, const EchoSurvey& survey) {
+    const std::size_t count = arguments_.all ? survey.targets.size() : std::min(survey.targets.size(), most_listed);
+    if (count > 0)
+      text_ += survey.all_pulses ? "  targets\n"
+                                 : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,
+                                               plan.pulses.count());
+    json_.key("targets").begin_array();
+    for (std::size_t i = 0; i < count; ++i) {
+      text_ += target_line(i + 1, survey.targets[i]);
+      write_json(json_, i + 1, survey.targets[i]);
+    }
+    json_.end_array();
+    if (count < survey.targets.size())
+      text_ += fmt::format("    ... and {} more; list them with --all\n", survey.targets.size() - count);
+  }
+
+  const SceneInfoArguments& arguments_;
+  const Scene& scene_;
+  WorkControl control_;
+  JsonWriter json_;
+  std::string text_;
+};
+
+}  // namespace
+
+ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& streams) {
+  const WorkControl control{thread_count(0), streams.stop};
+  SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
+  expect_usable(input);
+  print_problems(streams, input.problems);
+  resolve_once(input, control);
+  SceneInfo info(arguments, input.scene, control);
+  info.add_objects();
+  info.add_radars(*input.resolved);
+  info.add_simulations(input.resolved);
+  write_out(streams, arguments.json ? info.json() : info.text());
+  return exit_done;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "raster/parts/journal.hpp"
+#include "raster/parts/stored_product.hpp"
+#include "scene/model/scene.hpp"
+
+namespace sarsim::cli {
+
+/// Everything that decides the bytes of a recording: what parts that belong together have in common.
+/// @param simulation  its number in the scene, from 0
+/// @param script      the scene as text (write_script)
+[[nodiscard]] Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
+                                   const StoredProduct& stored);
+
+/// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files hold.
+/// @param script  the scene as text (write_script)
+[[nodiscard]] std::string script_sum(const Scene& scene, const std::string& script);
+
+}  // namespace sarsim::cli

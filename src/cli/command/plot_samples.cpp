@@ -1,0 +1,134 @@
+#include "cli/command/plot_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sarsim::cli {
+
+namespace {
+
+constexpr std::size_t most_samples = std::size_t{1} << 25U;
+
+// The place nearest to the wanted one; the middle where none is wanted.
+std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted, const CutPlaces& names) {
+  if (!wanted) return places.size() / 2;
+  const auto [low, high] = std::ranges::minmax(places);
+  const double spacing = places.size() < 2 ? 1.0 : (high - low) / static_cast<double>(places.size() - 1);
+  const auto with_unit = [&](double value) {
+    return fmt::format("{:.6g}{}{}", value, names.unit.empty() ? "" : " ", names.unit);
+  };
+  if (*wanted < low - spacing || *wanted > high + spacing)
+    throw BadInput(fmt::format("{} {} is not among what is seen", names.label, with_unit(*wanted)),
+                   fmt::format("it goes from {:.6g} to {}", low, with_unit(high)));
+  const auto distance = [&](double place) { return std::abs(place - *wanted); };
+  return static_cast<std::size_t>(std::ranges::min_element(places, {}, distance) - places.begin());
+}
+
+// So many rows about the chosen one, moved so that they are there; all where nothing is chosen.
+IndexSpan burst(const PlotArguments& a, std::size_t row, std::size_t rows) {
+  const auto count = a.pulses ? std::min(static_cast<std::size_t>(*a.pulses), rows) : rows;
+  const std::size_t begin = std::min(row - std::min(row, count / 2), rows - count);
+  return {begin, begin + count};
+}
+
+RadarViewChoice choice_of(const PlotArguments& a) {
+  RadarViewChoice choice;
+  choice.mean = a.mean.value_or(ProfileMean::power);
+  choice.window = a.window.value_or(SpectrumWindow::hann);
+  choice.padding = static_cast<std::size_t>(a.padding.value_or(1));
+  choice.decibels = a.quantity.value_or(DisplayQuantity::decibels) == DisplayQuantity::decibels;
+  choice.unwrapped = !a.wrapped;
+  choice.range_db = a.span_db.value_or(60.0);
+  return choice;
+}
+
+void expect_quantity(const PlotArguments& a) {
+  const bool levels = a.kind == PlotKind::profile || a.kind == PlotKind::spectrum;
+  if (!a.quantity || a.kind == PlotKind::pulse || a.kind == PlotKind::range) return;
+  if (levels && (*a.quantity == DisplayQuantity::decibels || *a.quantity == DisplayQuantity::magnitude)) return;
+  if (a.kind == PlotKind::range_doppler && *a.quantity == DisplayQuantity::decibels) return;
+  if (a.kind == PlotKind::phase && *a.quantity == DisplayQuantity::phase) return;
+  throw BadInput(fmt::format("--show: {} is not shown by this kind of plot", title_of(*a.quantity)),
+                 levels                              ? "profiles and spectra are shown as magnitude or db"
+                 : a.kind == PlotKind::range_doppler ? "range-Doppler maps are shown in db"
+                                                     : "phase histories are shown as phase");
+}
+
+// Counts are no volts: the words that figures of volts have are exchanged.
+void say_unit(Figure& figure, const std::string& unit) {
+  if (unit == "V") return;
+  for (FigurePanel& panel : figure.panels) {
+    if (panel.y.unit == "V") panel.y.unit = unit;
+    if (panel.y.unit == "W/Hz") panel.y.unit = unit + "^2/Hz";
+    if (panel.y.label == "Level above 1 V") panel.y.label = "Level above 1 " + unit;
+    if (panel.y.label == "Density above 1 W/Hz") panel.y.label = "Density above 1 " + unit + "^2/Hz";
+  }
+}
+
+EchoBlock read_block(const PlotSamples& samples, IndexSpan rows, IndexSpan columns, std::size_t times) {
+  const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
+  if (count * static_cast<double>(times) > static_cast<double>(most_samples))
+    throw BadInput(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
+                               columns.end - columns.begin),
+                   "choose fewer with --pulses, or a narrower --range");
+  return samples.read(rows, columns);
+}
+
+Figure radar_view(const PlotArguments& a, const PlotSamples& samples, std::size_t row, std::size_t column) {
+  const RadarViewChoice choice = choice_of(a);
+  const IndexSpan all{0, samples.column_place.size()};
+  const IndexSpan rows = burst(a, row, samples.row_place.size());
+  switch (a.kind) {
+    case PlotKind::profile: return range_profile_figure(read_block(samples, rows, all, 1), choice);
+    case PlotKind::range_doppler:
+      return range_doppler_figure(read_block(samples, rows, all, choice.padding), column, choice);
+    case PlotKind::spectrum: return spectrum_figure(read_block(samples, {row, row + 1}, all, 1), 0, choice);
+    default: return phase_figure(read_block(samples, rows, {column, column + 1}, 1), 0, choice);
+  }
+}
+
+}  // namespace
+
+bool is_of_samples(PlotKind kind) {
+  switch (kind) {
+    case PlotKind::pulse:
+    case PlotKind::range:
+    case PlotKind::profile:
+    case PlotKind::range_doppler:
+    case PlotKind::spectrum:
+    case PlotKind::phase: return true;
+    default: return false;
+  }
+}
+
+Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
+  expect_quantity(a);
+  if (samples.row_place.empty() || samples.column_place.empty()) throw BadInput("there are no samples to look at");
+  const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
+  const std::size_t column = nearest(samples.column_place, a.at_m, samples.look.columns);
+  Plotted plotted;
+  if (a.kind == PlotKind::pulse || a.kind == PlotKind::range) {
+    CutLook look = samples.look;
+    look.quantity = a.quantity.value_or(look.quantity);
+    look.span_db = a.span_db.value_or(look.span_db);
+    look.peaks = static_cast<std::size_t>(a.peaks.value_or(0));
+    const bool pulse = a.kind == PlotKind::pulse;
+    const IndexSpan rows = pulse ? IndexSpan{row, row + 1} : burst(a, row, samples.row_place.size());
+    const IndexSpan columns = pulse ? IndexSpan{0, samples.column_place.size()} : IndexSpan{column, column + 1};
+    const EchoBlock block = read_block(samples, rows, columns, 1);
+    plotted.figure = pulse ? row_figure(block, 0, look) : column_figure(block, 0, look);
+    if (!a.csv.empty()) plotted.table = sample_table(block, look, !pulse, pulse, ',');
+    return plotted;
+  }
+  if (!samples.timed)
+    throw BadInput("the file does not say the times, ranges and carriers that this kind of plot needs",
+                   "name the script that wrote it with --script, or use an HDF5 file");
+  plotted.figure = radar_view(a, samples, row, column);
+  say_unit(plotted.figure, samples.look.unit);
+  if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');
+  return plotted;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "cli/shell/context.hpp"
+#include "cli/shell/progress_display.hpp"
+#include "workflow/stepped/profile_series.hpp"
+
+namespace sarsim::cli {
+
+/// What --velocity says.
+struct VelocityChoice {
+  SeriesOptions::Velocity velocity = SeriesOptions::Velocity::none;
+  double speed_mps = 0.0;
+};
+
+/// none, scene, estimated or a number of m/s; throws BadInput for anything else.
+[[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
+
+/// Throws BadInput where a search for the speed of such bursts would try too many.
+void expect_searchable(double fastest_mps, const SteppedRows& rows);
+
+/// How progress is shown.
+[[nodiscard]] ProgressDisplay::Style display_style(const Streams& streams, bool quiet);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,57 @@
+#include "cli/command/sweep_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/command/sweep_axes.hpp"
+#include "cli/shell/context.hpp"
+#include "cli/shell/engine_options.hpp"
+#include "cli/shell/options.hpp"
+#include "core/text/number_text.hpp"
+
+namespace sarsim::cli {
+
+void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
+  add_text(app, "scene", a.scene, "SCENE", "script to vary")->required();
+  app.add_option("products", a.products,
+                 "which products: numbers of simulations from 1, or output names (default: all)")
+      ->type_name("NUMBER|NAME");
+  app.add_option("--set", a.settings,
+                 "a field and its values: x, a,b,c, start:step:end or first..last; repeat for combinations")
+      ->type_name("FIELD=VALUES")
+      ->allow_extra_args(false);
+  app.add_flag("--zip", a.paired, "pair the values of several --set instead of combining them");
+  app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
+  app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");
+  add_text(app, "--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
+  add_text(app, "--table", a.table, "NAME", "name of the tables and the journal (default: sweep)");
+  add_integer(app, "--jobs", a.jobs, 0, 4096, "variations at a time; 0 for as many as there are threads (default)");
+  add_integer(app, "--threads", a.threads, 0, 4096, "threads of all of them; 0 for one per core (default)");
+  add_text(app, "--part", a.part, "K/N", "only every Nth variation, from the Kth: a share for one machine of N");
+  app.add_flag("--resume", a.resume, "leave out what an earlier run completed");
+  add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
+  add_engine(app, a.engine, "how echoes are added up, as for run");
+  add_text(app, "--simd", a.simd, "LEVEL", "instruction set to use, as for run");
+  add_scene_overrides(app, a.overrides);
+  app.add_flag("--force", a.force, "replace files that exist");
+  app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5 and NPY");
+  app.add_flag("--header", a.header, "a header line in CSV");
+  app.add_flag("--discard", a.discard, "write the tables alone, no recordings");
+  app.add_flag("--json", a.json, "the table as JSON on standard output, too");
+  app.add_flag("--strict", a.strict, "warnings end the sweep before it begins (status 2)");
+  app.add_flag("--quiet", a.quiet, "only errors on standard error");
+}
+
+SweepPart read_part(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const auto index = parse_integer(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  if (!index || !count)
+    throw BadInput(fmt::format("--part: '{}' is no part", text), "write K/N, for instance 2/4 for the second of four");
+  if (*count < 1 || *count > static_cast<std::int64_t>(most_variations) || *index < 1 || *index > *count)
+    throw BadInput(fmt::format("--part: there is no part {}", text),
+                   fmt::format("parts are numbered from 1 to N, and N is {} at most", most_variations));
+  return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
+}
+
+}  // namespace sarsim::cli

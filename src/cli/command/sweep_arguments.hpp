@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/shell/scene_input.hpp"
+#include "simulate/plan/engine.hpp"
+
+namespace sarsim::cli {
+
+/// What `sweep` is asked.
+struct SweepArguments {
+  std::string scene;
+  std::vector<std::string> products;
+  std::vector<std::string> settings;  ///< "OBJECT.FIELD=VALUES"
+  bool paired = false;
+  std::string folder = ".";
+  std::string table;  ///< Stem of the names of table and journal, in the folder.
+  SceneOverrides overrides;
+  std::optional<Engine> engine;
+  std::string simd;
+  std::optional<std::int64_t> threads;
+  std::optional<std::int64_t> jobs;
+  std::string part;  ///< "K/N"
+  bool counts = false;
+  bool header = false;
+  bool discard = false;
+  bool force = false;
+  bool resume = false;
+  bool dry_run = false;
+  bool fields = false;
+  bool json = false;
+  bool strict = false;
+  bool quiet = false;
+};
+
+/// Adds all options of `sweep` to the command.
+void add_sweep_arguments(CLI::App& app, SweepArguments& arguments);
+
+/// A share of a sweep: number `index` of `count`, from 0.
+struct SweepPart {
+  std::size_t index = 0;
+  std::size_t count = 1;
+};
+
+/// Reads "2/4" and throws BadInput for anything else; nothing is the whole.
+[[nodiscard]] SweepPart read_part(const std::string& text);
+
+}  // namespace sarsim::cli

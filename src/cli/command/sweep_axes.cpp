@@ -1,0 +1,199 @@
+#include "cli/command/sweep_axes.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "cli/shell/context.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/schema/value_list.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+// Room for the temporary name and for the file system's own limit of 255 bytes.
+constexpr std::size_t longest_name = 200;
+
+Problem mistake(const std::string& setting, std::string message, std::string hint = {}) {
+  Problem problem;
+  problem.message = fmt::format("--set {}: {}", setting.substr(0, 80), message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+std::vector<std::string> distinct_words(const std::vector<std::string>& values) {
+  std::vector<std::string> words;
+  std::set<std::string> taken;
+  for (const std::string& value : values) {
+    const std::string word = safe_word(value);
+    std::string unique = word;
+    for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}-{}", word, number);
+    words.push_back(std::move(unique));
+  }
+  return words;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::string safe_word(const std::string& text) {
+  std::string word;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') ||
+                       static_cast<unsigned char>(c) >= 0x80 ||
+                       std::string_view("._+=-").find(c) != std::string_view::npos;
+    if (c == ' ') continue;
+    word += plain ? c : '-';
+  }
+  return word.empty() ? "-" : word;
+}
+
+std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+std::string SweepAxis::unit() const {
+  if (!is_number()) return {};
+  const auto units = units_of(field.field->quantity);
+  return units.empty() ? std::string() : std::string(units.front());
+}
+
+std::string SweepAxis::table_text(std::size_t value) const {
+  const std::string& text = values.at(value);
+  if (!is_number() || is_seed()) return text;
+  const QuantityReading reading = read_quantity(text, field.field->quantity);
+  return reading.value ? format_number(*reading.value) : text;
+}
+
+Sweep::Sweep(const Scene& scene, const std::vector<std::string>& settings, bool paired) : paired_(paired) {
+  Problems problems;
+  for (const std::string& setting : settings) add_axis(scene, setting, problems);
+  if (settings.empty())
+    throw BadInput("sweep: nothing varies", "say what does with --set, for instance --set seed=1..10");
+  if (problems.empty()) set_size(paired, problems);
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+void Sweep::add_axis(const Scene& scene, const std::string& setting, Problems& problems) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    problems.push_back(
+        mistake(setting, "there is no '='", "write OBJECT.FIELD=VALUES, as in Radar1.bandwidth=10MHz,20MHz"));
+    return;
+  }
+  SweepAxis axis;
+  axis.name = trimmed(setting.substr(0, equals));
+  const std::string values = trimmed(setting.substr(equals + 1));
+  axis.field = find_named_field(scene, axis.name, values);
+  if (axis.field.field == nullptr) {
+    problems.push_back(mistake(setting, axis.field.failure));
+    return;
+  }
+  for (const SweepAxis& other : axes_)
+    if (other.field.field == axis.field.field &&
+        (axis.field.objects.empty() || std::ranges::any_of(axis.field.objects, [&](ObjectId id) {
+           return std::ranges::find(other.field.objects, id) != other.field.objects.end();
+         })))
+      problems.push_back(mistake(setting, fmt::format("this field is set by {} already", other.name)));
+  ValueList list = read_value_list(values, *axis.field.field, most_variations);
+  if (!list.failure.empty()) {
+    problems.push_back(mistake(setting, list.failure));
+    return;
+  }
+  std::set<std::string_view> met;
+  for (const std::string& value : list.texts)
+    if (!met.insert(value).second) {
+      problems.push_back(mistake(setting, fmt::format("the value {} is given twice", value)));
+      break;
+    }
+  axis.values = std::move(list.texts);
+  axis.words = distinct_words(axis.values);
+  axes_.push_back(std::move(axis));
+}
+
+void Sweep::set_size(bool paired, Problems& problems) {
+  strides_.assign(axes_.size(), 1);
+  if (paired) {
+    size_ = axes_.front().values.size();
+    for (const SweepAxis& axis : axes_)
+      if (axis.values.size() != size_)
+        problems.push_back(
+            mistake(axis.name,
+                    fmt::format("with --zip all lists are of one length; this one has {} values and that of {} has {}",
+                                axis.values.size(), axes_.front().name, size_)));
+    return;
+  }
+  double size = 1.0;
+  for (const SweepAxis& axis : axes_) size *= static_cast<double>(axis.values.size());
+  if (size > static_cast<double>(most_variations)) {
+    Problem problem;
+    problem.message = fmt::format("the sweep would have {:.0f} variations", size);
+    problem.expected = fmt::format("{} at most", most_variations);
+    problem.hint = "vary less at once, or pair the values with --zip";
+    problems.push_back(std::move(problem));
+    return;
+  }
+  size_ = 1;
+  for (std::size_t axis = axes_.size(); axis-- > 0;) {
+    strides_[axis] = size_;
+    size_ *= axes_[axis].values.size();
+  }
+}
+
+std::size_t Sweep::value_of(std::size_t variation, std::size_t axis) const {
+  return variation / strides_[axis] % axes_[axis].values.size();
+}
+
+std::string Sweep::label(std::size_t variation) const {
+  std::string text;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    text += fmt::format("{}{}={}", i == 0 ? "" : " ", axes_[i].name, axes_[i].values[value_of(variation, i)]);
+  return text;
+}
+
+std::string Sweep::file_name(const std::string& stem, const std::string& extension, std::size_t variation) const {
+  std::string values;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    values += fmt::format("_{}={}", safe_word(axes_[i].name), axes_[i].words[value_of(variation, i)]);
+  const std::string safe = safe_word(stem);
+  if (safe.size() + values.size() + extension.size() <= longest_name) return safe + values + extension;
+  return fmt::format("{}_{:016x}{}", safe.substr(0, longest_name / 2), hash_of(values, hash_of(safe)), extension);
+}
+
+Scene Sweep::scene(const Scene& base, std::size_t variation, Problems& problems) const {
+  Scene scene = base;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const std::string& value = axes_[i].values[value_of(variation, i)];
+    if (const std::string failure = set_named_field(scene, axes_[i].field, value); !failure.empty())
+      problems.push_back(mistake(axes_[i].name + "=" + value, failure));
+  }
+  return scene;
+}
+
+bool Sweep::varies(const Subject& subject) const {
+  return std::ranges::any_of(axes_, [&](const SweepAxis& axis) {
+    const std::string_view id = axis.field.field->id;
+    const bool field = id == subject.field || (id.starts_with(subject.field) && id.size() > subject.field.size() &&
+                                               id[subject.field.size()] == '.' && !subject.field.empty());
+    if (axis.field.objects.empty()) return field && subject.kind == "options";
+    return field && std::ranges::any_of(axis.field.objects, [&](ObjectId object) {
+             return name_of(object.kind) == subject.kind && object.index == subject.index;
+           });
+  });
+}
+
+std::size_t Sweep::first_alike(std::size_t variation) const {
+  if (paired_) return variation;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (axes_[i].is_seed()) return variation - value_of(variation, i) * strides_[i];
+  return variation;
+}
+
+}  // namespace sarsim::cli

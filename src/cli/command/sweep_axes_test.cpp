@@ -1,0 +1,150 @@
+#include "cli/command/sweep_axes.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "cli/shell/context.hpp"
+
+namespace sarsim::cli {
+namespace {
+
+using testing::HasSubstr;
+
+Scene small_scene() {
+  Scene scene;
+  scene.radars.resize(1);
+  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.targets.resize(2);
+  scene.simulations.resize(1);
+  return scene;
+}
+
+std::string complaint(const std::vector<std::string>& settings, bool paired = false) {
+  try {
+    (void)Sweep(small_scene(), settings, paired);
+  } catch (const BadInput& error) {
+    std::string text;
+    for (const Problem& problem : error.problems) text += to_string(problem) + "\n";
+    return text;
+  }
+  return "none";
+}
+
+TEST(SweepAxes, CombineWithTheLastVaryingFastest) {
+  const Sweep sweep(small_scene(), {"Radar1.bandwidth=10MHz,20MHz", "seed=1..3"}, false);
+  ASSERT_EQ(sweep.size(), 6U);
+  EXPECT_EQ(sweep.label(0), "Radar1.bandwidth=10MHz seed=1");
+  EXPECT_EQ(sweep.label(1), "Radar1.bandwidth=10MHz seed=2");
+  EXPECT_EQ(sweep.label(3), "Radar1.bandwidth=20MHz seed=1");
+  EXPECT_EQ(sweep.label(5), "Radar1.bandwidth=20MHz seed=3");
+}
+
+TEST(SweepAxes, PairWithZip) {
+  const Sweep sweep(small_scene(), {"Radar1.bandwidth=10,20,30MHz", "Radar1.pulse_width=3,2,1us"}, true);
+  ASSERT_EQ(sweep.size(), 3U);
+  EXPECT_EQ(sweep.label(2), "Radar1.bandwidth=30MHz Radar1.pulse_width=1us");
+  EXPECT_THAT(complaint({"seed=1..3", "Target1.x=1,2"}, true),
+              HasSubstr("this one has 2 values and that of seed has 3"));
+}
+
+TEST(SweepAxes, SetTheValuesOfAVariation) {
+  const Scene base = small_scene();
+  const Sweep sweep(base, {"Radar1.bandwidth=10MHz,20MHz", "Target*.x=1km,2km"}, false);
+  Problems problems;
+  const Scene scene = sweep.scene(base, 3, problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(scene.radars[0].bandwidth_hz, 20e6);
+  EXPECT_EQ(scene.targets[0].position_m.x, 2000.0);
+  EXPECT_EQ(scene.targets[1].position_m.x, 2000.0);
+}
+
+TEST(SweepAxes, SetInTheOrderInWhichTheyAreGiven) {
+  const Scene base = small_scene();
+  const Sweep sweep(base, {"Radar1.pulse=Barker", "Radar1.barker_code=13"}, false);
+  Problems problems;
+  EXPECT_EQ(sweep.scene(base, 0, problems).radars[0].barker_code, 6);
+  EXPECT_TRUE(problems.empty());
+  const Sweep reversed(base, {"Radar1.barker_code=13", "Radar1.pulse=Barker"}, false);
+  (void)reversed.scene(base, 0, problems);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message, HasSubstr("--set Radar1.barker_code=13: "));
+}
+
+TEST(SweepAxes, NameFilesByTheValuesOfTheVariationAlone) {
+  const Sweep few(small_scene(), {"Radar1.bandwidth=20MHz", "seed=7"}, false);
+  const Sweep many(small_scene(), {"Radar1.bandwidth=10MHz,20MHz", "seed=5..9"}, false);
+  EXPECT_EQ(few.file_name("sim1", ".h5", 0), "sim1_Radar1.bandwidth=20MHz_seed=7.h5");
+  EXPECT_EQ(many.file_name("sim1", ".h5", 7), few.file_name("sim1", ".h5", 0));
+}
+
+TEST(SweepAxes, NamesOfFilesAreSafeAndDiffer) {
+  const Sweep sweep(small_scene(), {"Simulation1.file=\"a/b\",a-b,\"a b\",ab,$(x)"}, false);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < sweep.size(); ++i) names.insert(sweep.file_name("o u/t", ".bin", i));
+  EXPECT_EQ(names.size(), 5U);
+  for (const std::string& name : names)
+    EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._+=-"),
+              std::string::npos)
+        << name;
+}
+
+TEST(SweepAxes, LongNamesBecomeNumbersThatStayTheSame) {
+  std::vector<std::string> settings;
+  for (const char* field : {"pulse_width", "bandwidth", "prf", "power", "losses", "noise_temperature", "transmit_gain"})
+    settings.push_back(std::string("Radar1.") + field + "=1.23456789012345,2.3456789012345");
+  const Sweep sweep(small_scene(), settings, false);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < sweep.size(); ++i) names.insert(sweep.file_name("sim1", ".bin", i));
+  EXPECT_EQ(names.size(), sweep.size());
+  for (const std::string& name : names) EXPECT_LE(name.size(), 200U);
+  EXPECT_EQ(sweep.file_name("sim1", ".bin", 5), sweep.file_name("sim1", ".bin", 5));
+}
+
+TEST(SweepAxes, RefuseWhatIsNoSettingAllAtOnce) {
+  const std::string text =
+      complaint({"seed", "=3", "sead=1", "Radar1.bandwidth=fast", "seed=2,2", "Target1.x=1", "Target*.x=3"});
+  EXPECT_THAT(text, HasSubstr("--set seed: there is no '='"));
+  EXPECT_THAT(text, HasSubstr("no field is named"));
+  EXPECT_THAT(text, HasSubstr("did you mean seed?"));
+  EXPECT_THAT(text, HasSubstr("no frequency"));
+  EXPECT_THAT(text, HasSubstr("the value 2 is given twice"));
+  EXPECT_THAT(text, HasSubstr("set by Target1.x already"));
+  EXPECT_THAT(complaint({}), HasSubstr("nothing varies"));
+}
+
+TEST(SweepAxes, RefuseMoreVariationsThanAnybodyMeans) {
+  EXPECT_THAT(complaint({"seed=1..1000", "Target1.x=1..101"}), HasSubstr("would have 101000 variations"));
+  EXPECT_THAT(complaint({"seed=1..100001"}), HasSubstr("more than 100000 values"));
+  EXPECT_EQ(complaint({"seed=1..1000", "Target1.x=1..100"}), "none");
+}
+
+TEST(SweepAxes, KnowTheFirstOfThoseThatDifferByTheSeed) {
+  const Sweep sweep(small_scene(), {"seed=1..3", "Target1.x=1,2"}, false);
+  EXPECT_EQ(sweep.first_alike(4), 0U);
+  EXPECT_EQ(sweep.first_alike(5), 1U);
+  const Sweep paired(small_scene(), {"seed=1,2", "Target1.x=1,2"}, true);
+  EXPECT_EQ(paired.first_alike(1), 1U);
+}
+
+TEST(SweepAxes, KnowWhichFieldsVary) {
+  const Sweep sweep(small_scene(), {"Target2.x=1,2", "seed=1,2"}, false);
+  EXPECT_TRUE(sweep.varies({"target", 1, "position_m"}));
+  EXPECT_TRUE(sweep.varies({"target", 1, "position_m.x"}));
+  EXPECT_FALSE(sweep.varies({"target", 0, "position_m"}));
+  EXPECT_FALSE(sweep.varies({"target", 1, ""}));
+  EXPECT_TRUE(sweep.varies({"options", 0, "seed"}));
+  EXPECT_FALSE(sweep.varies({"simulation", 0, "bits"}));
+}
+
+TEST(SweepAxes, TablesHoldBaseUnits) {
+  const Sweep sweep(small_scene(), {"Radar1.bandwidth=10MHz,2.5e7", "Simulation1.processing=Raw"}, false);
+  EXPECT_EQ(sweep.axes()[0].unit(), "Hz");
+  EXPECT_EQ(sweep.axes()[0].table_text(0), "10000000");
+  EXPECT_EQ(sweep.axes()[0].table_text(1), "25000000");
+  EXPECT_EQ(sweep.axes()[1].unit(), "");
+  EXPECT_EQ(sweep.axes()[1].table_text(0), "Raw");
+}
+
+}  // namespace
+}  // namespace sarsim::cli

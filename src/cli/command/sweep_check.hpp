@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/command/products.hpp"
+#include "cli/command/sweep_axes.hpp"
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/format/sinks.hpp"
+#include "scene/script/field_places.hpp"
+#include "simulate/plan/engine.hpp"
+
+namespace sarsim::cli {
+
+/// How large a product of a variation will be.
+struct ProductSize {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  double bytes = 0.0;
+  double least_bytes = 0.0;  ///< The size of text is an estimate from above.
+  double seconds = 0.0;      ///< Roughly, on one thread.
+};
+
+/// What `check_sweep` works with.
+struct SweepToCheck {
+  const Scene& base;
+  const FieldPlaces& places;
+  const Sweep& sweep;
+  const std::vector<ProductJob>& products;
+  const std::vector<std::size_t>& variations;  ///< Those that are to be looked at, ascending.
+  bool counts = false;                         ///< As in SinkOptions.
+  Engine engine = Engine::automatic;           ///< That will run, for the time that is announced.
+};
+
+/// What there is to know before the first variation is run.
+struct SweepChecks {
+  Problems problems;  ///< Each cause once, with the variations that have it; errors first, then by the first of them.
+  /// Of each of `variations`, and in it of each product; empty where there are errors.
+  std::vector<std::vector<ProductSize>> sizes;
+};
+
+/// Looks at every variation as `sarsim check` looks at a script, on all threads; variations that differ by the seed
+/// alone are looked at once. The outcome does not depend on the number of threads.
+[[nodiscard]] SweepChecks check_sweep(const SweepToCheck& work, const WorkControl& control);
+
+}  // namespace sarsim::cli

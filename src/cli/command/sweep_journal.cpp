@@ -1,0 +1,159 @@
+#include "cli/command/sweep_journal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* heading =
+    "sarsim sweep 2: stamp, file, bytes, written, seconds, engine, lsb_estimated, rows, columns, "
+    "maximum_v, lsb_v, best_lsb_v, range_used, saturated, zero, end\n";
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line) {
+    if (c == '\t')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+// Reads one cell after the other; one that does not fit is remembered.
+class CellReader {
+ public:
+  explicit CellReader(const std::vector<std::string>& cells) : cells_(cells) {}
+
+  const std::string& word() { return cells_[next_++]; }
+  double number() {
+    const auto value = parse_number(word());
+    good_ = good_ && value;
+    return value.value_or(0.0);
+  }
+  std::uint64_t whole(int base = 10) {
+    const std::string& text = word();
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    good_ = good_ && error == std::errc{} && end == text.data() + text.size();
+    return value;
+  }
+  // Nothing for "-".
+  std::optional<std::int64_t> time() {
+    const std::string& text = word();
+    if (text == "-") return std::nullopt;
+    const auto value = parse_integer(text);
+    good_ = good_ && value;
+    return value;
+  }
+  [[nodiscard]] bool good() const { return good_; }
+
+ private:
+  const std::vector<std::string>& cells_;
+  std::size_t next_ = 0;
+  bool good_ = true;
+};
+
+}  // namespace
+
+std::string journal_line(const SweepRow& row) {
+  const RunReport& run = row.run;
+  std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, format_number(row.bytes),
+                                 row.written ? std::to_string(*row.written) : "-", format_number(row.seconds),
+                                 row.engine, row.lsb_estimated ? 1 : 0);
+  line += fmt::format("\t{}\t{}", run.rows, run.columns);
+  for (const double value : {run.maximum_v, run.lsb_v, run.best_lsb_v, run.range_used}) {
+    line += '\t';
+    append_number(line, value);
+  }
+  return line + fmt::format("\t{}\t{}\t.", run.saturated, run.zero);
+}
+
+bool read_journal_line(const std::string& line, SweepRow& row) {
+  const std::vector<std::string> cells = cells_of(line);
+  if (cells.size() != 16 || cells.back() != ".") return false;
+  CellReader reader(cells);
+  row.stamp = reader.whole(16);
+  row.file = reader.word();
+  row.bytes = reader.number();
+  row.written = reader.time();
+  row.seconds = reader.number();
+  row.engine = reader.word();
+  row.lsb_estimated = reader.whole() != 0;
+  row.run.rows = reader.whole();
+  row.run.columns = reader.whole();
+  for (double RunReport::*member :
+       {&RunReport::maximum_v, &RunReport::lsb_v, &RunReport::best_lsb_v, &RunReport::range_used})
+    row.run.*member = reader.number();
+  row.run.saturated = reader.whole();
+  row.run.zero = reader.whole();
+  row.table = row.engine.empty();
+  row.done = reader.good() && !row.file.empty();
+  return row.done;
+}
+
+std::optional<std::int64_t> modification_time(const fs::path& file) {
+  std::error_code none;
+  const fs::file_time_type time = fs::last_write_time(file, none);
+  if (none) return std::nullopt;
+  return time.time_since_epoch().count();
+}
+
+SweepJournal::SweepJournal(fs::path path, bool keep) : path_(std::move(path)) {
+  std::error_code ignored;
+  const auto size = fs::file_size(path_, ignored);
+  const bool begun = keep && !ignored && size > 0;
+  errno = 0;
+  file_.open(path_, std::ios::binary | (keep ? std::ios::app : std::ios::trunc));
+  // A line that was cut off must not swallow the next one.
+  file_ << (begun ? "\n" : heading) << std::flush;
+  if (!file_)
+    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write " + path_.string());
+}
+
+void SweepJournal::add(const SweepRow& row) {
+  const std::string line = journal_line(row) + "\n";
+  const std::scoped_lock hold(lock_);
+  errno = 0;
+  file_ << line << std::flush;
+  if (!file_)
+    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write " + path_.string());
+}
+
+std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std::string& stem) {
+  std::map<std::string, SweepRow> rows;
+  std::error_code none;
+  std::vector<std::pair<fs::file_time_type, fs::path>> journals;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name == stem + ".journal" || (name.starts_with(stem + "-") && name.ends_with(".journal"));
+    std::error_code gone;
+    if (ours && entry.is_regular_file(gone)) journals.emplace_back(entry.last_write_time(gone), entry.path());
+  }
+  std::ranges::sort(journals);
+  for (const auto& [time, path] : journals) {
+    std::ifstream file(path, std::ios::binary);
+    for (std::string line; std::getline(file, line);) {
+      SweepRow row;
+      if (!read_journal_line(line, row)) continue;
+      const auto known = rows.find(row.file);
+      const bool poorer = known != rows.end() && known->second.stamp == row.stamp && known->second.written;
+      if (row.written || !poorer) rows.insert_or_assign(row.file, std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "cli/command/sweep_row.hpp"
+
+namespace sarsim::cli {
+
+/// A text file in which a sweep notes every product as soon as it is complete, so that a later run can leave it out. A
+/// line for each; a last line that was cut off is as good as none.
+class SweepJournal {
+ public:
+  /// Opens the journal for additions, or begins it anew.
+  /// @throws std::system_error "cannot write FILE"
+  SweepJournal(std::filesystem::path path, bool keep);
+
+  /// Notes a product; from any thread.
+  void add(const SweepRow& row);
+
+ private:
+  std::filesystem::path path_;
+  std::mutex lock_;
+  std::ofstream file_;
+};
+
+/// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
+/// `stem`-....journal in its folder. Of several lines about a product the latest is kept, but one without a file does
+/// not take the place of one with a file that is otherwise the same.
+[[nodiscard]] std::map<std::string, SweepRow> read_journals(const std::filesystem::path& folder,
+                                                            const std::string& stem);
+
+/// A line of a journal, without its end, and back; false where it is none.
+[[nodiscard]] std::string journal_line(const SweepRow& row);
+[[nodiscard]] bool read_journal_line(const std::string& line, SweepRow& row);
+
+/// When a file's content was last changed, as a number that only serves to be compared; nothing where there is none.
+[[nodiscard]] std::optional<std::int64_t> modification_time(const std::filesystem::path& file);
+
+}  // namespace sarsim::cli

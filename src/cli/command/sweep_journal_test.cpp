@@ -1,0 +1,120 @@
+#include "cli/command/sweep_journal.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <system_error>
+
+#include <gtest/gtest.h>
+
+namespace sarsim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+SweepRow example(const std::string& file, std::uint64_t stamp = 0x123456789abcdef0U) {
+  SweepRow row;
+  row.file = file;
+  row.stamp = stamp;
+  row.done = true;
+  row.bytes = 13360.0;
+  row.seconds = 0.1;
+  row.engine = "direct";
+  row.lsb_estimated = true;
+  row.run.rows = 20;
+  row.run.columns = 334;
+  row.run.maximum_v = 1.0 / 3.0;
+  row.run.lsb_v = 1e-300;
+  row.run.best_lsb_v = 4.9e-324;
+  row.run.range_used = 0.97;
+  row.run.saturated = 3;
+  row.run.zero = 18446744073709551615U;
+  return row;
+}
+
+class SweepJournals : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("sarsim-journals-" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+TEST(SweepJournalLine, IsExact) {
+  const SweepRow row = example("sim1_seed=1.bin");
+  SweepRow back;
+  ASSERT_TRUE(read_journal_line(journal_line(row), back));
+  EXPECT_EQ(journal_line(back), journal_line(row));
+  EXPECT_EQ(back.stamp, row.stamp);
+  EXPECT_EQ(back.run.maximum_v, row.run.maximum_v);
+  EXPECT_EQ(back.run.best_lsb_v, row.run.best_lsb_v);
+  EXPECT_EQ(back.run.zero, row.run.zero);
+  EXPECT_TRUE(back.done);
+  EXPECT_FALSE(back.table);
+}
+
+TEST(SweepJournalLine, IsNoneWhereAnyOfItIsMissing) {
+  const std::string line = journal_line(example("sim1.bin"));
+  for (std::size_t length = 0; length < line.size(); ++length) {
+    SweepRow row;
+    EXPECT_FALSE(read_journal_line(line.substr(0, length), row)) << length;
+  }
+}
+
+TEST_F(SweepJournals, OfAllPartsAreReadTogether) {
+  SweepJournal(folder_ / "sweep-1-of-2.journal", false).add(example("a.bin"));
+  SweepJournal(folder_ / "sweep-2-of-2.journal", false).add(example("b.bin"));
+  SweepJournal(folder_ / "other.journal", false).add(example("c.bin"));
+  const auto rows = read_journals(folder_, "sweep");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_TRUE(rows.contains("a.bin"));
+  EXPECT_TRUE(rows.contains("b.bin"));
+}
+
+TEST_F(SweepJournals, GoOnBehindALineThatWasCutOff) {
+  const fs::path path = folder_ / "sweep.journal";
+  { SweepJournal(path, true).add(example("a.bin")); }
+  std::ofstream(path, std::ios::app) << journal_line(example("cut.bin")).substr(0, 40);
+  { SweepJournal(path, true).add(example("b.bin", 7)); }
+  { SweepJournal(path, true).add(example("a.bin", 8)); }
+  const auto rows = read_journals(folder_, "sweep");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows.at("b.bin").stamp, 7U);
+  EXPECT_EQ(rows.at("a.bin").stamp, 8U);  // The later line counts.
+}
+
+TEST_F(SweepJournals, TakeALineWithAFileForMoreThanOneWithout) {
+  SweepRow file = example("a.bin", 1);
+  file.written = -4711;
+  SweepRow back;
+  ASSERT_TRUE(read_journal_line(journal_line(file), back));
+  EXPECT_EQ(back.written, file.written);
+  {
+    SweepJournal journal(folder_ / "sweep.journal", false);
+    journal.add(file);
+    journal.add(example("a.bin", 1));
+    journal.add(example("b.bin", 1));
+  }
+  auto rows = read_journals(folder_, "sweep");
+  EXPECT_EQ(rows.at("a.bin").written, file.written);
+  EXPECT_FALSE(rows.at("b.bin").written);
+  { SweepJournal(folder_ / "sweep.journal", true).add(example("a.bin", 2)); }
+  rows = read_journals(folder_, "sweep");
+  EXPECT_FALSE(rows.at("a.bin").written);  // Of another scene: only the latest can fit.
+}
+
+TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {
+  const fs::path path = folder_ / "sweep.journal";
+  { SweepJournal(path, false).add(example("a.bin")); }
+  { SweepJournal(path, false).add(example("b.bin")); }
+  EXPECT_EQ(read_journals(folder_, "sweep").size(), 1U);
+  EXPECT_THROW(SweepJournal(folder_ / "none" / "sweep.journal", false), std::system_error);
+  EXPECT_TRUE(read_journals(folder_ / "none", "sweep").empty());
+}
+
+}  // namespace
+}  // namespace sarsim::cli

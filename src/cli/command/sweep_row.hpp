@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "simulate/plan/sink.hpp"
+
+namespace sarsim::cli {
+
+/// What a variation's product turned out to be: a line of the table of a sweep.
+struct SweepRow {
+  std::size_t variation = 0;
+  std::size_t product = 0;  ///< Among the chosen products.
+  bool table = false;       ///< A geometry table; then `run` says nothing.
+  bool done = false;
+  std::string failure;      ///< Why not, where it was tried.
+  std::string file;         ///< In the folder of the sweep; the name that it would have where nothing is written.
+  std::uint64_t stamp = 0;  ///< Of everything that its content depends on.
+  double bytes = 0.0;       ///< Of its file; where it was discarded, of tables alone.
+  std::optional<std::int64_t> written;  ///< When its file was, `modification_time`; none where it was discarded.
+  double seconds = 0.0;
+  std::string engine;
+  bool lsb_estimated = false;
+  RunReport run;
+};
+
+}  // namespace sarsim::cli

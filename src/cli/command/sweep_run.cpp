@@ -1,0 +1,215 @@
+#include "cli/command/sweep_run.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/command/sweep_journal.hpp"
+#include "core/build/version.hpp"
+#include "core/os/output_file.hpp"
+#include "core/task/clock.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/format/sinks.hpp"
+#include "raster/table/formats.hpp"
+#include "scene/edit/data_functions.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+#include "simulate/run/geometry_table.hpp"
+#include "simulate/run/run.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
+
+// The HDF5 library may have been built for one thread at a time; where it was not, it lets only one in anyway.
+class OneAtATimeSink final : public Sink {
+ public:
+  template <class Make>
+  explicit OneAtATimeSink(const Make& make) {
+    const std::scoped_lock hold(lock());
+    inner_ = make();
+  }
+  OneAtATimeSink(const OneAtATimeSink&) = delete;
+  OneAtATimeSink& operator=(const OneAtATimeSink&) = delete;
+  ~OneAtATimeSink() override {
+    const std::scoped_lock hold(lock());
+    inner_.reset();
+  }
+
+  [[nodiscard]] bool wants_counts() const override { return inner_->wants_counts(); }
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override { return inner_->encode(block); }
+  void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
+    const std::scoped_lock hold(lock());
+    inner_->append(bytes, first_row, rows);
+  }
+  void finish(const RunReport& report) override {
+    const std::scoped_lock hold(lock());
+    inner_->finish(report);
+  }
+
+ private:
+  static std::mutex& lock() {
+    static std::mutex one;
+    return one;
+  }
+  std::unique_ptr<Sink> inner_;
+};
+
+std::unique_ptr<Sink> sink_of(const fs::path& path, const Product& product, const SinkOptions& options, bool discard) {
+  if (discard) return make_discarding_sink(product, options);
+  const auto make = [&] { return make_sink(path, product, options); };
+  if (options.format == FileFormat::hdf5) return std::make_unique<OneAtATimeSink>(make);
+  return make();
+}
+
+// One variation at work.
+class VariationRunner {
+ public:
+  VariationRunner(const Scene& scene, const VariationRules& rules, const StopFlag* stop)
+      : scene_(scene), rules_(rules), stop_(stop) {}
+
+  void make(const ProductJob& job, SweepRow& row) {
+    const double begin_s = now_s();
+    try {
+      if (job.table)
+        make_table(scene_.geometries.at(job.index), row);
+      else
+        make_recording(job.index, row);
+      if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
+      row.done = true;
+    } catch (const ImpossibleEcho& error) {
+      row.failure = error.problem.message;
+    } catch (const std::overflow_error& error) {
+      row.failure = error.what();
+    }
+    row.seconds = now_s() - begin_s;
+  }
+
+ private:
+  void make_recording(std::size_t simulation, SweepRow& row) {
+    if (!resolved_) resolved_ = std::make_shared<const ResolvedScene>(resolve(scene_, {rules_.threads, stop_}));
+    const Plan plan = make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
+    const bool with_script = plan.simulation.format == FileFormat::hdf5;
+    const Product product = product_of(plan, with_script ? write_script(scene_) : std::string());
+    const SinkOptions options{plan.simulation.format, rules_.replace, rules_.counts, rules_.header};
+    const fs::path path = rules_.folder / row.file;
+    const std::unique_ptr<Sink> sink = sink_of(path, product, options, rules_.discard);
+    const RunControl control{rules_.threads, stop_, {}};
+    const bool estimated = plan.simulation.lsb_v <= 0.0;
+    const double lsb_v = estimated && sink->wants_counts() ? resolved_lsb_v(plan, control) : plan.simulation.lsb_v;
+    row.run = run(plan, lsb_v, *sink, control);
+    row.engine = product.engine;
+    row.lsb_estimated = estimated;
+    if (!rules_.discard) row.bytes = static_cast<double>(fs::file_size(path));
+  }
+
+  void make_table(const GeometryTable& table, SweepRow& row) const {
+    const auto count = [&](std::string_view piece) { row.bytes += static_cast<double>(piece.size()); };
+    if (rules_.discard) {
+      write_geometry_text(scene_, table, count, stop_);
+      return;
+    }
+    OutputFile file(rules_.folder / row.file, rules_.replace);
+    const auto write = [&](std::string_view piece) {
+      file.write(std::as_bytes(std::span(piece)));
+      count(piece);
+    };
+    write_geometry_text(scene_, table, write, stop_);
+    file.commit();
+  }
+
+  const Scene& scene_;
+  const VariationRules& rules_;
+  const StopFlag* stop_;
+  std::shared_ptr<const ResolvedScene> resolved_;
+};
+
+// What data files hold; a script only names them.
+std::uint64_t hash_of_functions(const KeptObject& object, std::uint64_t hash) {
+  for (const FunctionUse& use : functions_of(object)) {
+    if (use.file->empty()) continue;
+    for (const SampledFunction& part : use.parts)
+      for (const Knot& knot : part.knots) hash = hash_of({reinterpret_cast<const char*>(&knot), sizeof knot}, hash);
+  }
+  return hash;
+}
+
+std::uint64_t hash_of_scene(const Scene& scene) {
+  std::uint64_t hash = hash_of(write_script(scene));
+  for (const Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
+  for (const Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
+  for (const Target& target : scene.targets)
+    if (!target.gain_db.file.empty()) hash = hash_of_functions(target, hash);
+  return hash;
+}
+
+}  // namespace
+
+VariationNames::VariationNames(const Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
+                               const VariationRules& rules)
+    : sweep_(sweep), products_(products) {
+  stamp_ = hash_of(fmt::format("{} {} {} {}", program_version, name_of(rules.engine), rules.counts, rules.header),
+                   hash_of_scene(base));
+  std::set<std::string> taken;
+  for (const ProductJob& job : products) {
+    // One stem for two products is fine where their extensions always differ, which is simplest never to rely on.
+    const std::string stem = safe_word(job.path.stem().string());  // As it stands in the files' names.
+    stems_.push_back(stem);
+    for (int number = 2; !taken.insert(stems_.back()).second; ++number)
+      stems_.back() = fmt::format("{}-{}", stem, number);
+    format_axes_.push_back(no_axis);
+    extensions_.push_back({job.path.extension().string()});
+    for (std::size_t axis = 0; axis < sweep.axes().size() && !job.table; ++axis) {
+      const NamedField& field = sweep.axes()[axis].field;
+      const bool ours =
+          std::ranges::find(field.objects, ObjectId{ObjectKind::simulation, job.index}) != field.objects.end();
+      if (!ours || field.field->id != "format") continue;
+      format_axes_.back() = axis;
+      extensions_.back().clear();
+      for (const std::string& value : sweep.axes()[axis].values) {
+        Scene scene;
+        scene.simulations.resize(job.index + 1);
+        NamedField alone = field;
+        alone.objects = {{ObjectKind::simulation, job.index}};
+        // A value that is refused is reported when the variations are checked.
+        const bool known = set_named_field(scene, alone, value).empty();
+        extensions_.back().emplace_back(known ? extension_of(scene.simulations.back().format) : std::string_view());
+      }
+    }
+  }
+}
+
+SweepRow VariationNames::row(std::size_t variation, std::size_t product) const {
+  const ProductJob& job = products_.at(product);
+  const std::size_t axis = format_axes_[product];
+  const std::string& extension = extensions_[product][axis == no_axis ? 0 : sweep_.value_of(variation, axis)];
+  SweepRow row;
+  row.variation = variation;
+  row.product = product;
+  row.table = job.table;
+  row.file = sweep_.file_name(stems_[product], extension, variation);
+  row.stamp = hash_of(
+      fmt::format("{}\n{}{}", sweep_.label(variation), job.table ? "geometry" : "simulation", job.index), stamp_);
+  return row;
+}
+
+void run_variation(const Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
+                   const VariationRules& rules, const StopFlag* stop,
+                   const std::function<void(const SweepRow&)>& done) {
+  VariationRunner runner(scene, rules, stop);
+  for (SweepRow* row : rows) {
+    runner.make(products.at(row->product), *row);
+    done(*row);
+  }
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "cli/command/products.hpp"
+#include "cli/command/sweep_axes.hpp"
+#include "cli/command/sweep_row.hpp"
+#include "core/task/stop.hpp"
+#include "simulate/plan/engine.hpp"
+
+namespace sarsim::cli {
+
+/// How the products of variations are made.
+struct VariationRules {
+  std::filesystem::path folder = ".";
+  Engine engine = Engine::automatic;
+  bool counts = false;   ///< As in SinkOptions.
+  bool header = false;   ///< As in SinkOptions.
+  bool replace = false;  ///< Replace existing files.
+  bool discard = false;  ///< Compute and encode everything, write nothing.
+  unsigned threads = 1;  ///< Of each variation.
+};
+
+/// The names of products, and what they depend on.
+class VariationNames {
+ public:
+  /// @param products  with their files in the script as `path`
+  VariationNames(const Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
+                 const VariationRules& rules);
+
+  /// The row of a product that has not been made yet: its numbers, file and stamp.
+  [[nodiscard]] SweepRow row(std::size_t variation, std::size_t product) const;
+
+ private:
+  const Sweep& sweep_;
+  const std::vector<ProductJob>& products_;
+  std::vector<std::string> stems_;                    // Of each product; no two are alike.
+  std::vector<std::size_t> format_axes_;              // Axis that sets the format of a product, or none.
+  std::vector<std::vector<std::string>> extensions_;  // Of each product, for each value of that axis.
+  std::uint64_t stamp_ = 0;                           // Of scene and rules.
+};
+
+/// Makes the products of a variation, those of `rows`, and completes these. An echo that cannot be computed, which the
+/// check of some pulses did not see, is the row's `failure`; so are samples that are too large. Failures of the disk
+/// are exceptions. A requested stop throws Interrupted and leaves nothing unfinished behind.
+///
+/// May be called on several threads at once.
+///
+/// @param scene  of the variation
+/// @param done   told each row as soon as its product is complete
+void run_variation(const Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
+                   const VariationRules& rules, const StopFlag* stop, const std::function<void(const SweepRow&)>& done);
+
+}  // namespace sarsim::cli

@@ -1,0 +1,125 @@
+#include "cli/command/sweep_table.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/shell/report.hpp"
+#include "core/build/version.hpp"
+#include "core/text/number_text.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+const char* status_of(const SweepRow& row) { return row.done ? "done" : row.failure.empty() ? "not made" : "failed"; }
+
+std::string product_name(const SweepFrame& frame, const SweepRow& row) {
+  const ProductJob& job = frame.products->at(row.product);
+  return fmt::format("{}{}", job.table ? "Geometry" : "Simulation", job.index + 1);
+}
+
+// A recording that was discarded has no size.
+bool is_sized(const SweepRow& row) { return row.table || row.written; }
+
+std::string heading(const SweepFrame& frame) {
+  std::string line = "variation";
+  for (const SweepAxis& axis : frame.sweep->axes())
+    line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
+  return line +
+         ",product,file,status,rows,columns,bytes,maximum_v,lsb_v,lsb_estimated,best_lsb_v,range_used,saturated,zero,"
+         "engine,seconds\n";
+}
+
+std::string line_of(const SweepFrame& frame, const SweepRow& row) {
+  std::string line = std::to_string(row.variation + 1);
+  for (std::size_t i = 0; i < frame.sweep->axes().size(); ++i)
+    line += fmt::format(",{}", cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
+  line += fmt::format(",{},{},{}", product_name(frame, row), cell(row.file), status_of(row));
+  if (!row.done) return line + std::string(12, ',') + "\n";
+  if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", format_number(row.bytes), row.seconds);
+  const RunReport& run = row.run;
+  line += fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? format_number(row.bytes) : std::string());
+  line += fmt::format(",{},{},{}", format_number(run.maximum_v), format_number(run.lsb_v), row.lsb_estimated ? 1 : 0);
+  line += fmt::format(",{},{},{},{}", format_number(run.best_lsb_v), format_number(run.range_used), run.saturated,
+                      run.zero);
+  return line + fmt::format(",{},{:.6g}\n", row.engine, row.seconds);
+}
+
+void write_axes(JsonWriter& json, const Sweep& sweep) {
+  json.key("axes").begin_array();
+  for (const SweepAxis& axis : sweep.axes())
+    json.begin_object()
+        .member("name", axis.name)
+        .member("field", axis.field.field->id)
+        .member("unit", axis.unit())
+        .member("values", axis.values.size())
+        .end_object();
+  json.end_array();
+}
+
+void write_values(JsonWriter& json, const Sweep& sweep, std::size_t variation) {
+  json.key("values").begin_object();
+  for (std::size_t i = 0; i < sweep.axes().size(); ++i) {
+    const SweepAxis& axis = sweep.axes()[i];
+    const std::size_t value = sweep.value_of(variation, i);
+    json.key(axis.name).begin_object().member("text", axis.values[value]);
+    if (const auto number = axis.is_number() ? parse_number(axis.table_text(value)) : std::nullopt; number)
+      json.member("value", *number);
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
+  json.begin_object().member("variation", row.variation + 1);
+  write_values(json, *frame.sweep, row.variation);
+  json.member("kind", row.table ? "geometry" : "recording").member("product", product_name(frame, row));
+  json.member("file", row.file).member("status", status_of(row));
+  if (!row.failure.empty()) json.member("message", row.failure);
+  if (row.done) {
+    json.key("bytes");
+    is_sized(row) ? json.value(row.bytes) : json.null();
+    json.member("seconds", row.seconds);
+  }
+  if (!row.done && row.run.rows > 0)  // What a sweep that was only planned would make.
+    json.member("rows", row.run.rows).member("columns", row.run.columns).member("bytes", row.bytes);
+  if (row.done && !row.table) {
+    const RunReport& run = row.run;
+    json.member("rows", run.rows).member("columns", run.columns).member("maximum_v", run.maximum_v);
+    json.member("lsb_v", run.lsb_v).member("lsb_estimated", row.lsb_estimated).member("best_lsb_v", run.best_lsb_v);
+    json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
+    json.member("engine", row.engine);
+  }
+  json.end_object();
+}
+
+}  // namespace
+
+std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows) {
+  std::string text = heading(frame);
+  for (const SweepRow& row : rows) text += line_of(frame, row);
+  return text;
+}
+
+std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows) {
+  JsonWriter json;
+  json.begin_object().member("sarsim", program_version).member("script", frame.script);
+  json.member("variations", frame.sweep->size());
+  write_axes(json, *frame.sweep);
+  json.key("rows").begin_array();
+  for (const SweepRow& row : rows) write_row(json, frame, row);
+  json.end_array().member("status", frame.status).key("problems");
+  write_json(json, *frame.problems);
+  return json.end_object().text();
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/command/products.hpp"
+#include "cli/command/sweep_axes.hpp"
+#include "cli/command/sweep_row.hpp"
+#include "core/report/problem.hpp"
+
+namespace sarsim::cli {
+
+/// What the table of a sweep says besides its rows.
+struct SweepFrame {
+  std::string script;
+  const Sweep* sweep = nullptr;
+  const std::vector<ProductJob>* products = nullptr;
+  std::string status;  ///< "done", "failed", ...
+  const Problems* problems = nullptr;
+};
+
+/// The table as comma-separated values (RFC 4180, lines end in LF): a line with the names of the columns, then a line
+/// for each row in their order. A column for each axis, with its unit in brackets, in that base unit.
+[[nodiscard]] std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows);
+
+/// The same as a JSON object, exact, with the values as typed.
+[[nodiscard]] std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows);
+
+}  // namespace sarsim::cli

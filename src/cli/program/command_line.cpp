@@ -1,0 +1,315 @@
+#include "cli/program/command_line.hpp"
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "cli/command/commands.hpp"
+#include "cli/shell/options.hpp"
+#include "cli/shell/report.hpp"
+#include "cli/shell/signals.hpp"
+#include "cli/shell/team.hpp"
+#include "core/build/build.hpp"
+#include "core/build/version.hpp"
+#include "core/text/json.hpp"
+#include "core/text/number_text.hpp"
+#include "picture/facts/version_text.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+std::string about(const std::string& program) {
+  return version_text(program, this_build(), {{"CLI11", CLI11_VERSION}}) + "\n";
+}
+
+// The application with its commands and what carries each out.
+struct Program {
+  CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
+  std::vector<std::pair<CLI::App*, Action>> commands;
+  bool begun = false;  // A command was understood and is carried out.
+
+  Program() {
+    prepare();
+    add("run", "simulate: everything that a script asks for, or some of it",
+        [](CLI::App& command) { return add_run(command); });
+    add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
+    add("check", "say everything that is wrong with scripts", add_check);
+    add("info", "describe a script or a file of samples", add_info);
+    add("geometry", "print where everything is, pulse by pulse", add_geometry);
+    add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);
+    add("merge", "join the parts of recordings that were made apart", add_merge);
+    add("convert", "convert files of samples between formats", add_convert);
+    add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
+    add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
+    add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
+    add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
+    add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
+    add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
+    add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
+    add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
+    add("completion", "print a completion script for a shell",
+        [this](CLI::App& command) { return add_completion(command, app); });
+    add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
+                       {"sarsim check scene.scr", "before computing anything"},
+                       {"sarsim run --help", "options and examples of a command"}});
+  }
+  // For processes that run together.
+  explicit Program(Team& team) {
+    app.name("sarsim-mpi");
+    app.description("Carries out sarsim run by the processes of an MPI job together.");
+    prepare();
+    add("run", "simulate: everything that a script asks for, or some of it",
+        [&team](CLI::App& command) { return add_run(command, &team); });
+    add_examples(app, {{"mpirun -n 8 sarsim-mpi run scene.scr", "eight processes, each with its share of the cores"}});
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void prepare() {
+    app.set_help_flag("-h,--help", "this help");
+    app.set_version_flag("--version", "", "version, build, libraries and licence");
+    app.get_formatter()->column_width(34);
+    app.allow_extras();
+  }
+
+  template <class Add>
+  void add(const char* name, const char* description, const Add& add_arguments) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_help_flag("-h,--help", "this help");
+    command->allow_extras();
+    commands.emplace_back(command, add_arguments(*command));
+  }
+
+  [[nodiscard]] std::vector<std::string> command_names() const {
+    std::vector<std::string> names;
+    for (const auto& [command, action] : commands) names.push_back(command->get_name());
+    return names;
+  }
+};
+
+bool looks_like_scene(const std::string& word) {
+  if (word.empty() || word.front() == '-') return false;
+  const std::filesystem::path path(word);
+  std::error_code ignored;
+  return equal_ignoring_case(path.extension().string(), ".scr") || path.has_parent_path() ||
+         std::filesystem::is_regular_file(path, ignored);
+}
+
+// Puts "run" in front where the first word is no command but a script follows, as the original compiler was called.
+void supply_run(std::vector<std::string>& words, const std::vector<std::string>& commands) {
+  if (words.empty() || std::ranges::find(commands, words.front()) != commands.end()) return;
+  const bool option_first = words.front().starts_with("-");
+  const bool scene = option_first ? std::ranges::any_of(words, looks_like_scene) : looks_like_scene(words.front());
+  if (scene) words.insert(words.begin(), "run");
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// Whether two words have the same letters in another order.
+bool are_mixed_up(std::string a, std::string b) {
+  std::ranges::sort(a);
+  std::ranges::sort(b);
+  return a == b;
+}
+
+// The word that was meant, or nothing: of a short word most letters have to be right.
+std::string_view meant_word(std::string_view word, const std::vector<std::string>& known) {
+  const auto bare = [](std::string_view text) {
+    return text.substr(std::min(text.find_first_not_of('-'), text.size()));
+  };
+  std::vector<std::string_view> names;
+  for (const std::string& name : known) names.push_back(bare(name));
+  const std::string nearest = nearest_word(bare(word), names);
+  const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
+  const bool near = edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), nearest);
+  if (nearest.empty() || !near) return {};
+  return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
+}
+
+// What to do instead of an option of the commands that simulate, in a command that takes these choices from its script;
+// empty for all others.
+std::string set_in_script(const CLI::App& command, std::string_view option) {
+  constexpr std::array<std::string_view, 3> commands{"focus", "doppler", "search"};
+  if (std::ranges::find(commands, command.get_name()) == commands.end()) return {};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> choices{{{"--seed", "SEED 2"},
+                                                                                  {"--tolerance", "TOLERANCE 1e-9"},
+                                                                                  {"--profile", "PROFILE CLASSIC"},
+                                                                                  {"--pulse", "PULSE BAND_LIMITED"}}};
+  const auto found =
+      std::ranges::find(choices, option, [](const auto& choice) -> std::string_view { return choice.first; });
+  if (found == choices.end()) return {};
+  return fmt::format("the script sets it, with a line such as '$OPTIONS {}'; sarsim run takes {}, too", found->second,
+                     option);
+}
+
+// What stands on the command line and belongs nowhere.
+void expect_no_extras(const Program& program, const CLI::App* command) {
+  const CLI::App& app = command != nullptr ? *command : program.app;
+  std::vector<std::string> extras = app.remaining();
+  // Behind "--" nothing is an option; the mark itself is kept as if it were a word.
+  std::erase(extras, "--");
+  if (extras.empty()) return;
+  const std::string& word = extras.front();
+  const bool option = word.starts_with("-");
+  const std::string name = word.substr(0, word.find('='));
+  const std::vector<std::string> known = option ? option_names(app) : program.command_names();
+  const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
+  const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
+  const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  if (const std::string hint = option && command != nullptr ? set_in_script(*command, name) : ""; !hint.empty())
+    throw BadInput(fmt::format("{}{} '{}'", where, what, name), hint);
+  throw BadInput(fmt::format("{}{} '{}'", where, what, name),
+                 nearest.empty()
+                     ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
+                     : fmt::format("did you mean '{}'?", nearest));
+}
+
+ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
+  supply_run(words, program.command_names());
+  const auto chosen = std::ranges::find_if(
+      program.commands, [&](const auto& entry) { return !words.empty() && entry.first->get_name() == words.front(); });
+  CLI::App* command = chosen == program.commands.end() ? nullptr : chosen->first;
+  try {
+    std::ranges::reverse(words);  // As CLI11 takes them.
+    program.app.parse(std::move(words));
+  } catch (const CLI::CallForHelp&) {
+    write_out(streams, command != nullptr ? command->help("sarsim") : program.app.help());
+    return exit_done;
+  } catch (const CLI::CallForVersion&) {
+    write_out(streams, about(program.app.get_name()));
+    return exit_done;
+  } catch (const CLI::ParseError& error) {
+    expect_no_extras(program, command);
+    const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
+    throw BadInput(where + error.what(),
+                   fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
+  }
+  expect_no_extras(program, command);
+  if (command == nullptr) {
+    write_out(streams, program.app.help());
+    return exit_done;
+  }
+  program.begun = true;
+  return chosen->second(streams);
+}
+
+// What to do about a failure of the system; empty where nothing helps.
+std::string remedy(const std::error_code& failure) {
+  if (failure == std::errc::no_space_on_device || failure == std::errc::file_too_large)
+    return "make room or write elsewhere; what was there before is untouched";
+  if (failure == std::errc::permission_denied || failure == std::errc::operation_not_permitted ||
+      failure == std::errc::read_only_file_system || failure == std::errc::not_a_directory ||
+      failure == std::errc::no_such_file_or_directory || failure == std::errc::is_a_directory ||
+      failure == std::errc::file_exists)
+    return "write into a folder that can be written, with another --out or output name";
+  if (failure == std::errc::filename_too_long) return "give the output a shorter name";
+  return {};
+}
+
+bool asks_for_json(const std::vector<std::string>& words) {
+  return std::find(words.begin(), std::ranges::find(words, "--"), "--json") != std::ranges::find(words, "--");
+}
+
+// What a command that was to answer in JSON answers where it has not begun to.
+void write_failure(Streams& streams, const char* status, const Problems& problems) {
+  if (streams.written) return;
+  JsonWriter json;
+  json.begin_object().member("sarsim", program_version).member("status", status).key("problems");
+  write_json(json, problems);
+  json.end_object();
+  streams.out << json.text() << std::flush;
+}
+
+int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
+  const bool json = asks_for_json(words);
+  const auto say = [&](const std::string& text, const std::string& hint = {}) {
+    streams.err << "sarsim: error: " << text << '\n';
+    if (!hint.empty()) streams.err << "    " << hint << '\n';
+    if (json) write_failure(streams, "failed", {problem_of(Severity::error, text, {}, {}, hint)});
+  };
+  try {
+    const ExitStatus status = dispatch(program, std::move(words), streams);
+    flush_out(streams);
+    return status;
+  } catch (const BadInput& error) {
+    print_problems(streams, error.problems);
+    if (json) write_failure(streams, "bad input", error.problems);
+    return exit_bad_input;
+  } catch (const OutputClosed&) {
+    return exit_failed;
+  } catch (const Interrupted& interrupted) {
+    const int number = received_signal();
+    const auto* kept = dynamic_cast<const KeptInterruption*>(&interrupted);
+    streams.err << "sarsim: interrupted; "
+                << (kept == nullptr ? "nothing unfinished was left behind"
+                                    : "what is done is kept in " + kept->kept_in + "; go on with --resume")
+                << '\n';
+    if (json) write_failure(streams, "interrupted", {});
+    return 128 + (number != 0 ? number : SIGINT);
+  } catch (const std::bad_alloc&) {
+    say("not enough memory", "record less at once, or with fewer --threads");
+  } catch (const std::system_error& error) {
+    say(error.what(), remedy(error.code()));
+  } catch (const std::exception& error) {
+    say(error.what());
+  }
+  return exit_failed;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, Streams streams) {
+  Program program;
+  const int status = guarded(program, std::vector<std::string>(argv + std::min(1, argc), argv + argc), streams);
+  streams.err.flush();
+  return status;
+}
+
+int main_program(int argc, const char* const* argv) {
+  const StopFlag& stop = handle_signals();
+  return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
+}
+
+int team_program(int argc, const char* const* argv, Team* team) {
+  if (team == nullptr) {
+    std::cerr << "sarsim-mpi: error: this program was not started by MPI\n"
+                 "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";
+    return exit_bad_input;
+  }
+  const StopFlag& stop = handle_signals();
+  const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
+  Program program(*team);
+  Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};
+  std::ostringstream unread;
+  std::ostringstream messages;
+  Streams others{unread, messages, false, &stop};
+  const int status = guarded(program, words, team->leads() ? own : others);
+  if (status == exit_done) return status;
+  // Words that one of them does not understand are understood by none.
+  if (!program.begun) static_cast<void>(team->all_well(false));
+  const bool tells = !team->leads() && (!team->failure_is_known() || team->speaks()) && received_signal() == 0;
+  if (tells) std::cerr << team->name() + ": " + messages.str() << std::flush;
+  return status;
+}
+
+}  // namespace sarsim::cli

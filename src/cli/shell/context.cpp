@@ -1,0 +1,36 @@
+#include "cli/shell/context.hpp"
+
+#include <cerrno>
+#include <ostream>
+#include <system_error>
+
+namespace sarsim::cli {
+
+namespace {
+
+void expect_good(const std::ostream& out) {
+  if (out.good()) return;
+  if (errno == EPIPE) throw OutputClosed();
+  throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write to standard output");
+}
+
+}  // namespace
+
+void write_out(Streams& streams, std::string_view text) {
+  errno = 0;
+  streams.written = true;
+  streams.out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  expect_good(streams.out);
+}
+
+void flush_out(Streams& streams) {
+  errno = 0;
+  streams.out.flush();
+  expect_good(streams.out);
+}
+
+void print_problems(Streams& streams, const Problems& problems) {
+  for (const Problem& problem : problems) streams.err << to_string(problem) << '\n';
+}
+
+}  // namespace sarsim::cli

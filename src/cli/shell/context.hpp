@@ -1,0 +1,62 @@
+#pragma once
+
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
+
+namespace sarsim::cli {
+
+/// What the process answers to its caller. A command that ends after a signal answers 128 + its number.
+enum ExitStatus : int {
+  exit_done = 0,
+  exit_failed = 1,     ///< The world's failures: disk, memory.
+  exit_bad_input = 2,  ///< A mistake in a script, a data file or the arguments.
+};
+
+/// What a command works with.
+struct Streams {
+  std::ostream& out;      ///< Data and JSON.
+  std::ostream& err;      ///< Everything else.
+  bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
+  const StopFlag* stop = nullptr;
+  bool written = false;  ///< Something went to `out`.
+};
+
+/// Thrown to end a command because of mistakes in what the user supplied; exit status 2.
+struct BadInput : std::runtime_error {
+  explicit BadInput(Problems all) : std::runtime_error("bad input"), problems(std::move(all)) {}
+  /// One error, with a hint where there is one.
+  explicit BadInput(std::string message, std::string hint = {}) : std::runtime_error(message) {
+    Problem problem;
+    problem.message = std::move(message);
+    problem.hint = std::move(hint);
+    problems.push_back(std::move(problem));
+  }
+  Problems problems;
+};
+
+/// Thrown where a command that was asked to stop has kept what it had done.
+struct KeptInterruption : Interrupted {
+  explicit KeptInterruption(std::string where) : kept_in(std::move(where)) {}
+  std::string kept_in;  ///< A folder.
+};
+
+/// Thrown where nobody reads standard output any more; ends the command without a message.
+struct OutputClosed : std::runtime_error {
+  OutputClosed() : std::runtime_error("nobody reads the output") {}
+};
+
+/// Writes to standard output. Throws OutputClosed where the reader has gone and std::system_error for other failures.
+void write_out(Streams& streams, std::string_view text);
+/// Brings what was written to its reader; throws like `write_out`.
+void flush_out(Streams& streams);
+
+/// Prints every problem, one paragraph each, to stderr.
+void print_problems(Streams& streams, const Problems& problems);
+
+}  // namespace sarsim::cli

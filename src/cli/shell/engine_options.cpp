@@ -1,0 +1,24 @@
+#include "cli/shell/engine_options.hpp"
+
+#include "cli/shell/context.hpp"
+#include "simulate/resolve/simd_level.hpp"
+
+namespace sarsim::cli {
+
+CLI::Option* add_engine(CLI::App& app, std::optional<Engine>& engine, const std::string& description) {
+  return add_choice<Engine>(app, "--engine", engine,
+                            {{"auto", Engine::automatic},
+                             {"direct", Engine::direct},
+                             {"spectral", Engine::spectral},
+                             {"reference", Engine::reference}},
+                            description);
+}
+
+void choose_simd(const std::string& level) {
+  if (level.empty() || use_simd_level(level)) return;
+  std::string levels;
+  for (const std::string& known : simd_levels()) levels += (levels.empty() ? "" : ", ") + known;
+  throw BadInput("--simd: this processor has no '" + level + "'", "choose among " + levels);
+}
+
+}  // namespace sarsim::cli

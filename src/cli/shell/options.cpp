@@ -1,0 +1,116 @@
+#include "cli/shell/options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "raster/table/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+// "--threads" of "-j,--threads".
+std::string shown_name(const std::string& names) { return names.substr(names.rfind(',') + 1); }
+
+[[noreturn]] void refuse(const std::string& names, const std::string& text, const std::string& expected) {
+  throw CLI::ValidationError(shown_name(names), fmt::format("'{}' is not {}", text, expected));
+}
+
+}  // namespace
+
+CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<std::int64_t>& value, std::int64_t low,
+                         std::int64_t high, const std::string& description) {
+  const auto read = [&value, names, low, high](const std::string& text) {
+    const auto number = parse_integer(text);
+    if (!number || *number < low || *number > high)
+      refuse(names, text, fmt::format("a whole number from {} to {}", low, high));
+    value = number;
+  };
+  return app.add_option_function<std::string>(names, read, description)->type_name("N");
+}
+
+CLI::Option* add_seed(CLI::App& app, const std::string& names, std::optional<std::uint64_t>& value,
+                      const std::string& description) {
+  const auto read = [&value, names](const std::string& text) {
+    std::uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [last, failure] = std::from_chars(text.data(), end, number);
+    if (failure != std::errc() || last != end)
+      refuse(names, text, fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
+    value = number;
+  };
+  return app.add_option_function<std::string>(names, read, description)->type_name("N");
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+                      const std::string& description) {
+  return add_real(
+      app, names, value, unit, description, [](double) { return true; }, "a number");
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
+                      const std::string& description, bool (*meets)(double), const std::string& expected) {
+  const auto read = [&value, names, meets, expected](const std::string& text) {
+    value = parse_number(text);
+    if (!value || !meets(*value)) refuse(names, text, expected);
+  };
+  return app.add_option_function<std::string>(names, read, description)->type_name(unit);
+}
+
+CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<double>& values,
+                           const std::string& type, const std::string& description) {
+  const auto read = [&values, names](const std::vector<std::string>& texts) {
+    values.clear();
+    for (const std::string& text : texts) {
+      const auto number = parse_number(text);
+      if (!number) refuse(names, text, "a number");
+      values.push_back(*number);
+    }
+  };
+  return app.add_option_function<std::vector<std::string>>(names, read, description)->expected(2)->type_name(type);
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
+                      const std::string& description) {
+  const auto read = [&value, names, type](const std::string& text) {
+    if (text.empty()) throw CLI::ValidationError(shown_name(names), "the name is empty");
+    if (text.starts_with("--")) refuse(names, text, "a name; write ./" + text + " for such a file");
+    value = text;
+  };
+  return app.add_option_function<std::string>(names, read, description)->type_name(type);
+}
+
+void refuse_word(const std::string& names, const std::string& word, const std::vector<std::string>& words) {
+  const std::string nearest = nearest_word(word, words);
+  const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  refuse(names, word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
+}
+
+CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<FileFormat>& value,
+                        const std::string& description) {
+  return add_choice<FileFormat>(app, names, value,
+                                {{"ascii", FileFormat::ascii},
+                                 {"binary", FileFormat::binary},
+                                 {"bracket", FileFormat::bracket},
+                                 {"hdf5", FileFormat::hdf5},
+                                 {"csv", FileFormat::csv},
+                                 {"npy", FileFormat::npy}},
+                                description);
+}
+
+void add_examples(CLI::App& app, const std::vector<std::pair<std::string, std::string>>& commands_and_meanings) {
+  std::size_t width = 0;
+  for (const auto& [command, meaning] : commands_and_meanings) width = std::max(width, command.size());
+  std::string text = "Examples:";
+  for (const auto& [command, meaning] : commands_and_meanings)
+    text += fmt::format("\n  {:<{}}  {}", command, width, meaning);
+  app.footer(text);
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,168 @@
+#include "cli/shell/output_names.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/shell/context.hpp"
+#include "raster/format/recording_hints.hpp"
+#include "raster/table/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string without_drive(const std::string& name) {
+  const bool drive = name.size() >= 2 && name[1] == ':' && ((name[0] | 0x20) >= 'a') && ((name[0] | 0x20) <= 'z');
+  return drive ? name.substr(2) : name;
+}
+
+// One product's name on its way to a path.
+class Namer {
+ public:
+  explicit Namer(const OutputRules& rules, Problems& problems) : rules_(rules), problems_(problems) {}
+
+  fs::path place(const std::string& name, const Subject& subject, bool recording) {
+    const std::string base = base_name(name);
+    if (base.empty() || base == "." || base == "..") {
+      add(Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
+      return {};
+    }
+    fs::path path = base;
+    if (rules_.keep_paths) {
+      std::string kept = without_drive(name);
+      std::ranges::replace(kept, '\\', '/');
+      path = kept;
+      if (leads_out(path)) {
+        add(Severity::error, subject, "the output's name leads out of the folder of the run", name,
+            "a name below that folder", "write the name without a slash at its beginning and without ..");
+        return {};
+      }
+    }
+    path = (rules_.folder / path).lexically_normal();
+    if (recording && rules_.format) path.replace_extension(extension_of(*rules_.format));
+    // `check` has warned of names that are alike in the script.
+    const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
+    return distinct(path, subject, told);
+  }
+
+ private:
+  static bool leads_out(const fs::path& name) {
+    return name.is_absolute() || name.lexically_normal().begin()->string() == "..";
+  }
+
+  void add(Severity severity, const Subject& subject, std::string message, std::string found, std::string expected,
+           std::string hint) {
+    problems_.push_back(
+        {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
+  }
+
+  fs::path distinct(const fs::path& path, const Subject& subject, bool told) {
+    fs::path result = path;
+    for (int number = 2; !taken_.insert(result).second; ++number)
+      result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
+    if (result != path && !told)
+      add(Severity::warning, subject,
+          fmt::format("another product of the script is written to '{}'; this one becomes '{}'",
+                      path.filename().string(), result.filename().string()),
+          "", "", "give each product a name of its own");
+    return result;
+  }
+
+  const OutputRules& rules_;
+  Problems& problems_;
+  std::set<fs::path> taken_;
+  std::set<std::string> met_;
+};
+
+// What to do where an output cannot have the name that an option or a word of the command line gave it.
+std::string another_file(const std::string& option) {
+  return fmt::format("name another file {} {}", option.starts_with('-') ? "with" : "as", option);
+}
+
+}  // namespace
+
+std::string base_name(const std::string& name) {
+  const std::string bare = without_drive(name);
+  const std::size_t slash = bare.find_last_of("/\\");
+  return slash == std::string::npos ? bare : bare.substr(slash + 1);
+}
+
+OutputNames output_names(const Scene& scene, const OutputRules& rules) {
+  OutputNames names;
+  Namer namer(rules, names.problems);
+  for (std::size_t i = 0; i < scene.simulations.size(); ++i)
+    names.simulations.push_back(namer.place(scene.simulations[i].file, {"simulation", i, "file"}, true));
+  for (std::size_t i = 0; i < scene.geometries.size(); ++i)
+    names.tables.push_back(namer.place(scene.geometries[i].file, {"geometry", i, "file"}, false));
+  return names;
+}
+
+std::optional<std::size_t> simulation_that_writes(const fs::path& file, const Scene& scene, const std::string& hint) {
+  const auto alike = [&](std::optional<FileFormat> format) {
+    std::vector<std::string> names;
+    for (const fs::path& path : output_names(scene, {".", false, format}).simulations)
+      names.push_back(path.filename().string());
+    return std::pair(names_alike(names, file), names);
+  };
+  const auto [found, names] = alike({});
+  if (found.found.size() > 1 && !found.whole)
+    throw BadInput(fmt::format("'{}' may be what {} or what {} became", file.filename().string(), names[found.found[0]],
+                               names[found.found[1]]),
+                   hint);
+  if (!found.found.empty()) return found.found.front();
+  const auto with_format = alike(format_from_path(file)).first;
+  if (with_format.found.empty() || !with_format.whole) return std::nullopt;
+  return with_format.found.front();
+}
+
+void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {
+  Problems problems;
+  std::set<fs::path> taken;
+  for (const fs::path& path : paths) {
+    std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
+    if (taken.insert(fs::absolute(path).lexically_normal()).second) continue;
+    problems.push_back({});
+    problems.back().message = fmt::format("'{}' is the name of two outputs", path.string());
+    problems.back().hint = path.extension() == ".hdr" ? "the header of an image has this ending; name the image .img"
+                                                      : "give each of them a name of its own";
+  }
+  if (!problems.empty()) throw BadInput(std::move(problems));
+}
+
+void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {
+  expect_free_outputs(paths, OutputCare{{source}, force, "--out"});
+}
+
+Problems problems_of_output(const fs::path& path, const OutputCare& care) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status)) return {};
+  Problem problem;
+  problem.found = path.string();
+  problem.hint =
+      care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
+  if (fs::is_directory(status)) {
+    problem.message = "the output's name belongs to a folder";
+  } else if (std::ranges::any_of(care.sources, [&](const fs::path& s) { return fs::equivalent(path, s, ignored); })) {
+    problem.message = "the output would replace the file that it is made from";
+  } else if (!care.force) {
+    problem.message = "the output exists already";
+    problem.hint = "replace it with --force, or " +
+                   (care.option.empty() ? std::string("choose another folder with --out") : another_file(care.option));
+  } else {
+    return {};
+  }
+  return {problem};
+}
+
+Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
+  return problems_of_output(path, OutputCare{{source}, force, "--out"});
+}
+
+}  // namespace sarsim::cli

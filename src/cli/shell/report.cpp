@@ -1,0 +1,124 @@
+#include "cli/shell/report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+double share(std::uint64_t part, const RunReport& run) {
+  const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
+  return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
+}
+
+std::string millivolts(double volts) { return fmt::format("{:.6G} mV", 1e3 * volts); }
+
+std::string lsb_line(const RecordingReport& report) {
+  const bool given = report.simulation.lsb_v > 0.0;
+  if (!report.counts && !given) return fmt::format("  best LSB           {}", millivolts(report.run.best_lsb_v));
+  return fmt::format("  LSB                {} ({}), best {}", millivolts(report.run.lsb_v),
+                     given ? "as given" : "estimated from the data", millivolts(report.run.best_lsb_v));
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string decimals(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string format_word(FileFormat format) {
+  std::string word(name_of(format));
+  for (char& c : word)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return word;
+}
+
+std::string profile_word(Profile profile) { return profile == Profile::classic ? "classic" : "physical"; }
+
+std::string pulse_word(PulseDefinition pulse) {
+  return pulse == PulseDefinition::band_limited ? "band-limited" : "ideal";
+}
+
+std::string processing_word(Processing processing) {
+  switch (processing) {
+    case Processing::matched_filter: return "compressed";
+    case Processing::srp: return "range profiles";
+    default: return "raw";
+  }
+}
+
+std::string report_text(const RecordingReport& report) {
+  const RunReport& run = report.run;
+  std::string text = fmt::format("{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file,
+                                 run.rows, run.columns, report.bytes ? bytes_text(*report.bytes) + ", " : std::string(),
+                                 duration_text(report.seconds));
+  text += fmt::format("  largest magnitude  {}, {:.4g} % of the converter's range\n", millivolts(run.maximum_v),
+                      100.0 * run.range_used);
+  text += lsb_line(report) + "\n";
+  text += fmt::format("  samples            {:.4g} % saturated, {:.4g} % zero\n", 100.0 * share(run.saturated, run),
+                      100.0 * share(run.zero, run));
+  text += fmt::format("  engine             {} ({}), relative error below {:g}\n", report.engine, report.engine_reason,
+                      report.engine == "reference" ? 1e-12 : report.options.tolerance);
+  if (run.saturated > 0)
+    text += fmt::format("  some samples were clipped: an LSB of {} would hold them all\n", millivolts(run.best_lsb_v));
+  return text;
+}
+
+void write_json(JsonWriter& json, const RecordingReport& report) {
+  const RunReport& run = report.run;
+  json.begin_object().member("kind", "recording").key("file");
+  if (report.file.empty())
+    json.null();
+  else
+    json.value(report.file);
+  json.member("format", format_word(report.simulation.format)).member("counts", report.counts);
+  json.member("processing", processing_word(report.simulation.processing));
+  json.member("rows", run.rows).member("columns", run.columns).key("bytes");
+  report.bytes ? json.value(*report.bytes) : json.null();
+  json.member("seconds", report.seconds).member("maximum_v", run.maximum_v).member("lsb_v", run.lsb_v);
+  json.member("lsb_estimated", report.simulation.lsb_v <= 0.0).member("best_lsb_v", run.best_lsb_v);
+  json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
+  json.member("radar", report.simulation.radar).member("bits", report.simulation.bits);
+  json.member("profile", profile_word(report.options.profile)).member("pulse", pulse_word(report.options.pulse));
+  json.member("seed", report.options.seed)
+      .member("engine", report.engine)
+      .member("engine_reason", report.engine_reason);
+  json.member("tolerance", report.options.tolerance).key("warnings");
+  write_json(json, report.warnings);
+  json.end_object();
+}
+
+void write_json(JsonWriter& json, const TableReport& report) {
+  json.begin_object().member("kind", "geometry").key("file");
+  if (report.file.empty())
+    json.null();
+  else
+    json.value(report.file);
+  json.member("radar", report.radar).member("bytes", report.bytes).member("seconds", report.seconds).end_object();
+}
+
+void write_json(JsonWriter& json, const Problem& problem) {
+  static constexpr const char* severities[] = {"error", "warning", "note"};
+  json.begin_object().member("severity", severities[static_cast<std::size_t>(problem.severity)]);
+  json.member("message", problem.message).member("found", problem.found).member("expected", problem.expected);
+  json.member("hint", problem.hint).member("file", problem.place.file).member("line", problem.place.line);
+  json.member("column", problem.place.column).member("count", problem.count);
+  json.member("text", to_string(problem)).end_object();
+}
+
+void write_json(JsonWriter& json, const Problems& problems) {
+  json.begin_array();
+  for (const Problem& problem : problems) write_json(json, problem);
+  json.end_array();
+}
+
+}  // namespace sarsim::cli

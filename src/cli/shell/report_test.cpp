@@ -1,0 +1,89 @@
+#include "cli/shell/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sarsim::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+RecordingReport recording() {
+  RecordingReport report;
+  report.file = "a.asc";
+  report.simulation.radar = "R";
+  report.simulation.lsb_v = 2e-9;
+  report.run.rows = 10;
+  report.run.columns = 100;
+  report.run.maximum_v = 1.27e-7;
+  report.run.lsb_v = 2e-9;
+  report.run.best_lsb_v = 1e-9;
+  report.run.range_used = 0.5;
+  report.run.zero = 250;
+  report.bytes = 6000.0;
+  report.seconds = 1.5;
+  report.counts = true;
+  return report;
+}
+
+TEST(Report, SaysWhatTheOriginalSaid) {
+  const std::string text = report_text(recording());
+  EXPECT_THAT(text, HasSubstr("a.asc: 10 x 100 samples, 6 kB, 1.5 s\n"));
+  EXPECT_THAT(text, HasSubstr("0.000127 mV, 50 % of the converter's range"));
+  EXPECT_THAT(text, HasSubstr("2E-06 mV (as given), best 1E-06 mV"));
+  EXPECT_THAT(text, HasSubstr("0 % saturated, 25 % zero"));
+  EXPECT_THAT(text, Not(HasSubstr("clipped")));
+}
+
+TEST(Report, SaysWhenTheLsbWasEstimated) {
+  RecordingReport report = recording();
+  report.simulation.lsb_v = 0.0;
+  EXPECT_THAT(report_text(report), HasSubstr("(estimated from the data)"));
+  report.counts = false;
+  EXPECT_THAT(report_text(report), Not(HasSubstr("estimated")));
+}
+
+TEST(Report, SaysHowToAvoidSaturation) {
+  RecordingReport report = recording();
+  report.run.saturated = 10;
+  EXPECT_THAT(report_text(report), HasSubstr("1 % saturated"));
+  EXPECT_THAT(report_text(report), HasSubstr("an LSB of 1E-06 mV would hold them all"));
+}
+
+TEST(Report, JsonOfNothingWrittenHasANullFile) {
+  RecordingReport report = recording();
+  report.file.clear();
+  JsonWriter json;
+  write_json(json, report);
+  EXPECT_THAT(json.text(), HasSubstr("\"file\": null"));
+  EXPECT_THAT(json.text(), HasSubstr("\"lsb_estimated\": false"));
+}
+
+TEST(Report, JsonOfAProblemHoldsItsPlace) {
+  Problem problem;
+  problem.severity = Severity::warning;
+  problem.message = "m";
+  problem.place = {"a.scr", 3, 7};
+  JsonWriter json;
+  write_json(json, problem);
+  for (const char* member : {"\"severity\": \"warning\"", "\"file\": \"a.scr\"", "\"line\": 3", "\"column\": 7"})
+    EXPECT_THAT(json.text(), HasSubstr(member));
+}
+
+TEST(Report, CountsThings) {
+  EXPECT_EQ(counted(0, "turn"), "0 turns");
+  EXPECT_EQ(counted(1, "turn"), "1 turn");
+  EXPECT_EQ(counted(2, "turn"), "2 turns");
+}
+
+TEST(Report, ZeroHasNoSign) {
+  EXPECT_EQ(decimals(-0.01, 1), "0.0");
+  EXPECT_EQ(decimals(-0.0, 3), "0.000");
+  EXPECT_EQ(decimals(-0.06, 1), "-0.1");
+  EXPECT_EQ(decimals(-10.0, 1), "-10.0");
+  EXPECT_EQ(decimals(2.25, 2), "2.25");
+}
+
+}  // namespace
+}  // namespace sarsim::cli

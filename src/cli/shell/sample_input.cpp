@@ -1,0 +1,125 @@
+#include "cli/shell/sample_input.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/shell/options.hpp"
+#include "cli/shell/output_names.hpp"
+#include "cli/shell/scene_input.hpp"
+#include "raster/table/formats.hpp"
+#include "simulate/plan/plan.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// How a command lets its user choose the simulation of a script.
+struct Choice {
+  bool by_number = false;  // It has --simulation.
+  std::optional<std::int64_t> number = {};
+
+  [[nodiscard]] std::string other_ways() const {
+    return fmt::format("{}say --columns, --bits and --lsb instead of --script",
+                       by_number ? "say which with --simulation N, or " : "");
+  }
+};
+
+// The outputs of a script, and how a file comes to one of them.
+std::string ways_to_outputs(const Scene& scene, const Choice& choice) {
+  std::string known;
+  for (const fs::path& other : output_names(scene, {}).simulations)
+    known += (known.empty() ? "" : ", ") + other.filename().string();
+  if (known.empty()) return "it has none: say --columns, --bits and --lsb instead of --script";
+  return fmt::format("its outputs are {}: give the file its name there, {}{}", known, choice.by_number ? "" : "or ",
+                     choice.other_ways());
+}
+
+// The one with a number from 1, or else the one that writes a file of this name.
+std::size_t simulation_of(const Scene& scene, const std::string& path, const std::string& script,
+                          const Choice& choice) {
+  if (choice.number) {
+    if (*choice.number >= 1 && static_cast<std::size_t>(*choice.number) <= scene.simulations.size())
+      return static_cast<std::size_t>(*choice.number) - 1;
+    throw BadInput(fmt::format("--simulation: the script has no simulation {}", *choice.number),
+                   fmt::format("it has {}", scene.simulations.size()));
+  }
+  const fs::path name = fs::path(path).filename();
+  const auto found = simulation_that_writes(
+      name, scene, "give the file the whole name that the script has for it, or " + choice.other_ways());
+  if (found) return *found;
+  throw BadInput(fmt::format("no simulation of {} writes '{}'", script, name.string()), ways_to_outputs(scene, choice));
+}
+
+// The simulation that writes a file, with its plan.
+std::pair<Simulation, Plan> recording_of(const std::string& path, const std::string& script, const Choice& choice) {
+  const SceneInput input = read_scene(script, {}, Scrutiny::values);
+  expect_usable(input);
+  const std::size_t index = simulation_of(input.scene, path, script, choice);
+  return {input.scene.simulations[index], make_plan(input.scene, index)};
+}
+
+void take_script(SampleFileHints& hints, const std::string& path, const std::string& script, const Choice& choice) {
+  const auto [simulation, plan] = recording_of(path, script, choice);
+  hints.columns = plan.columns;
+  hints.rows = plan.rows;
+  hints.bits = simulation.bits;
+  hints.lsb_v = simulation.lsb_v;
+  if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
+}
+
+SampleFileHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
+  SampleFileHints hints;
+  if (!arguments.script.empty()) take_script(hints, path, arguments.script, choice);
+  if (arguments.format) hints.format = arguments.format;
+  if (arguments.columns) {
+    hints.columns = static_cast<std::size_t>(*arguments.columns);
+    hints.rows = 0;
+  }
+  if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
+  if (arguments.lsb_v) {
+    if (!(*arguments.lsb_v > 0.0)) throw BadInput("--lsb must be above 0", "give the volts of one count");
+    hints.lsb_v = *arguments.lsb_v;
+  }
+  return hints;
+}
+
+}  // namespace
+
+void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
+  add_format(app, "--from", arguments.format, "format of the file, where content and extension mislead");
+  add_integer(app, "--columns", arguments.columns, 1, std::int64_t{1} << 40, "samples of a row (BINARY)");
+  add_integer(app, "--bits", arguments.bits, 1, 64, "A/D bits of its counts");
+  add_real(app, "--lsb", arguments.lsb_v, "V", "volts of a count");
+  add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
+}
+
+SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
+  return hints_said(path, arguments, {});
+}
+
+SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
+                          std::optional<std::int64_t> simulation) {
+  return hints_said(path, arguments, {true, simulation});
+}
+
+Plan plan_of_file(const std::string& path, const std::string& script, std::optional<std::int64_t> simulation) {
+  return recording_of(path, script, {true, simulation}).second;
+}
+
+SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams) {
+  OpenedSampleFile opened = SampleFile::open(path, hints);
+  if (!opened.file) throw BadInput(ranked(std::move(opened.problems)));
+  print_problems(streams, ranked(std::move(opened.problems)));
+  return std::move(*opened.file);
+}
+
+std::size_t rows_at_once(std::size_t columns) {
+  constexpr std::size_t samples = 1U << 18U;
+  return std::max<std::size_t>(1, samples / std::max<std::size_t>(columns, 1));
+}
+
+}  // namespace sarsim::cli

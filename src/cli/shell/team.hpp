@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/task/progress.hpp"
+#include "simulate/run/run.hpp"
+
+namespace sarsim::cli {
+
+/// Processes that carry out one command together; every function is called by all of them, in the same order.
+class Team {
+ public:
+  Team() = default;
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  virtual ~Team() = default;
+
+  /// Whether this is the process that speaks for all.
+  [[nodiscard]] virtual bool leads() const = 0;
+  /// Name of this process among the others: "rank-3".
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// How many of the processes share this machine.
+  [[nodiscard]] virtual unsigned processes_here() const = 0;
+  /// Waits for all; whether all are well.
+  [[nodiscard]] virtual bool all_well(bool well) = 0;
+  /// Whether all know that one of them has failed; and whether it is this one, who says why.
+  [[nodiscard]] virtual bool failure_is_known() const = 0;
+  /// Whether this process is the one that says why they failed.
+  [[nodiscard]] virtual bool speaks() const = 0;
+  /// What the leader says.
+  [[nodiscard]] virtual std::string from_leader(const std::string& text) = 0;
+  /// Deals rows among all, some at a time to whoever is free. Returns when they are all made; an exception of `work`
+  /// on one process must end all of them.
+  /// @param todo      of the leader
+  /// @param work      makes what was dealt
+  /// @param progress  told on the leader
+  virtual void deal(const std::vector<RowRange>& todo, const std::function<void(RowRange)>& work,
+                    const ProgressReport& progress) = 0;
+};
+
+}  // namespace sarsim::cli

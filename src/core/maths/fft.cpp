@@ -1,0 +1,113 @@
+#include "core/maths/fft.hpp"
+
+#include <fftw3.h>
+
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+namespace sarsim {
+
+namespace {
+
+// FFTW's planner keeps tables of its own and must not run twice at once.
+std::mutex& planner_lock() {
+  static std::mutex lock;
+  return lock;
+}
+
+// The two precisions of FFTW under common names.
+template <class Real>
+struct Fftw;
+
+template <>
+struct Fftw<double> {
+  using Plan = fftw_plan;
+  static fftw_complex* data(std::complex<double>* x) { return reinterpret_cast<fftw_complex*>(x); }
+  static Plan make(int size, std::complex<double>* x, int sign) {
+    return fftw_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
+  }
+  static void run(Plan plan, std::complex<double>* x) { fftw_execute_dft(plan, data(x), data(x)); }
+  static bool aligned(std::complex<double>* x) { return fftw_alignment_of(reinterpret_cast<double*>(x)) == 0; }
+  static void destroy(Plan plan) { fftw_destroy_plan(plan); }
+};
+
+template <>
+struct Fftw<float> {
+  using Plan = fftwf_plan;
+  static fftwf_complex* data(std::complex<float>* x) { return reinterpret_cast<fftwf_complex*>(x); }
+  static Plan make(int size, std::complex<float>* x, int sign) {
+    return fftwf_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
+  }
+  static void run(Plan plan, std::complex<float>* x) { fftwf_execute_dft(plan, data(x), data(x)); }
+  static bool aligned(std::complex<float>* x) { return fftwf_alignment_of(reinterpret_cast<float*>(x)) == 0; }
+  static void destroy(Plan plan) { fftwf_destroy_plan(plan); }
+};
+
+template <class Real>
+void expect_aligned(std::span<std::complex<Real>> data) {
+  if (!Fftw<Real>::aligned(data.data()))
+    throw std::invalid_argument("the data of a Fourier transform must begin at a multiple of 16 bytes");
+}
+
+}  // namespace
+
+template <class Real>
+struct BasicFft<Real>::Plans {
+  using Library = Fftw<Real>;
+  typename Library::Plan forward = nullptr;
+  typename Library::Plan inverse = nullptr;
+
+  explicit Plans(std::size_t size) {
+    std::vector<std::complex<Real>> scratch(size);
+    const std::scoped_lock hold(planner_lock());
+    forward = Library::make(static_cast<int>(size), scratch.data(), FFTW_FORWARD);
+    inverse = Library::make(static_cast<int>(size), scratch.data(), FFTW_BACKWARD);
+    if (forward == nullptr || inverse == nullptr) throw std::bad_alloc();
+  }
+  Plans(const Plans&) = delete;
+  Plans& operator=(const Plans&) = delete;
+  ~Plans() {
+    const std::scoped_lock hold(planner_lock());
+    Library::destroy(forward);
+    Library::destroy(inverse);
+  }
+};
+
+template <class Real>
+BasicFft<Real>::BasicFft(std::size_t size) : size_(size), plans_(std::make_unique<Plans>(size)) {}
+template <class Real>
+BasicFft<Real>::~BasicFft() = default;
+template <class Real>
+BasicFft<Real>::BasicFft(BasicFft&&) noexcept = default;
+template <class Real>
+BasicFft<Real>& BasicFft<Real>::operator=(BasicFft&&) noexcept = default;
+
+template <class Real>
+void BasicFft<Real>::forward(std::span<std::complex<Real>> data) const {
+  expect_aligned(data);
+  Fftw<Real>::run(plans_->forward, data.data());
+}
+template <class Real>
+void BasicFft<Real>::inverse(std::span<std::complex<Real>> data) const {
+  expect_aligned(data);
+  Fftw<Real>::run(plans_->inverse, data.data());
+}
+
+template class BasicFft<float>;
+template class BasicFft<double>;
+
+std::size_t good_fft_size(std::size_t minimum) {
+  std::size_t best = 1;
+  while (best < minimum) best *= 2;
+  for (std::size_t fives = 1; fives < best; fives *= 5)
+    for (std::size_t threes = fives; threes < best; threes *= 3) {
+      std::size_t size = threes;
+      while (size < minimum) size *= 2;
+      if (size < best) best = size;
+    }
+  return best;
+}
+
+}  // namespace sarsim

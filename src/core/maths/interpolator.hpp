@@ -1,0 +1,66 @@
+#pragma once
+
+#include <vector>
+
+#include "core/maths/sampled_function.hpp"
+
+namespace sarsim {
+
+/// A function's value and its first two derivatives at a point.
+struct Jet {
+  double value = 0.0;
+  double slope = 0.0;
+  double curvature = 0.0;
+};
+
+/// Where the reconstruction grid of Interpolation::low_pass stands (decision 18).
+enum class LowPassRule {
+  first_knot,  ///< Anchored at the first knot, tapered sinc, end values held outside: exact at knots of a uniform grid.
+  origin,      ///< Anchored at x = 0, bare sinc of 21 terms, decaying to 0 outside (the 1998 programs).
+};
+
+/// Evaluates a sampled function. No knots: 0; one knot: constant, for every method.
+///
+/// - linear: straight lines, the first and last of them extended; a knot belongs to the segment on its right, so that
+///   the slope at a knot is the slope to the right.
+/// - cubic: the clamped spline through the true knots (de Boor, "A Practical Guide to Splines", ch. IV) whose end
+///   slopes are those of the first and last chord; continued by straight lines outside.
+/// - low pass: sum over the nearest 21 grid points of a_k sinc(u - k), u = (x - anchor)/step,
+///   step = (last - first)/(count - 1); a_k is the mean of the knots within half a step of grid point k (thesis 4.6.1).
+///   With LowPassRule::first_knot the sinc carries a Hann taper that ends 11 steps away (22 points then), the weights
+///   are normalised to sum 1, and a grid point without a knot near takes the linearly interpolated value.
+///
+/// Const members are safe to call from many threads. Knots must ascend in x.
+class Interpolator {
+ public:
+  Interpolator() = default;
+  /// Prepares a function.
+  /// @param y_scale  factor on its values: from units of a script to SI units
+  explicit Interpolator(const SampledFunction& function, LowPassRule rule = LowPassRule::first_knot,
+                        double y_scale = 1.0);
+
+  [[nodiscard]] double value(double x) const { return jet(x).value; }
+  /// Value and derivatives with respect to x; where the function bends, the derivatives to the right.
+  [[nodiscard]] Jet jet(double x) const;
+  [[nodiscard]] bool empty() const { return knots_.empty(); }
+  [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+
+ private:
+  [[nodiscard]] std::size_t segment(double x) const;
+  [[nodiscard]] Jet linear_jet(double x) const;
+  [[nodiscard]] Jet cubic_jet(double x) const;
+  [[nodiscard]] Jet tapered_jet(double x) const;
+  [[nodiscard]] Jet bare_sinc_jet(double x) const;
+  void prepare_cubic();
+  void prepare_low_pass();
+
+  Interpolation method_ = Interpolation::linear;
+  LowPassRule rule_ = LowPassRule::first_knot;
+  std::vector<Knot> knots_;
+  std::vector<double> slopes_;  // cubic: slope at each knot
+  std::vector<double> grid_;    // low pass: a_k
+  long grid_first_ = 0;         // low pass, origin: k of grid_[0]
+  double step_ = 1.0;           // low pass
+};
+
+}  // namespace sarsim

@@ -1,0 +1,25 @@
+#include "core/os/disk_room.hpp"
+
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim::cli {
+
+namespace fs = std::filesystem;
+
+void expect_room(const fs::path& folder, double bytes, const std::string& advice) {
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
+  std::error_code failure;
+  const fs::space_info space = fs::space(there, failure);
+  if (failure || bytes <= static_cast<double>(space.available)) return;
+  throw std::runtime_error(
+      fmt::format("the disk of '{}' has not enough room: {} are needed, {} are free. Make room, {}.", folder.string(),
+                  bytes_text(bytes), bytes_text(static_cast<double>(space.available)), advice));
+}
+
+}  // namespace sarsim::cli

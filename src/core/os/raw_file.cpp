@@ -1,0 +1,152 @@
+#include "core/os/raw_file.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/os/output_file.hpp"
+
+namespace sarsim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+int flags_of(RawFile::Mode mode) {
+  switch (mode) {
+    case RawFile::Mode::read: return O_RDONLY | O_CLOEXEC;
+    case RawFile::Mode::write: return O_RDWR | O_CREAT | O_CLOEXEC;
+    case RawFile::Mode::write_new: return O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
+  }
+  return O_RDONLY | O_CLOEXEC;
+}
+
+int flock_patiently(int descriptor, int operation) {
+  while (::flock(descriptor, operation) != 0)
+    if (errno != EINTR) return errno;
+  return 0;
+}
+
+}  // namespace
+
+RawFile::RawFile(fs::path path, Mode mode) : path_(std::move(path)) {
+  do descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
+  while (descriptor_ < 0 && errno == EINTR);
+  if (descriptor_ < 0) fail(mode == Mode::read ? "read" : "open");
+}
+
+RawFile::RawFile(RawFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RawFile& RawFile::operator=(RawFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+RawFile::~RawFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void RawFile::fail(const char* action) const {
+  throw std::system_error(errno, std::generic_category(), fmt::format("cannot {} {}", action, path_.string()));
+}
+
+std::uint64_t RawFile::size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) fail("find the size of");
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void RawFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = EIO;
+    if (written <= 0) fail("write");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+}
+
+bool RawFile::read_at(std::uint64_t offset, std::span<std::byte> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("read");
+    if (got == 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::uint64_t>(got);
+  }
+  return true;
+}
+
+void RawFile::allocate(std::uint64_t bytes) {
+  if (bytes == 0) return;
+  while (::fallocate(descriptor_, 0, 0, static_cast<off_t>(bytes)) != 0) {
+    if (errno == EINTR) continue;
+    // A full disk is better known now; a file system that cannot promise room only learns the size.
+    if (errno == ENOSPC || errno == EFBIG || errno == EDQUOT) fail("make room for");
+    if (size() < bytes) resize(bytes);
+    return;
+  }
+}
+
+void RawFile::resize(std::uint64_t bytes) {
+  while (::ftruncate(descriptor_, static_cast<off_t>(bytes)) != 0)
+    if (errno != EINTR) fail("set the size of");
+}
+
+void RawFile::sync() {
+  while (::fdatasync(descriptor_) != 0) {
+    if (errno == EINTR) continue;
+    if (errno == EINVAL || errno == ENOTSUP) return;  // This kind of file has nothing to synchronise.
+    fail("bring to the disk");
+  }
+}
+
+bool RawFile::try_lock() { return flock_patiently(descriptor_, LOCK_EX | LOCK_NB) != EWOULDBLOCK; }
+
+void RawFile::lock() { flock_patiently(descriptor_, LOCK_EX); }
+
+bool RawFile::still_there() const {
+  struct stat mine {};
+  struct stat named {};
+  return ::fstat(descriptor_, &mine) == 0 && ::stat(path_.c_str(), &named) == 0 && mine.st_ino == named.st_ino &&
+         mine.st_dev == named.st_dev;
+}
+
+void RawFile::rename_to(const fs::path& path) {
+  if (std::rename(path_.c_str(), path.c_str()) != 0) fail("rename");
+  path_ = path;
+}
+
+void RawFile::unlink() noexcept { ::unlink(path_.c_str()); }
+
+RawFile replace_file(const fs::path& path, std::span<const std::byte> bytes) {
+  fs::path unfinished = path;
+  unfinished += fmt::format(".new-{}", ::getpid());
+  RawFile file(unfinished, RawFile::Mode::write);
+  try {
+    file.lock();
+    file.resize(0);
+    file.write_at(0, bytes);
+    file.sync();
+    file.rename_to(path);
+  } catch (...) {
+    file.unlink();
+    throw;
+  }
+  sync_folder_of(path);
+  return file;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,137 @@
+#include "core/os/trial.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <system_error>
+
+namespace sarsim {
+
+namespace {
+
+// What terminals and operators send to end programs. A terminal sends it to the child as well.
+constexpr std::array<int, 3> requests{SIGINT, SIGTERM, SIGHUP};
+
+// Address space of this process in bytes; 0 where the system does not say.
+rlim_t mapped_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  unsigned long pages = 0;
+  if (!(statm >> pages)) return 0;
+  return static_cast<rlim_t>(pages) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void limit(int resource, rlim_t most) {
+  rlimit value{};
+  if (::getrlimit(resource, &value) != 0) return;
+  if (value.rlim_max != RLIM_INFINITY && value.rlim_max < most) return;
+  value.rlim_cur = most;
+  ::setrlimit(resource, &value);
+}
+
+// Writes what fits into the pipe's own buffer, so that nobody has to read meanwhile.
+void send(int pipe_end, const std::string& text) {
+  constexpr std::size_t most = 60'000;
+  const ssize_t sent = ::write(pipe_end, text.data(), std::min(text.size(), most));
+  (void)sent;  // A lost text is an empty one.
+}
+
+// Handlers of the parent would only tell its copy of a flag. What it ignores, under nohup, is ignored here too.
+void obey_requests() {
+  for (const int signal : requests) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_IGN) std::signal(signal, SIG_DFL);
+  }
+}
+
+// Nobody waits for the result when the parent is gone.
+void end_with(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(0);
+}
+
+struct ChildRules {
+  unsigned seconds = 0;
+  rlim_t mapped = 0;  // By the parent; 0 where that is not known.
+  pid_t parent = 0;
+};
+
+[[noreturn]] void child(const std::function<std::string()>& work, const ChildRules& rules, int pipe_end) {
+  end_with(rules.parent);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM}) std::signal(signal, SIG_DFL);
+  obey_requests();
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) {
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+  }
+  limit(RLIMIT_CORE, 0);
+  if (rules.mapped > 0) limit(RLIMIT_AS, rules.mapped + trial_bytes);
+  ::alarm(rules.seconds);
+  try {
+    send(pipe_end, work());
+  } catch (...) {
+    // An exception is an answer too.
+  }
+  ::_exit(0);
+}
+
+std::string everything_from(int pipe_end) {
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ssize_t got = ::read(pipe_end, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(got));
+  }
+}
+
+// The lock is open again in both processes.
+pid_t fork_under(std::mutex* lock) {
+  if (lock == nullptr) return ::fork();
+  const std::scoped_lock hold(*lock);
+  return ::fork();
+}
+
+// Of a child that has not passed.
+TrialResult result_of(int status) {
+  if (!WIFSIGNALED(status)) return TrialResult::crashed;
+  const int signal = WTERMSIG(status);
+  if (signal == SIGALRM) return TrialResult::timed_out;
+  return std::ranges::find(requests, signal) != requests.end() ? TrialResult::stopped : TrialResult::crashed;
+}
+
+}  // namespace
+
+TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock) {
+  const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
+  const ChildRules rules{seconds, mapped_bytes(), ::getpid()};
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
+  const pid_t process = fork_under(lock);
+  if (process < 0) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    fail("cannot start a process to try a file in");
+  }
+  if (process == 0) child(work, rules, ends[1]);
+  ::close(ends[1]);
+  TrialReport report;
+  report.text = everything_from(ends[0]);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) fail("cannot wait for the process that tries a file");
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return report;
+  return {result_of(status), {}};
+}
+
+}  // namespace sarsim

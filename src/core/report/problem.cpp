@@ -1,0 +1,62 @@
+#include "core/report/problem.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace sarsim {
+
+namespace {
+
+const char* name_of(Severity severity) {
+  switch (severity) {
+    case Severity::error: return "error";
+    case Severity::warning: return "warning";
+    case Severity::note: return "note";
+  }
+  return "error";
+}
+
+bool same_cause(const Problem& a, const Problem& b) {
+  return a.severity == b.severity && a.message == b.message && a.subject.kind == b.subject.kind &&
+         a.subject.field == b.subject.field;
+}
+
+}  // namespace
+
+bool has_errors(const Problems& problems) {
+  return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::error; });
+}
+
+std::string to_string(const Problem& problem) {
+  std::string text;
+  const Place& place = problem.place;
+  if (!place.file.empty()) text += place.file + ":";
+  if (place.line > 0) text += fmt::format("{}:", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format("{}:", place.column);
+  if (!text.empty()) text += " ";
+  text += fmt::format("{}: {}", name_of(problem.severity), problem.message);
+  if (!problem.found.empty()) text += fmt::format("; found '{}'", problem.found);
+  if (!problem.expected.empty())
+    text += fmt::format("{} expected {}", problem.found.empty() ? ";" : ",", problem.expected);
+  if (problem.count > 1) text += fmt::format(" ({} times)", problem.count);
+  if (!problem.hint.empty()) text += fmt::format("\n    {}", problem.hint);
+  return text;
+}
+
+Problems ranked(Problems problems) {
+  Problems merged;
+  for (Problem& problem : problems) {
+    const bool alone = problem.severity == Severity::error && problem.place.line > 0;
+    const auto first =
+        alone ? merged.end() : std::ranges::find_if(merged, [&](const Problem& p) { return same_cause(p, problem); });
+    if (first == merged.end())
+      merged.push_back(std::move(problem));
+    else
+      first->count += problem.count;
+  }
+  std::ranges::stable_sort(merged, {}, &Problem::severity);
+  return merged;
+}
+
+}  // namespace sarsim

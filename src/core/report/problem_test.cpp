@@ -1,0 +1,101 @@
+#include "core/report/problem.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sarsim {
+namespace {
+
+Problem problem(Severity severity, std::string message, Subject subject = {}, Place place = {}) {
+  Problem made;
+  made.severity = severity;
+  made.message = std::move(message);
+  made.subject = std::move(subject);
+  made.place = std::move(place);
+  return made;
+}
+
+TEST(Problem, PrintsItsPlaceSeverityAndTexts) {
+  Problem p = problem(Severity::error, "pulse width is not a number", {}, {"a.scr", 12, 3});
+  p.found = "8oo";
+  p.expected = "a number in ns";
+  EXPECT_EQ(to_string(p), "a.scr:12:3: error: pulse width is not a number; found '8oo', expected a number in ns");
+}
+
+TEST(Problem, PrintsOnlyWhatItKnows) {
+  Problem p = problem(Severity::warning, "odd");
+  EXPECT_EQ(to_string(p), "warning: odd");
+  p.place.file = "a.scr";
+  EXPECT_EQ(to_string(p), "a.scr: warning: odd");
+  p.place.line = 4;
+  EXPECT_EQ(to_string(p), "a.scr:4: warning: odd");
+  p.place.file = "";
+  EXPECT_EQ(to_string(p), "4: warning: odd");
+  p.place = {};
+  p.expected = "even";
+  EXPECT_EQ(to_string(p), "warning: odd; expected even");
+  p.expected = "";
+  p.found = "7";
+  EXPECT_EQ(to_string(p), "warning: odd; found '7'");
+}
+
+TEST(Problem, PrintsNoColumnWithoutALine) {
+  EXPECT_EQ(to_string(problem(Severity::note, "so", {}, {"a.scr", 0, 5})), "a.scr: note: so");
+}
+
+TEST(Problem, PrintsItsCountAndItsHintOnALineOfItsOwn) {
+  Problem p = problem(Severity::note, "seen");
+  p.count = 3;
+  p.hint = "Look again.";
+  EXPECT_EQ(to_string(p), "note: seen (3 times)\n    Look again.");
+}
+
+TEST(Problems, HaveErrorsOnlyWhereOneIsAnError) {
+  EXPECT_FALSE(has_errors({}));
+  EXPECT_FALSE(has_errors({problem(Severity::warning, "a"), problem(Severity::note, "b")}));
+  EXPECT_TRUE(has_errors({problem(Severity::warning, "a"), problem(Severity::error, "b")}));
+}
+
+std::string order(const Problems& problems) {
+  std::string messages;
+  for (const Problem& p : problems) messages += p.message + std::to_string(p.count);
+  return messages;
+}
+
+TEST(Ranked, PutsErrorsFirstAndNotesLastKeepingTheOrderWithin) {
+  const Problems problems =
+      ranked({problem(Severity::note, "n"), problem(Severity::warning, "w"), problem(Severity::error, "f"),
+              problem(Severity::warning, "v"), problem(Severity::error, "e")});
+  EXPECT_EQ(order(problems), "f1e1w1v1n1");
+}
+
+TEST(Ranked, MergesOneCauseAndAddsTheCounts) {
+  Problem many = problem(Severity::warning, "w", {"target", 4, "rcs_m2"});
+  many.count = 5;
+  const Problems problems = ranked({problem(Severity::warning, "w", {"target", 0, "rcs_m2"}), many});
+  EXPECT_EQ(order(problems), "w6");
+  EXPECT_EQ(problems[0].subject.index, 0U);
+}
+
+TEST(Ranked, KeepsCausesApartThatDifferInAnything) {
+  const Subject subject{"target", 0, "rcs_m2"};
+  const Problems problems =
+      ranked({problem(Severity::warning, "w", subject), problem(Severity::note, "w", subject),
+              problem(Severity::warning, "v", subject), problem(Severity::warning, "w", {"radar", 0, "rcs_m2"}),
+              problem(Severity::warning, "w", {"target", 0, "platform"})});
+  EXPECT_EQ(problems.size(), 5U);
+}
+
+TEST(Ranked, LeavesErrorsWithAPlaceAlone) {
+  const Problems placed =
+      ranked({problem(Severity::error, "e", {}, {"a", 1, 1}), problem(Severity::error, "e", {}, {"a", 2, 1})});
+  EXPECT_EQ(placed.size(), 2U);
+  const Problems unplaced = ranked({problem(Severity::error, "e"), problem(Severity::error, "e")});
+  EXPECT_EQ(unplaced.size(), 1U);
+  const Problems warnings =
+      ranked({problem(Severity::warning, "w", {}, {"a", 1, 1}), problem(Severity::warning, "w", {}, {"a", 2, 1})});
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].place.line, 1U);
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "scene/schema/fields.hpp"
+
+class QLabel;
+class QWidget;
+
+namespace sarsim {
+
+class ProblemLine;
+
+/// A number with its unit, moved by steps of its last shown digit: "5.6 cm", 1: "5.7 cm". Empty for what is no number.
+[[nodiscard]] QString stepped_text(const QString& text, int steps);
+
+/// One row of a form: label, widget "field_<id>" and a line for problems below. Knows texts only; whoever holds the
+/// object hears `entered`, tries the text, and answers with show_value or show_failure.
+class FieldEditor : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param parent  of the widgets
+  FieldEditor(const Field& field, QWidget* parent);
+
+  [[nodiscard]] const Field& field() const { return field_; }
+  [[nodiscard]] QString id() const { return QString::fromStdString(field_.id); }
+  /// Null where the widget carries its label itself.
+  [[nodiscard]] QLabel* label() const { return label_; }
+  /// What is typed into or chosen from.
+  [[nodiscard]] virtual QWidget* widget() const = 0;
+  [[nodiscard]] ProblemLine* problem_line() const { return problem_line_; }
+
+  /// Shows the field's value; what is being typed, or was refused, stays as long as the value does.
+  void show_value(const QString& text);
+  /// Several objects do not agree.
+  void show_different();
+  /// Names to choose from, for fields that refer to other objects.
+  virtual void set_choices(const QStringList& choices);
+  /// Says why the text that was entered cannot be taken; the text stays.
+  virtual void show_failure(const QString& sentence);
+  /// Says why a step was not taken, with the value as it was.
+  void refuse_step(const QString& sentence);
+  /// What was refused is right now, or gone.
+  void clear_failure();
+  /// Shows what the scene's check says of the field.
+  void show_problems(const std::vector<Problem>& problems);
+  /// True where a failure, an error or a warning is shown.
+  [[nodiscard]] bool troubled() const;
+  /// Shows or hides the whole row; what is hidden keeps its text.
+  void set_shown(bool shown);
+  [[nodiscard]] bool shown() const { return shown_; }
+
+  /// What was typed and neither applied nor refused; empty where nothing was.
+  [[nodiscard]] virtual bool pending() const { return false; }
+  [[nodiscard]] bool refused() const { return !failure_.isEmpty(); }
+  /// Applies what was typed, if anything.
+  virtual void commit() {}
+  /// Drops what was typed or refused.
+  virtual void restore();
+
+ signals:
+  void entered(const QString& text);  ///< To be applied.
+  void stepped(const QString& text);  ///< To be applied as part of a run.
+  void retyped(const QString& text);  ///< A refused text was changed; to be judged without applying it.
+  void left();                        ///< A run of steps ended.
+  void opened();                      ///< A function wants its editor.
+
+ protected:
+  /// For constructors of derived classes: names, tooltip and label of the widget.
+  void describe(QWidget* widget, bool with_label);
+  /// Shows `value_`, or that values differ.
+  virtual void display() = 0;
+  [[nodiscard]] virtual bool keeps(const QString& new_value) const;
+  virtual void mark(bool failed);
+
+  QString value_;
+  bool different_ = false;
+
+ private:
+  void refresh_problem_line();
+
+  Field field_;
+  QLabel* label_ = nullptr;
+  ProblemLine* problem_line_ = nullptr;
+  QString failure_;
+  std::vector<Problem> problems_;
+  bool shown_ = true;
+};
+
+/// Makes the editor that suits a field's kind.
+[[nodiscard]] FieldEditor* make_field_editor(const Field& field, QWidget* parent);
+
+}  // namespace sarsim

@@ -1,0 +1,303 @@
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QStyleOptionButton>
+#include <QStylePainter>
+#include <QWheelEvent>
+
+#include <utility>
+
+#include "gui/common/field_editor.hpp"
+#include "gui/common/palette_colours.hpp"
+#include "gui/common/problem_line.hpp"
+
+namespace sarsim {
+
+namespace {
+
+QString different_text() { return FieldEditor::tr("(different)"); }
+
+// A line of text: quantities and names.
+class LineField : public FieldEditor {
+ public:
+  LineField(const Field& field, QWidget* parent) : FieldEditor(field, parent), edit_(new QLineEdit(parent)) {
+    describe(edit_, true);
+    edit_->installEventFilter(this);
+    error_mark_ = edit_->addAction(severity_icon(Severity::error, *edit_), QLineEdit::TrailingPosition);
+    error_mark_->setVisible(false);
+    connect(edit_, &QLineEdit::editingFinished, this, [this] { commit(); });
+    connect(edit_, &QLineEdit::textEdited, this, [this](const QString& text) {
+      end_steps();
+      if (refused()) emit retyped(text);
+    });
+  }
+
+  [[nodiscard]] QWidget* widget() const override { return edit_; }
+  [[nodiscard]] bool pending() const override { return !refused() && !committing_ && edit_->text() != displayed_; }
+
+  void commit() override {
+    const QString text = edit_->text();
+    if (text == displayed_) {
+      if (refused()) restore();
+      return;
+    }
+    if (text == refused_text_ && refused()) return;
+    clear_failure();
+    QScopedValueRollback committing(committing_, true);
+    emit entered(text);
+    if (!refused()) display();
+  }
+
+  void restore() override {
+    stepping_ = false;
+    FieldEditor::restore();
+  }
+
+  void show_failure(const QString& sentence) override {
+    refused_text_ = edit_->text();
+    FieldEditor::show_failure(sentence);
+  }
+
+ protected:
+  void display() override {
+    displayed_ = different_ ? QString() : value_;
+    edit_->setPlaceholderText(different_ ? different_text() : QString());
+    if (edit_->text() == displayed_) return;
+    edit_->setText(displayed_);
+    // Of a long text the beginning matters; the caret stays where somebody types.
+    if (!edit_->hasFocus()) edit_->setCursorPosition(0);
+  }
+
+  // During a run of steps the unit stays as it was: 999 MHz is followed by 1000 MHz, not by 1 GHz and 2 GHz.
+  [[nodiscard]] bool keeps(const QString& new_value) const override {
+    if (!stepping_) return false;
+    const QuantityReading reading = read_quantity(edit_->text().toStdString(), field().quantity);
+    return reading.value && quantity_text(*reading.value, field().quantity) == new_value.toStdString();
+  }
+
+  void mark(bool failed) override {
+    error_mark_->setVisible(failed);
+    QPalette palette;  // Only what is set here is the field's own; the rest follows the theme.
+    if (failed) palette.setColor(QPalette::Text, colour_of(Role::error, edit_->palette()));
+    edit_->setPalette(palette);
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    switch (event->type()) {
+      case QEvent::ShortcutOverride:
+        // Escape is the field's as long as there is something to restore.
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && to_restore()) event->accept();
+        return undo_of_scene(*static_cast<QKeyEvent*>(event));
+      case QEvent::KeyPress: return key_pressed(*static_cast<QKeyEvent*>(event));
+      case QEvent::Wheel: return wheel_turned(*static_cast<QWheelEvent*>(event));
+      case QEvent::FocusOut: end_steps(); break;
+      default: break;
+    }
+    return FieldEditor::eventFilter(watched, event);
+  }
+
+ private:
+  [[nodiscard]] bool to_restore() const { return refused() || edit_->text() != displayed_; }
+
+  // Undo and redo are those of typing while something is typed; else those of the scene, which lines of text would
+  // keep for themselves.
+  [[nodiscard]] bool undo_of_scene(QKeyEvent& key) const {
+    if (to_restore() || !(key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo))) return false;
+    key.ignore();
+    return true;
+  }
+
+  bool key_pressed(const QKeyEvent& key) {
+    if (key.key() == Qt::Key_Escape) {
+      if (!to_restore()) return false;
+      restore();
+      edit_->selectAll();
+      return true;
+    }
+    switch (key.key()) {
+      case Qt::Key_Up: return step(1);
+      case Qt::Key_Down: return step(-1);
+      case Qt::Key_PageUp: return step(10);
+      case Qt::Key_PageDown: return step(-10);
+      default: return false;
+    }
+  }
+
+  bool wheel_turned(const QWheelEvent& wheel) {
+    if (!wheel.modifiers().testFlag(Qt::ControlModifier) || !edit_->hasFocus()) return false;
+    wheel_angle_ += wheel.angleDelta().y();
+    const int notches = wheel_angle_ / QWheelEvent::DefaultDeltasPerStep;
+    wheel_angle_ -= notches * QWheelEvent::DefaultDeltasPerStep;
+    return notches == 0 || step(notches);
+  }
+
+  bool step(int steps) {
+    if (field().kind != FieldKind::quantity) return false;
+    const QString text = stepped_text(edit_->text(), steps);
+    if (text.isEmpty()) return true;
+    clear_failure();
+    stepping_ = true;
+    edit_->setText(text);
+    QScopedValueRollback committing(committing_, true);
+    emit stepped(text);
+    if (!refused()) displayed_ = edit_->text();
+    return true;
+  }
+
+  void end_steps() {
+    if (!std::exchange(stepping_, false)) return;
+    if (edit_->text() == displayed_) display();
+    emit left();
+  }
+
+  QLineEdit* edit_;
+  QAction* error_mark_;
+  QString displayed_;
+  QString refused_text_;
+  bool committing_ = false;
+  bool stepping_ = false;
+  int wheel_angle_ = 0;
+};
+
+// One of several: choices, platforms, radars.
+class ChoiceField : public FieldEditor {
+ public:
+  ChoiceField(const Field& field, QWidget* parent) : FieldEditor(field, parent), box_(new QComboBox(parent)) {
+    describe(box_, true);
+    box_->setPlaceholderText(different_text());
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box_->setMinimumContentsLength(8);
+    box_->setFocusPolicy(Qt::StrongFocus);
+    box_->installEventFilter(this);
+    for (const std::string& choice : field.choices) choices_ += QString::fromStdString(choice);
+    box_->addItems(choices_);
+    connect(box_, &QComboBox::currentIndexChanged, this, [this](int index) {
+      if (!showing_ && index >= 0) emit entered(box_->itemText(index));
+    });
+  }
+
+  [[nodiscard]] QWidget* widget() const override { return box_; }
+
+  void set_choices(const QStringList& choices) override {
+    if (choices == choices_) return;
+    choices_ = choices;
+    refill();
+  }
+
+ protected:
+  void display() override {
+    const QScopedValueRollback showing(showing_, true);
+    const bool listed = different_ || choices_.contains(value_);
+    if (box_->count() != choices_.size() + (listed ? 0 : 1) || !listed) refill();
+    box_->setCurrentIndex(different_ ? -1 : box_->findText(value_, Qt::MatchExactly | Qt::MatchCaseSensitive));
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // A panel that is scrolled must not change what the pointer passes over.
+    if (event->type() == QEvent::Wheel && !box_->hasFocus()) {
+      event->ignore();
+      return true;
+    }
+    return FieldEditor::eventFilter(watched, event);
+  }
+
+ private:
+  // A value that is none of the choices, a platform that does not exist, is shown behind them.
+  void refill() {
+    const QScopedValueRollback showing(showing_, true);
+    box_->clear();
+    box_->addItems(choices_);
+    if (!different_ && !choices_.contains(value_)) box_->addItem(value_);
+    box_->setCurrentIndex(different_ ? -1 : box_->findText(value_, Qt::MatchExactly | Qt::MatchCaseSensitive));
+  }
+
+  QComboBox* box_;
+  QStringList choices_;
+  bool showing_ = false;
+};
+
+class CheckField : public FieldEditor {
+ public:
+  CheckField(const Field& field, QWidget* parent)
+      : FieldEditor(field, parent), box_(new QCheckBox(QString::fromStdString(field.label), parent)) {
+    describe(box_, false);
+    connect(box_, &QCheckBox::stateChanged, this, [this](int state) {
+      if (!showing_ && state != Qt::PartiallyChecked)
+        emit entered(state == Qt::Checked ? QStringLiteral("yes") : QStringLiteral("no"));
+    });
+  }
+
+  [[nodiscard]] QWidget* widget() const override { return box_; }
+
+ protected:
+  void display() override {
+    const QScopedValueRollback showing(showing_, true);
+    box_->setTristate(different_);
+    box_->setCheckState(different_ ? Qt::PartiallyChecked : value_ == "yes" ? Qt::Checked : Qt::Unchecked);
+  }
+
+ private:
+  QCheckBox* box_;
+  bool showing_ = false;
+};
+
+// A button whose text gives way at its end where there is too little room.
+class ElidingButton : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    const int room = style()->subElementRect(QStyle::SE_PushButtonContents, &option, this).width();
+    option.text = fontMetrics().elidedText(option.text, Qt::ElideRight, room);
+    QStylePainter(this).drawControl(QStyle::CE_PushButton, option);
+  }
+};
+
+// A summary that opens the function editor.
+class FunctionField : public FieldEditor {
+ public:
+  FunctionField(const Field& field, QWidget* parent) : FieldEditor(field, parent), button_(new ElidingButton(parent)) {
+    describe(button_, true);
+    button_->setAutoDefault(false);
+    button_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // A long summary widens no panel.
+    connect(button_, &QPushButton::clicked, this, [this] { emit opened(); });
+  }
+
+  [[nodiscard]] QWidget* widget() const override { return button_; }
+
+ protected:
+  void display() override {
+    const QString text = different_ ? different_text() : value_;
+    button_->setText(QString(text).replace('&', QStringLiteral("&&")) + QStringLiteral(" ..."));
+    button_->setAccessibleName(tr("%1: %2, edit").arg(QString::fromStdString(field().label), text));
+  }
+
+ private:
+  QPushButton* button_;
+};
+
+}  // namespace
+
+FieldEditor* make_field_editor(const Field& field, QWidget* parent) {
+  switch (field.kind) {
+    case FieldKind::quantity:
+    case FieldKind::text: return new LineField(field, parent);
+    case FieldKind::choice:
+    case FieldKind::platform:
+    case FieldKind::radar: return new ChoiceField(field, parent);
+    case FieldKind::check: return new CheckField(field, parent);
+    case FieldKind::function: return new FunctionField(field, parent);
+  }
+  return nullptr;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,404 @@
+#include "gui/common/figure_plot.hpp"
+
+#include <QBuffer>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <system_error>
+
+#include "core/os/output_file.hpp"
+#include "gui/common/figure_text.hpp"
+#include "gui/common/palette_colours.hpp"
+#include "picture/figure/ticks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int bar_width_px = 14;
+constexpr std::size_t most_stops = 256;
+
+// Marks at round numbers for whatever length the axis has when it is drawn.
+class RoundTicker : public QCPAxisTicker {
+ public:
+  /// @param factor  what the values of the axis are multiplied by to be those of `unit`
+  RoundTicker(const QCPAxis* axis, std::string unit, double spacing_px, double factor)
+      : axis_(axis), unit_(std::move(unit)), spacing_px_(spacing_px), factor_(factor) {}
+
+  void generate(const QCPRange& range, const QLocale& /*locale*/, QChar /*format*/, int /*precision*/,
+                QVector<double>& ticks, QVector<double>* sub_ticks, QVector<QString>* labels) override {
+    const QRect area = axis_->axisRect()->rect();
+    const QRect around = axis_->axisRect()->parentPlot()->viewport();
+    const bool known = area.width() > 0 && area.height() > 0;
+    const double length =
+        axis_->orientation() == Qt::Horizontal ? (known ? area : around).width() : (known ? area : around).height();
+    const Ticks marks = axis_ticks(range.lower * factor_, range.upper * factor_, length, spacing_px_, unit_);
+    ticks.clear();
+    if (sub_ticks != nullptr) sub_ticks->clear();
+    if (labels != nullptr) labels->clear();
+    for (const Tick& mark : marks.ticks) {
+      ticks.append(mark.value / factor_);
+      if (labels != nullptr) labels->append(QString::fromStdString(mark.label));
+    }
+  }
+
+ private:
+  const QCPAxis* axis_;
+  std::string unit_;
+  double spacing_px_;
+  double factor_;
+};
+
+QString axis_title(const std::string& label, const std::string& unit, double first, double last) {
+  const std::string shown = axis_ticks(first, last, 500.0, 50.0, unit).unit;
+  const QString name = QString::fromStdString(label);
+  return shown.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(shown));
+}
+
+QImage picture_of(const FigureImage& image) {
+  QImage picture(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_RGB32);
+  for (std::size_t row = 0; row < image.height; ++row) {
+    auto* const line = reinterpret_cast<QRgb*>(picture.scanLine(static_cast<int>(row)));
+    for (std::size_t column = 0; column < image.width; ++column) {
+      const Rgb& cell = image.cells[row * image.width + column];
+      line[column] = qRgb(cell.red, cell.green, cell.blue);
+    }
+  }
+  return picture;
+}
+
+QVector<double> numbers(const std::vector<double>& list) { return {list.begin(), list.end()}; }
+
+}  // namespace
+
+FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
+  setObjectName("figure");
+  setAccessibleName(tr("Figure"));
+  setInteractions(QCP::iNone);
+  // The first legend would collect the curves of all panels.
+  setAutoAddPlottableToLegend(false);
+  setMinimumSize(200, 150);
+  rebuild();
+}
+
+void FigurePlot::set_figure(const Figure& figure) {
+  figure_ = figure;
+  rebuild();
+  // Once for the lengths of the axes, once for marks that suit them.
+  replot();
+  keep_scales();
+  replot(rpQueuedReplot);
+}
+
+QColor FigurePlot::ink(Role role) const { return colour_of(role, palette()); }
+
+void FigurePlot::rebuild() {
+  clearPlottables();
+  clearItems();
+  panels_.clear();
+  plotLayout()->clear();
+  legend = nullptr;
+  qDeleteAll(findChildren<QCPMarginGroup*>(QString(), Qt::FindDirectChildrenOnly));  // Nobody else takes them away.
+  setBackground(QBrush(ink(Role::background)));
+  int row = 0;
+  if (!figure_.title.empty()) add_text(row++, QString::fromStdString(figure_.title), true);
+  for (const FigurePanel& panel : figure_.panels) {
+    if (!panel.title.empty()) add_text(row++, QString::fromStdString(panel.title), false);
+    add_panel(row++, panel);
+  }
+  if (!figure_.note.empty()) add_text(row, QString::fromStdString(figure_.note), false);
+  // Axes below each other begin and end at the same place.
+  auto* const margins = new QCPMarginGroup(this);
+  for (const auto& rect : panels_) rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+}
+
+void FigurePlot::add_text(int row, const QString& text, bool bold) {
+  QFont shown = font();
+  shown.setBold(bold);
+  auto* const element = new FigureText(this, text, shown);
+  element->setTextColor(ink(Role::text));
+  element->setMargins(QMargins(4, 4, 4, 2));
+  plotLayout()->addElement(row, 0, element);
+  // Words take the room they need; panels share the rest.
+  plotLayout()->setRowStretchFactor(row, 0.001);
+}
+
+void FigurePlot::add_panel(int row, const FigurePanel& panel) {
+  auto* const rect = new QCPAxisRect(this);
+  plotLayout()->addElement(row, 0, rect);
+  panels_.emplace_back(rect);
+  rect->setupFullAxesBox();
+  for (QCPAxis* axis : rect->axes()) dress(axis);
+  for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
+  add_axis(rect->axis(QCPAxis::atBottom), panel.x, 8.0 * fontMetrics().averageCharWidth() + 24.0);
+  add_axis(rect->axis(QCPAxis::atLeft), panel.y, 2.5 * fontMetrics().height());
+  if (panel.x.twin) add_twin(rect->axis(QCPAxis::atTop), panel.x, 8.0 * fontMetrics().averageCharWidth() + 24.0);
+  if (panel.y.twin) add_twin(rect->axis(QCPAxis::atRight), panel.y, 2.5 * fontMetrics().height());
+  if (panel.image && !panel.image->cells.empty()) {
+    add_image(rect, *panel.image);
+    for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
+  }
+  for (const FigureCurve& curve : panel.curves) add_curve(rect, curve);
+  for (const FigureMark& mark : panel.marks) add_mark(rect, mark);
+  add_legend(rect, panel);
+  if (panel.colour_bar) add_colour_bar(row, rect, *panel.colour_bar);
+}
+
+void FigurePlot::dress(QCPAxis* axis) {
+  for (const auto& set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+    (axis->*set)(QPen(ink(Role::text)));
+  axis->setTickLabelColor(ink(Role::text));
+  axis->setLabelColor(ink(Role::text));
+  axis->setTickLabelFont(font());
+  axis->setLabelFont(font());
+  axis->setSubTicks(false);
+  axis->grid()->setPen(QPen(ink(Role::faint), 0, Qt::DotLine));
+  axis->grid()->setZeroLinePen(QPen(ink(Role::faint)));
+}
+
+// A circle on the ground is one in the picture: the axis that has room to spare shows more than the image.
+void FigurePlot::keep_scales() {
+  constexpr double longest_strip = 3.0;
+  for (std::size_t i = 0; i < panels_.size() && i < figure_.panels.size(); ++i) {
+    const FigurePanel& panel = figure_.panels[i];
+    const QCPAxisRect* const rect = panels_[i];
+    if (rect == nullptr || !panel.image || panel.x.unit != "m" || panel.y.unit != "m") continue;
+    const double across_m = std::abs(panel.x.last - panel.x.first);
+    const double up_m = std::abs(panel.y.last - panel.y.first);
+    if (!(across_m > 0.0) || !(up_m > 0.0) || rect->width() < 2 || rect->height() < 2) continue;
+    if (std::max(across_m, up_m) > longest_strip * std::min(across_m, up_m)) continue;
+    const double metres_per_px = std::max(across_m / rect->width(), up_m / rect->height());
+    const auto show = [&](QCPAxis::AxisType first, QCPAxis::AxisType second, const FigureAxis& axis, int length_px) {
+      const double middle = 0.5 * (axis.first + axis.last);
+      const double half = 0.5 * metres_per_px * length_px;
+      for (const auto side : {first, second}) rect->axis(side)->setRange(middle - half, middle + half);
+      name_axis(rect->axis(first), axis);
+    };
+    show(QCPAxis::atBottom, QCPAxis::atTop, panel.x, rect->width());
+    show(QCPAxis::atLeft, QCPAxis::atRight, panel.y, rect->height());
+  }
+}
+
+void FigurePlot::name_axis(QCPAxis* axis, const FigureAxis& described) {
+  axis->setLabel(axis_title(described.label, described.unit, axis->range().lower, axis->range().upper));
+}
+
+void FigurePlot::add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
+  axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
+  axis->setRangeReversed(described.last < described.first);
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, described.unit, spacing_px, 1.0));
+  axis->setLabel(axis_title(described.label, described.unit, described.first, described.last));
+}
+
+void FigurePlot::add_twin(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
+  const FigureAxis::Twin& twin = *described.twin;
+  axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
+  axis->setRangeReversed(described.last < described.first);
+  axis->setTicks(true);
+  axis->setTickLabels(true);
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, twin.unit, spacing_px, twin.factor));
+  axis->setLabel(axis_title(twin.label, twin.unit, described.first * twin.factor, described.last * twin.factor));
+}
+
+void FigurePlot::add_image(QCPAxisRect* rect, const FigureImage& image) {
+  auto* const item = new QCPItemPixmap(this);
+  item->setPixmap(QPixmap::fromImage(picture_of(image)));
+  // Cells stay cells: no colour that no sample has.
+  item->setScaled(true, Qt::IgnoreAspectRatio, Qt::FastTransformation);
+  item->setClipAxisRect(rect);
+  item->setClipToAxisRect(true);
+  for (QCPItemPosition* corner : {item->topLeft, item->bottomRight}) {
+    corner->setType(QCPItemPosition::ptPlotCoords);
+    corner->setAxisRect(rect);
+    corner->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+  }
+  item->topLeft->setCoords(image.x_first, image.y_first);
+  item->bottomRight->setCoords(image.x_last, image.y_last);
+}
+
+void FigurePlot::add_curve(QCPAxisRect* rect, const FigureCurve& curve) {
+  QCPAxis* const across = rect->axis(QCPAxis::atBottom);
+  QCPAxis* const up = rect->axis(QCPAxis::atLeft);
+  QCPAbstractPlottable* drawn = nullptr;
+  if (curve.bars) {
+    auto* const bars = new QCPBars(across, up);
+    bars->setData(numbers(curve.x), numbers(curve.y));
+    bars->setWidthType(QCPBars::wtPlotCoords);
+    if (curve.x.size() > 1) bars->setWidth(0.7 * std::abs(curve.x[1] - curve.x[0]));
+    QColor filled = ink(curve.role);
+    filled.setAlphaF(0.4F);
+    bars->setBrush(filled);
+    drawn = bars;
+  } else {
+    // Not a graph: what is plotted need not be a function of x.
+    auto* const line = new QCPCurve(across, up);
+    line->setData(numbers(curve.x), numbers(curve.y));
+    drawn = line;
+  }
+  drawn->setPen(QPen(ink(curve.role), 1.5));
+  drawn->setName(QString::fromStdString(curve.name));
+}
+
+void FigurePlot::add_mark(QCPAxisRect* rect, const FigureMark& mark) {
+  auto* const cross = new QCPItemTracer(this);
+  auto* const words = new QCPItemText(this);
+  for (QCPItemPosition* place : {cross->position, words->position}) {
+    place->setType(QCPItemPosition::ptPlotCoords);
+    place->setAxisRect(rect);
+    place->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    place->setCoords(mark.x, mark.y);
+  }
+  cross->setStyle(QCPItemTracer::tsPlus);
+  cross->setSize(9.0);
+  cross->setPen(QPen(ink(Role::error), 1.5));
+  words->setText(QString::fromStdString(mark.text));
+  words->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  words->setPadding(QMargins(6, 2, 4, 4));
+  words->setFont(font());
+  words->setColor(ink(Role::error));
+  for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(cross), static_cast<QCPAbstractItem*>(words)}) {
+    item->setClipAxisRect(rect);
+    item->setClipToAxisRect(true);
+  }
+}
+
+void FigurePlot::add_legend(QCPAxisRect* rect, const FigurePanel& panel) {
+  const bool named = std::ranges::any_of(panel.curves, [](const FigureCurve& c) { return !c.name.empty(); });
+  if (!named) return;
+  auto* const names = new QCPLegend;
+  rect->insetLayout()->addElement(names, Qt::AlignTop | Qt::AlignRight);
+  names->setLayer("legend");
+  names->setBrush(ink(Role::background));
+  names->setBorderPen(QPen(ink(Role::faint)));
+  names->setTextColor(ink(Role::text));
+  names->setFont(font());
+  for (QCPAbstractPlottable* plottable : rect->plottables())
+    if (!plottable->name().isEmpty()) plottable->addToLegend(names);
+}
+
+void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar) {
+  auto* const scale = new QCPColorScale(this);
+  plotLayout()->addElement(row, 1, scale);
+  scale->setType(QCPAxis::atRight);
+  scale->setBarWidth(bar_width_px);
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+  const std::size_t step = (bar.colours.size() + most_stops - 1) / most_stops;
+  for (std::size_t i = 0; i < bar.colours.size(); i += step) {
+    const Rgb& c = bar.colours[i];
+    gradient.setColorStopAt(static_cast<double>(i) / static_cast<double>(bar.colours.size() - 1),
+                            QColor(c.red, c.green, c.blue));
+  }
+  scale->setGradient(gradient);
+  scale->setDataRange(QCPRange(bar.first, bar.last));
+  dress(scale->axis());
+  scale->axis()->setRange(bar.first, bar.last);
+  scale->axis()->setTicker(
+      QSharedPointer<RoundTicker>::create(scale->axis(), bar.unit, 2.5 * fontMetrics().height(), 1.0));
+  scale->axis()->setLabel(axis_title(bar.label, bar.unit, bar.first, bar.last));
+  auto* const margins = new QCPMarginGroup(this);
+  scale->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+  rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
+}
+
+void FigurePlot::resizeEvent(QResizeEvent* event) {
+  QCustomPlot::resizeEvent(event);
+  keep_scales();
+  replot(rpQueuedReplot);
+}
+
+void FigurePlot::changeEvent(QEvent* event) {
+  QCustomPlot::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
+  rebuild();
+  replot(rpQueuedReplot);
+}
+
+bool FigurePlot::save(const QString& path, QSize size, double scale, QString& failure) {
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending != "png" && ending != "svg" && ending != "pdf") {
+    failure = tr("'%1': pictures are written as .png, .svg or .pdf").arg(path);
+    return false;
+  }
+  // Writers of pictures do not tell of a full disk: the picture is drawn into memory and written as any other output,
+  // and what stands under the name stays until it is whole.
+  QBuffer picture;
+  picture.open(QIODevice::WriteOnly);
+  if (!draw_picture(picture, ending, size, scale) || picture.data().isEmpty()) {
+    failure = tr("'%1' could not be drawn").arg(path);
+    return false;
+  }
+  try {
+    OutputFile file(path.toStdString(), true);
+    file.write(std::as_bytes(std::span(picture.data().constData(), static_cast<std::size_t>(picture.size()))));
+    file.commit();
+    return true;
+  } catch (const std::system_error& error) {
+    failure = tr("'%1' could not be written: %2").arg(path, QString::fromStdString(error.code().message()));
+  }
+  return false;
+}
+
+bool FigurePlot::draw_picture(QIODevice& device, const QString& ending, QSize size, double scale) {
+  // Marks suit the lengths that axes had when they were drawn last.
+  toPixmap(size.width(), size.height());
+  keep_scales();
+  if (ending == "png") {
+    constexpr int dots_per_metre = 3780;  // 96 to the inch
+    QImage image = toPixmap(size.width(), size.height(), scale).toImage();
+    image.setDotsPerMeterX(dots_per_metre);
+    image.setDotsPerMeterY(dots_per_metre);
+    return image.save(&device, "PNG");
+  }
+  const QString title = QString::fromStdString(figure_.title);
+  if (ending == "pdf") {
+    QPdfWriter writer(&device);
+    writer.setCreator("sarsim");
+    writer.setTitle(title);
+    writer.setResolution(logicalDpiX());
+    const QPageSize page(QSizeF(size), QPageSize::Point, QString(), QPageSize::ExactMatch);
+    QPageLayout layout(page, QPageLayout::Portrait, QMarginsF());
+    layout.setMode(QPageLayout::FullPageMode);
+    return writer.setPageLayout(layout) && paint_on(writer, size);
+  }
+  QSvgGenerator generator;
+  generator.setOutputDevice(&device);
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(), size));
+  generator.setTitle(title);
+  return paint_on(generator, size);
+}
+
+bool FigurePlot::paint_on(QPaintDevice& device, QSize size) {
+  QCPPainter painter;
+  if (!painter.begin(&device)) return false;
+  painter.setMode(QCPPainter::pmVectorized);
+  painter.setWindow(QRect(QPoint(), size));
+  toPainter(&painter, size.width(), size.height());
+  return painter.end();
+}
+
+void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested) {
+  const QString title = FigurePlot::tr("Save picture");
+  const QString path =
+      QFileDialog::getSaveFileName(&parent, title, suggested, FigurePlot::tr("Pictures (*.png *.svg *.pdf)"));
+  if (path.isEmpty()) return;
+  FigurePlot drawn;
+  drawn.setPalette(parent.palette());
+  drawn.set_figure(figure);
+  QString failure;
+  if (!drawn.save(path, parent.size(), parent.devicePixelRatioF(), failure))
+    QMessageBox::warning(&parent, title, failure);
+}
+
+}  // namespace sarsim

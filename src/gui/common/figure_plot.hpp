@@ -1,0 +1,64 @@
+#pragma once
+
+// The plot library's header comes from the system's folders, where warnings are off.
+#include <qcustomplot.h>
+
+#include <QPointer>
+
+#include <vector>
+
+#include "picture/figure/figure.hpp"
+
+namespace sarsim {
+
+/// Draws a figure: panels one below the other with axes, marks, legend and colour bar, in the colours of the palette.
+/// Where an image has metres along both axes and one side is at most three times the other, a metre is as long on both.
+class FigurePlot : public QCustomPlot {
+  Q_OBJECT
+
+ public:
+  explicit FigurePlot(QWidget* parent = nullptr);
+
+  /// Draws another figure.
+  void set_figure(const Figure& figure);
+  [[nodiscard]] const Figure& figure() const { return figure_; }
+
+  /// Where panel `index` is drawn.
+  [[nodiscard]] QCPAxisRect* panel(std::size_t index) const { return panels_.at(index); }
+
+  /// Writes the figure as it would look in a window of `size` to a file: PNG with `scale` dots for each pixel, SVG or
+  /// PDF, as the name ends. False with words in `failure` where the name ends otherwise or the file cannot be written
+  /// whole; then what stood there is left as it was.
+  bool save(const QString& path, QSize size, double scale, QString& failure);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void rebuild();
+  bool draw_picture(QIODevice& device, const QString& ending, QSize size, double scale);
+  bool paint_on(QPaintDevice& device, QSize size);
+  void add_text(int row, const QString& text, bool bold);
+  void add_panel(int row, const FigurePanel& panel);
+  void add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px);
+  void add_twin(QCPAxis* axis, const FigureAxis& described, double spacing_px);
+  void add_image(QCPAxisRect* rect, const FigureImage& image);
+  void add_curve(QCPAxisRect* rect, const FigureCurve& curve);
+  void add_mark(QCPAxisRect* rect, const FigureMark& mark);
+  void add_legend(QCPAxisRect* rect, const FigurePanel& panel);
+  void add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar);
+  void dress(QCPAxis* axis);
+  void keep_scales();
+  void name_axis(QCPAxis* axis, const FigureAxis& described);
+  [[nodiscard]] QColor ink(Role role) const;
+
+  Figure figure_;
+  std::vector<QPointer<QCPAxisRect>> panels_;
+};
+
+/// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is
+/// told in a message.
+void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested);
+
+}  // namespace sarsim

@@ -1,0 +1,41 @@
+#include "gui/common/latest_work.hpp"
+
+#include <utility>
+
+namespace sarsim {
+
+LatestWork::LatestWork(QObject* parent) : QObject(parent) {
+  connect(&job_, &BackgroundJob::ended, this, &LatestWork::take_end);
+  connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double) {
+    if (wanted_ && !next_) emit progressed(fraction);
+  });
+}
+
+void LatestWork::run(BackgroundJob::Work work) {
+  wanted_ = true;
+  if (job_.running()) {
+    next_ = std::move(work);
+    job_.cancel();
+    return;
+  }
+  job_.start(std::move(work));
+}
+
+void LatestWork::cancel() {
+  wanted_ = false;
+  next_.reset();
+  job_.cancel();
+}
+
+void LatestWork::take_end(JobEnd end, const QString& failure) {
+  if (next_) {
+    BackgroundJob::Work work = std::move(*next_);
+    next_.reset();
+    job_.start(std::move(work));
+    return;
+  }
+  if (!std::exchange(wanted_, false)) return;
+  emit ended(end == JobEnd::done, failure);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,166 @@
+#include "gui/common/session.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace sarsim {
+
+namespace {
+
+// A hand that rests as long has paused.
+constexpr int pause_ms = 150;
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+  problems_soon_.setSingleShot(true);
+  problems_soon_.setInterval(pause_ms);
+  connect(&problems_soon_, &QTimer::timeout, this, &Session::find_put_off_problems);
+  look_for_problems();
+}
+
+void Session::take(Document document) {
+  document_ = std::move(document);
+  selection_.clear();
+  current_.reset();
+  hidden_.clear();
+  time_s_ = 0.0;
+  look_for_problems();
+  emit document_replaced();
+  emit time_changed(time_s_);
+  emit hidden_changed();
+  emit selection_changed();
+  announce();
+}
+
+void Session::perform(Edit edit) {
+  if (edit.changes.empty() && !edit.options_after) return;
+  const bool in_run = !edit.merge_key.empty();
+  const std::uint64_t revision = document_.revision();
+  document_.perform(std::move(edit));
+  if (in_run)
+    problems_soon_.stop();
+  else
+    look_for_problems();
+  // Also where nothing came of it: a window shows what was asked for and has to go back.
+  if (document_.revision() != revision) follow_last_edit();
+  announce();
+  if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
+}
+
+void Session::end_run() {
+  document_.end_run();
+  if (problems_soon_.isActive()) find_put_off_problems();
+}
+
+void Session::type_text(const std::string& text) {
+  const std::uint64_t revision = document_.revision();
+  document_.type_text(text);
+  if (document_.revision() == revision) return;
+  look_for_problems();
+  follow_last_edit();
+  announce();
+}
+
+void Session::undo() {
+  if (!document_.history().can_undo()) return;
+  document_.undo();
+  look_for_problems();
+  follow_last_edit();
+  announce();
+}
+
+void Session::redo() {
+  if (!document_.history().can_redo()) return;
+  document_.redo();
+  look_for_problems();
+  follow_last_edit();
+  announce();
+}
+
+void Session::save(const std::filesystem::path& path) {
+  document_.save(path);
+  emit document_changed();
+  find_put_off_problems();  // They name the file, and data files are looked for beside it.
+}
+
+void Session::select(std::set<ObjectId> objects) {
+  if (objects == selection_) return;
+  selection_ = std::move(objects);
+  if (!current_ || !selection_.contains(*current_))
+    current_ = selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+  emit selection_changed();
+}
+
+void Session::select_only(ObjectId object) {
+  if (current_ == object && selection_.size() == 1) return;
+  selection_ = {object};
+  current_ = object;
+  emit selection_changed();
+}
+
+void Session::select_also(ObjectId object) {
+  if (selection_.erase(object) > 0) {
+    if (current_ == object) current_ = selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+  } else {
+    selection_.insert(object);
+    current_ = object;
+  }
+  emit selection_changed();
+}
+
+void Session::set_hidden(const std::set<ObjectId>& objects, bool hide) {
+  for (const ObjectId& id : objects) {
+    if (hide)
+      hidden_.insert(id);
+    else
+      hidden_.erase(id);
+  }
+  emit hidden_changed();
+}
+
+void Session::set_time(double time_s) {
+  if (!std::isfinite(time_s) || time_s == time_s_) return;
+  time_s_ = time_s;
+  emit time_changed(time_s_);
+}
+
+void Session::log(Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
+
+// Keeps pointing at the same objects where an edit moved them.
+void Session::follow_last_edit() {
+  const auto& last = document_.last_edit();
+  if (!last) return;
+  const auto follow = [&](const std::set<ObjectId>& ids) {
+    std::set<ObjectId> there = moved(ids, last->edit, last->forwards);
+    std::erase_if(there, [&](ObjectId id) { return !has_object(scene(), id); });
+    return there;
+  };
+  hidden_ = follow(hidden_);
+  const auto current = current_ ? moved(*current_, last->edit, last->forwards) : std::nullopt;
+  const std::set<ObjectId> selected = follow(selection_);
+  current_ = current && selected.contains(*current) ? current : std::nullopt;
+  if (!current_ && !selected.empty()) current_ = *selected.begin();
+  const bool same = selected == selection_;
+  selection_ = selected;
+  if (!same) emit selection_changed();
+}
+
+void Session::look_for_problems() {
+  problems_soon_.stop();
+  problems_ = document_.problems();
+}
+
+void Session::find_put_off_problems() {
+  look_for_problems();
+  emit problems_changed();
+}
+
+void Session::announce() {
+  emit scene_changed();
+  emit text_changed();
+  emit document_changed();
+}
+
+}  // namespace sarsim

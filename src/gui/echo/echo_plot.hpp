@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "gui/common/gesture_plot.hpp"
+#include "picture/echo/echo_curves.hpp"
+#include "picture/echo/echo_matrix.hpp"
+#include "picture/echo/echo_picture.hpp"
+#include "picture/echo/echo_readout.hpp"
+#include "picture/echo/echo_window.hpp"
+
+namespace sarsim {
+
+/// The echo matrix of a simulation window with its axes and colour bar ("echo_plot"). It shows what it is given and
+/// turns gestures into wishes for another view; who computes is the owner's business. Until samples of a new view
+/// arrive, those of the old one are shown where they belong.
+///
+/// Left drag zooms to the rectangle; a left click sets the first cursor, with Shift the second. Home shows all targets.
+class EchoPlot : public GesturePlot {
+  Q_OBJECT
+
+ public:
+  /// A place that is marked: in range and time, so that it stays where it is when the view moves.
+  struct Cursor {
+    double range_m = 0.0;
+    double time_s = 0.0;
+  };
+
+  explicit EchoPlot(QWidget* parent = nullptr);
+
+  /// The view and how samples are drawn.
+  void set_window(const EchoWindow& window, double light_speed_mps);
+  /// Samples to show; given again when more rows are ready. Null: none.
+  void set_matrix(std::shared_ptr<const EchoMatrix> matrix);
+  [[nodiscard]] const std::shared_ptr<const EchoMatrix>& matrix() const { return matrix_; }
+  [[nodiscard]] const EchoColours& colours() const { return colours_; }
+
+  /// Device pixels of the plot.
+  [[nodiscard]] PlotSize plot_size() const;
+  [[nodiscard]] QRect plot_rect() const override;
+
+  /// The sample that a pixel of the widget shows.
+  [[nodiscard]] std::optional<ReadOut> read_out_at(QPointF pixel) const;
+  /// The sample below a cursor: 0 or 1.
+  [[nodiscard]] std::optional<ReadOut> read_out_at_cursor(std::size_t cursor) const;
+  [[nodiscard]] const std::optional<Cursor>& cursor(std::size_t index) const { return cursors_.at(index); }
+  /// Sets cursor 0 or 1, or takes it away.
+  void set_cursor(std::size_t index, std::optional<Cursor> place);
+
+ signals:
+  void view_wanted(const sarsim::EchoView& view);   ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::EchoView& view);  ///< One of many views on the way.
+
+ protected:
+  void paint_plot(QPainter& painter) const override;
+  void paintEvent(QPaintEvent* event) override;
+  void click(QPointF at, Qt::KeyboardModifiers keys) override;
+  void take_rectangle(QPointF from, QPointF to) override;
+  void show_twice(QPointF middle) override;
+  void scale_about_pixel(QPointF pixel, double across, double upwards) override;
+  void begin_drag() override { dragged_view_ = view(); }
+  void drag(QPointF by) override;
+  void step(double right, double up) override;
+  void drop_marks() override;
+
+ private:
+  void refresh_picture();
+  void paint_curves(QPainter& painter) const;
+  void paint_axes(QPainter& painter) const;
+  void paint_colour_bar(QPainter& painter) const;
+  void paint_cursors(QPainter& painter) const;
+  [[nodiscard]] QRectF place_of_picture() const;
+  [[nodiscard]] QPointF pixel_of(const Cursor& cursor) const;
+  [[nodiscard]] QPointF device(QPointF pixel) const;  ///< Device pixel of the plot for a pixel of the widget.
+  [[nodiscard]] EchoView view() const { return view_of(window_); }
+
+  EchoWindow window_;
+  double light_speed_mps_ = 299792458.0;
+  std::shared_ptr<const EchoMatrix> matrix_;
+  EchoColours colours_;
+  EchoImage image_;
+  EchoCurves curves_;
+  DrawAs drawn_as_ = DrawAs::pixels;
+  std::array<std::optional<Cursor>, 2> cursors_;
+  EchoView dragged_view_;
+};
+
+}  // namespace sarsim

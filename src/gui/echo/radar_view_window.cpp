@@ -1,0 +1,248 @@
+#include "gui/echo/radar_view_window.hpp"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <array>
+
+#include "gui/common/figure_plot.hpp"
+#include "gui/common/named.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+#include "workflow/record/plan_recording.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::array views{RadarView::range_profile, RadarView::range_doppler, RadarView::spectrum,
+                           RadarView::phase_history};
+constexpr int most_pulses = 1'000'000;
+constexpr int most_padding = 16;
+constexpr int settling_ms = 60;  // of a drag
+
+QString title_text(RadarView view) {
+  const std::string_view title = title_of(view);
+  return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
+}
+
+}  // namespace
+
+struct RadarViewWindow::Result {
+  Problems problems;
+  Figure figure;
+};
+
+RadarViewWindow::RadarViewWindow(SimulationWindow& from, RadarView view) : QWidget(&from), from_(from) {
+  setObjectName("radar_view");
+  setWindowFlag(Qt::Window);
+  setAttribute(Qt::WA_DeleteOnClose);
+  choice_.view = view;
+  auto* const column = new QVBoxLayout(this);
+  auto* const controls = new QHBoxLayout;
+  make_controls(controls);
+  plot_ = named(new FigurePlot(this), "radar_view_plot", tr("The view as a figure"), {});
+  problems_ = new ProblemLine(this);
+  problems_->setObjectName("radar_view_problems");
+  auto* const foot = new QHBoxLayout;
+  make_foot(foot);
+  column->addLayout(controls);
+  column->addWidget(problems_);
+  column->addWidget(plot_, 1);
+  column->addLayout(foot);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &RadarViewWindow::compute);
+  connect(&from_, &SimulationWindow::changed, this, &RadarViewWindow::compute_soon);
+  connect(&work_, &LatestWork::ended, this, &RadarViewWindow::show_result);
+  show_choice();
+  resize(820, view == RadarView::range_doppler ? 740 : 560);  // Two pictures below each other, one of them a map.
+  compute_soon();
+}
+
+void RadarViewWindow::make_controls(QHBoxLayout* row) {
+  view_ = named(new QComboBox(this), "radar_view_kind", tr("View"), tr("What is looked at"));
+  for (const RadarView view : views) view_->addItem(title_text(view));
+  pulses_label_ = new QLabel(tr("&Pulses"), this);
+  pulses_ = named(new QSpinBox(this), "radar_view_pulses", tr("Pulses"),
+                  tr("How many about the cursor: the burst, or the coherent interval"));
+  pulses_->setRange(1, most_pulses);
+  pulses_->setKeyboardTracking(false);
+  pulses_label_->setBuddy(pulses_);
+  mean_ = named(new QComboBox(this), "radar_view_mean", tr("Mean"),
+                tr("Of the power, or coherent: what keeps its phase from pulse to pulse"));
+  mean_->addItems({tr("Mean power"), tr("Coherent mean")});
+  window_ = named(new QComboBox(this), "radar_view_window", tr("Window"), tr("Weights over the input of the spectrum"));
+  window_->addItems({tr("Rectangular"), tr("Hann"), tr("Hamming")});
+  padding_label_ = new QLabel(tr("&Bins per pulse"), this);
+  padding_ = named(new QSpinBox(this), "radar_view_padding", tr("Bins per pulse"),
+                   tr("Above 1, Doppler bins are nearer to each other (zero padding)"));
+  padding_->setRange(1, most_padding);
+  padding_->setKeyboardTracking(false);
+  padding_label_->setBuddy(padding_);
+  decibels_ = named(new QCheckBox(tr("&Decibels"), this), "radar_view_decibels", tr("Decibels"), {});
+  unwrapped_ = named(new QCheckBox(tr("&Unwrapped"), this), "radar_view_unwrapped", tr("Unwrapped"),
+                     tr("Steps of more than half a turn are taken as the rest of a whole one"));
+  for (QWidget* widget : std::initializer_list<QWidget*>{view_, pulses_label_, pulses_, mean_, window_, padding_label_,
+                                                         padding_, decibels_, unwrapped_})
+    row->addWidget(widget);
+  row->addStretch(1);
+  for (QComboBox* box : {view_, mean_, window_})
+    connect(box, &QComboBox::activated, this, &RadarViewWindow::take_choice);
+  for (QSpinBox* box : {pulses_, padding_}) connect(box, &QSpinBox::valueChanged, this, &RadarViewWindow::take_choice);
+  for (QCheckBox* box : {decibels_, unwrapped_}) connect(box, &QCheckBox::toggled, this, &RadarViewWindow::take_choice);
+}
+
+void RadarViewWindow::make_foot(QHBoxLayout* row) {
+  progress_ = named(new QProgressBar(this), "radar_view_progress", tr("The view is being computed"), {});
+  progress_->setRange(0, 0);
+  progress_->setMaximumWidth(fontMetrics().averageCharWidth() * 20);
+  QSizePolicy kept = progress_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(kept);
+  progress_->hide();
+  row->addWidget(progress_);
+  row->addStretch(1);
+  const auto add_button = [&](const QString& text, const char* name, const QString& tip, const auto& work) {
+    auto* const button = named(new QPushButton(text, this), name, tip, tip);
+    button->setAutoDefault(false);
+    connect(button, &QPushButton::clicked, this, work);
+    row->addWidget(button);
+  };
+  add_button(tr("&Copy Picture"), "radar_view_copy_picture", tr("The figure to the clipboard"),
+             [this] { copy_picture(); });
+  add_button(tr("Copy &Values"), "radar_view_copy_values", tr("The curves to the clipboard, for a spreadsheet"),
+             [this] { copy_values(); });
+  add_button(tr("S&ave Values..."), "radar_view_save_values", tr("The curves as CSV"), [this] { save_values(); });
+  add_button(tr("&Save Picture..."), "radar_view_save_picture", tr("The figure as PNG, SVG or PDF"),
+             [this] { save_picture(); });
+}
+
+void RadarViewWindow::set_choice(const RadarViewChoice& choice) {
+  if (choice == choice_) return;
+  choice_ = choice;
+  show_choice();
+  compute_soon();
+}
+
+// Shows the choices that the view has.
+void RadarViewWindow::show_choice() {
+  showing_ = true;
+  view_->setCurrentIndex(static_cast<int>(choice_.view));
+  pulses_->setValue(static_cast<int>(choice_.pulses));
+  mean_->setCurrentIndex(choice_.mean == ProfileMean::coherent ? 1 : 0);
+  window_->setCurrentIndex(static_cast<int>(choice_.window));
+  padding_->setValue(static_cast<int>(choice_.padding));
+  decibels_->setChecked(choice_.decibels);
+  unwrapped_->setChecked(choice_.unwrapped);
+  showing_ = false;
+  const RadarView view = choice_.view;
+  for (QWidget* widget : std::initializer_list<QWidget*>{pulses_label_, pulses_})
+    widget->setVisible(view != RadarView::spectrum);
+  mean_->setVisible(view == RadarView::range_profile);
+  window_->setVisible(view == RadarView::range_doppler || view == RadarView::spectrum);
+  for (QWidget* widget : std::initializer_list<QWidget*>{padding_label_, padding_})
+    widget->setVisible(view == RadarView::range_doppler);
+  decibels_->setVisible(view == RadarView::range_profile || view == RadarView::spectrum);
+  unwrapped_->setVisible(view == RadarView::phase_history);
+  setWindowTitle(title_text(view) + QStringLiteral(" - ") + from_.windowTitle());
+}
+
+void RadarViewWindow::take_choice() {
+  if (showing_) return;
+  RadarViewChoice choice = choice_;
+  choice.view = views.at(static_cast<std::size_t>(view_->currentIndex()));
+  choice.pulses = static_cast<std::size_t>(pulses_->value());
+  choice.mean = mean_->currentIndex() == 1 ? ProfileMean::coherent : ProfileMean::power;
+  choice.window = static_cast<SpectrumWindow>(window_->currentIndex());
+  choice.padding = static_cast<std::size_t>(padding_->value());
+  choice.decibels = decibels_->isChecked();
+  choice.unwrapped = unwrapped_->isChecked();
+  set_choice(choice);
+}
+
+void RadarViewWindow::compute_soon() {
+  complete_ = false;
+  soon_.start(settling_ms);
+}
+
+void RadarViewWindow::compute() {
+  const EchoPlot::Cursor place = from_.place();
+  choice_.range_m = place.range_m;
+  choice_.time_s = place.time_s;
+  setWindowTitle(title_text(choice_.view) + QStringLiteral(" - ") + from_.windowTitle());
+  result_ = std::make_shared<Result>();
+  progress_->show();
+  work_.run([scene = from_.scene(), simulation = from_.simulation(), choice = choice_, into = result_](
+                const StopFlag& stop, const BackgroundJob::Report&) {
+    const PlannedRecording planned = plan_recording(*scene, simulation, &stop);
+    into->problems = planned.problems;
+    if (!planned.plan) return;
+    try {
+      into->figure = radar_figure(*planned.plan, choice, {thread_count(0), &stop});
+    } catch (const ImpossibleEcho& error) {
+      into->problems.push_back(error.problem);
+    }
+  });
+}
+
+void RadarViewWindow::show_result(bool good, const QString& failure) {
+  progress_->hide();
+  complete_ = !soon_.isActive();
+  QStringList texts;
+  if (!good) texts << failure;
+  for (const Problem& problem : result_->problems) texts << problem_text(problem);
+  if (texts.isEmpty()) {
+    problems_->clear();
+    plot_->set_figure(result_->figure);
+  } else {
+    problems_->show_texts(Severity::error, texts.mid(0, 5));
+    plot_->set_figure({});
+  }
+  emit finished();
+}
+
+void RadarViewWindow::copy_picture() { QApplication::clipboard()->setPixmap(plot_->grab()); }
+
+void RadarViewWindow::copy_values() {
+  QApplication::clipboard()->setText(QString::fromStdString(curves_table(plot_->figure(), '\t')));
+}
+
+QString RadarViewWindow::suggested_file(const char* ending) const {
+  return title_text(choice_.view).toLower().replace(' ', '-') + QLatin1String(ending);
+}
+
+void RadarViewWindow::save_values(const QString& path) {
+  const QString file = path.isEmpty() ? QFileDialog::getSaveFileName(this, tr("Save values"), suggested_file(".csv"),
+                                                                     tr("Tables (*.csv)"))
+                                      : path;
+  if (file.isEmpty()) return;
+  const std::string text = curves_table(plot_->figure(), ',');
+  QSaveFile out(file);
+  const auto size = static_cast<qint64>(text.size());
+  if (out.open(QIODevice::WriteOnly) && out.write(text.data(), size) == size && out.commit()) return;
+  QMessageBox::warning(this, tr("Save values"), tr("%1 cannot be written: %2.").arg(file, out.errorString()));
+}
+
+void RadarViewWindow::save_picture(const QString& path) {
+  const QString file = path.isEmpty() ? QFileDialog::getSaveFileName(this, tr("Save picture"), suggested_file(".png"),
+                                                                     tr("Pictures (*.png *.svg *.pdf)"))
+                                      : path;
+  if (file.isEmpty()) return;
+  QString failure;
+  if (!plot_->save(file, plot_->size(), devicePixelRatioF(), failure))
+    QMessageBox::warning(this, tr("Save picture"), failure);
+}
+
+}  // namespace sarsim

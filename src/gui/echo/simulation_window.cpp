@@ -1,0 +1,462 @@
+#include "gui/echo/simulation_window.hpp"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/rounding.hpp"
+#include "core/text/number_text.hpp"
+#include "gui/common/figure_plot.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/echo/echo_controls.hpp"
+#include "gui/echo/radar_view_window.hpp"
+#include "picture/echo/echo_figure.hpp"
+#include "picture/echo/echo_readout.hpp"
+#include "scene/check/check_objects.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/schema/quantity.hpp"
+#include "simulate/resolve/conventions.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int progress_steps = 1000;
+constexpr int progress_after_ms = 300;
+
+QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+const Radar* radar_of(const Scene& scene, const EchoWindow& window) {
+  const auto found = std::ranges::find(scene.radars, window.recording.radar, &Radar::name);
+  return found == scene.radars.end() ? nullptr : &*found;
+}
+
+QString read_out_text(const ReadOut& read) {
+  QStringList parts;
+  for (const ReadOutLine& line : lines_of(read)) parts << text_of(line.name) + " " + text_of(line.value);
+  return parts.join(QStringLiteral("   "));
+}
+
+QString difference_text(const CursorDifference& d) {
+  constexpr int digits = 9;
+  const auto text = [](double value, Quantity kind) { return text_of(quantity_text(tidy(value, digits), kind)); };
+  QStringList parts{"Range " + text(d.range_m, Quantity::length), "Delay " + text(d.delay_s, Quantity::time),
+                    "Time " + text(d.time_s, Quantity::time), QStringLiteral("Pulses %1").arg(d.pulses)};
+  if (std::isfinite(d.level_db)) parts << QStringLiteral("Level %1 dB").arg(d.level_db, 0, 'f', 2);
+  parts << QStringLiteral("Phase %1 deg").arg(d.phase_deg, 0, 'f', 2);
+  if (std::isfinite(d.range_rate_mps)) parts << QStringLiteral("Range rate %1 m/s").arg(d.range_rate_mps, 0, 'g', 5);
+  return parts.join(QStringLiteral("   "));
+}
+
+QLabel* foot_label(QWidget* parent, const char* name) {
+  auto* const label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+SimulationWindow::SimulationWindow(Session& session, EchoWindow window, bool show_all, QWidget* parent)
+    : QWidget(parent), session_(session), window_(std::move(window)), show_all_(show_all) {
+  setObjectName("simulation_window");
+  scene_ = std::make_shared<Scene>(session_.scene());
+  revision_ = session_.document().revision();
+  controls_ = new EchoControls(this);
+  plot_ = new EchoPlot(this);
+  cuts_ = new FigurePlot(this);
+  cuts_->setObjectName("echo_cuts");
+  cuts_->hide();
+  problems_ = new ProblemLine(this);
+  problems_->setObjectName("echo_problems");
+  auto* const area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setObjectName("echo_controls_area");
+  area->setWidget(controls_);
+  area->setMinimumWidth(controls_->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+  auto* const right = new QWidget(this);
+  auto* const column = new QVBoxLayout(right);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* const pictures = new QSplitter(Qt::Vertical, right);
+  pictures->addWidget(plot_);
+  pictures->addWidget(cuts_);
+  pictures->setStretchFactor(0, 3);
+  pictures->setStretchFactor(1, 1);
+  column->addWidget(make_tool_row());
+  column->addWidget(problems_);
+  column->addWidget(pictures, 1);
+  column->addWidget(make_foot());
+  auto* const split = new QSplitter(this);
+  split->addWidget(area);
+  split->addWidget(right);
+  split->setStretchFactor(1, 1);
+  auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(split);
+  preview_ = std::make_unique<Preview>([this](const PreviewEvent& event) { take_event(event); });
+  connect_all();
+  show_state();
+}
+
+SimulationWindow::~SimulationWindow() = default;
+
+QToolButton* SimulationWindow::add_tool(QWidget* row, const QString& text, const char* name, const QString& tip) {
+  auto* const button = new QToolButton(row);
+  button->setText(text);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  row->layout()->addWidget(button);
+  return button;
+}
+
+QWidget* SimulationWindow::make_tool_row() {
+  auto* const row = new QWidget(this);
+  auto* const layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  back_ = add_tool(row, tr("Back"), "echo_back", tr("The view before (Backspace)"));
+  forward_ = add_tool(row, tr("Forward"), "echo_forward", tr("The view that was left by going back"));
+  connect(back_, &QToolButton::clicked, this, &SimulationWindow::go_back);
+  connect(forward_, &QToolButton::clicked, this, &SimulationWindow::go_forward);
+  auto* const all = add_tool(row, tr("Show All Targets"), "echo_show_all",
+                             tr("Choose the ranges so that all targets are seen (Home)"));
+  connect(all, &QToolButton::clicked, this, &SimulationWindow::show_all_targets);
+  show_cuts_ =
+      add_tool(row, tr("Cuts"), "echo_show_cuts", tr("Graphs along range and azimuth through the first cursor"));
+  show_cuts_->setCheckable(true);
+  connect(show_cuts_, &QToolButton::toggled, this, &SimulationWindow::show_cuts);
+  add_views_menu(row);
+  layout->addStretch(1);
+  progress_ = new QProgressBar(row);
+  progress_->setObjectName("echo_progress");
+  progress_->setAccessibleName(tr("Share of the picture that is computed"));
+  progress_->setRange(0, progress_steps);
+  progress_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
+  // Its coming and going must not change the size of the plot, which would be computed anew.
+  QSizePolicy kept = progress_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(kept);
+  progress_->hide();
+  layout->addWidget(progress_);
+  return row;
+}
+
+void SimulationWindow::add_views_menu(QWidget* row) {
+  auto* const button =
+      add_tool(row, tr("Views"), "echo_views",
+               tr("Other views of the same samples: range profile, range-Doppler map, spectrum, phase"));
+  auto* const menu = new QMenu(button);
+  for (const RadarView view :
+       {RadarView::range_profile, RadarView::range_doppler, RadarView::spectrum, RadarView::phase_history}) {
+    const std::string_view title = title_of(view);
+    menu->addAction(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())), this,
+                    [this, view] { open_radar_view(view); });
+  }
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+}
+
+RadarViewWindow* SimulationWindow::open_radar_view(RadarView view) {
+  auto* const window = new RadarViewWindow(*this, view);
+  window->show();
+  return window;
+}
+
+QWidget* SimulationWindow::make_foot() {
+  auto* const foot = new QWidget(this);
+  auto* const layout = new QVBoxLayout(foot);
+  layout->setContentsMargins(0, 0, 0, 0);
+  warning_ = foot_label(foot, "echo_warning");
+  read_out_ = foot_label(foot, "echo_read_out");
+  difference_ = foot_label(foot, "echo_difference");
+  highest_ = foot_label(foot, "echo_highest");
+  highest_->setWordWrap(false);
+  for (QLabel* label : {warning_, read_out_, difference_}) layout->addWidget(label);
+  read_out_->setMinimumHeight(2 * fontMetrics().height());
+  warning_->hide();
+  difference_->hide();
+  auto* const row = new QWidget(foot);
+  auto* const buttons = new QHBoxLayout(row);
+  buttons->setContentsMargins(0, 0, 0, 0);
+  buttons->addWidget(highest_, 1);
+  const auto button = [&](const QString& text, const char* name, const QString& tip, auto slot) {
+    auto* const made = new QPushButton(text, row);
+    made->setObjectName(name);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    made->setAutoDefault(false);
+    connect(made, &QPushButton::clicked, this, slot);
+    buttons->addWidget(made);
+  };
+  button(tr("Copy Picture"), "echo_copy_picture", tr("The picture to the clipboard"), &SimulationWindow::copy_picture);
+  button(tr("Copy Values"), "echo_copy_values",
+         tr("The samples of the pulse at the first cursor to the clipboard, for a spreadsheet"),
+         &SimulationWindow::copy_values);
+  button(tr("Save Picture..."), "echo_save_picture", tr("The picture with its axes as PNG, SVG or PDF"),
+         &SimulationWindow::save_picture);
+  button(tr("Store"), "echo_store",
+         tr("Keep these settings in the script, as a simulation that can be shown and run again"),
+         &SimulationWindow::store_simulation);
+  button(tr("Save Data..."), "echo_save_data",
+         tr("Write the samples to a file, or the settings to the script, or both"),
+         [this] { emit save_data_wanted(simulation()); });
+  layout->addWidget(row);
+  return foot;
+}
+
+void SimulationWindow::connect_all() {
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &SimulationWindow::compute);
+  connect(&session_, &Session::scene_changed, this, [this] {
+    follow_radar();
+    scene_ = std::make_shared<Scene>(session_.scene());
+    show_state();
+    compute_soon();
+    emit changed();
+  });
+  connect(controls_, &EchoControls::edited, this, [this](const EchoWindow& window) { take_state(window); });
+  connect(controls_, &EchoControls::view_typed, this, &SimulationWindow::go_to);
+  connect(controls_, &EchoControls::link_changed, this,
+          [this] { emit view_changed(view_of(window_), controls_->link()); });
+  connect(plot_, &EchoPlot::view_wanted, this, &SimulationWindow::go_to);
+  connect(plot_, &EchoPlot::drag_began, this, [this] { history_.leave(view_of(window_)); });
+  connect(plot_, &EchoPlot::view_dragged, this, [this](const EchoView& view) { change_view(view); });
+  connect(plot_, &EchoPlot::back_wanted, this, &SimulationWindow::go_back);
+  connect(plot_, &EchoPlot::whole_wanted, this, &SimulationWindow::show_all_targets);
+  connect(plot_, &EchoPlot::resized, this, &SimulationWindow::compute_soon);
+  connect(plot_, &EchoPlot::hovered, this, &SimulationWindow::show_read_out);
+  connect(plot_, &EchoPlot::cursors_changed, this, [this] {
+    show_read_out();
+    show_cuts();
+    emit changed();
+  });
+}
+
+// The radar is known by its name, which the last edit may have changed.
+void SimulationWindow::follow_radar() {
+  const Document& document = session_.document();
+  const bool edited = document.revision() != revision_ && document.last_edit().has_value();
+  revision_ = document.revision();
+  const std::size_t before = find_radar(*scene_, window_.recording.radar);
+  if (!edited || before == not_found) return;
+  const auto now = moved({ObjectKind::radar, before}, document.last_edit()->edit, document.last_edit()->forwards);
+  if (now && has_object(document.scene(), *now)) window_.recording.radar = document.scene().radars[now->index].name;
+}
+
+double SimulationWindow::bandwidth_hz() const {
+  const Radar* const radar = radar_of(*scene_, window_);
+  return radar == nullptr ? 0.0 : nominal_bandwidth_hz(*radar).value_or(0.0);
+}
+
+double SimulationWindow::largest_v() const { return finished_ ? plot_->colours().statistics.largest_v : 0.0; }
+
+EchoPlot::Cursor SimulationWindow::place() const {
+  if (const auto& cursor = plot_->cursor(0)) return *cursor;
+  const EchoView view = view_of(window_);
+  return {0.5 * (view.range_start_m + view.range_end_m), 0.5 * (view.time_start_s + view.time_end_s)};
+}
+
+Simulation SimulationWindow::simulation() const { return simulation_of(window_, bandwidth_hz()); }
+
+QString SimulationWindow::title() const {
+  const QString kind = window_.recording.processing == Processing::raw              ? tr("Raw return")
+                       : window_.recording.processing == Processing::matched_filter ? tr("Range compressed")
+                                                                                    : tr("Synthetic range profiles");
+  return kind + QStringLiteral(" - ") + text_of(window_.recording.radar);
+}
+
+bool SimulationWindow::complete() const { return finished_; }
+
+void SimulationWindow::take_state(const EchoWindow& window) {
+  const bool again = needs_computing(window_, window);
+  const bool moved = view_of(window_) != view_of(window);
+  window_ = window;
+  show_state();
+  if (moved) emit view_changed(view_of(window_), controls_->link());
+  if (again)
+    compute_soon();
+  else
+    show_cuts();
+  if (again) emit changed();
+}
+
+void SimulationWindow::change_view(const EchoView& view) {
+  EchoWindow changed = window_;
+  set_view(changed, view);
+  if (changed == window_) return;
+  take_state(changed);
+}
+
+void SimulationWindow::go_to(const EchoView& view) {
+  if (view == view_of(window_)) return;
+  history_.leave(view_of(window_));
+  change_view(view);
+}
+
+void SimulationWindow::go_back() { change_view(history_.back(view_of(window_))); }
+
+void SimulationWindow::go_forward() { change_view(history_.forward(view_of(window_))); }
+
+void SimulationWindow::follow(const EchoView& view, AxisLink link) {
+  const AxisLink own = controls_->link();
+  change_view(linked(view_of(window_), view, {own.range && link.range, own.time && link.time}));
+}
+
+void SimulationWindow::show_all_targets() {
+  show_all_ = true;
+  history_.leave(view_of(window_));
+  compute();
+}
+
+void SimulationWindow::compute_soon() {
+  // At once, but once for all that changed in one turn of the event loop.
+  if (!soon_.isActive()) soon_.start(0);
+}
+
+void SimulationWindow::compute() {
+  if (!isVisible() && testAttribute(Qt::WA_WState_ExplicitShowHide)) return;
+  finished_ = false;
+  computing_ = radar_of(*scene_, window_) != nullptr;
+  if (!computing_) {
+    preview_->cancel();
+    progress_->hide();
+    plot_->set_matrix(nullptr);
+    problems_->show_texts(
+        Severity::error, {tr("The scene has no radar '%1'; choose another one").arg(text_of(window_.recording.radar))});
+    return;
+  }
+  request_ = preview_->show({scene_, window_, plot_->plot_size(), Engine::automatic, show_all_});
+  QTimer::singleShot(progress_after_ms, this,
+                     [this, request = request_] { progress_->setVisible(computing_ && request == request_); });
+}
+
+// On a thread that computes: only the newest is kept, and looked at when the window has time for it.
+void SimulationWindow::take_event(const PreviewEvent& event) {
+  const std::scoped_lock hold(lock_);
+  const bool waiting = latest_.has_value();
+  latest_ = event;
+  if (!waiting) QMetaObject::invokeMethod(this, &SimulationWindow::show_event, Qt::QueuedConnection);
+}
+
+void SimulationWindow::show_event() {
+  PreviewEvent event;
+  {
+    const std::scoped_lock hold(lock_);
+    if (!latest_) return;
+    event = std::move(*latest_);
+    latest_.reset();
+  }
+  if (event.request != request_) return;
+  if (event.kind == PreviewEvent::Kind::failed) {
+    show_failure(event.problems);
+    return;
+  }
+  problems_->clear();
+  if (show_all_ && event.matrix) {
+    show_all_ = false;
+    set_view(window_, view_of(event.matrix->window()));
+    show_state();
+    emit view_changed(view_of(window_), controls_->link());
+    emit changed();
+  }
+  finished_ = event.kind == PreviewEvent::Kind::finished;
+  if (event.matrix && event.matrix->ready_rows() > 0) plot_->set_matrix(event.matrix);
+  if (event.matrix && event.matrix->rows() > 0) {
+    progress_->setValue(static_cast<int>(progress_steps * event.matrix->ready_rows() / event.matrix->rows()));
+    const std::string warning =
+        sampling_warning(window_, event.matrix->plan().simulation.sample_rate_hz, bandwidth_hz());
+    warning_->setText(text_of(warning));
+    warning_->setVisible(!warning.empty());
+  }
+  highest_->setText(text_of(highest_magnitude_text(plot_->colours().statistics)));
+  show_read_out();
+  show_cuts();
+  if (!finished_) return;
+  computing_ = false;
+  progress_->hide();
+  emit finished();
+}
+
+void SimulationWindow::show_failure(const Problems& problems) {
+  finished_ = false;
+  computing_ = false;
+  progress_->hide();
+  plot_->set_matrix(nullptr);
+  highest_->setText(tr("Highest magnitude: unknown"));
+  QStringList texts;
+  for (const Problem& problem : problems) texts << problem_text(problem);
+  problems_->show_texts(Severity::error, texts.mid(0, 5));
+}
+
+void SimulationWindow::show_state() {
+  setWindowTitle(title());
+  controls_->show_window(window_, *scene_);
+  plot_->set_window(window_, conventions_of(scene_->options.profile).light_speed_mps);
+  back_->setEnabled(history_.can_go_back());
+  forward_->setEnabled(history_.can_go_forward());
+}
+
+void SimulationWindow::show_read_out() {
+  const auto at = plot_->read_out_at(plot_->mapFromGlobal(QCursor::pos()));
+  const auto first = plot_->read_out_at_cursor(0);
+  const auto second = plot_->read_out_at_cursor(1);
+  read_out_->setText(at ? read_out_text(*at) : first ? read_out_text(*first) : QString());
+  difference_->setVisible(first && second);
+  if (first && second) difference_->setText(tr("From 1 to 2:   ") + difference_text(difference(*first, *second)));
+}
+
+void SimulationWindow::show_cuts() {
+  cuts_->setVisible(show_cuts_->isChecked());
+  if (!show_cuts_->isChecked() || !plot_->matrix() || plot_->matrix()->ready_rows() == 0) return;
+  const auto at = plot_->read_out_at_cursor(0);
+  const EchoMatrix& matrix = *plot_->matrix();
+  const std::size_t row = at ? at->row : matrix.nearest_ready()[matrix.rows() / 2];
+  cuts_->set_figure(cut_figure(matrix, plot_->colours(), row, at ? at->column : matrix.columns() / 2));
+}
+
+Figure SimulationWindow::figure() const {
+  Figure figure = plot_->matrix() ? echo_figure(*plot_->matrix(), window_) : Figure();
+  figure.title = title().toStdString();
+  return figure;
+}
+
+void SimulationWindow::copy_picture() { QApplication::clipboard()->setImage(plot_->plot_image()); }
+
+void SimulationWindow::copy_values() {
+  if (!plot_->matrix() || plot_->matrix()->ready_rows() == 0) return;
+  const auto at = plot_->read_out_at_cursor(0);
+  const std::size_t row = at ? at->row : plot_->matrix()->nearest_ready()[plot_->matrix()->rows() / 2];
+  QApplication::clipboard()->setText(text_of(pulse_table(*plot_->matrix(), row, '\t')));
+}
+
+void SimulationWindow::save_picture() { ask_and_save_picture(*this, figure(), "echoes.png"); }
+
+void SimulationWindow::store_simulation() {
+  session_.perform(add_object(session_.scene(), simulation()));
+  session_.log(Severity::note,
+               tr("Stored the settings of the window as simulation %1").arg(session_.scene().simulations.size()));
+}
+
+void SimulationWindow::closeEvent(QCloseEvent* event) {
+  preview_->cancel();
+  QWidget::closeEvent(event);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+
+#include <vector>
+
+#include "gui/common/session.hpp"
+#include "picture/echo/echo_window.hpp"
+
+class QWidget;
+
+namespace sarsim {
+
+class SimulationWindow;
+
+/// The simulation windows of a workbench: opens them, lets linked ones follow each other, closes them with their
+/// document.
+class SimulationWindows : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param owner  of the windows; they stay above it and end with it
+  SimulationWindows(Session& session, QWidget* owner);
+
+  /// Opens a window on the current radar, or the first one, that shows all targets. Null where the scene has no radar.
+  SimulationWindow* open_new(Processing processing);
+  /// Opens a window that shows a stored simulation exactly.
+  SimulationWindow* open_stored(ObjectId simulation);
+  /// Those that are open.
+  [[nodiscard]] std::vector<SimulationWindow*> windows() const;
+
+ signals:
+  /// The data of a window are to be saved.
+  void save_data_wanted(const sarsim::Simulation& simulation, sarsim::SimulationWindow* from);
+
+ private:
+  SimulationWindow* open(const EchoWindow& window, bool show_all);
+
+  Session& session_;
+  QWidget* owner_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,83 @@
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "gui/frame/document_keeper.hpp"
+
+// The dialogs in which a document keeper asks.
+
+namespace sarsim {
+
+namespace {
+
+QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+QString script_filter() { return DocumentKeeper::tr("Sarsim scripts (*.scr *.SCR);;All files (*)"); }
+
+}  // namespace
+
+void DocumentKeeper::make_questions() {
+  ask_unsaved = [this] {
+    const QString name =
+        session_.document().path().empty() ? tr("the new scene") : text_of(session_.document().path().filename());
+    const auto button =
+        QMessageBox::question(window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(name),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    return button == QMessageBox::Save      ? Answer::save
+           : button == QMessageBox::Discard ? Answer::discard
+                                            : Answer::cancel;
+  };
+  ask_open_name = [this] { return QFileDialog::getOpenFileName(window_, tr("Open"), QString(), script_filter()); };
+  // The dialog adds the ending itself, so that it asks about the file that is really written.
+  ask_save_name = [this] {
+    const auto& path = session_.document().path();
+    QFileDialog dialog(window_, tr("Save As"), QString(), script_filter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix("scr");
+    dialog.selectFile(path.empty() ? QString("scene.scr") : text_of(path));
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+  };
+  ask_read_again = [this](bool unsaved) {
+    const QString path = text_of(session_.document().path());
+    return QMessageBox::question(
+               window_, tr("File changed on disk"),
+               unsaved
+                   ? tr("'%1' was changed by another program. Read it again and lose the changes made here?").arg(path)
+                   : tr("'%1' was changed by another program. Read it again?").arg(path),
+               QMessageBox::Yes | QMessageBox::No, unsaved ? QMessageBox::No : QMessageBox::Yes) == QMessageBox::Yes;
+  };
+  ask_data = [this](const std::vector<DataFileWrite>& files) { return data_question(files); };
+  show_failure = [this](const QString& what, const QString& why) {
+    QMessageBox box(QMessageBox::Warning, tr("Sarsim"), what, QMessageBox::Ok, window_);
+    box.setInformativeText(why);
+    box.exec();
+  };
+  ask_recovery = [this](const std::filesystem::path& document) {
+    const QString name = document.empty() ? tr("a scene that was never saved") : text_of(document);
+    const auto button = QMessageBox::question(
+        window_, tr("Recovery"),
+        tr("The program ended before the changes to %1 were saved. Take them up again?").arg(name),
+        QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
+    return button == QMessageBox::Yes ? Answer::save : button == QMessageBox::No ? Answer::discard : Answer::cancel;
+  };
+}
+
+DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<DataFileWrite>& files) const {
+  constexpr std::size_t most_shown = 8;
+  QStringList lines;
+  for (std::size_t i = 0; i < files.size() && i < most_shown; ++i)
+    lines += (files[i].replaces ? tr("%1 (is replaced)") : tr("%1 (new)")).arg(text_of(files[i].path));
+  if (files.size() > most_shown) lines += tr("and %1 more").arg(files.size() - most_shown);
+  QMessageBox box(QMessageBox::Question, tr("Data files"),
+                  tr("Functions of this scene belong into data files that do not hold them. Write these files too?"),
+                  QMessageBox::Cancel, window_);
+  box.setInformativeText(lines.join('\n'));
+  QPushButton* write = box.addButton(tr("&Write them"), QMessageBox::AcceptRole);
+  const QPushButton* leave = box.addButton(tr("&Only the script"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(write);
+  box.exec();
+  if (box.clickedButton() == write) return DataAnswer::write;
+  return box.clickedButton() == leave ? DataAnswer::leave : DataAnswer::cancel;
+}
+
+}  // namespace sarsim

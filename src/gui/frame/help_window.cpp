@@ -1,0 +1,127 @@
+#include "gui/frame/help_window.hpp"
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
+#include <QVBoxLayout>
+
+#include "gui/frame/guide_site.hpp"
+
+namespace sarsim {
+
+namespace {
+
+bool is_heading(const QTextBlock& block) { return block.blockFormat().headingLevel() > 0; }
+
+}  // namespace
+
+HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new QTextBrowser) {
+  setObjectName("help_window");
+  setWindowTitle(tr("Help"));
+  browser_->setObjectName("help_page");
+  browser_->setAccessibleName(tr("Page of the guide"));
+  browser_->setOpenLinks(false);
+  browser_->document()->setDocumentMargin(12);
+  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpWindow::lay_out_tables);
+  if (!folder().isEmpty()) browser_->setSearchPaths({folder()});
+  auto* buttons = new QDialogButtonBox;
+  auto* back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
+  auto* home = buttons->addButton(tr("&Contents"), QDialogButtonBox::ActionRole);
+  buttons->addButton(QDialogButtonBox::Close);
+  back->setEnabled(false);
+  connect(browser_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
+  connect(browser_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+  connect(back, &QPushButton::clicked, browser_, &QTextBrowser::backward);
+  connect(home, &QPushButton::clicked, this, [this] { show_page("README.md"); });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(browser_);
+  layout->addWidget(buttons);
+  resize(fontMetrics().averageCharWidth() * 100, fontMetrics().height() * 40);
+}
+
+QString HelpWindow::folder() {
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const char* place : {"../share/doc/sarsim", "../../../docs", "../../docs", "../../../../docs"})
+    if (program.exists(QString(place) + "/README.md")) return QDir::cleanPath(program.absoluteFilePath(place));
+  return {};
+}
+
+// Rows of a table are told apart by one fine line, words by some room.
+void HelpWindow::lay_out_tables() {
+  const QColor line = palette().color(QPalette::PlaceholderText);
+  for (QTextFrame* frame : browser_->document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorder(1);
+    format.setBorderBrush(line);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setCellPadding(5);
+    format.setCellSpacing(0);
+    format.setTopMargin(6);
+    format.setBottomMargin(6);
+    table->setFormat(format);
+  }
+}
+
+void HelpWindow::show_page(const QString& page, const QString& heading) {
+  if (folder().isEmpty()) {
+    browser_->setPlainText(
+        tr("The user guide is not installed beside the program. It is the folder docs of the sources, "
+           "where tools/site makes pages of it for a browser; installed, they are in "
+           "share/doc/sarsim/html."));
+    return;
+  }
+  browser_->setSource(QUrl::fromLocalFile(folder() + "/" + page), QTextDocument::MarkdownResource);
+  if (heading.isEmpty() || !scroll_to(anchor_of(heading))) browser_->verticalScrollBar()->setValue(0);
+}
+
+bool HelpWindow::scroll_to(const QString& anchor) {
+  for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+    if (!is_heading(block) || anchor_of(block.text()) != anchor) continue;
+    QTextCursor cursor(block);
+    browser_->setTextCursor(cursor);
+    browser_->verticalScrollBar()->setValue(browser_->verticalScrollBar()->value() + browser_->cursorRect().top());
+    return true;
+  }
+  return false;
+}
+
+QString HelpWindow::heading() const {
+  QTextBlock block = browser_->textCursor().block();
+  if (browser_->verticalScrollBar()->value() == 0 && !is_heading(block)) block = browser_->document()->begin();
+  return is_heading(block) ? block.text() : QString();
+}
+
+// Pages are shown here; folders, which only a browser of files shows well, by what they hold; the rest by the desktop.
+void HelpWindow::follow(const QUrl& link) {
+  const QUrl whole = browser_->source().resolved(link);
+  const QFileInfo file(whole.toLocalFile());
+  if (!whole.isLocalFile()) {
+    QDesktopServices::openUrl(whole);
+  } else if (file.isDir()) {
+    QStringList lines{"# " + file.fileName()};
+    for (const QString& name : QDir(file.filePath()).entryList({"*.md", "*.scr"}, QDir::Files, QDir::Name))
+      lines += QString("- [%1](%2/%1)").arg(name, whole.path());
+    browser_->setMarkdown(lines.join('\n'));
+  } else if (file.suffix() == "md") {
+    const bool same = file == QFileInfo(browser_->source().toLocalFile());
+    if (!same) browser_->setSource(whole.adjusted(QUrl::RemoveFragment), QTextDocument::MarkdownResource);
+    if (whole.hasFragment()) scroll_to(whole.fragment());
+  } else {
+    browser_->setSource(whole, QTextDocument::UnknownResource);
+  }
+}
+
+}  // namespace sarsim

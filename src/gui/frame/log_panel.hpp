@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include <map>
+
+#include "gui/common/session.hpp"
+
+namespace sarsim {
+
+class ProblemWatch;
+
+/// What the workbench did and what went wrong, a line each with its time ("log_panel"); also what is wrong with the
+/// script, each problem once.
+class LogPanel : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  /// @param watch  of the problems; it outlives the panel
+  LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent = nullptr);
+
+ private:
+  void add_line(const QString& text);
+  void tell_problems(const Problems& problems);
+
+  const Session& session_;
+  std::map<QString, std::size_t> told_;  // how often, by their causes
+};
+
+}  // namespace sarsim

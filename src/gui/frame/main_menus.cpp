@@ -1,0 +1,482 @@
+// The menus, the tool bar and the small dialogs of the main window.
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QEventLoop>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTimer>
+#include <QToolBar>
+
+#include "core/build/version.hpp"
+#include "core/maths/rounding.hpp"
+#include "gui/echo/data_saver.hpp"
+#include "gui/echo/radar_view_window.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/command_list.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/help_key.hpp"
+#include "gui/frame/help_window.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/image_viewers.hpp"
+#include "gui/image/open_image_dialog.hpp"
+#include "gui/objects/function_editor.hpp"
+#include "gui/objects/import_dialog.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/objects/target_table.hpp"
+#include "gui/runs/product_window.hpp"
+#include "gui/runs/save_data_dialog.hpp"
+#include "gui/runs/save_queue.hpp"
+#include "gui/runs/stored_simulations.hpp"
+#include "gui/scene/geometry_window.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
+#include "gui/script/script_editor.hpp"
+#include "picture/figure/ticks.hpp"
+#include "scene/schema/fields.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int longest_picture_ms = 5000;
+
+}  // namespace
+
+QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
+                                const std::function<void()>& work, const QString& tip) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  action->setProperty("menu", menu->title().remove('&'));
+  if (!tip.isEmpty()) action->setToolTip(tip), action->setStatusTip(tip);
+  connect(action, &QAction::triggered, this, work);
+  menu->addAction(action);
+  return action;
+}
+
+void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option) {
+  QAction* action = add_action(menu, text, name, {}, {[] {}});
+  action->setCheckable(true);
+  action->setChecked(scene_->scene().options().*option);
+  connect(action, &QAction::toggled, this, [this, option](bool on) {
+    DrawingOptions options = scene_->scene().options();
+    options.*option = on;
+    scene_->scene().set_options(options);
+  });
+}
+
+void MainWindow::make_menus() {
+  make_file_menu();
+  make_edit_menu();
+  make_geometry_menu();
+  make_simulation_menu();
+  make_view_menu();
+  make_help_menu();
+}
+
+void MainWindow::make_file_menu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  add_action(file, tr("&New"), "file_new", QKeySequence::New, [this] {
+    commit_typed();
+    documents_->make_new();
+  });
+  add_action(file, tr("&Open…"), "file_open", QKeySequence::Open, [this] {
+    commit_typed();
+    documents_->open();
+  });
+  recent_ = file->addMenu(tr("Open &Recent"));
+  QMenu* examples = file->addMenu(tr("&Examples"));
+  const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
+  for (const QString& name : folder.entryList({"*.scr"}, QDir::Files, QDir::Name))
+    connect(examples->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
+      if (may_go()) documents_->open_example(path);
+    });
+  examples->setEnabled(!examples->isEmpty());
+  file->addSeparator();
+  add_action(file, tr("&Save"), "file_save", QKeySequence::Save, [this] {
+    commit_typed();
+    documents_->save();
+  });
+  add_action(file, tr("Save &As…"), "file_save_as", QKeySequence("Ctrl+Shift+S"), [this] {
+    commit_typed();
+    documents_->save_as();
+  });
+  file->addSeparator();
+  add_action(
+      file, tr("&Import Targets…"), "file_import", {}, [this] { ImportDialog(session_, this).exec(); },
+      tr("Read targets from a file of x, y, z and perhaps RCS"));
+  file->addSeparator();
+  add_action(file, tr("E&xit"), "file_exit", QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+void MainWindow::make_edit_menu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = add_action(edit, tr("&Undo"), "edit_undo", QKeySequence::Undo, [this] {
+    script_->commit();
+    session_.undo();
+  });
+  QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
+  // Buttons of the tool bar stay where they are, whatever is undone.
+  undo->setIconText(tr("Undo"));
+  redo->setIconText(tr("Redo"));
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  const auto show = [this, undo, redo] {
+    const History& history = session_.document().history();
+    undo->setEnabled(history.can_undo());
+    redo->setEnabled(history.can_redo());
+    undo->setText(tr("&Undo %1").arg(QString::fromStdString(history.undo_label())).trimmed());
+    redo->setText(tr("&Redo %1").arg(QString::fromStdString(history.redo_label())).trimmed());
+  };
+  connect(&session_, &Session::document_changed, this, show);
+  show();
+  edit->addSeparator();
+  add_action(edit, tr("&Modify"), "edit_modify", {}, [this] {
+    if (session_.current()) edit_object(*session_.current());
+  });
+  QMenu* functions = edit->addMenu(tr("&Functions"));
+  functions->setObjectName("edit_functions");
+  const auto offer = [this, functions] {
+    fill_functions(functions);
+    functions->setEnabled(!functions->isEmpty());
+  };
+  connect(&session_, &Session::selection_changed, this, offer);
+  connect(&session_, &Session::scene_changed, this, offer);
+  offer();
+  add_action(edit, tr("&Delete"), "edit_delete", {}, [this] { tree_->delete_selection(); });
+  add_action(edit, tr("Du&plicate"), "edit_duplicate", QKeySequence("Ctrl+D"),
+             [this] { tree_->duplicate_selection(); });
+  add_action(edit, tr("Re&name"), "edit_rename", {}, [this] { tree_->rename_current(); });
+  add_action(edit, tr("&Table of Targets"), "edit_targets", QKeySequence("Ctrl+T"), [this] { show_targets(); });
+  add_action(edit, tr("Options of the &Script"), "edit_options", {}, [this] {
+    session_.select({});
+    docks_["properties"]->show();
+    docks_["properties"]->raise();
+  });
+  edit->addSeparator();
+  add_action(
+      edit, tr("&Commands…"), "edit_commands", QKeySequence("Ctrl+Shift+P"), [this] { show_commands(); },
+      tr("Find a command by its name"));
+}
+
+void MainWindow::make_geometry_menu() {
+  QMenu* geometry = menuBar()->addMenu(tr("&Geometry"));
+  add_action(
+      geometry, tr("New &Target"), "new_target", QKeySequence("Ctrl+1"), [this] { add_new(Target()); },
+      tr("Add a point that reflects"));
+  add_action(
+      geometry, tr("New &Platform"), "new_platform", QKeySequence("Ctrl+2"),
+      [this] {
+        Platform platform;
+        platform.name = "Platform";
+        add_new(platform);
+      },
+      tr("Add a frame that moves and turns and carries targets and radars"));
+  add_action(
+      geometry, tr("New &Radar"), "new_radar", QKeySequence("Ctrl+3"), [this] { add_new(Radar()); },
+      tr("Add a transmitter and receiver at the origin of a platform"));
+  add_action(
+      geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"), [this] { add_new(Surface()); },
+      tr("Add a triangle filled with points that reflect"));
+}
+
+void MainWindow::make_simulation_menu() {
+  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
+  const auto open = [this](Processing processing) {
+    if (simulation_windows_->open_new(processing) == nullptr)
+      QMessageBox::information(this, tr("Simulation"), tr("There is no radar. Create one first: Geometry, New Radar."));
+  };
+  add_action(
+      simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(Processing::raw); },
+      tr("See what the A/D converter delivers, as the scene changes"));
+  add_action(
+      simulation, tr("Range &Compressed"), "simulation_compressed", QKeySequence("Ctrl+Shift+R"),
+      [open] { open(Processing::matched_filter); }, tr("See what the matched filter makes of it"));
+  add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] {
+    docks_["simulations"]->show();
+    docks_["simulations"]->raise();
+  });
+  add_action(
+      simulation, tr("&Geometry"), "simulation_geometry", QKeySequence("Ctrl+G"), [this] { show_geometry(); },
+      tr("Table of ranges, delays, amplitudes and speeds for every pulse"));
+  add_action(
+      simulation, tr("Sa&ving"), "simulation_saving", {}, [this] { saver_->queue().show(), saver_->queue().raise(); },
+      tr("Files that are being saved, and what came of those before"));
+  simulation->addSeparator();
+  add_action(
+      simulation, tr("R&un"), "simulation_run", QKeySequence("F5"),
+      [this] {
+        commit_typed();
+        docks_["simulations"]->show();
+        docks_["simulations"]->raise();
+        if (!simulations_->chosen() && !session_.scene().simulations.empty())
+          simulations_->choose({ObjectKind::simulation, 0});
+        simulations_->run_chosen();
+      },
+      tr("Run the chosen simulation into its file"));
+
+  QMenu* display = menuBar()->addMenu(tr("&Display"));
+  add_action(
+      display, tr("Simulation &Output…"), "display_output", QKeySequence("Ctrl+Shift+O"),
+      [this] { image_viewers_->ask_file(); }, tr("Look into a file of samples, of any size, or a picture"));
+  add_action(
+      display, tr("&Make an Image…"), "display_products", QKeySequence("Ctrl+Shift+M"), [this] { show_products(); },
+      tr("Focus the echoes, or make range profiles, Doppler maps or a search picture of them"));
+  add_action(display, tr("&Script File"), "display_script", QKeySequence("Ctrl+E"), [this] {
+    docks_["script"]->show();
+    docks_["script"]->raise();
+    script_->setFocus();
+  });
+}
+
+void MainWindow::make_view_menu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  add_action(
+      view, tr("&Focus…"), "view_focus", {}, [this] { show_focus(); }, tr("Look at a point, or follow a platform"));
+  add_action(view, tr("Focus on Selectio&n"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
+  add_action(view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); });
+  for (const auto& [text, name, preset] : {std::tuple{tr("From A&bove"), "view_top", ViewPreset::top},
+                                           std::tuple{tr("From the F&ront"), "view_front", ViewPreset::front},
+                                           std::tuple{tr("From the S&ide"), "view_side", ViewPreset::side},
+                                           std::tuple{tr("As at the Be&ginning"), "view_start", ViewPreset::start}})
+    add_action(view, text, name, {}, [this, preset = preset] { scene_->scene().look(preset); });
+  QAction* perspective = add_action(view, tr("&Perspective"), "view_perspective", {}, {[] {}});
+  perspective->setCheckable(true);
+  connect(perspective, &QAction::toggled, this, [this](bool on) {
+    Camera camera = scene_->scene().camera();
+    camera.perspective = on;
+    scene_->scene().set_camera(camera);
+  });
+  view->addSeparator();
+  add_switch(view, tr("&Coordinate Systems"), "view_axes", &DrawingOptions::coordinate_systems);
+  add_switch(view, tr("Corner Tria&d"), "view_triad", &DrawingOptions::corner_triad);
+  add_switch(view, tr("&Elevation Lines"), "view_lines", &DrawingOptions::elevation_lines);
+  add_switch(view, tr("Filled &Surfaces"), "view_filled", &DrawingOptions::filled_surfaces);
+  add_switch(view, tr("&Labels"), "view_labels", &DrawingOptions::labels);
+  add_switch(view, tr("&Trails"), "view_trails", &DrawingOptions::trails);
+  add_switch(view, tr("Pattern L&obes"), "view_lobes", &DrawingOptions::lobes);
+  view->addSeparator();
+  QMenu* looks = view->addMenu(tr("Colo&urs"));
+  auto* group = new QActionGroup(this);
+  for (const auto& [text, name, appearance] : {std::tuple{tr("As the Deskto&p"), "colours_system", Appearance::system},
+                                               std::tuple{tr("&Light"), "colours_light", Appearance::light},
+                                               std::tuple{tr("&Dark"), "colours_dark", Appearance::dark}}) {
+    QAction* action = add_action(looks, text, name, {}, [this, appearance = appearance] {
+      QSettings().setValue("appearance", static_cast<int>(appearance));
+      set_appearance(appearance);
+    });
+    action->setCheckable(true);
+    action->setChecked(QSettings().value("appearance").toInt() == static_cast<int>(appearance));
+    group->addAction(action);
+  }
+  QMenu* panels = view->addMenu(tr("&Windows"));
+  for (const char* name : {"objects", "properties", "script", "simulations", "log"})
+    panels->addAction(docks_[name]->toggleViewAction());
+  for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
+  add_action(
+      view, tr("Ne&xt Panel"), "view_next_panel", QKeySequence("F6"), [this] { go_to_panel(1); },
+      tr("Take the keyboard to the next panel"));
+  add_action(
+      view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
+      tr("Take the keyboard to the panel before"));
+  add_action(
+      view, tr("Reset La&yout"), "view_reset", {}, [this] { reset_layout(); },
+      tr("Put all windows back to their first places"));
+}
+
+void MainWindow::make_help_menu() {
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  add_action(help, tr("&Contents"), "help_contents", {}, [this] { show_help({"README.md", {}}); });
+  add_action(
+      help, tr("Help on This &Window"), "help_window_page", QKeySequence::HelpContents,
+      [this] { show_help(help_place_of(focusWidget())); },
+      tr("The page of the guide for the panel that has the keyboard"));
+  connect(new HelpKey(this), &HelpKey::pressed, this,
+          [this](const QWidget* where) { show_help(help_place_of(where)); });
+  add_action(help, tr("&About"), "help_about", {}, [this] { show_about(); });
+}
+
+void MainWindow::make_tool_bar() {
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tool_bar");
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  const auto put = [&](const char* name) { bar->addAction(findChild<QAction*>(name)); };
+  for (const char* name : {"file_open", "file_save"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"edit_undo", "edit_redo"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"new_target", "new_surface", "new_platform", "new_radar"}) put(name);
+  bar->addSeparator();
+  for (const char* name : {"view_focus", "view_fit", "simulation_run"}) put(name);
+  auto* gap = new QWidget(bar);
+  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(gap);
+  put("help_contents");
+  findChild<QAction*>("help_contents")->setIconText(tr("Help"));
+}
+
+// Thesis 4.7: a platform that is followed, or a point.
+void MainWindow::show_focus() {
+  QDialog dialog(this);
+  dialog.setObjectName("focus_dialog");
+  dialog.setWindowTitle(tr("Select Focus"));
+  auto* form = new QFormLayout(&dialog);
+  auto* platform = new QComboBox;
+  platform->setObjectName("focus_platform");
+  platform->setAccessibleName(tr("Follow"));
+  platform->setToolTip(tr("A platform stays in the middle while the time runs"));
+  platform->addItem(tr("A point"));
+  for (const Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
+  if (scene_->followed()) platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
+  form->addRow(tr("&Follow"), platform);
+  const Vec3 focus = scene_->scene().camera().focus_world_m;
+  std::array<QLineEdit*, 3> fields{};
+  // Finer than a tenth of a pixel nobody sees.
+  const double fine_m = round_below(0.1 / scene_->scene().camera().pixels_per_m);
+  const std::array<double, 3> values{rounded_to(focus.x, fine_m), rounded_to(focus.y, fine_m),
+                                     rounded_to(focus.z, fine_m)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    fields[i] = new QLineEdit(QString::fromStdString(quantity_text(values[i], Quantity::length, "m")));
+    fields[i]->setObjectName(QString("focus_%1").arg(QChar("xyz"[i])));
+    fields[i]->setAccessibleName(tr("%1 of the focus").arg(QChar("XYZ"[i])));
+    fields[i]->setToolTip(tr("In the world; any unit: 100 m, 2.5 km"));
+    fields[i]->setMinimumWidth(fields[i]->fontMetrics().horizontalAdvance("-000.000000 km  "));
+    form->addRow(QString("&%1").arg(QChar("XYZ"[i])), fields[i]);
+    fields[i]->setEnabled(platform->currentIndex() == 0);
+  }
+  connect(platform, &QComboBox::currentIndexChanged, &dialog, [&](int index) {
+    for (QLineEdit* field : fields) field->setEnabled(index == 0);
+  });
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (platform->currentIndex() > 0) {
+    scene_->follow(ObjectId{ObjectKind::platform, static_cast<std::size_t>(platform->currentIndex() - 1)});
+    return;
+  }
+  std::array<double, 3> wanted = values;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const QuantityReading reading = read_quantity(fields[i]->text().toStdString(), Quantity::length);
+    if (reading.value)
+      wanted[i] = *reading.value;
+    else
+      session_.log(Severity::warning, QString::fromStdString(reading.failure));
+  }
+  scene_->follow(std::nullopt);
+  scene_->focus_on({wanted[0], wanted[1], wanted[2]});
+}
+
+void MainWindow::show_help(const HelpPlace& place) {
+  if (!guide_.open(place)) show_help_window(place);
+}
+
+// A dialog that holds up the rest of the program must not hold up its own help.
+void MainWindow::show_help_window(const HelpPlace& place) {
+  QWidget* parent = QApplication::activeModalWidget();
+  if (parent == nullptr || qobject_cast<HelpWindow*>(parent) != nullptr) parent = this;
+  auto* help = parent->findChild<HelpWindow*>("help_window", Qt::FindDirectChildrenOnly);
+  if (help == nullptr) help = new HelpWindow(parent);
+  help->show();  // before the page, which is scrolled in a window that has its size
+  help->show_page(place.page, place.heading);
+  help->raise();
+  help->activateWindow();
+}
+
+void MainWindow::show_about() {
+  QMessageBox::about(this, tr("About Sarsim"),
+                     tr("<b>Sarsim %1</b><p>Radar echo simulator: from a scene to complex baseband samples.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later, without any "
+                        "warranty.</p>")
+                         .arg(program_version));
+}
+
+QWidget* MainWindow::show_products() {
+  commit_typed();
+  if (products_ == nullptr) products_ = new ProductWindow(session_, *image_viewers_, this);
+  products_->show();
+  products_->raise();
+  products_->activateWindow();
+  return products_;
+}
+
+QStringList MainWindow::window_names() {
+  return {"main",          "objects",       "properties", "script",        "simulations", "log",
+          "geometry",      "simulation",    "compressed", "targets",       "function",    "commands",
+          "help",          "import",        "viewer",     "output",        "save_data",   "saving",
+          "range_profile", "range_doppler", "spectrum",   "phase_history", "products"};
+}
+
+// A window of echoes: of the stored simulation that is selected, otherwise a new one.
+SimulationWindow* MainWindow::open_simulation() {
+  const auto current = session_.current();
+  if (current && current->kind == ObjectKind::simulation) return simulation_windows_->open_stored(*current);
+  return simulation_windows_->open_new(Processing::raw);
+}
+
+// Windows that belong to one of echoes, which is opened with them.
+QWidget* MainWindow::simulation_part(const QString& name) {
+  static const std::map<QString, RadarView> views{{"range_profile", RadarView::range_profile},
+                                                  {"range_doppler", RadarView::range_doppler},
+                                                  {"spectrum", RadarView::spectrum},
+                                                  {"phase_history", RadarView::phase_history}};
+  if (name == "saving") return &saver_->queue();
+  const auto view = views.find(name);
+  if (view == views.end() && name != "save_data") return nullptr;
+  SimulationWindow* window = open_simulation();
+  if (window == nullptr) return nullptr;
+  if (view != views.end()) return window->open_radar_view(view->second);
+  // The dialog tells of the picture, which must be there first.
+  QEventLoop until_shown;
+  connect(window, &SimulationWindow::finished, &until_shown, &QEventLoop::quit);
+  QTimer::singleShot(longest_picture_ms, &until_shown, &QEventLoop::quit);
+  until_shown.exec();
+  return saver_->ask(window->simulation(), *window);
+}
+
+QWidget* MainWindow::window_named(const QString& name) {
+  if (name == "main") return this;
+  if (docks_.contains(name)) {
+    docks_[name]->show();
+    docks_[name]->raise();
+    return docks_[name];
+  }
+  if (name == "geometry") return show_geometry(), geometry_;
+  if (name == "simulation") return open_simulation();
+  if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
+  if (name == "viewer") {
+    const auto viewers = image_viewers_->viewers();
+    return viewers.empty() ? image_viewers_->open_empty() : viewers.front();
+  }
+  if (name == "output") return image_viewers_->ask_file();
+  if (name == "products") return show_products();
+  if (QWidget* of_simulation = simulation_part(name)) return of_simulation;
+  if (name == "targets") return show_targets(), targets_;
+  if (name == "help") return show_help_window({"README.md", {}}), findChild<HelpWindow*>("help_window");
+  if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
+  if (name == "import") return new ImportDialog(session_, this);
+  if (name != "function") return nullptr;
+  // The first function that the scene has.
+  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::radar, ObjectKind::target})
+    for (std::size_t i = 0; i < count_of(session_.scene(), kind); ++i) {
+      const AnyObject object = object_of(session_.scene(), {kind, i});
+      for (const Field& field : fields_of(kind))
+        if (field.kind == FieldKind::function && field_applies(object, field.id))
+          return new FunctionEditor(session_, {kind, i}, field.id, this);
+    }
+  return nullptr;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,333 @@
+#include "gui/frame/main_window.hpp"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTimer>
+
+#include "gui/echo/data_saver.hpp"
+#include "gui/echo/simulation_window.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/command_list.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/log_panel.hpp"
+#include "gui/frame/problem_badge.hpp"
+#include "gui/frame/problem_watch.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/image_viewers.hpp"
+#include "gui/objects/function_editor.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "gui/objects/target_table.hpp"
+#include "gui/runs/product_window.hpp"
+#include "gui/runs/run_panel.hpp"
+#include "gui/runs/save_queue.hpp"
+#include "gui/runs/stored_simulations.hpp"
+#include "gui/scene/geometry_window.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
+#include "gui/script/script_editor.hpp"
+#include "scene/edit/edit.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int layout_version = 1;
+
+// The one file that a drop brings, or nothing.
+QString dropped_file(const QMimeData* data) {
+  if (!data->hasUrls() || data->urls().size() != 1 || !data->urls().first().isLocalFile()) return {};
+  return data->urls().first().toLocalFile();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), documents_(new DocumentKeeper(session_, this)), problems_(new ProblemWatch(session_, this)) {
+  setObjectName("main_window");
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  scene_ = new ScenePanel(session_);
+  setCentralWidget(scene_);
+  make_docks();
+  make_badge();
+  make_menus();
+  make_tool_bar();
+  ask_end_work = [this](const QStringList& work) {
+    QMessageBox box(QMessageBox::Question, tr("Close"), tr("This is still under way and would be ended:"),
+                    QMessageBox::Yes | QMessageBox::No, this);
+    box.setInformativeText(work.join('\n') + "\n\n" + tr("End it and close?"));
+    box.setDefaultButton(QMessageBox::No);
+    return box.exec() == QMessageBox::Yes;
+  };
+  connect(scene_, &ScenePanel::edit_requested, this, &MainWindow::edit_object);
+  connect(scene_, &ScenePanel::delete_wanted, tree_, &ObjectTree::delete_selection);
+  connect(scene_, &ScenePanel::menu_requested, this, &MainWindow::show_object_menu);
+  connect(tree_, &ObjectTree::edit_requested, this, &MainWindow::edit_object);
+  connect(panel_, &PropertyPanel::function_requested, this, &MainWindow::edit_function);
+  connect(&session_, &Session::document_changed, this, &MainWindow::show_title);
+  connect(&session_, &Session::scene_changed, this, &MainWindow::show_state);
+  connect(&session_, &Session::selection_changed, this, &MainWindow::show_state);
+  connect(documents_, &DocumentKeeper::recent_changed, this, &MainWindow::fill_recent);
+  fill_recent();
+  show_title();
+  show_state();
+  resize(fontMetrics().averageCharWidth() * 214, fontMetrics().height() * 50);
+}
+
+MainWindow::~MainWindow() {
+  // A field that goes while it has the keyboard says that it is finished, to whatever is left of its window.
+  if (QWidget* last = QApplication::focusWidget()) last->clearFocus();
+  // Panels and windows speak to the session, which is a member and goes first.
+  for (QWidget* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+    if (child->isWindow() && qobject_cast<QDockWidget*>(child) == nullptr) delete child;
+  delete centralWidget();
+  for (const auto& [name, dock] : docks_) delete dock;
+}
+
+QDockWidget* MainWindow::add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QString("%1_dock").arg(name));
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  docks_[name] = dock;
+  return dock;
+}
+
+void MainWindow::make_docks() {
+  tree_ = new ObjectTree(session_);
+  panel_ = new PropertyPanel(session_);
+  script_ = new ScriptEditor(session_);
+  simulations_ = new StoredSimulations(session_);
+  simulation_windows_ = new SimulationWindows(session_, this);
+  image_viewers_ = new ImageViewers(session_, this);
+  connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
+  saver_ = new DataSaver(session_, this);
+  connect(simulation_windows_, &SimulationWindows::save_data_wanted, saver_,
+          [this](const Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
+  const int letter = fontMetrics().averageCharWidth();
+  tree_->setMinimumWidth(letter * 36);
+  panel_->setMinimumWidth(letter * 54);
+  add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
+  add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
+  QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
+  QDockWidget* simulations = add_dock(simulations_, tr("Previously Stored"), "simulations", Qt::BottomDockWidgetArea);
+  QDockWidget* log = add_dock(new LogPanel(session_, *problems_), tr("Log"), "log", Qt::BottomDockWidgetArea);
+  tabifyDockWidget(simulations, script);
+  tabifyDockWidget(simulations, log);
+  simulations->raise();
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+// Docks take sizes only once the window has its own.
+void MainWindow::size_docks() {
+  const int letter = fontMetrics().averageCharWidth();
+  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 52, letter * 62}, Qt::Horizontal);
+  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 13}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (sized_) return;
+  sized_ = true;
+  scene_->scene().setFocus();
+  QTimer::singleShot(0, this, [this] {
+    size_docks();
+    first_layout_ = saveState(layout_version);
+    restore_layout();
+  });
+}
+
+void MainWindow::fill_recent() {
+  recent_->clear();
+  for (const QString& path : documents_->recent())
+    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] {
+      if (may_go()) documents_->open_file(path);
+    });
+  recent_->setEnabled(!recent_->isEmpty());
+}
+
+void MainWindow::show_title() {
+  const auto& path = session_.document().path();
+  setWindowTitle(QString("%1[*] - Sarsim").arg(path.empty() ? tr("New scene") : QString::fromStdString(path.string())));
+  setWindowModified(documents_->unsaved());
+}
+
+void MainWindow::show_state() {
+  const Scene& scene = session_.scene();
+  const std::size_t targets = scene.targets.size();
+  const std::size_t radars = scene.radars.size();
+  QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + "   " +
+                 (radars == 1 ? tr("1 radar") : tr("%1 radars").arg(radars));
+  if (session_.current()) {
+    text += "   " + QString::fromStdString(label_of(scene, *session_.current()));
+    if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
+  }
+  statusBar()->showMessage(text);
+}
+
+// How much is wrong, at a glance; a click shows what, in the panel that lists it.
+void MainWindow::make_badge() {
+  auto* badge = new ProblemBadge(this);
+  statusBar()->addPermanentWidget(badge);
+  connect(problems_, &ProblemWatch::changed, this, [this, badge] {
+    badge->show_problems(problems_->problems());
+    script_->list_also(problems_->of_echoes());
+  });
+  connect(badge, &ProblemBadge::clicked, this, [this] {
+    docks_["script"]->show();
+    docks_["script"]->raise();
+    const Problems& all = problems_->problems();
+    script_->show_problem(all.empty() ? Place{} : all.front().place);
+  });
+}
+
+// What is typed and not yet entered belongs to what is saved, run or left.
+void MainWindow::commit_typed() {
+  script_->commit();
+  panel_->commit();
+}
+
+bool MainWindow::may_go() {
+  commit_typed();
+  return documents_->may_close();
+}
+
+void MainWindow::add_new(AnyObject object) {
+  const ObjectKind kind = kind_of(object);
+  // New things stand on the platform that is selected, or that carries what is.
+  if (const auto current = session_.current()) {
+    const std::string carrier = current->kind == ObjectKind::platform ? session_.scene().platforms[current->index].name
+                                                                      : carrier_of(session_.scene(), *current);
+    const bool carried = current->kind <= ObjectKind::radar && !carrier.empty();
+    if (auto* target = std::get_if<Target>(&object); target && carried) target->platform = carrier;
+    if (auto* surface = std::get_if<Surface>(&object); surface && carried) surface->platform = carrier;
+    if (auto* radar = std::get_if<Radar>(&object); radar && carried) radar->platform = carrier;
+  }
+  session_.perform(add_object(session_.scene(), std::move(object)));
+  edit_object({kind, count_of(session_.scene(), kind) - 1});
+}
+
+void MainWindow::edit_object(ObjectId id) {
+  session_.select_only(id);
+  docks_["properties"]->show();
+  docks_["properties"]->raise();
+  panel_->focus_first();
+}
+
+void MainWindow::edit_function(ObjectId id, const QString& field) {
+  auto* editor = new FunctionEditor(session_, id, field.toStdString(), this);
+  editor->setAttribute(Qt::WA_DeleteOnClose);
+  editor->open();
+}
+
+void MainWindow::show_object_menu(std::optional<ObjectId> id, QPoint global) {
+  if (!id) return;
+  if (!session_.selection().contains(*id)) session_.select_only(*id);
+  tree_->context_menu()->exec(global);
+}
+
+void MainWindow::show_geometry() {
+  if (geometry_ == nullptr) {
+    geometry_ = new GeometryWindow(session_, this);
+    geometry_->setWindowFlag(Qt::Window);
+  }
+  geometry_->show();
+  geometry_->raise();
+  geometry_->activateWindow();
+}
+
+void MainWindow::show_targets() {
+  if (targets_ == nullptr) targets_ = new TargetTableDialog(session_, this);
+  targets_->show();
+  targets_->raise();
+  targets_->activateWindow();
+}
+
+void MainWindow::show_commands() {
+  CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this).exec();
+}
+
+void MainWindow::set_appearance(Appearance appearance) {
+  sarsim::set_appearance(*qApp, appearance);
+  emit session_.selection_changed();
+}
+
+void MainWindow::restore_layout() {
+  QSettings settings;
+  restoreGeometry(settings.value("window/geometry").toByteArray());
+  restoreState(settings.value("window/state").toByteArray(), layout_version);
+}
+
+void MainWindow::reset_layout() {
+  restoreState(first_layout_, layout_version);
+  for (const auto& [name, dock] : docks_) dock->show();
+}
+
+QStringList MainWindow::work_under_way() const {
+  QStringList work;
+  if (saver_->queue().busy()) work << tr("Data of simulation windows are being saved.");
+  if (simulations_->run_panel().running()) work << tr("A stored simulation is being run.");
+  for (const ImageViewer* viewer : image_viewers_->viewers())
+    if (viewer->exporting())
+      work << tr("Samples of %1 are being exported.").arg(QString::fromStdString(viewer->path().filename().string()));
+  if (geometry_ != nullptr && geometry_->saving()) work << tr("A geometry table is being saved.");
+  if (products_ != nullptr && products_->busy()) work << tr("An image is being made from echoes.");
+  return work;
+}
+
+bool MainWindow::may_end_work() {
+  const QStringList work = work_under_way();
+  return work.isEmpty() || ask_end_work(work);
+}
+
+void MainWindow::end_work() {
+  saver_->queue().cancel_all();
+  simulations_->run_panel().cancel();
+  for (ImageViewer* viewer : image_viewers_->viewers()) viewer->cancel_export();
+  if (geometry_ != nullptr) geometry_->cancel_saving();
+  if (products_ != nullptr) products_->stop();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  // Nothing ends before every question is answered.
+  if (!may_go() || !may_end_work()) {
+    event->ignore();
+    return;
+  }
+  end_work();
+  QSettings settings;
+  settings.setValue("window/geometry", saveGeometry());
+  settings.setValue("window/state", saveState(layout_version));
+  documents_->close();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!dropped_file(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = dropped_file(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  open_any(path);
+}
+
+bool MainWindow::open_any(const QString& path) {
+  if (!is_data_file(path.toStdString())) return may_go() && documents_->open_file(path);
+  image_viewers_->open_file(path.toStdString());
+  return true;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "gui/common/appearance.hpp"
+#include "gui/common/session.hpp"
+#include "gui/frame/guide_site.hpp"
+#include "picture/scene/drawing.hpp"
+
+class QDockWidget;
+class QMenu;
+
+namespace sarsim {
+
+class DataSaver;
+class DocumentKeeper;
+class GeometryWindow;
+struct HelpPlace;
+class ImageViewers;
+class ObjectTree;
+class ProblemWatch;
+class ProductWindow;
+class PropertyPanel;
+class ScenePanel;
+class ScriptEditor;
+class SimulationWindow;
+class SimulationWindows;
+class StoredSimulations;
+
+/// The workbench: the scene in the middle, objects, properties, script and stored simulations around it (thesis 4.1).
+/// Menus carry the words of the thesis.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] DocumentKeeper& documents() { return *documents_; }
+  [[nodiscard]] ScenePanel& scene() { return *scene_; }
+  [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
+  [[nodiscard]] ImageViewers& image_viewers() { return *image_viewers_; }
+  [[nodiscard]] DataSaver& saver() { return *saver_; }
+  /// Opens a script as the document, or a file of samples in a viewer. False where the user cancelled or it failed;
+  /// what is wrong with samples is told in the viewer.
+  bool open_any(const QString& path);
+  /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
+  /// simulation, compressed, save_data, saving, range_profile, range_doppler, spectrum, phase_history, products,
+  /// viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that has what
+  /// they show. Simulation and what belongs to it show the stored simulation that is selected; where none is, a new
+  /// window of raw echoes.
+  [[nodiscard]] QWidget* window_named(const QString& name);
+  /// The names that `window_named` knows.
+  [[nodiscard]] static QStringList window_names();
+  /// Light, dark, or as the desktop has it.
+  void set_appearance(Appearance appearance);
+  /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
+  void set_guide(GuideSite guide) { guide_ = std::move(guide); }
+
+  /// What would be lost with the window, in words: runs, files that are being written, images that are being made.
+  [[nodiscard]] QStringList work_under_way() const;
+  /// Asked once before closing ends all of that. A message box unless replaced.
+  std::function<bool(const QStringList& work)> ask_end_work;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QDockWidget* add_dock(QWidget* widget, const QString& title, const char* name, Qt::DockWidgetArea area);
+  void make_docks();
+  void make_menus();
+  void make_file_menu();
+  void make_edit_menu();
+  void make_geometry_menu();
+  void make_simulation_menu();
+  void make_view_menu();
+  void make_help_menu();
+  void make_tool_bar();
+  QAction* add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
+                      const std::function<void()>& work, const QString& tip = QString());
+  void add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option);
+  void fill_recent();
+  void show_title();
+  void show_state();
+  void make_badge();
+  void commit_typed();
+  bool may_go();
+  bool may_end_work();
+  void end_work();
+  void add_new(AnyObject object);
+  void edit_object(ObjectId id);
+  void edit_function(ObjectId id, const QString& field);
+  [[nodiscard]] std::vector<QWidget*> panels_in_view() const;
+  void go_to_panel(int step);
+  void fill_functions(QMenu* menu);
+  void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  SimulationWindow* open_simulation();
+  [[nodiscard]] QWidget* simulation_part(const QString& name);
+  void show_geometry();
+  void show_targets();
+  QWidget* show_products();
+  void show_focus();
+  void show_commands();
+  void show_help(const HelpPlace& place);
+  void show_help_window(const HelpPlace& place);
+  void show_about();
+  void size_docks();
+  void restore_layout();
+  void reset_layout();
+
+  Session session_;
+  DocumentKeeper* documents_ = nullptr;
+  ProblemWatch* problems_ = nullptr;
+  ScenePanel* scene_ = nullptr;
+  ObjectTree* tree_ = nullptr;
+  PropertyPanel* panel_ = nullptr;
+  ScriptEditor* script_ = nullptr;
+  StoredSimulations* simulations_ = nullptr;
+  SimulationWindows* simulation_windows_ = nullptr;
+  ImageViewers* image_viewers_ = nullptr;
+  DataSaver* saver_ = nullptr;
+  GeometryWindow* geometry_ = nullptr;
+  QWidget* targets_ = nullptr;
+  ProductWindow* products_ = nullptr;
+  QMenu* recent_ = nullptr;
+  std::map<QString, QDockWidget*> docks_;
+  QByteArray first_layout_;
+  bool sized_ = false;
+  GuideSite guide_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,77 @@
+#include "gui/frame/problem_watch.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "scene/script/reader.hpp"
+#include "simulate/survey/survey.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Commands that are typed half, and values on their way, are nobody's problems.
+constexpr int rest_ms = 1000;
+
+}  // namespace
+
+ProblemWatch::ProblemWatch(Session& session, QObject* parent) : QObject(parent), session_(session) {
+  rest_.setSingleShot(true);
+  connect(&rest_, &QTimer::timeout, this, &ProblemWatch::look);
+  connect(&survey_, &LatestWork::ended, this, [this](bool good) { take_survey(good); });
+  connect(&session_, &Session::document_replaced, this, &ProblemWatch::begin_document);
+  connect(&session_, &Session::scene_changed, this, &ProblemWatch::wait_for_rest);
+  connect(&session_, &Session::problems_changed, this, &ProblemWatch::wait_for_rest);
+  wait_for_rest();
+}
+
+void ProblemWatch::begin_document() {
+  survey_.cancel();
+  surveyed_.clear();
+  fresh_ = true;
+  wait_for_rest();
+}
+
+// A document that was just opened does not change under anybody's hand.
+void ProblemWatch::wait_for_rest() { rest_.start(fresh_ ? 0 : rest_ms); }
+
+void ProblemWatch::look() {
+  fresh_ = false;
+  if (has_errors(session_.problems())) {
+    survey_.cancel();
+  } else if (session_.scene().simulations.empty()) {
+    survey_.cancel();
+    surveyed_.clear();
+  } else {
+    look_at_echoes();
+  }
+  collect();
+}
+
+void ProblemWatch::look_at_echoes() {
+  auto scene = std::make_shared<const Scene>(session_.scene());
+  found_ = std::make_shared<Problems>();
+  survey_.run([scene = std::move(scene), found = found_](const StopFlag& stop, const BackgroundJob::Report&) {
+    *found = survey(*scene, nullptr, WorkControl{1, &stop});
+  });
+}
+
+// A scene that changed meanwhile is surveyed once it rests. Where a survey fails a run fails too, and says why.
+void ProblemWatch::take_survey(bool good) {
+  if (rest_.isActive()) return;
+  surveyed_ = good ? *found_ : Problems{};
+  collect();
+}
+
+void ProblemWatch::collect() {
+  problems_ = session_.problems();
+  if (!has_errors(problems_)) {
+    of_echoes_ = surveyed_;
+    locate(of_echoes_, session_.document().places());
+    std::ranges::copy(of_echoes_, std::back_inserter(problems_));
+    problems_ = ranked(std::move(problems_));
+  }
+  emit changed();
+}
+
+}  // namespace sarsim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+#include "gui/common/latest_work.hpp"
+#include "gui/common/session.hpp"
+
+namespace sarsim {
+
+/// All that is wrong with the document, looked for anew once the hand rests: what the session knows, and what only a
+/// survey of the echoes can tell ("the recording will be empty"), which is made in the background.
+class ProblemWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ProblemWatch(Session& session, QObject* parent = nullptr);
+
+  /// All of them, ranked, with their places in the script as it was when they were found.
+  [[nodiscard]] const Problems& problems() const { return problems_; }
+  /// Those that the survey found last, with their places; while the script holds errors, of the scene before.
+  [[nodiscard]] const Problems& of_echoes() const { return of_echoes_; }
+
+ signals:
+  void changed();  ///< They were looked for; they may be the same as before.
+
+ private:
+  void begin_document();
+  void wait_for_rest();
+  void look();
+  void look_at_echoes();
+  void take_survey(bool good);
+  void collect();
+
+  Session& session_;
+  QTimer rest_;
+  bool fresh_ = true;  // nothing was told of this document yet
+  LatestWork survey_;
+  std::shared_ptr<Problems> found_;  // by the survey under way, without places
+  Problems surveyed_;                // by the last one, without places
+  Problems of_echoes_;
+  Problems problems_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include <functional>
+
+#include "gui/common/colour_rows.hpp"
+#include "gui/common/form_rows.hpp"
+#include "gui/image/image_part.hpp"
+#include "picture/echo/echo_window.hpp"
+
+namespace sarsim {
+
+/// The choices of an image viewer as a form: what of the samples is drawn, and in which colours.
+class ImageControls : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImageControls(QWidget* parent = nullptr);
+
+  /// Shows a look for values of a kind; says nothing back.
+  /// @param unit  of magnitudes: "V", or empty for counts
+  void show_look(const PartLook& look, ImageValue value, const QString& unit);
+  /// Limits that are set by hand begin with these.
+  void set_present_limits(const ColourLimits& limits) { colours_.set_present_limits(limits); }
+  /// Columns (range) and rows (time) that follow other viewers.
+  [[nodiscard]] AxisLink link() const;
+
+ signals:
+  void edited(const sarsim::PartLook& look);  ///< Something was chosen or typed.
+  void link_changed();                        ///< Other axes follow other viewers.
+
+ private:
+  void make_links(QFormLayout* form);
+  void change(const std::function<void(PartLook&)>& apply);
+
+  PartLook look_;
+  ImageValue value_ = ImageValue::complex;
+  QString unit_;
+  ProblemLine* problem_;
+  FormRows rows_;
+  ColourRows colours_;
+  QFormLayout* form_ = nullptr;
+  QComboBox* quantity_ = nullptr;
+  QCheckBox* peak_ = nullptr;
+  QCheckBox* link_columns_ = nullptr;
+  QCheckBox* link_rows_ = nullptr;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,216 @@
+#include "gui/image/image_plot.hpp"
+
+#include <QFontMetrics>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/common/plot_frame.hpp"
+#include "picture/figure/ticks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double smallest_zoom_px = 4.0;
+
+}  // namespace
+
+ImagePlot::ImagePlot(QWidget* parent) : GesturePlot(parent) {
+  setObjectName("image_plot");
+  setAccessibleName(tr("Image"));
+  setAccessibleDescription(tr("Samples across, rows downwards. Arrows move, plus and minus zoom."));
+}
+
+void ImagePlot::set_size(std::size_t rows, std::size_t columns) {
+  rows_ = std::max<std::size_t>(rows, 1);
+  columns_ = std::max<std::size_t>(columns, 1);
+  update();
+}
+
+void ImagePlot::set_view(const ImageView& view) {
+  if (view == view_) return;
+  view_ = view;
+  update();
+}
+
+void ImagePlot::set_part(std::shared_ptr<const ImagePart> part, PaintedPart painted, const QString& unit) {
+  part_ = std::move(part);
+  painted_ = std::move(painted);
+  unit_ = unit;
+  const std::vector<Rgb>& table = painted_.colours.table;
+  bar_ = table.empty() ? QImage() : QImage(1, static_cast<int>(table.size()), QImage::Format_RGB32);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Rgb& c = table[table.size() - 1 - i];
+    bar_.setPixel(0, static_cast<int>(i), qRgb(c.red, c.green, c.blue));
+  }
+  update();
+}
+
+void ImagePlot::set_coarse(const QImage& picture) {
+  coarse_ = picture;
+  update();
+}
+
+void ImagePlot::set_reading_tool(bool on) {
+  reading_tool_ = on;
+  set_idle_cursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
+}
+
+QRect ImagePlot::plot_rect() const {
+  const QFontMetrics metrics = fontMetrics();
+  return plot_within(*this, QStringLiteral("-00000.00"), room_without_axis(metrics), room_of_axis(metrics));
+}
+
+SamplePlace ImagePlot::place_at(QPointF pixel) const {
+  const QRect plot = plot_rect();
+  return {view_.column_first + (pixel.x() - plot.left()) / plot.width() * view_.columns(),
+          view_.row_first + (pixel.y() - plot.top()) / plot.height() * view_.rows()};
+}
+
+QPointF ImagePlot::pixel_of(SamplePlace place) const {
+  const QRect plot = plot_rect();
+  return {plot.left() + (place.column - view_.column_first) / view_.columns() * plot.width(),
+          plot.top() + (place.row - view_.row_first) / view_.rows() * plot.height()};
+}
+
+std::optional<SamplePlace> ImagePlot::pointer_place() const {
+  if (!plot_rect().contains(pointer().toPoint())) return std::nullopt;
+  return place_at(pointer());
+}
+
+void ImagePlot::set_cursor(std::size_t index, std::optional<SamplePlace> place) {
+  cursors_.at(index) = place;
+  update();
+  emit cursors_changed();
+}
+
+void ImagePlot::set_selection(std::optional<ImageWindow> selection) {
+  if (selection && selection->samples() == 0) selection.reset();
+  if (selection_ == selection) return;
+  selection_ = selection;
+  update();
+  emit selection_changed();
+}
+
+QRectF ImagePlot::rect_of(const QRectF& samples) const {
+  return QRectF(pixel_of({samples.left(), samples.top()}), pixel_of({samples.right(), samples.bottom()}));
+}
+
+void ImagePlot::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Window));
+  paint_plot(painter);
+  painter.setPen(palette().color(QPalette::WindowText));
+  paint_axes(painter);
+  if (!bar_.isNull()) paint_colour_bar(painter);
+  paint_marks(painter);
+  paint_rectangle(painter, rectangle_with_shift() ? Qt::DashLine : Qt::SolidLine);
+}
+
+void ImagePlot::paint_plot(QPainter& painter) const {
+  const QRect plot = plot_rect();
+  painter.save();
+  painter.setClipRect(plot);
+  painter.fillRect(plot, empty_ground(palette()));
+  // No smoothing: no colour that no sample has.
+  if (!coarse_.isNull())
+    painter.drawImage(rect_of(QRectF(-0.5, -0.5, static_cast<double>(columns_), static_cast<double>(rows_))), coarse_);
+  if (part_ && !painted_.image.isNull()) painter.drawImage(rect_of(extent_of(part_->window)), painted_.image);
+  painter.restore();
+}
+
+void ImagePlot::paint_axes(QPainter& painter) const {
+  const QRect plot = plot_rect();
+  draw_frame(painter, plot);
+  const double widest = fontMetrics().horizontalAdvance(QStringLiteral("0000000000"));
+  FrameAxis across{tr("Sample"), {}};
+  for (const Tick& tick : axis_ticks(view_.column_first, view_.column_last, plot.width(), widest, "").ticks)
+    across.marks.push_back({pixel_of({tick.value, 0.0}).x(), QString::fromStdString(tick.label)});
+  draw_axis_across(painter, plot, across, widest, false);
+  FrameAxis upwards{tr("Row"), {}};
+  const double lines = 2.5 * fontMetrics().height();
+  for (const Tick& tick : axis_ticks(view_.row_first, view_.row_last, plot.height(), lines, "").ticks)
+    upwards.marks.push_back({pixel_of({0.0, tick.value}).y(), QString::fromStdString(tick.label)});
+  draw_axis_upwards(painter, plot, upwards);
+}
+
+void ImagePlot::paint_colour_bar(QPainter& painter) const {
+  const QRect plot = plot_rect();
+  const ColourLimits& limits = painted_.colours.limits;
+  const double lines = 2.5 * fontMetrics().height();
+  draw_colour_bar(painter, plot, width(),
+                  {bar_, painted_.colours.quantity, limits,
+                   axis_ticks(limits.low, limits.high, plot.height(), lines, unit_.toStdString())});
+}
+
+void ImagePlot::paint_marks(QPainter& painter) const {
+  painter.save();
+  painter.setClipRect(plot_rect());
+  if (selection_) {
+    // Light on dark, so that it is seen on any colour.
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, 3.0));
+    painter.drawRect(rect_of(extent_of(*selection_)));
+    painter.setPen(QPen(Qt::white, 1.0, Qt::DashLine));
+    painter.drawRect(rect_of(extent_of(*selection_)));
+  }
+  for (std::size_t i = 0; i < cursors_.size(); ++i)
+    if (cursors_[i]) draw_cursor(painter, plot_rect(), pixel_of(*cursors_[i]), i);
+  painter.restore();
+}
+
+ImageView ImagePlot::moved(const ImageView& view, double right, double down) const {
+  const double columns = right * view.columns();
+  const double rows = down * view.rows();
+  return mended_here(
+      {view.column_first + columns, view.column_last + columns, view.row_first + rows, view.row_last + rows});
+}
+
+void ImagePlot::scale_about_pixel(QPointF pixel, double across, double upwards) {
+  const SamplePlace at = place_at(pixel);
+  emit view_wanted(mended_here(scaled_about(view_, at.column, at.row, across, upwards)));
+}
+
+void ImagePlot::drag(QPointF by) {
+  emit view_dragged(moved(dragged_view_, -by.x() / plot_rect().width(), -by.y() / plot_rect().height()));
+}
+
+void ImagePlot::step(double right, double up) { emit view_wanted(moved(view_, right, -up)); }
+
+void ImagePlot::show_twice(QPointF middle) {
+  const SamplePlace at = place_at(middle);
+  emit view_wanted(mended_here(
+      {at.column - view_.columns(), at.column + view_.columns(), at.row - view_.rows(), at.row + view_.rows()}));
+}
+
+void ImagePlot::take_rectangle(QPointF from, QPointF to) {
+  const QRectF drawn = QRectF(from, to).normalized() & QRectF(plot_rect());
+  const SamplePlace low = place_at(drawn.topLeft());
+  const SamplePlace high = place_at(drawn.bottomRight());
+  const ImageView wanted{low.column, high.column, low.row, high.row};
+  if (rectangle_with_shift())
+    set_selection(samples_in(wanted, rows_, columns_));
+  else if (drawn.width() >= smallest_zoom_px && drawn.height() >= smallest_zoom_px)
+    emit view_wanted(mended_here(wanted));
+}
+
+void ImagePlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {
+  const SamplePlace at = place_at(pixel);
+  const double column = std::round(at.column);
+  const double row = std::round(at.row);
+  if (column < 0.0 || row < 0.0 || column >= static_cast<double>(columns_) || row >= static_cast<double>(rows_)) return;
+  if (reading_tool_)
+    emit reading_wanted(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+  else
+    set_cursor(keys.testFlag(Qt::ShiftModifier) ? 1 : 0, SamplePlace{column, row});
+}
+
+void ImagePlot::drop_marks() {
+  set_selection(std::nullopt);
+  cursors_ = {};
+  emit cursors_changed();
+}
+
+}  // namespace sarsim

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "gui/common/gesture_plot.hpp"
+#include "gui/image/image_part.hpp"
+
+namespace sarsim {
+
+/// A place of an image in samples.
+struct SamplePlace {
+  double column = 0.0;
+  double row = 0.0;
+};
+
+/// The part of an image that is looked at, with its axes and colour bar ("image_plot"). It shows what it is given and
+/// turns gestures into wishes; who reads is the owner's business. Until samples of a new view arrive, those of the old
+/// one are shown where they belong, before a coarse picture of the whole image.
+///
+/// Left drag zooms to the rectangle, with Shift selects it; a left click sets the first cursor, with Shift the second.
+/// With the reading tool a click asks for a reading instead. Escape drops a rectangle, then selection and cursors.
+class ImagePlot : public GesturePlot {
+  Q_OBJECT
+
+ public:
+  explicit ImagePlot(QWidget* parent = nullptr);
+
+  /// Size of the image, for the limits of views.
+  void set_size(std::size_t rows, std::size_t columns);
+  /// Shows another part; what there is of it is drawn at once.
+  void set_view(const ImageView& view);
+  [[nodiscard]] const ImageView& view() const { return view_; }
+  /// What was read and painted; null part: nothing.
+  void set_part(std::shared_ptr<const ImagePart> part, PaintedPart painted, const QString& unit);
+  [[nodiscard]] const std::shared_ptr<const ImagePart>& part() const { return part_; }
+  [[nodiscard]] const PaintedPart& painted() const { return painted_; }
+  /// A picture of the whole image, to be seen where no samples are yet.
+  void set_coarse(const QImage& picture);
+  /// Whether a click asks for a reading.
+  void set_reading_tool(bool on);
+
+  [[nodiscard]] QRect plot_rect() const override;
+  /// The place below a pixel of the widget, and back.
+  [[nodiscard]] SamplePlace place_at(QPointF pixel) const;
+  /// The pixel of a place.
+  [[nodiscard]] QPointF pixel_of(SamplePlace place) const;
+  /// The place below the pointer; nothing where it is outside the plot.
+  [[nodiscard]] std::optional<SamplePlace> pointer_place() const;
+
+  [[nodiscard]] const std::optional<SamplePlace>& cursor(std::size_t index) const { return cursors_.at(index); }
+  /// Sets cursor 0 or 1, or takes it away.
+  void set_cursor(std::size_t index, std::optional<SamplePlace> place);
+  /// The selected samples; nothing where none are.
+  [[nodiscard]] const std::optional<ImageWindow>& selection() const { return selection_; }
+  /// Selects samples, or nothing.
+  void set_selection(std::optional<ImageWindow> selection);
+
+ signals:
+  void view_wanted(const sarsim::ImageView& view);           ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::ImageView& view);          ///< One of many views on the way.
+  void selection_changed();                                  ///< Other samples are selected, or none.
+  void reading_wanted(std::size_t row, std::size_t column);  ///< The point next to a sample is to be measured.
+
+ protected:
+  void paint_plot(QPainter& painter) const override;
+  void paintEvent(QPaintEvent* event) override;
+  void click(QPointF at, Qt::KeyboardModifiers keys) override;
+  void take_rectangle(QPointF from, QPointF to) override;
+  void show_twice(QPointF middle) override;
+  void scale_about_pixel(QPointF pixel, double across, double upwards) override;
+  void begin_drag() override { dragged_view_ = view_; }
+  void drag(QPointF by) override;
+  void step(double right, double up) override;
+  void drop_marks() override;
+
+ private:
+  void paint_axes(QPainter& painter) const;
+  void paint_colour_bar(QPainter& painter) const;
+  void paint_marks(QPainter& painter) const;
+  [[nodiscard]] QRectF rect_of(const QRectF& samples) const;
+  /// A view moved by shares of its size, to the right and downwards.
+  [[nodiscard]] ImageView moved(const ImageView& view, double right, double down) const;
+  [[nodiscard]] ImageView mended_here(const ImageView& view) const { return mended(view, rows_, columns_); }
+
+  std::size_t rows_ = 1;
+  std::size_t columns_ = 1;
+  ImageView view_;
+  std::shared_ptr<const ImagePart> part_;
+  PaintedPart painted_;
+  QString unit_;
+  QImage coarse_;
+  QImage bar_;
+  std::array<std::optional<SamplePlace>, 2> cursors_;
+  std::optional<ImageWindow> selection_;
+  bool reading_tool_ = false;
+  ImageView dragged_view_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,193 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "gui/common/background_job.hpp"
+#include "gui/image/image_part.hpp"
+#include "gui/image/image_plot.hpp"
+#include "gui/image/image_reader.hpp"
+#include "picture/echo/echo_window.hpp"
+#include "picture/echo/view_history.hpp"
+#include "picture/figure/figure.hpp"
+#include "picture/image/overview.hpp"
+#include "picture/image/point_reading.hpp"
+#include "picture/image/selection_statistics.hpp"
+#include "raster/format/image_source.hpp"
+
+class QCheckBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace sarsim {
+
+class FigurePlot;
+class ImageControls;
+class ImageThumbnail;
+class ProblemLine;
+
+/// Looks into a file of samples of any size: only what is seen is read. What is wrong with the file is told in the
+/// window, which stays.
+class ImageViewer : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImageViewer(QWidget* parent = nullptr);
+  ~ImageViewer() override;
+
+  /// Opens a file in the background; `opened` or `open_failed` follows.
+  void open(const std::filesystem::path& path, const ImageHints& hints = {});
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const ImageHints& hints() const { return hints_; }
+  [[nodiscard]] const std::shared_ptr<ImageSource>& source() const { return source_; }
+  [[nodiscard]] ImagePlot& plot() { return *plot_; }
+  [[nodiscard]] ImageControls& controls() { return *controls_; }
+  [[nodiscard]] const PartLook& look() const { return look_; }
+  /// Whether all samples of the present view are shown.
+  [[nodiscard]] bool complete() const { return complete_; }
+  /// The selection, or all that is seen.
+  [[nodiscard]] ImageWindow chosen() const;
+  [[nodiscard]] const std::optional<SelectionStatistics>& statistics() const { return statistics_; }
+  [[nodiscard]] const std::optional<PointReading>& reading() const { return reading_; }
+  /// What is seen, with axes, to be written to a file.
+  [[nodiscard]] Figure figure() const;
+  /// Whether samples are being written to a file.
+  [[nodiscard]] bool exporting() const { return exporting_.running(); }
+  /// What is wrong, as the window says it; empty where nothing is.
+  [[nodiscard]] QString problem_words() const;
+
+ public slots:
+  /// Draws what is seen in another way.
+  void set_look(const sarsim::PartLook& look);
+  /// Another view; the present one is kept to go back to.
+  void go_to(const sarsim::ImageView& view);
+  /// The view that was left last.
+  void go_back();
+  /// The view that was left by going back.
+  void go_forward();
+  /// The whole image.
+  void show_whole();
+  /// Follows another viewer along the axes that both have linked.
+  void follow(const sarsim::ImageView& view, sarsim::AxisLink link);
+  /// Opens the file anew, as it is now.
+  void refresh();
+  /// Measures the response of the point next to a sample.
+  void read_point_at(std::size_t row, std::size_t column);
+  /// Puts the picture onto the clipboard, without axes.
+  void copy_picture();
+  /// Asks for a name and writes the picture with its axes.
+  void save_picture();
+  /// Asks for a name and a format, and whether an existing file may be replaced.
+  void export_chosen();
+  void cancel_export() { exporting_.cancel(); }
+  /// Writes what is chosen in the background; `exported` follows. An existing file is replaced.
+  void export_to(const QString& path, sarsim::FileFormat format);
+
+ signals:
+  void opened();       ///< The file can be read; an image of rows that are still looked for grows.
+  void open_failed();  ///< The window says why.
+  /// With the axes along which others may follow.
+  void view_changed(const sarsim::ImageView& view, sarsim::AxisLink link);
+  void describe_wanted();    ///< The user wants to say how the file is stored.
+  void exported(bool good);  ///< The copy is written, or the window says why not.
+  void shown();              ///< All samples of the view are shown.
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QWidget* make_left();
+  [[nodiscard]] QWidget* make_tool_row();
+  [[nodiscard]] QWidget* make_foot();
+  QToolButton* add_tool(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
+  QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
+  void connect_all();
+  void take_source(OpenedImage& result);
+  void forget_readings();
+  void begin_overview();
+  void look_at_file();
+  void take_rows(std::size_t rows);
+  /// @param tell  other viewers, by `view_changed`
+  void change_view(const ImageView& view, bool tell = true);
+  void read_soon();
+  void read_part();
+  void take_part(const PartResult& result);
+  void show_overview();
+  void show_info();
+  void show_problems();
+  void show_read_out();
+  void show_cuts();
+  void measure_soon();
+  void measure();
+  void show_statistics();
+  void show_reading(const QString& words);
+  [[nodiscard]] QString unit() const;
+  [[nodiscard]] QString value_unit() const;
+  [[nodiscard]] QString decibel_unit() const;
+  [[nodiscard]] QString words_at(SamplePlace place) const;
+
+  std::filesystem::path path_;
+  ImageHints hints_;
+  std::shared_ptr<ImageSource> source_;
+  Problems open_problems_;
+  QString read_failure_;
+  std::optional<SampleAxes> axes_;
+  std::size_t rows_ = 0;
+  std::uintmax_t file_bytes_ = 0;
+  std::filesystem::file_time_type file_time_;
+  std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
+  PartLook look_;
+  bool look_set_ = false;
+  ViewHistory<ImageView> history_;
+  std::uint64_t request_ = 0;
+  bool complete_ = false;
+  std::shared_ptr<Overview> overview_;
+  std::size_t overview_rows_ = 0;
+  bool overview_shown_ = false;
+  std::optional<SelectionStatistics> statistics_;
+  std::optional<PointReading> reading_;
+
+  ImageControls* controls_ = nullptr;
+  ImageThumbnail* thumbnail_ = nullptr;
+  ImagePlot* plot_ = nullptr;
+  FigurePlot* row_cut_ = nullptr;
+  FigurePlot* column_cut_ = nullptr;
+  FigurePlot* histogram_ = nullptr;
+  ProblemLine* problems_ = nullptr;
+  QLabel* info_ = nullptr;
+  QLabel* read_out_ = nullptr;
+  QLabel* difference_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QLabel* point_ = nullptr;
+  QLabel* state_ = nullptr;
+  QToolButton* back_ = nullptr;
+  QToolButton* forward_ = nullptr;
+  QToolButton* show_cuts_ = nullptr;
+  QToolButton* show_statistics_ = nullptr;
+  QToolButton* reading_tool_ = nullptr;
+  QCheckBox* follow_file_ = nullptr;
+  QPushButton* export_ = nullptr;
+  QPushButton* describe_ = nullptr;
+  QTimer soon_;
+  QTimer watch_;
+  QTimer overview_timer_;
+  QTimer measure_soon_;
+  ImageReader reader_;
+  BackgroundJob opening_;
+  bool open_again_ = false;
+  BackgroundJob measuring_;
+  bool measure_again_ = false;
+  BackgroundJob pointing_;
+  BackgroundJob exporting_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,408 @@
+// What an image viewer says of samples: read-out, cuts, statistics, points, pictures and files of them.
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "gui/common/export_question.hpp"
+#include "gui/common/figure_plot.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "raster/format/image_export.hpp"
+#include "scene/schema/quantity.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr int measure_after_ms = 150;
+constexpr std::size_t bars = 128;
+
+QString number_text(double value, const QString& unit = {}) {
+  const QString text = QString::number(value, 'g', 6);
+  return unit.isEmpty() ? text : text + " " + unit;
+}
+
+QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
+
+SampleQuantity measured(DisplayQuantity quantity) {
+  switch (quantity) {
+    case DisplayQuantity::real: return SampleQuantity::real;
+    case DisplayQuantity::imaginary: return SampleQuantity::imaginary;
+    case DisplayQuantity::phase: return SampleQuantity::phase;
+    case DisplayQuantity::decibels: return SampleQuantity::decibels;
+    default: return SampleQuantity::magnitude;
+  }
+}
+
+// Bars of a histogram, wide enough to be seen, from the smallest value that is there to the largest.
+FigureCurve bars_of(const QuantityStatistics& statistics) {
+  const Histogram& histogram = statistics.histogram;
+  FigureCurve curve;
+  curve.bars = true;
+  if (histogram.bins.empty() || statistics.count == 0) return curve;
+  const auto bin = [&](double value) {
+    const double at = (value - histogram.low) / histogram.bin_width();
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(histogram.bins.size() - 1)));
+  };
+  const std::size_t first = bin(statistics.minimum);
+  const std::size_t last = bin(statistics.maximum);
+  const std::size_t together = std::max<std::size_t>(1, (last - first + bars) / bars);
+  for (std::size_t begin = first; begin <= last; begin += together) {
+    std::uint64_t count = 0;
+    const std::size_t end = std::min(begin + together, last + 1);
+    for (std::size_t i = begin; i < end; ++i) count += histogram.bins[i];
+    const double middle = static_cast<double>(begin) + 0.5 * static_cast<double>(together);
+    curve.x.push_back(histogram.low + middle * histogram.bin_width());
+    curve.y.push_back(static_cast<double>(count));
+  }
+  return curve;
+}
+
+// The span of numbers, never empty.
+void set_span(FigureAxis& axis, const std::vector<double>& values) {
+  axis.first = std::numeric_limits<double>::infinity();
+  axis.last = -axis.first;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    axis.first = std::min(axis.first, value);
+    axis.last = std::max(axis.last, value);
+  }
+  if (axis.first > axis.last) axis.first = axis.last = 0.0;
+  const double more = axis.last > axis.first ? 0.05 * (axis.last - axis.first) : 0.5;
+  axis.first -= more;
+  axis.last += more;
+}
+
+}  // namespace
+
+QString ImageViewer::value_unit() const {
+  if (!source_) return {};
+  const ImageInfo& info = source_->info();
+  // A file that is described by hand does not say what its numbers are.
+  const bool volts = info.value == ImageValue::complex && !info.counts && info.format != ImageFormat::custom;
+  return volts ? QStringLiteral("V") : QString();
+}
+
+QString ImageViewer::unit() const {
+  const bool of_values = look_.quantity != DisplayQuantity::phase && look_.quantity != DisplayQuantity::decibels;
+  return of_values ? value_unit() : text_of(unit_of(look_.quantity));
+}
+
+// What is measured counts from 1 V, not from the strongest sample in view.
+QString ImageViewer::decibel_unit() const { return value_unit() == "V" ? QStringLiteral("dBV") : QStringLiteral("dB"); }
+
+QString ImageViewer::words_at(SamplePlace place) const {
+  const auto& part = plot_->part();
+  const auto index = part ? part->nearest(place.column, place.row) : std::nullopt;
+  if (!index) return {};
+  const std::size_t row = part->window.row(*index / part->window.cols);
+  const std::size_t column = part->window.column(*index % part->window.cols);
+  const std::complex<double> s = part->samples[*index];
+  QStringList words{tr("Row %1").arg(row), tr("Sample %1").arg(column)};
+  if (axes_ && row < axes_->row_time_s.size() && std::isfinite(axes_->row_time_s[row]))
+    words << tr("Time %1").arg(number_text(axes_->row_time_s[row], "s"));
+  if (axes_ && column < axes_->column_range_m.size() && std::isfinite(axes_->column_range_m[column]))
+    words << tr("Range %1").arg(number_text(axes_->column_range_m[column], "m"));
+  if (!part->colours.empty()) {
+    const Rgb& c = part->colours[*index];
+    words << tr("Red %1  green %2  blue %3").arg(c.red).arg(c.green).arg(c.blue);
+    return words.join("   ");
+  }
+  if (part->peaks) {
+    words << tr("Largest magnitude here %1").arg(number_text(s.real(), value_unit()));
+    return words.join("   ");
+  }
+  const double db = shown_value(part->value, DisplayQuantity::decibels, s, 1.0);
+  if (part->value == ImageValue::complex)
+    words << "I " + number_text(s.real(), value_unit()) << "Q " + number_text(s.imag(), value_unit())
+          << tr("Magnitude %1").arg(number_text(std::abs(s), value_unit()))
+          << tr("Phase %1 deg").arg(value_of(DisplayQuantity::phase, s), 0, 'f', 2);
+  else
+    words << tr("Value %1").arg(number_text(s.real(), value_unit()));
+  words << (db <= lowest_db ? tr("no power") : QStringLiteral("%1 %2").arg(db, 0, 'f', 2).arg(decibel_unit()));
+  return words.join("   ");
+}
+
+void ImageViewer::show_read_out() {
+  const auto pointer = plot_->pointer_place();
+  const auto& first = plot_->cursor(0);
+  const auto& second = plot_->cursor(1);
+  read_out_->setText(pointer ? words_at(*pointer) : first ? words_at(*first) : QString());
+  difference_->setVisible(first && second);
+  if (!first || !second) return;
+  QString words =
+      tr("From 1 to 2:   %1 samples   %2 rows").arg(second->column - first->column).arg(second->row - first->row);
+  const auto& part = plot_->part();
+  const auto a = part ? part->nearest(first->column, first->row) : std::nullopt;
+  const auto b = part ? part->nearest(second->column, second->row) : std::nullopt;
+  if (a && b) {
+    const double db = shown_value(part->value, DisplayQuantity::decibels, part->samples[*b], 1.0) -
+                      shown_value(part->value, DisplayQuantity::decibels, part->samples[*a], 1.0);
+    words += tr("   Level %1 dB").arg(db, 0, 'f', 2);
+  }
+  difference_->setText(words);
+}
+
+void ImageViewer::show_cuts() {
+  const auto& part = plot_->part();
+  const bool wanted = show_cuts_->isChecked();
+  for (FigurePlot* plot : {row_cut_, column_cut_}) plot->setVisible(wanted);
+  if (!wanted || !part || part->samples.empty()) return;
+  const ImageView& view = plot_->view();
+  const SamplePlace at = plot_->cursor(0).value_or(
+      SamplePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
+  const auto index = part->nearest(at.column, at.row);
+  if (!index) return;
+  const std::size_t row = *index / part->window.cols;
+  const std::size_t column = *index % part->window.cols;
+  const PartColours& colours = plot_->painted().colours;
+  const auto value = [&](std::size_t i, std::size_t k) {
+    const double v =
+        shown_value(part->value, look_.quantity, part->samples[i * part->window.cols + k], colours.reference_v);
+    // The floor of what is drawn; silence would make the rest flat.
+    return look_.quantity == DisplayQuantity::decibels ? std::max(v, colours.limits.low) : v;
+  };
+  FigureCurve along;
+  for (std::size_t k = 0; k < part->window.cols; ++k) {
+    along.x.push_back(static_cast<double>(part->window.column(k)));
+    along.y.push_back(value(row, k));
+  }
+  FigureCurve across;
+  across.role = Role::curve_2;
+  for (std::size_t i = 0; i < part->window.rows; ++i) {
+    across.x.push_back(static_cast<double>(part->window.row(i)));
+    across.y.push_back(value(i, column));
+  }
+  const auto show = [&](FigurePlot* plot, FigureCurve curve, const QString& label, const QString& title, double from,
+                        double to) {
+    FigurePanel panel;
+    panel.title = title.toStdString();
+    panel.x = {label.toStdString(), "", from, to, {}};
+    panel.y = {std::string(axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
+    set_span(panel.y, curve.y);
+    panel.curves.push_back(std::move(curve));
+    Figure figure;
+    figure.panels.push_back(std::move(panel));
+    plot->set_figure(figure);
+  };
+  show(row_cut_, std::move(along), tr("Sample"), tr("Row %1").arg(part->window.row(row)), view.column_first,
+       view.column_last);
+  show(column_cut_, std::move(across), tr("Row"), tr("Sample %1").arg(part->window.column(column)), view.row_first,
+       view.row_last);
+}
+
+ImageWindow ImageViewer::chosen() const {
+  if (!source_) return {};
+  if (plot_->selection()) return *plot_->selection();
+  return samples_in(plot_->view(), rows_, source_->columns());
+}
+
+void ImageViewer::measure_soon() {
+  if (!show_statistics_->isChecked()) return;
+  measure_soon_.start(measure_after_ms);
+}
+
+void ImageViewer::measure() {
+  if (!source_) return;
+  if (measuring_.running()) {
+    measure_again_ = true;
+    measuring_.cancel();
+    return;
+  }
+  const ImageWindow window = chosen();
+  if (window.samples() == 0) return;
+  auto result = std::make_shared<SelectionStatistics>();
+  disconnect(&measuring_, nullptr, this, nullptr);
+  connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double) {
+    figures_->setText(tr("Measuring: %1 %").arg(static_cast<int>(100 * share)));
+  });
+  connect(&measuring_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
+    if (std::exchange(measure_again_, false)) return measure();
+    if (of != source_) return;  // Another file is shown by now.
+    statistics_.reset();
+    if (end == JobEnd::done) statistics_ = *result;
+    show_statistics();
+    if (end == JobEnd::failed) figures_->setText(failure);
+  });
+  measuring_.start(
+      [result, window, plane = plane_of(source_, rows_)](const StopFlag& stop, const BackgroundJob::Report& report) {
+        *result = measure_selection(plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
+                                    {std::min(thread_count(0), 4U), &stop}, [&](const Progress& p) {
+                                      if (p.total > 0)
+                                        report(static_cast<double>(p.done) / static_cast<double>(p.total));
+                                    });
+      });
+}
+
+void ImageViewer::show_statistics() {
+  const bool wanted = show_statistics_->isChecked();
+  figures_->setVisible(wanted);
+  histogram_->setVisible(wanted && statistics_);
+  if (!wanted || !statistics_) return;
+  const QuantityStatistics& of = (*statistics_)[measured(look_.quantity)];
+  const bool decibels = look_.quantity == DisplayQuantity::decibels;
+  const bool powers = source_ && source_->info().value == ImageValue::power;
+  // Measured are radians, and 20 log10 of whatever the values are.
+  const double scale = look_.quantity == DisplayQuantity::phase ? 180.0 / M_PI : decibels && powers ? 0.5 : 1.0;
+  const QString of_unit = decibels ? decibel_unit() : unit();
+  QStringList words{
+      tr("%1 %2 samples").arg(plot_->selection() ? tr("Selection:") : tr("In view:")).arg(statistics_->samples)};
+  const QString name = text_of(title_of(look_.quantity));
+  const auto add = [&](const QString& what, double value) {
+    words << what + " " + number_text(value * scale, of_unit);
+  };
+  if (of.count > 0) {
+    words << name + ":";
+    add(tr("from"), of.minimum);
+    add(tr("to"), of.maximum);
+    add(tr("mean"), of.mean);
+    add(tr("deviation"), of.deviation);
+    if (!decibels) add(tr("RMS"), of.rms);
+  }
+  if (statistics_->zeros > 0) words << tr("%1 zero").arg(statistics_->zeros);
+  if (statistics_->not_finite > 0) words << tr("%1 no number").arg(statistics_->not_finite);
+  figures_->setText(words.join("   "));
+  FigurePanel panel;
+  FigureCurve curve = bars_of(of);
+  for (double& x : curve.x) x *= scale;
+  panel.title = tr("How often").toStdString();
+  panel.x = {name.toStdString(), of_unit.toStdString(), 0.0, 1.0, {}};
+  set_span(panel.x, curve.x);
+  panel.y = {tr("Samples").toStdString(), "", 0.0, 1.0, {}};
+  for (const double y : curve.y) panel.y.last = std::max(panel.y.last, 1.05 * y);
+  panel.curves.push_back(std::move(curve));
+  Figure figure;
+  figure.panels.push_back(std::move(panel));
+  histogram_->set_figure(figure);
+}
+
+void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
+  if (!source_ || pointing_.running()) return;
+  auto result = std::make_shared<std::variant<PointReading, Problem>>();
+  disconnect(&pointing_, nullptr, this, nullptr);
+  connect(&pointing_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
+    if (of != source_) return;  // Another file is shown by now.
+    reading_.reset();
+    if (end == JobEnd::failed) return show_reading(failure);
+    if (end != JobEnd::done) return;
+    if (const auto* const problem = std::get_if<Problem>(result.get())) return show_reading(problem_text(*problem));
+    reading_ = std::get<PointReading>(*result);
+    plot_->set_cursor(0, SamplePlace{reading_->column, reading_->row});
+    show_reading({});
+  });
+  pointing_.start([result, row, column, plane = plane_of(source_, rows_)](
+                      const StopFlag&, const BackgroundJob::Report&) { *result = read_point(plane, row, column); });
+}
+
+void ImageViewer::show_reading(const QString& words) {
+  point_->show();
+  if (!reading_) {
+    point_->setText(words);
+    return;
+  }
+  const PointReading& r = *reading_;
+  const auto cut = [](const CutReading& c, const QString& unit) {
+    return tr("width %1 %2, PSLR %3 dB, ISLR %4 dB")
+        .arg(c.width, 0, 'f', 3)
+        .arg(unit)
+        .arg(c.pslr_db, 0, 'f', 2)
+        .arg(c.islr_db, 0, 'f', 2);
+  };
+  QString text = tr("Point at row %1, sample %2: peak %3, phase %4 deg\nAlong samples: %5\nAlong rows: %6")
+                     .arg(r.row, 0, 'f', 2)
+                     .arg(r.column, 0, 'f', 2)
+                     .arg(number_text(std::abs(r.value), value_unit()))
+                     .arg(value_of(DisplayQuantity::phase, r.value), 0, 'f', 2)
+                     .arg(cut(r.along_row, tr("samples")), cut(r.along_column, tr("rows")));
+  point_->setText(text);
+}
+
+Figure ImageViewer::figure() const {
+  Figure figure;
+  const auto& part = plot_->part();
+  if (!part || plot_->painted().image.isNull()) return figure;
+  figure.title = path_.filename().string();
+  const ImageView& view = plot_->view();
+  const QImage& picture = plot_->painted().image;
+  FigurePanel panel;
+  panel.x = {tr("Sample").toStdString(), "", view.column_first, view.column_last, {}};
+  panel.y = {tr("Row").toStdString(), "", view.row_last, view.row_first, {}};
+  const QRectF place = extent_of(part->window);
+  FigureImage image;
+  image.width = part->window.cols;
+  image.height = part->window.rows;
+  image.x_first = place.left();
+  image.x_last = place.right();
+  image.y_first = place.top();
+  image.y_last = place.bottom();
+  image.cells.reserve(part->window.samples());
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb c = picture.pixel(x, y);
+      image.cells.push_back({static_cast<std::uint8_t>(qRed(c)), static_cast<std::uint8_t>(qGreen(c)),
+                             static_cast<std::uint8_t>(qBlue(c))});
+    }
+  panel.image = std::move(image);
+  const PartColours& colours = plot_->painted().colours;
+  if (colours.table.size() > 1)
+    panel.colour_bar = FigureColourBar{std::string(axis_title_of(colours.quantity)), unit().toStdString(),
+                                       colours.limits.low, colours.limits.high, colours.table};
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+void ImageViewer::copy_picture() { QApplication::clipboard()->setImage(plot_->plot_image()); }
+
+void ImageViewer::save_picture() { ask_and_save_picture(*this, figure(), "image.png"); }
+
+void ImageViewer::export_chosen() {
+  if (exporting()) return cancel_export();
+  if (const auto choice = ask_export(this)) export_to(choice->path, choice->format);
+}
+
+void ImageViewer::export_to(const QString& path, FileFormat format) {
+  if (!source_ || exporting_.running()) return;
+  // It is being read while the copy is written.
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path.toStdString(), path_, ignored)) {
+    read_failure_ = tr("'%1' is the file that is shown; export to another name").arg(path);
+    show_problems();
+    emit exported(false);
+    return;
+  }
+  ImageExport options;
+  options.sink.format = format;
+  options.sink.replace = true;
+  options.sink.counts = source_->info().counts;
+  disconnect(&exporting_, nullptr, this, nullptr);
+  connect(&exporting_, &BackgroundJob::progressed, this,
+          [this](double share, double) { state_->setText(tr("Writing: %1 %").arg(static_cast<int>(100.0 * share))); });
+  connect(&exporting_, &BackgroundJob::ended, this, [this, path](JobEnd end, const QString& failure) {
+    export_->setText(tr("Export Samples..."));
+    state_->setText(end == JobEnd::done        ? tr("Wrote %1").arg(QFileInfo(path).fileName())
+                    : end == JobEnd::cancelled ? tr("Export cancelled")
+                                               : QString());
+    if (end == JobEnd::failed) {
+      read_failure_ = failure;
+      show_problems();
+    }
+    emit exported(end == JobEnd::done);
+  });
+  export_->setText(tr("Cancel Export"));
+  exporting_.start(
+      [source = source_, window = chosen(), path, options](const StopFlag& stop, const BackgroundJob::Report& report) {
+        export_window(*source, window, path.toStdString(), options, {1, &stop}, [&](const Progress& p) {
+          if (p.total > 0) report(static_cast<double>(p.done) / static_cast<double>(p.total));
+        });
+      });
+}
+
+}  // namespace sarsim

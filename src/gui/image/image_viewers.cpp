@@ -1,0 +1,84 @@
+#include "gui/image/image_viewers.hpp"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/open_image_dialog.hpp"
+#include "picture/image/envi_layout.hpp"
+#include "raster/format/recording_hints.hpp"
+
+namespace sarsim {
+
+bool is_data_file(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".scr" || ending == ".txt") return false;
+  constexpr std::array known{".bin", ".asc", ".csv", ".brk", ".h5",  ".hdf5", ".npy", ".ras",
+                             ".sun", ".raw", ".dat", ".cpx", ".im8", ".cf32", ".c64", ".img"};
+  if (std::ranges::find(known, ending) != known.end()) return true;
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 4096> begin{};
+  file.read(begin.data(), begin.size());
+  return std::find(begin.begin(), begin.begin() + file.gcount(), '\0') != begin.begin() + file.gcount();
+}
+
+ImageViewers::ImageViewers(Session& session, QWidget* owner) : QObject(owner), session_(session), owner_(owner) {}
+
+std::vector<ImageViewer*> ImageViewers::viewers() const {
+  const auto found = owner_->findChildren<ImageViewer*>(QString(), Qt::FindDirectChildrenOnly);
+  return {found.begin(), found.end()};
+}
+
+ImageViewer* ImageViewers::open_empty() {
+  auto* const viewer = new ImageViewer(owner_);
+  viewer->setWindowFlag(Qt::Window);
+  viewer->setAttribute(Qt::WA_DeleteOnClose);
+  viewer->resize(1100, 760);
+  connect(viewer, &ImageViewer::view_changed, this, [this, viewer](const ImageView& view, AxisLink link) {
+    for (ImageViewer* other : viewers())
+      if (other != viewer) other->follow(view, link);
+  });
+  connect(viewer, &ImageViewer::describe_wanted, this,
+          [this, viewer] { ask(QString::fromStdString(viewer->path().string()), viewer->hints(), viewer); });
+  viewer->show();
+  return viewer;
+}
+
+ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
+  ImageHints hints;
+  hints.raw = envi_layout(path);
+  if (const auto known = hints_from_scene(session_.scene(), path)) hints.samples = *known;
+  return open_file(path, hints);
+}
+
+ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const ImageHints& hints) {
+  ImageViewer* const viewer = open_empty();
+  viewer->open(path, hints);
+  return viewer;
+}
+
+OpenImageDialog* ImageViewers::ask_file() { return ask({}, {}, nullptr); }
+
+OpenImageDialog* ImageViewers::ask(const QString& path, const ImageHints& hints, ImageViewer* viewer) {
+  auto* const dialog = new OpenImageDialog(viewer != nullptr ? static_cast<QWidget*>(viewer) : owner_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->set_scene(session_.scene());
+  if (!path.isEmpty()) dialog->show_file(path, hints);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, viewer = QPointer<ImageViewer>(viewer)] {
+    const std::filesystem::path chosen = dialog->path().toStdString();
+    if (viewer)
+      viewer->open(chosen, dialog->hints());
+    else
+      open_file(chosen, dialog->hints());
+  });
+  dialog->open();
+  return dialog;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,334 @@
+#include "gui/objects/object_tree_model.hpp"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QIODevice>
+#include <QMimeData>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/text/number_text.hpp"
+#include "gui/common/object_names.hpp"
+#include "gui/common/problem_line.hpp"
+#include "gui/objects/object_tree_icons.hpp"
+#include "scene/edit/edit.hpp"
+
+namespace sarsim {
+
+namespace {
+
+bool can_be_hidden(ObjectKind kind) { return kind != ObjectKind::simulation && kind != ObjectKind::geometry; }
+
+std::optional<ObjectKind> kind_named(std::string_view name) {
+  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::target, ObjectKind::surface, ObjectKind::radar,
+                                ObjectKind::simulation, ObjectKind::geometry})
+    if (name == name_of(kind)) return kind;
+  return std::nullopt;
+}
+
+// What find_platform says, asked once for each name.
+class PlatformFinder {
+ public:
+  explicit PlatformFinder(const Scene& scene) : scene_(scene) {}
+
+  std::size_t find(const std::string& name) {
+    if (last_ != nullptr && *last_ == name) return last_found_;
+    const auto [entry, is_new] = found_.try_emplace(name, not_found);
+    if (is_new) entry->second = find_platform(scene_, name);
+    last_ = &entry->first;
+    return last_found_ = entry->second;
+  }
+
+ private:
+  const Scene& scene_;
+  std::unordered_map<std::string, std::size_t> found_;
+  const std::string* last_ = nullptr;
+  std::size_t last_found_ = not_found;
+};
+
+}  // namespace
+
+ObjectTreeModel::ObjectTreeModel(Session& session, QObject* parent) : QAbstractItemModel(parent), session_(session) {
+  connect(&session_, &Session::scene_changed, this, &ObjectTreeModel::refresh);
+  connect(&session_, &Session::hidden_changed, this, &ObjectTreeModel::announce_all);
+  connect(&session_, &Session::problems_changed, this, [this] {
+    read_problems();
+    announce_all();
+  });
+  refresh();
+}
+
+void ObjectTreeModel::set_filter(const QString& words) {
+  QStringList list = words.split(' ', Qt::SkipEmptyParts);
+  if (list == words_) return;
+  words_ = std::move(list);
+  refresh();
+}
+
+void ObjectTreeModel::refresh() {
+  std::vector<Group> groups = groups_of_scene();
+  if (!words_.isEmpty()) keep_matching(groups);
+  if (std::ranges::equal(groups, groups_, [](const Group& a, const Group& b) { return a.same_shape(b); })) {
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (groups[i].key != groups_[i].key) emit key_changed(groups_[i].key, groups[i].key);
+    groups_ = std::move(groups);
+    read_problems();
+    announce_all();
+    return;
+  }
+  beginResetModel();
+  groups_ = std::move(groups);
+  index_rows();
+  read_problems();
+  endResetModel();
+}
+
+std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
+  const Scene& scene = session_.scene();
+  std::vector<Group> groups(scene.platforms.size() + 1);
+  for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
+    groups[i].platform = i;
+    groups[i].key = '/' + QString::fromStdString(scene.platforms[i].name);
+  }
+  Group& world = groups.back();
+  world.section = Section::world;
+  world.key = QStringLiteral("world");
+  PlatformFinder finder(scene);
+  const auto place = [&](ObjectKind kind, const auto& objects) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const std::size_t platform = finder.find(objects[i].platform);
+      (platform == not_found ? world : groups[platform]).children.push_back({kind, i});
+    }
+  };
+  place(ObjectKind::radar, scene.radars);
+  place(ObjectKind::target, scene.targets);
+  place(ObjectKind::surface, scene.surfaces);
+  if (world.children.empty()) groups.pop_back();
+  const auto add_section = [&](Section section, ObjectKind kind, const QString& key) {
+    Group group{section, 0, {}, key};
+    for (std::size_t i = 0; i < count_of(scene, kind); ++i) group.children.push_back({kind, i});
+    if (!group.children.empty()) groups.push_back(std::move(group));
+  };
+  add_section(Section::simulations, ObjectKind::simulation, QStringLiteral("simulations"));
+  add_section(Section::geometries, ObjectKind::geometry, QStringLiteral("geometries"));
+  return groups;
+}
+
+void ObjectTreeModel::keep_matching(std::vector<Group>& groups) const {
+  std::erase_if(groups, [&](Group& group) {
+    const bool itself =
+        group.section == Section::platform && matches(label(ObjectId{ObjectKind::platform, group.platform}));
+    if (itself) return false;
+    std::erase_if(group.children, [&](ObjectId id) { return !matches(label(id)); });
+    return group.children.empty();
+  });
+}
+
+bool ObjectTreeModel::matches(const QString& text) const {
+  return std::ranges::all_of(words_, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+void ObjectTreeModel::index_rows() {
+  for (std::size_t kind = 0; kind < rows_.size(); ++kind)
+    rows_[kind].assign(count_of(session_.scene(), static_cast<ObjectKind>(kind)), {});
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const auto group = static_cast<std::int32_t>(g);
+    if (groups_[g].section == Section::platform) rows_[0][groups_[g].platform] = {group, -1};
+    for (std::size_t i = 0; i < groups_[g].children.size(); ++i) {
+      const ObjectId id = groups_[g].children[i];
+      rows_[static_cast<std::size_t>(id.kind)][id.index] = {group, static_cast<std::int32_t>(i)};
+    }
+  }
+}
+
+void ObjectTreeModel::read_problems() {
+  troubles_.clear();
+  for (const Problem& problem : session_.problems()) {
+    const auto kind = kind_named(problem.subject.kind);
+    if (!kind || problem.severity == Severity::note) continue;
+    const auto [entry, is_new] = troubles_.try_emplace({*kind, problem.subject.index});
+    Trouble& trouble = entry->second;
+    trouble.severity = is_new ? problem.severity : std::min(trouble.severity, problem.severity);
+    trouble.texts += problem_text(problem);
+  }
+}
+
+void ObjectTreeModel::announce_all() {
+  if (groups_.empty()) return;
+  emit dataChanged(index(0, 0), index(rowCount() - 1, column_count - 1));
+  for (int g = 0; g < rowCount(); ++g) {
+    const QModelIndex top = index(g, 0);
+    if (const int rows = rowCount(top); rows > 0)
+      emit dataChanged(index(0, 0, top), index(rows - 1, column_count - 1, top));
+  }
+}
+
+std::optional<ObjectId> ObjectTreeModel::object_at(const QModelIndex& index) const {
+  if (!index.isValid()) return std::nullopt;
+  const auto row = static_cast<std::size_t>(index.row());
+  if (index.internalId() == 0) {
+    if (row >= groups_.size() || groups_[row].section != Section::platform) return std::nullopt;
+    return ObjectId{ObjectKind::platform, groups_[row].platform};
+  }
+  const std::size_t group = static_cast<std::size_t>(index.internalId()) - 1;
+  if (group >= groups_.size() || row >= groups_[group].children.size()) return std::nullopt;
+  return groups_[group].children[row];
+}
+
+QModelIndex ObjectTreeModel::index_of(ObjectId id) const {
+  const auto& rows = rows_[static_cast<std::size_t>(id.kind)];
+  if (id.index >= rows.size() || rows[id.index].group < 0) return {};
+  const Row row = rows[id.index];
+  if (row.row < 0) return index(row.group, 0);
+  return createIndex(row.row, 0, static_cast<quintptr>(row.group) + 1);
+}
+
+QString ObjectTreeModel::key_of(const QModelIndex& index) const {
+  const QModelIndex top = index.parent().isValid() ? index.parent() : index;
+  if (!top.isValid() || static_cast<std::size_t>(top.row()) >= groups_.size()) return {};
+  return groups_[static_cast<std::size_t>(top.row())].key;
+}
+
+std::vector<ObjectId> ObjectTreeModel::with_children(ObjectId platform) const {
+  std::vector<ObjectId> ids{platform};
+  if (platform.kind != ObjectKind::platform) return ids;
+  const std::vector<ObjectId> children = objects_on(session_.scene(), platform.index);
+  ids.insert(ids.end(), children.begin(), children.end());
+  return ids;
+}
+
+QModelIndex ObjectTreeModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);
+}
+
+QModelIndex ObjectTreeModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == 0) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
+}
+
+int ObjectTreeModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(groups_.size());
+  if (parent.internalId() != 0 || parent.column() != 0) return 0;
+  const auto group = static_cast<std::size_t>(parent.row());
+  return group < groups_.size() ? static_cast<int>(groups_[group].children.size()) : 0;
+}
+
+int ObjectTreeModel::columnCount(const QModelIndex&) const { return column_count; }
+
+QString ObjectTreeModel::label(ObjectId id) const { return QString::fromStdString(label_of(session_.scene(), id)); }
+
+QVariant ObjectTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == name_column ? tr("Object") : tr("Shown");
+}
+
+QVariant ObjectTreeModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const auto id = object_at(index);
+  if (!id) {
+    const auto group = static_cast<std::size_t>(index.row());
+    return group < groups_.size() ? heading_data(groups_[group], index.column(), role) : QVariant();
+  }
+  // Between a change of the scene and its announcement the tree may still hold objects that are gone.
+  if (!has_object(session_.scene(), *id)) return {};
+  return index.column() == name_column ? name_data(*id, role) : shown_data(*id, role);
+}
+
+QVariant ObjectTreeModel::heading_data(const Group& group, int column, int role) const {
+  if (column != name_column) return {};
+  if (role == Qt::FontRole) {
+    QFont font = QGuiApplication::font();
+    font.setItalic(true);
+    return font;
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (group.section) {
+    case Section::world: return tr("World (on no platform)");
+    case Section::simulations: return tr("Stored simulations");
+    case Section::geometries: return tr("Geometry tables");
+    case Section::platform: break;
+  }
+  return {};
+}
+
+QIcon ObjectTreeModel::icon(ObjectId id) const {
+  const auto trouble = troubles_.find(id);
+  const QPalette palette = QGuiApplication::palette();
+  return trouble == troubles_.end() ? object_icon(id.kind, palette)
+                                    : object_icon(id.kind, palette, trouble->second.severity);
+}
+
+QVariant ObjectTreeModel::name_data(ObjectId id, int role) const {
+  const auto trouble = troubles_.find(id);
+  switch (role) {
+    case Qt::DisplayRole: return label(id);
+    case Qt::EditRole: return QString::fromStdString(name_of_object(session_.scene(), id));
+    case Qt::DecorationRole: return icon(id);
+    case Qt::ToolTipRole:
+      return trouble == troubles_.end() ? label(id) : label(id) + '\n' + trouble->second.texts.mid(0, 5).join('\n');
+    case Qt::AccessibleTextRole: {
+      QStringList words{label(id)};
+      if (session_.hidden().contains(id)) words += tr("hidden");
+      if (trouble != troubles_.end()) words += severity_word(trouble->second.severity);
+      return words.join(", ");
+    }
+    case Qt::ForegroundRole:
+      if (session_.hidden().contains(id)) return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+      return {};
+    default: return {};
+  }
+}
+
+Qt::CheckState ObjectTreeModel::shown_state(ObjectId id) const {
+  if (!session_.hidden().contains(id)) return Qt::Checked;
+  if (id.kind != ObjectKind::platform) return Qt::Unchecked;
+  const std::vector<ObjectId> all = with_children(id);
+  const bool none = std::ranges::all_of(all, [&](ObjectId one) { return session_.hidden().contains(one); });
+  return none ? Qt::Unchecked : Qt::PartiallyChecked;
+}
+
+QVariant ObjectTreeModel::shown_data(ObjectId id, int role) const {
+  if (!can_be_hidden(id.kind)) return {};
+  switch (role) {
+    case Qt::CheckStateRole: return static_cast<int>(shown_state(id));
+    case Qt::ToolTipRole: return tr("Shown in the scene; a hidden object is simulated all the same");
+    case Qt::AccessibleTextRole: return tr("%1 is shown").arg(label(id));
+    default: return {};
+  }
+}
+
+Qt::ItemFlags ObjectTreeModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled;
+  if (platform_for_drop(index)) flags |= Qt::ItemIsDropEnabled;
+  const auto id = object_at(index);
+  if (!id) return flags;
+  flags |= Qt::ItemIsSelectable;
+  if (index.column() == shown_column) return can_be_hidden(id->kind) ? flags | Qt::ItemIsUserCheckable : flags;
+  if (has_name(id->kind)) flags |= Qt::ItemIsEditable;
+  if (can_be_hidden(id->kind) && id->kind != ObjectKind::platform) flags |= Qt::ItemIsDragEnabled;
+  return flags;
+}
+
+bool ObjectTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const auto id = object_at(index);
+  if (!id || !has_object(session_.scene(), *id)) return false;
+  if (role == Qt::CheckStateRole && index.column() == shown_column) {
+    const std::vector<ObjectId> ids = with_children(*id);
+    session_.set_hidden({ids.begin(), ids.end()}, value.toInt() == Qt::Unchecked);
+    return true;
+  }
+  if (role != Qt::EditRole || index.column() != name_column || !has_name(id->kind)) return false;
+  const std::string name = value.toString().toStdString();
+  if (name == name_of_object(session_.scene(), *id)) return true;
+  if (const std::string why = name_objection(session_.scene(), *id, name); !why.empty()) {
+    emit refused(QString::fromStdString(why));
+    return false;
+  }
+  session_.perform(rename_object(session_.scene(), *id, name));
+  return true;
+}
+
+}  // namespace sarsim

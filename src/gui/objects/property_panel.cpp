@@ -1,0 +1,309 @@
+#include "gui/objects/property_panel.hpp"
+
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "gui/common/field_editor.hpp"
+#include "gui/common/problem_line.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Figures that follow the time need not be newer than an eye sees.
+constexpr int derived_delay_ms = 40;
+
+std::string merge_key_of(const PanelSubject& subject, const Field& field) {
+  std::string key = "step " + field.id;
+  if (subject.kind()) {
+    const ObjectId first = subject.ids().front();
+    key += fmt::format(" of {} {} and {} more", name_of(first.kind), first.index, subject.ids().size() - 1);
+  }
+  return key;
+}
+
+QTableWidget* make_figures(QWidget* parent) {
+  auto* table = new QTableWidget(0, 2, parent);
+  table->setObjectName("derived_figures");
+  table->setAccessibleName(PropertyPanel::tr("Derived values"));
+  table->setHorizontalHeaderLabels({PropertyPanel::tr("Value"), PropertyPanel::tr("Figure")});
+  table->horizontalHeader()->hide();
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() * 3 / 2);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table->setTabKeyNavigation(false);
+  table->setWordWrap(false);
+  return table;
+}
+
+}  // namespace
+
+PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(parent), session_(session) {
+  setObjectName("property_panel");
+  setAccessibleName(tr("Properties"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  setFrameShape(QFrame::NoFrame);
+
+  auto* inside = new QWidget;
+  layout_ = new QVBoxLayout(inside);
+  title_ = new QLabel(inside);
+  title_->setObjectName("panel_title");
+  title_->setTextFormat(Qt::PlainText);
+  title_->setWordWrap(true);
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  remark_ = new QLabel(inside);
+  remark_->setObjectName("panel_remark");
+  remark_->setWordWrap(true);
+  problems_ = new ProblemLine(inside);
+  problems_->setObjectName("panel_problems");
+  derived_box_ = new QGroupBox(tr("Derived values"), inside);
+  derived_ = make_figures(derived_box_);
+  (new QVBoxLayout(derived_box_))->addWidget(derived_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{title_, remark_, problems_, derived_box_})
+    layout_->addWidget(widget);
+  layout_->addStretch(1);
+  setWidget(inside);
+
+  derived_timer_.setSingleShot(true);
+  derived_timer_.setInterval(derived_delay_ms);
+  connect(&derived_timer_, &QTimer::timeout, this, &PropertyPanel::fill_derived);
+  connect(&session_, &Session::scene_changed, this, &PropertyPanel::refresh);
+  connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh);
+  connect(&session_, &Session::problems_changed, this, [this] {
+    if (committing_) return;
+    fill_problems();
+    arrange();
+  });
+  connect(&session_, &Session::time_changed, this, [this] {
+    if (subject_.single() && !derived_timer_.isActive()) derived_timer_.start();
+  });
+  connect(&session_, &Session::document_replaced, this, [this] {
+    for (const auto& [id, editor] : editors_) editor->restore();
+  });
+  rebuild();
+  refresh();
+}
+
+// A field that goes while it has the keyboard says once more that it is finished.
+PropertyPanel::~PropertyPanel() {
+  for (const auto& [id, editor] : editors_) editor->disconnect(this);
+}
+
+// Objects of the kind of the current one; without one, the options.
+PanelSubject PropertyPanel::wanted_subject() const {
+  const auto current = session_.current();
+  if (!current) return PanelSubject(session_.scene());
+  std::vector<ObjectId> ids;
+  for (const ObjectId id : session_.selection())
+    if (id.kind == current->kind) ids.push_back(id);
+  PanelSubject subject(session_.scene(), current->kind, ids);
+  return subject.ids().empty() ? PanelSubject(session_.scene()) : subject;
+}
+
+void PropertyPanel::refresh() {
+  if (committing_) return;
+  if (PanelSubject wanted = wanted_subject(); !wanted.same_objects(subject_)) {
+    commit_pending();
+    wanted = wanted_subject();
+    const bool other_kind = wanted.kind() != subject_.kind();
+    subject_ = std::move(wanted);
+    if (other_kind)
+      rebuild();
+    else
+      for (const auto& [id, editor] : editors_) editor->restore();
+  } else {
+    subject_ = std::move(wanted);
+  }
+  fill();
+}
+
+// What was typed belongs to the objects that were shown, not to those selected next.
+void PropertyPanel::commit_pending() {
+  const QScopedValueRollback committing(committing_, true);
+  for (const auto& [id, editor] : editors_) {
+    if (!editor->pending()) continue;
+    if (!subject_.stands_in(session_.scene())) return;
+    editor->commit();
+    subject_ = subject_.kind() ? PanelSubject(session_.scene(), *subject_.kind(), subject_.ids())
+                               : PanelSubject(session_.scene());
+  }
+}
+
+void PropertyPanel::commit() {
+  commit_pending();
+  refresh();
+}
+
+void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
+  const std::string key = step ? merge_key_of(subject_, editor->field()) : std::string();
+  FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString(), key);
+  if (!change.failure.empty()) {
+    const QString sentence = QString::fromStdString(change.failure);
+    if (committing_) session_.log(Severity::warning, tr("Not applied: %1").arg(sentence));
+    return step ? editor->refuse_step(sentence) : editor->show_failure(sentence);
+  }
+  session_.perform(std::move(change.edit));
+}
+
+void PropertyPanel::judge(FieldEditor* editor, const QString& text) {
+  const FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString());
+  if (change.failure.empty())
+    editor->clear_failure();
+  else
+    editor->show_failure(QString::fromStdString(change.failure));
+}
+
+void PropertyPanel::fill() {
+  title_->setText(QString::fromStdString(subject_.title(session_.scene())));
+  const std::size_t selected = session_.selection().size();
+  const bool others = subject_.kind() && selected > subject_.ids().size();
+  remark_->setVisible(others || !subject_.kind());
+  remark_->setText(others ? tr("Other objects are selected as well; only these are changed here.")
+                          : tr("They hold for all simulations of the script. Select objects to see their properties."));
+  for (const auto& [id, editor] : editors_) {
+    fill_choices(editor);
+    if (const auto text = subject_.common_text(editor->field().id))
+      editor->show_value(QString::fromStdString(*text));
+    else
+      editor->show_different();
+  }
+  fill_problems();
+  arrange();
+  if (subject_.single())
+    derived_timer_.start(0);
+  else
+    show_figures({});
+}
+
+void PropertyPanel::fill_choices(FieldEditor* editor) {
+  const FieldKind kind = editor->field().kind;
+  if (kind != FieldKind::platform && kind != FieldKind::radar) return;
+  QStringList names;
+  bool has_earth = false;
+  if (kind == FieldKind::radar)
+    for (const Radar& radar : session_.scene().radars) names += QString::fromStdString(radar.name);
+  else
+    for (const Platform& platform : session_.scene().platforms) {
+      names += QString::fromStdString(platform.name);
+      has_earth = has_earth || equal_ignoring_case(platform.name, "Earth");
+    }
+  // The world itself is known without a definition.
+  if (kind == FieldKind::platform && !has_earth) names += QStringLiteral("Earth");
+  names.removeDuplicates();
+  editor->set_choices(names);
+}
+
+void PropertyPanel::fill_problems() {
+  std::map<QString, std::vector<Problem>> at_field;
+  Severity worst = Severity::note;
+  QStringList elsewhere;
+  for (const Problem& problem : session_.problems()) {
+    if (!subject_.concerns(problem.subject)) continue;
+    const QString id = QString::fromStdString(subject_.field_of(problem.subject.field));
+    if (editors_.contains(id) && subject_.applies(id.toStdString())) {
+      at_field[id].push_back(problem);
+      continue;
+    }
+    elsewhere += problem_text(problem);
+    worst = std::min(worst, problem.severity);
+  }
+  for (const auto& [id, editor] : editors_) {
+    const auto found = at_field.find(id);
+    editor->show_problems(found == at_field.end() ? std::vector<Problem>{} : found->second);
+  }
+  elsewhere.removeDuplicates();
+  if (elsewhere.isEmpty())
+    problems_->clear();
+  else
+    problems_->show_texts(worst, elsewhere.mid(0, 5));
+}
+
+// Shows the rows that mean something and are not folded away.
+void PropertyPanel::arrange() {
+  for (const Group& group : groups_) {
+    const bool open = group.more == nullptr || group.more->isChecked();
+    bool any = false;
+    bool any_rare = false;
+    for (FieldEditor* editor : group.editors) {
+      const bool applies = subject_.applies(editor->field().id);
+      any = any || applies;
+      any_rare = any_rare || (applies && editor->field().rare);
+      editor->set_shown(applies && (!editor->field().rare || open || editor->troubled()));
+      const bool needs_one = editor->field().kind == FieldKind::function || editor->id() == "name";
+      editor->widget()->setEnabled(subject_.single() || !needs_one || !subject_.kind());
+    }
+    if (group.more != nullptr) group.more->setVisible(any_rare);
+    group.box->setVisible(any);
+  }
+}
+
+void PropertyPanel::fill_derived() {
+  if (!subject_.single() || !has_object(session_.scene(), subject_.ids().front())) return show_figures({});
+  show_figures(derived_figures(session_.scene(), subject_.ids().front(), session_.time_s()));
+}
+
+void PropertyPanel::show_figures(const std::vector<DerivedFigure>& figures) {
+  derived_box_->setVisible(!figures.empty());
+  const int rows = static_cast<int>(figures.size());
+  if (derived_->rowCount() != rows) derived_->setRowCount(rows);
+  for (int row = 0; row < rows; ++row) {
+    const DerivedFigure& figure = figures[static_cast<std::size_t>(row)];
+    const QString formula = "<p>" + QString::fromStdString(figure.formula).toHtmlEscaped() + "</p>";
+    for (int column = 0; column < 2; ++column) {
+      QTableWidgetItem* item = derived_->item(row, column);
+      if (item == nullptr) derived_->setItem(row, column, item = new QTableWidgetItem);
+      item->setText(QString::fromStdString(column == 0 ? figure.label : figure.text));
+      item->setToolTip(QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(figure.text).toHtmlEscaped()) +
+                       formula);
+      item->setData(Qt::AccessibleDescriptionRole, QString::fromStdString(figure.formula));
+    }
+  }
+  // All rows are shown; it is the panel that scrolls.
+  const int height = derived_->verticalHeader()->length() + 2 * derived_->frameWidth();
+  if (derived_->minimumHeight() != height) derived_->setFixedHeight(height);
+}
+
+FieldEditor* PropertyPanel::editor_of(const QString& id) const {
+  const auto found = editors_.find(id);
+  return found == editors_.end() ? nullptr : found->second;
+}
+
+bool PropertyPanel::focus_field(const QString& id) {
+  FieldEditor* editor = editor_of(id);
+  if (editor == nullptr || !subject_.applies(id.toStdString())) return false;
+  for (Group& group : groups_)
+    if (group.more != nullptr && std::ranges::find(group.editors, editor) != group.editors.end() && !editor->shown())
+      group.more->setChecked(true);
+  editor->widget()->setFocus(Qt::OtherFocusReason);
+  // What was unfolded has its place only when the layout has been made.
+  QTimer::singleShot(0, editor, [this, editor] { ensureWidgetVisible(editor->widget()); });
+  return true;
+}
+
+void PropertyPanel::focus_first() {
+  for (const Group& group : groups_)
+    for (FieldEditor* editor : group.editors)
+      if (editor->shown() && editor->widget()->isEnabled()) {
+        focus_field(editor->id());
+        return;
+      }
+}
+
+}  // namespace sarsim

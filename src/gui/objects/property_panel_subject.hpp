@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/schema/fields.hpp"
+
+namespace sarsim {
+
+/// An edit, or why there is none, in words.
+struct FieldChange {
+  Edit edit;
+  std::string failure;
+};
+
+/// What a property panel shows: objects of one kind, or the run options where there are none.
+class PanelSubject {
+ public:
+  PanelSubject() = default;
+  /// The run options of a scene.
+  explicit PanelSubject(const Scene& scene) : options_(scene.options) {}
+  /// Objects of one kind; ids that the scene does not have are left out.
+  PanelSubject(const Scene& scene, ObjectKind kind, const std::vector<ObjectId>& ids);
+
+  /// Nothing for the run options.
+  [[nodiscard]] std::optional<ObjectKind> kind() const { return kind_; }
+  [[nodiscard]] const std::vector<ObjectId>& ids() const { return ids_; }
+  [[nodiscard]] bool single() const { return ids_.size() == 1; }
+  /// Whether the scene has the same objects, as they are here, at the same ids.
+  [[nodiscard]] bool stands_in(const Scene& scene) const;
+  [[nodiscard]] bool same_objects(const PanelSubject& other) const {
+    return kind_ == other.kind_ && ids_ == other.ids_;
+  }
+
+  /// The fields of their kind, or of the run options.
+  [[nodiscard]] const std::vector<Field>& fields() const;
+  /// "Radar Radar1", "3 targets", "Options of the script".
+  [[nodiscard]] std::string title(const Scene& scene) const;
+  /// Whether the field means something for all objects.
+  [[nodiscard]] bool applies(std::string_view field) const;
+  /// What all objects show for a field; nothing where they differ.
+  [[nodiscard]] std::optional<std::string> common_text(std::string_view field) const;
+  /// The field of the panel that a problem's field belongs to; empty where there is none.
+  [[nodiscard]] std::string field_of(std::string_view problem_field) const;
+  /// Whether a problem is about one of the objects.
+  [[nodiscard]] bool concerns(const Subject& subject) const;
+
+  /// The edit that gives all objects the typed value, as one step.
+  [[nodiscard]] FieldChange change(const Scene& scene, const Field& field, const std::string& text,
+                                   const std::string& merge_key = "") const;
+
+ private:
+  std::optional<ObjectKind> kind_;
+  std::vector<ObjectId> ids_;
+  std::vector<AnyObject> objects_;
+  RunOptions options_;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gui/common/session.hpp"
+#include "scene/schema/fields.hpp"
+
+namespace sarsim {
+
+/// All targets of a scene, or those of one platform, one row each; a column for each of their fields that is text, a
+/// number or a choice, those that are rarely needed last. Cells take what the property panel takes: "3 km", "10 dBsm".
+class TargetTableModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  explicit TargetTableModel(Session& session, QObject* parent = nullptr);
+
+  /// Shows the targets of one platform only; nothing: all.
+  void set_platform(const std::optional<std::string>& platform);
+  [[nodiscard]] const std::optional<std::string>& platform() const { return platform_; }
+
+  /// The target of a row that there is.
+  [[nodiscard]] ObjectId target_at(int row) const;
+  /// -1 where the target is not shown.
+  [[nodiscard]] int row_of(ObjectId target) const;
+  /// The field of a column that there is.
+  [[nodiscard]] const Field& field_at(int column) const;
+  /// -1 where no column shows the field.
+  [[nodiscard]] int column_of(const std::string& field) const;
+
+  /// Gives cells texts in one undo step, texts[i] to cells[i]; a single text goes to all of them. Nothing is changed
+  /// where one of them is refused.
+  /// @returns empty, or why not, in words
+  [[nodiscard]] QString fill(const QModelIndexList& cells, const QStringList& texts);
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ signals:
+  /// A cell did not take what was typed, and why.
+  void refused(const QModelIndex& cell, const QString& text, const QString& sentence);
+
+ private:
+  void refresh();
+  [[nodiscard]] std::vector<std::size_t> wanted_rows() const;
+  void read_problems();
+
+  Session& session_;
+  std::optional<std::string> platform_;
+  std::vector<Field> columns_;
+  std::vector<std::size_t> rows_;                            // positions in the scene's list of targets, ascending
+  std::map<std::pair<std::size_t, int>, Problem> problems_;  // by target and column
+};
+
+}  // namespace sarsim

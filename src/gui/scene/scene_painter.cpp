@@ -1,0 +1,134 @@
+#include "gui/scene/scene_painter.hpp"
+
+#include <QFontMetricsF>
+#include <QList>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
+
+#include <cmath>
+
+namespace sarsim {
+
+namespace {
+
+// Beyond so many lines smooth edges and dots cost more than they show.
+constexpr std::size_t most_fine_lines = 4000;
+constexpr std::size_t most_halos = 200;
+
+QColor colour_of(Role role, bool dark) {
+  const Rgb rgb = colour(role, dark);
+  return {rgb.red, rgb.green, rgb.blue};
+}
+
+void paint_polygons(QPainter& painter, const std::vector<Drawing::Polygon>& polygons, double pixel_scale, bool dark) {
+  for (const Drawing::Polygon& polygon : polygons) {
+    QPolygonF corners;
+    for (const PicturePoint& corner : polygon.corners) corners << QPointF(corner.x, corner.y);
+    const bool marked = polygon.role != Role::surface;
+    painter.setPen(QPen(colour_of(polygon.role, dark), (marked ? 2.0 : 1.0) * pixel_scale));
+    const Rgb fill = surface_fill(polygon.shade, dark);
+    painter.setBrush(polygon.filled ? QBrush(QColor(fill.red, fill.green, fill.blue)) : QBrush(Qt::NoBrush));
+    painter.drawPolygon(corners);
+  }
+}
+
+// One call of the painter for all lines of a pen; pens in the order of their roles, so that faint lines lie below.
+void paint_lines(QPainter& painter, const std::vector<Drawing::Line>& lines, bool dark) {
+  const bool fine = lines.size() <= most_fine_lines;
+  std::map<std::tuple<Role, float, bool>, QList<QLineF>> of_pen;
+  for (const Drawing::Line& line : lines)
+    of_pen[{line.role, line.width_px, line.dotted && fine}].append(QLineF(line.x0, line.y0, line.x1, line.y1));
+  for (const auto& [key, group] : of_pen) {
+    const auto& [role, width_px, dotted] = key;
+    QPen pen(colour_of(role, dark), width_px);
+    if (dotted) pen.setDashPattern({1.0, 3.0});
+    pen.setCapStyle(Qt::FlatCap);
+    painter.setPen(pen);
+    painter.setRenderHint(QPainter::Antialiasing, fine && !dotted);  // Smoothed dots fade away.
+    painter.drawLines(group);
+  }
+}
+
+// A rim in the colour of the ground keeps words readable across lines.
+void paint_halo(QPainter& painter, const QPointF& start, const QFont& font, const QString& words,
+                const ScenePainter::Look& look) {
+  QPainterPath outline;
+  outline.addText(start, font, words);
+  QColor ground = colour_of(Role::background, look.dark);
+  ground.setAlphaF(0.85F);
+  painter.strokePath(outline, QPen(ground, 3.0 * look.pixel_scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+void paint_texts(QPainter& painter, const std::vector<Drawing::Text>& texts, const ScenePainter::Look& look) {
+  QFont plain = look.font;
+  plain.setPixelSize(static_cast<int>(std::lround(QFontInfo(look.font).pixelSize() * look.pixel_scale)));
+  QFont bold = plain;
+  bold.setBold(true);
+  const QFontMetricsF plain_metrics(plain);
+  const QFontMetricsF bold_metrics(bold);
+  const auto start_of = [&](const Drawing::Text& text, const QString& words) {
+    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
+    return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
+  };
+  // All rims first: none covers another word.
+  if (texts.size() <= most_halos)
+    for (const Drawing::Text& text : texts) {
+      const QString words = QString::fromStdString(text.text);
+      paint_halo(painter, start_of(text, words), text.bold ? bold : plain, words, look);
+    }
+  for (const Drawing::Text& text : texts) {
+    const QString words = QString::fromStdString(text.text);
+    painter.setFont(text.bold ? bold : plain);
+    painter.setPen(colour_of(text.role, look.dark));
+    painter.drawText(start_of(text, words), words);
+  }
+}
+
+}  // namespace
+
+void ScenePainter::paint(QPainter& painter, const QRectF& area, const Drawing& drawing, const Look& look) {
+  painter.fillRect(area, colour_of(Role::background, look.dark));
+  painter.setRenderHint(QPainter::Antialiasing, true);
+  paint_polygons(painter, drawing.polygons, look.pixel_scale, look.dark);
+  paint_lines(painter, drawing.lines, look.dark);
+  painter.setRenderHint(QPainter::Antialiasing, true);
+  paint_discs(painter, drawing.discs, look.dark);
+  paint_texts(painter, drawing.texts, look);
+}
+
+// Runs of equal discs go to the painter in one call, so that the order from back to front is kept.
+void ScenePainter::paint_discs(QPainter& painter, const std::vector<Drawing::Disc>& discs, bool dark) {
+  const auto alike = [](const Drawing::Disc& a, const Drawing::Disc& b) {
+    return a.role == b.role && a.diameter_px == b.diameter_px && a.outlined == b.outlined;
+  };
+  QList<QPainter::PixmapFragment> run;
+  for (std::size_t first = 0; first < discs.size();) {
+    const QPixmap& picture = disc_picture(discs[first], dark);
+    run.clear();
+    std::size_t i = first;
+    for (; i < discs.size() && alike(discs[i], discs[first]); ++i)
+      run.append(QPainter::PixmapFragment::create(QPointF(discs[i].x, discs[i].y), QRectF(picture.rect())));
+    painter.drawPixmapFragments(run.constData(), static_cast<int>(run.size()), picture);
+    first = i;
+  }
+}
+
+const QPixmap& ScenePainter::disc_picture(const Drawing::Disc& disc, bool dark) {
+  QPixmap& picture = disc_pictures_[{disc.role, disc.diameter_px, disc.outlined, dark}];
+  if (!picture.isNull()) return picture;
+  const auto diameter = static_cast<double>(disc.diameter_px);
+  const int side = 2 * static_cast<int>(std::ceil(0.5 * diameter)) + 3;
+  picture = QPixmap(side, side);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double rim = disc.outlined ? std::max(1.0, diameter / 8.0) : 0.0;
+  painter.setPen(disc.outlined ? QPen(colour_of(dark ? Role::background : Role::text, dark), rim) : QPen(Qt::NoPen));
+  painter.setBrush(colour_of(disc.role, dark));
+  const double radius = 0.5 * (diameter - rim);
+  painter.drawEllipse(QPointF(0.5 * side, 0.5 * side), radius, radius);
+  return picture;
+}
+
+}  // namespace sarsim

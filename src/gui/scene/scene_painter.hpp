@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QFont>
+#include <QPixmap>
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "picture/scene/drawing.hpp"
+
+class QPainter;
+
+namespace sarsim {
+
+/// Puts drawings of a scene onto painters; the pictures of its discs are kept from one drawing to the next.
+class ScenePainter {
+ public:
+  /// What a drawing leaves open.
+  struct Look {
+    QFont font;                ///< Of words, at its size on the screen.
+    double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen.
+    bool dark = false;
+  };
+
+  /// Paints the background over `area` and the drawing onto it. The painter's unit is a device pixel.
+  void paint(QPainter& painter, const QRectF& area, const Drawing& drawing, const Look& look);
+
+ private:
+  using DiscKey = std::tuple<Role, float, bool, bool>;  // role, diameter, outlined, dark
+
+  void paint_discs(QPainter& painter, const std::vector<Drawing::Disc>& discs, bool dark);
+  const QPixmap& disc_picture(const Drawing::Disc& disc, bool dark);
+
+  std::map<DiscKey, QPixmap> disc_pictures_;
+};
+
+}  // namespace sarsim

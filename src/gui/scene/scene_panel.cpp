@@ -1,0 +1,200 @@
+#include "gui/scene/scene_panel.hpp"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/rounding.hpp"
+#include "gui/common/palette_colours.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
+#include "picture/figure/ticks.hpp"
+#include "scene/edit/edit.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// The position that dragging moves, where an object has one that is its own.
+Vec3* position_of(AnyObject& object) {
+  if (auto* target = std::get_if<Target>(&object)) return &target->position_m;
+  if (auto* platform = std::get_if<Platform>(&object); platform && platform->path == Platform::Path::stationary)
+    return &platform->position_m;
+  return nullptr;
+}
+
+}  // namespace
+
+ScenePanel::ScenePanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      scene_(new SceneWidget),
+      time_bar_(new TimeBar),
+      direction_(new QLabel(scene_)) {
+  setObjectName("scene_panel");
+  direction_->setObjectName("view_direction");
+  direction_->setAutoFillBackground(true);  // Marks of the scene pass behind the words.
+  direction_->setToolTip(tr("Where the scene is seen from: azimuth clockwise from +y, elevation above the x-y plane"));
+  // In a corner of the scene, so that the time has the whole width below.
+  auto* corner = new QVBoxLayout(scene_);
+  corner->addWidget(direction_, 0, Qt::AlignTop | Qt::AlignRight);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(scene_, 1);
+  layout->addWidget(time_bar_);
+  scene_->set_namer([this](ObjectId id) {
+    return has_object(session_.scene(), id) ? label_of(session_.scene(), id) : std::string();
+  });
+  connect_gestures();
+  scene_->installEventFilter(this);
+  connect(&session_, &Session::document_replaced, this, [this] {
+    new_document_ = true;
+    followed_.reset();
+    dragged_.reset();
+    time_bar_->set_playing(false);
+  });
+  connect(&session_, &Session::scene_changed, this, &ScenePanel::take_scene);
+  connect(&session_, &Session::selection_changed, this, &ScenePanel::show_marks);
+  connect(&session_, &Session::hidden_changed, this, &ScenePanel::show_marks);
+  connect(&session_, &Session::time_changed, this, [this](double time_s) {
+    time_bar_->set_time(time_s);
+    show_time();
+  });
+  connect(time_bar_, &TimeBar::time_changed, &session_, &Session::set_time);
+  take_scene();
+  show_camera();
+}
+
+ScenePanel::~ScenePanel() = default;
+
+void ScenePanel::connect_gestures() {
+  connect(scene_, &SceneWidget::selection_clicked, this,
+          [this](ObjectId id, bool add) { add ? session_.select_also(id) : session_.select_only(id); });
+  connect(scene_, &SceneWidget::empty_clicked, this, [this] { session_.select({}); });
+  connect(scene_, &SceneWidget::edit_requested, this, &ScenePanel::edit_requested);
+  connect(scene_, &SceneWidget::menu_requested, this, &ScenePanel::menu_requested);
+  connect(scene_, &SceneWidget::delete_wanted, this, &ScenePanel::delete_wanted);
+  connect(scene_, &SceneWidget::drag_started, this, &ScenePanel::begin_drag);
+  connect(scene_, &SceneWidget::dragged_to, this, &ScenePanel::drag);
+  connect(scene_, &SceneWidget::drag_ended, this, [this] {
+    dragged_.reset();
+    session_.end_run();
+  });
+  connect(scene_, &SceneWidget::camera_changed, this, &ScenePanel::show_camera);
+}
+
+bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != scene_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() != Qt::Key_Space || key->modifiers() != Qt::NoModifier) return QWidget::eventFilter(watched, event);
+  if (!key->isAutoRepeat()) time_bar_->set_playing(!time_bar_->playing());
+  return true;
+}
+
+void ScenePanel::take_scene() {
+  maker_ = std::make_unique<SnapshotMaker>(session_.scene());
+  const auto [first_s, last_s] = maker_->time_span_s();
+  time_bar_->set_span(first_s, last_s);
+  if (new_document_) time_bar_->set_step(round_below((last_s - first_s) / 100.0));
+  show_time();
+  if (new_document_) scene_->fit();
+  new_document_ = false;
+}
+
+void ScenePanel::show_time() {
+  const auto [first_s, last_s] = maker_->time_span_s();
+  Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s);
+  if (followed_) {
+    const auto found = std::ranges::find(snapshot.platforms, *followed_, &Snapshot::Platform::id);
+    if (found != snapshot.platforms.end()) focus_on(found->pose.position_world_m);
+  }
+  scene_->set_snapshot(std::move(snapshot));
+  show_marks();
+}
+
+void ScenePanel::show_marks() {
+  scene_->set_dark(is_dark(palette()));
+  if (const QColor ground = colour_of(Role::background, palette());
+      direction_->palette().color(QPalette::Window) != ground) {
+    QPalette own;  // Only what is set here is the label's own; the rest follows the theme.
+    own.setColor(QPalette::Window, ground);
+    direction_->setPalette(own);
+  }
+  DrawingOptions options = scene_->options();
+  options.selected = session_.selection();
+  options.hidden = session_.hidden();
+  scene_->set_options(options);
+}
+
+void ScenePanel::show_camera() {
+  const auto degrees = [](double rad) { return qRound(rad * (180.0 / pi)); };
+  direction_->setText(tr("Azimuth %1°  Elevation %2°")
+                          .arg(degrees(scene_->camera().azimuth_rad))
+                          .arg(degrees(scene_->camera().elevation_rad)));
+}
+
+void ScenePanel::follow(std::optional<ObjectId> platform) {
+  followed_ = platform;
+  show_time();
+}
+
+void ScenePanel::focus_on(const Vec3& world_m) {
+  Camera camera = scene_->camera();
+  camera.focus_world_m = world_m;
+  scene_->set_camera(camera);
+}
+
+void ScenePanel::focus_on_selection() {
+  const Snapshot& snapshot = scene_->snapshot();
+  Vec3 sum;
+  int count = 0;
+  const auto add = [&](ObjectId id, const Vec3& place) {
+    if (session_.selection().contains(id)) sum = sum + place, ++count;
+  };
+  for (const auto& t : snapshot.targets) add(t.id, t.position_world_m);
+  for (const auto& r : snapshot.radars) add(r.id, r.position_world_m);
+  for (const auto& p : snapshot.platforms) add(p.id, p.pose.position_world_m);
+  for (const auto& s : snapshot.surfaces)
+    add(s.id, (1.0 / 3.0) * (s.corner_world_m[0] + s.corner_world_m[1] + s.corner_world_m[2]));
+  followed_.reset();
+  if (count > 0) focus_on((1.0 / count) * sum);
+}
+
+void ScenePanel::begin_drag(ObjectId id) {
+  dragged_.reset();
+  if (!has_object(session_.scene(), id)) return;
+  session_.end_run();
+  dragged_ = object_of(session_.scene(), id);
+  written_ = *dragged_;
+  platform_from_world_ = Mat3();
+  if (id.kind == ObjectKind::platform) return;
+  const std::size_t carrier = find_platform(session_.scene(), carrier_of(session_.scene(), id));
+  for (const auto& p : scene_->snapshot().platforms)
+    if (p.id.index == carrier) platform_from_world_ = transposed(p.pose.world_from_platform);
+}
+
+void ScenePanel::drag(ObjectId id, const Vec3& delta_world_m) {
+  if (!dragged_) return;
+  // Undone, removed or edited elsewhere meanwhile: what the hand holds is no longer there.
+  if (!has_object(session_.scene(), id) || object_of(session_.scene(), id) != written_) {
+    dragged_.reset();
+    return;
+  }
+  AnyObject object = *dragged_;
+  Vec3* const position = position_of(object);
+  if (position == nullptr) return;
+  const Vec3 by = platform_from_world_ * delta_world_m;
+  // A coordinate that does not move keeps all its digits.
+  const auto moved = [](double from, double way) { return way == 0.0 ? from : tidy(from + way); };
+  *position = {moved(position->x, by.x), moved(position->y, by.y), moved(position->z, by.z)};
+  const bool target = id.kind == ObjectKind::target;
+  session_.perform(replace_object(session_.scene(), id, std::move(object), target ? "Move target" : "Move platform",
+                                  "drag " + std::string(name_of(id.kind)) + std::to_string(id.index)));
+  written_ = object_of(session_.scene(), id);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+#include "gui/common/session.hpp"
+#include "picture/scene/snapshot.hpp"
+
+class QLabel;
+
+namespace sarsim {
+
+class SceneWidget;
+class TimeBar;
+
+/// The scene of a session at its time, with the time bar below: gestures become edits and selections.
+class ScenePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ScenePanel(Session& session, QWidget* parent = nullptr);
+  ~ScenePanel() override;
+
+  [[nodiscard]] SceneWidget& scene() { return *scene_; }
+  [[nodiscard]] TimeBar& time_bar() { return *time_bar_; }
+
+  /// The view keeps this platform in its middle as time runs; nothing: it stays where it is.
+  void follow(std::optional<ObjectId> platform);
+  [[nodiscard]] std::optional<ObjectId> followed() const { return followed_; }
+  /// Puts a world point into the middle.
+  void focus_on(const Vec3& world_m);
+  /// Puts the selected objects into the middle.
+  void focus_on_selection();
+
+ signals:
+  void edit_requested(sarsim::ObjectId object);  ///< The properties of an object are wanted.
+  void delete_wanted();                          ///< The selected objects are to go.
+  /// At a place of the screen; for nothing: that of the scene.
+  void menu_requested(std::optional<sarsim::ObjectId> object, QPoint global);
+
+ protected:
+  /// Space in the scene plays and stops the time.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void connect_gestures();
+  void take_scene();
+  void show_time();
+  void show_marks();
+  void show_camera();
+  void begin_drag(ObjectId id);
+  void drag(ObjectId id, const Vec3& delta_world_m);
+
+  Session& session_;
+  std::unique_ptr<SnapshotMaker> maker_;
+  SceneWidget* scene_ = nullptr;
+  TimeBar* time_bar_ = nullptr;
+  QLabel* direction_ = nullptr;
+  std::optional<ObjectId> followed_;
+  std::optional<AnyObject> dragged_;  // as it was when the drag began
+  AnyObject written_;                 // as the drag last wrote it
+  Mat3 platform_from_world_;          // of what carries it
+  bool new_document_ = true;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,163 @@
+#include "gui/scene/scene_widget.hpp"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QToolTip>
+
+#include <utility>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double fit_margin_px = 40.0;  // of the screen
+
+template <class Objects>
+auto* found_in(const Objects& objects, ObjectId id) {
+  const auto at = std::ranges::find(objects, id, [](const auto& object) { return object.id; });
+  return at == objects.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("scene_view"));
+  setAccessibleName(tr("Scene"));
+  setAccessibleDescription(tr("The scene in three dimensions. Arrows turn it, plus and minus zoom, Home shows all."));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setContextMenuPolicy(Qt::PreventContextMenu);  // A right drag zooms: menus open when the button goes up.
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  follow_size();
+}
+
+void SceneWidget::set_snapshot(Snapshot snapshot) {
+  snapshot_ = std::move(snapshot);
+  if (options_.hovered && press_.gesture == Gesture::none && !position_of(*options_.hovered) &&
+      found_in(snapshot_.surfaces, *options_.hovered) == nullptr)
+    set_hovered(std::nullopt);
+  redraw();
+}
+
+void SceneWidget::set_camera(const Camera& camera) { change_camera(camera); }
+
+void SceneWidget::set_options(DrawingOptions options) {
+  options.hovered = options_.hovered;
+  options.pixel_scale = options_.pixel_scale;
+  options.coarse = false;
+  options_ = std::move(options);
+  redraw();
+}
+
+void SceneWidget::set_dark(bool dark) {
+  dark_ = dark;
+  update();
+}
+
+void SceneWidget::set_namer(std::function<std::string(ObjectId)> namer) { namer_ = std::move(namer); }
+
+void SceneWidget::fit() {
+  follow_size();
+  // Marks and names have a size of their own, beyond the points that are fitted.
+  Camera inner = camera_;
+  inner.width_px = std::max(0.5 * camera_.width_px, camera_.width_px - 2.0 * fit_margin_px * options_.pixel_scale);
+  inner.height_px = std::max(0.5 * camera_.height_px, camera_.height_px - 2.0 * fit_margin_px * options_.pixel_scale);
+  change_camera(fitted(inner, points_of(snapshot_)));
+}
+
+void SceneWidget::look(ViewPreset view) { change_camera(preset(camera_, view)); }
+
+void SceneWidget::zoom(double factor) {
+  change_camera(zoomed(camera_, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
+}
+
+// The camera works in device pixels; a window that moves to a finer screen keeps what it shows.
+void SceneWidget::follow_size() {
+  const double scale = devicePixelRatioF();
+  camera_.pixels_per_m *= scale / options_.pixel_scale;
+  options_.pixel_scale = scale;
+  camera_.width_px = std::max(1.0, width() * scale);
+  camera_.height_px = std::max(1.0, height() * scale);
+  drawn_ = false;
+}
+
+void SceneWidget::change_camera(const Camera& camera) {
+  camera_ = camera;
+  follow_size();
+  redraw();
+  emit camera_changed();
+}
+
+void SceneWidget::redraw() {
+  drawn_ = false;
+  update();
+}
+
+void SceneWidget::refresh_drawing(bool coarse) {
+  if (drawn_ && drawn_coarse_ == coarse) return;
+  options_.coarse = coarse;
+  draw_scene(snapshot_, camera_, options_, drawing_);
+  options_.coarse = false;
+  drawn_ = true;
+  drawn_coarse_ = coarse;
+}
+
+std::optional<Vec3> SceneWidget::position_of(ObjectId id) const {
+  if (const auto* target = found_in(snapshot_.targets, id)) return target->position_world_m;
+  if (const auto* radar = found_in(snapshot_.radars, id)) return radar->position_world_m;
+  if (const auto* platform = found_in(snapshot_.platforms, id)) return platform->pose.position_world_m;
+  return std::nullopt;
+}
+
+QString SceneWidget::name_of_object(ObjectId id) const {
+  if (namer_) return QString::fromStdString(namer_(id));
+  if (const auto* platform = found_in(snapshot_.platforms, id)) return QString::fromStdString(platform->name);
+  if (const auto* radar = found_in(snapshot_.radars, id)) return QString::fromStdString(radar->name);
+  return (id.kind == ObjectKind::surface ? tr("Surface %1") : tr("Target %1")).arg(id.index + 1);
+}
+
+void SceneWidget::set_hovered(std::optional<ObjectId> id) {
+  if (options_.hovered == id) return;
+  options_.hovered = id;
+  redraw();
+  emit hovered(id);
+}
+
+void SceneWidget::paintEvent(QPaintEvent*) {
+  if (options_.pixel_scale != devicePixelRatioF()) follow_size();
+  const bool dragging = press_.gesture != Gesture::none && press_.gesture != Gesture::pressed;
+  refresh_drawing(dragging && snapshot_.targets.size() > coarse_targets);
+  QPainter painter(this);
+  painter.scale(1.0 / options_.pixel_scale, 1.0 / options_.pixel_scale);
+  const QRectF area(0.0, 0.0, camera_.width_px, camera_.height_px);
+  painter_.paint(painter, area, drawing_, {font(), options_.pixel_scale, dark_});
+  if (!hasFocus()) return;
+  painter.setPen(QPen(palette().color(QPalette::Highlight), options_.pixel_scale));
+  painter.setBrush(Qt::NoBrush);
+  const double inset = 0.5 * options_.pixel_scale;
+  painter.drawRect(area.adjusted(inset, inset, -inset, -inset));
+}
+
+void SceneWidget::resizeEvent(QResizeEvent*) { follow_size(); }
+
+bool SceneWidget::event(QEvent* event) {
+  // Keys that this widget knows are its own, also where a menu has a shortcut for them.
+  if (event->type() == QEvent::ShortcutOverride && knows_key(dynamic_cast<const QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
+  if (event->type() == QEvent::ToolTip) {
+    if (options_.hovered)
+      QToolTip::showText(dynamic_cast<const QHelpEvent&>(*event).globalPos(), name_of_object(*options_.hovered), this);
+    else
+      QToolTip::hideText();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace sarsim

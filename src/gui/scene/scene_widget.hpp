@@ -1,0 +1,133 @@
+#pragma once
+
+#include <QPoint>
+#include <QPointF>
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "gui/scene/scene_painter.hpp"
+#include "picture/scene/camera.hpp"
+#include "picture/scene/drawing.hpp"
+#include "picture/scene/snapshot.hpp"
+
+namespace sarsim {
+
+/// The scene in three dimensions ("scene_view"). It shows a snapshot and turns gestures into signals; edits, selection
+/// and menus are the owner's.
+///
+/// Mouse: left drag turns, on a target or platform moves it in the view plane (with Shift to round coordinates); middle
+/// drag, or Shift and left drag on empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at
+/// the cursor. Left click selects, with Ctrl adds; double click edits; right click asks for a menu.
+/// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; 1, 2 and 3 look from above, the front, the side;
+/// Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected ones be
+/// deleted; Escape takes a drag back.
+class SceneWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneWidget(QWidget* parent = nullptr);
+
+  /// Shows another moment, or another scene.
+  void set_snapshot(Snapshot snapshot);
+  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  /// The size is that of the widget, whatever the camera says.
+  void set_camera(const Camera& camera);
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  /// What is hovered, the pixel scale and the coarse detail are the widget's own.
+  void set_options(DrawingOptions options);
+  [[nodiscard]] const DrawingOptions& options() const { return options_; }
+  /// Light marks on a dark ground, or the other way round.
+  void set_dark(bool dark);
+  /// How tooltips name an object; without it by its name, or kind and number.
+  void set_namer(std::function<std::string(ObjectId)> namer);
+
+  /// Shows all of the snapshot.
+  void fit();
+  /// Looks from another side at the same focus.
+  void look(ViewPreset view);
+  /// Times `factor` about the middle.
+  void zoom(double factor);
+  /// Device pixels per pixel of the screen.
+  [[nodiscard]] double pixel_scale() const { return options_.pixel_scale; }
+
+  [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+ signals:
+  void selection_clicked(sarsim::ObjectId id, bool add);  ///< An object was clicked; with Ctrl `add`.
+  void empty_clicked();                                   ///< Nothing stands where the click was.
+  void edit_requested(sarsim::ObjectId id);               ///< A double click, or Enter.
+  /// At a place of the screen; nothing: empty space.
+  void menu_requested(std::optional<sarsim::ObjectId> id, QPoint global);
+  void delete_wanted();                    ///< The selected objects, of which there are some, are to go.
+  void drag_started(sarsim::ObjectId id);  ///< What follows moves this object.
+  /// All the way from where the object was when the drag started.
+  void dragged_to(sarsim::ObjectId id, sarsim::Vec3 delta_world_m);
+  void drag_ended();                                 ///< The object stays where it is.
+  void hovered(std::optional<sarsim::ObjectId> id);  ///< What the pointer is over.
+  void camera_changed();                             ///< The scene is seen from elsewhere.
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Gesture { none, pressed, turn, pan, zoom, move };
+
+  // A mouse button that is held: where and on what it went down.
+  struct Press {
+    Qt::MouseButton button = Qt::NoButton;
+    Gesture gesture = Gesture::none;
+    QPointF at_px;
+    Camera camera;
+    std::optional<ObjectId> on;
+    Vec3 object_world_m;
+  };
+
+  [[nodiscard]] QPointF device_point(const QPointF& logical) const { return logical * options_.pixel_scale; }
+  [[nodiscard]] std::optional<ObjectId> picked_at(const QPointF& at_px);
+  [[nodiscard]] std::optional<Vec3> position_of(ObjectId id) const;
+  [[nodiscard]] bool movable(ObjectId id) const;
+  [[nodiscard]] QString name_of_object(ObjectId id) const;
+  [[nodiscard]] Vec3 moved_by(const QPointF& step_px, bool snap) const;
+  [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
+
+  void follow_size();
+  void change_camera(const Camera& camera);
+  void redraw();
+  void refresh_drawing(bool coarse);
+  void set_hovered(std::optional<ObjectId> id);
+  void begin_gesture(Qt::KeyboardModifiers modifiers);
+  void follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
+  void end_gesture();
+  void take_gesture_back();
+  void click(Qt::KeyboardModifiers modifiers, QPoint global);
+  [[nodiscard]] bool knows_key(const QKeyEvent& event) const;
+  bool camera_key(const QKeyEvent& event);
+  bool object_key(const QKeyEvent& event);
+  void ask_for_menu_by_key();
+
+  Snapshot snapshot_;
+  Camera camera_ = Camera::start(640.0, 480.0);
+  DrawingOptions options_;
+  std::function<std::string(ObjectId)> namer_;
+  bool dark_ = false;
+  Press press_;
+  Drawing drawing_;
+  bool drawn_ = false;         // `drawing_` shows the present state
+  bool drawn_coarse_ = false;  // ... with less detail
+  ScenePainter painter_;
+};
+
+}  // namespace sarsim

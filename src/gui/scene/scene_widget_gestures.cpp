@@ -1,0 +1,270 @@
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <cmath>
+
+#include "core/maths/rounding.hpp"
+#include "core/text/number_text.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "picture/figure/ticks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double reach_px = 6.0;          // of the mouse, on the screen
+constexpr double zoom_decade_px = 200.0;  // a right drag of this length zooms ten times
+constexpr double wheel_decade = 1200.0;   // eighths of a degree of the wheel: ten notches zoom ten times
+constexpr double key_zoom = 1.25;
+constexpr double key_turn_px = 20.0;  // five degrees of azimuth
+constexpr double key_pan_px = 40.0;
+constexpr double snap_px = 10.0;  // coordinates of dragged objects are round to about so many pixels with Shift,
+constexpr double fine_px = 0.5;   // and to so many without, so that scripts do not fill up with digits
+
+Vec3 rounded(const Vec3& v, double step) {
+  return {rounded_to(v.x, step), rounded_to(v.y, step), rounded_to(v.z, step)};
+}
+
+}  // namespace
+
+std::optional<ObjectId> SceneWidget::picked_at(const QPointF& at_px) {
+  refresh_drawing(false);
+  return picked(drawing_, snapshot_, camera_, at_px.x(), at_px.y(), reach_px * options_.pixel_scale);
+}
+
+// Targets and platforms; the world itself only where it was selected before.
+bool SceneWidget::movable(ObjectId id) const {
+  if (id.kind == ObjectKind::target) return true;
+  if (id.kind != ObjectKind::platform) return false;
+  return options_.selected.contains(id) || !equal_ignoring_case(name_of_object(id).toStdString(), "Earth");
+}
+
+// --- Mouse ----------------------------------------------------------------------------------------------------------
+
+void SceneWidget::mousePressEvent(QMouseEvent* event) {
+  if (press_.gesture != Gesture::none) {
+    if (event->button() != press_.button) return;
+    end_gesture();  // Its release went elsewhere.
+  }
+  press_ = {};
+  press_.button = event->button();
+  press_.gesture = Gesture::pressed;
+  press_.at_px = device_point(event->position());
+  press_.camera = camera_;
+  press_.on = picked_at(press_.at_px);
+  if (press_.on) press_.object_world_m = position_of(*press_.on).value_or(Vec3{});
+  QToolTip::hideText();
+}
+
+SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) const {
+  switch (press_.button) {
+    case Qt::LeftButton:
+      if (press_.on && movable(*press_.on)) return Gesture::move;
+      return modifiers.testFlag(Qt::ShiftModifier) ? Gesture::pan : Gesture::turn;
+    case Qt::MiddleButton: return Gesture::pan;
+    case Qt::RightButton: return Gesture::zoom;
+    default: return Gesture::none;
+  }
+}
+
+void SceneWidget::begin_gesture(Qt::KeyboardModifiers modifiers) {
+  press_.gesture = gesture_of(modifiers);
+  if (press_.gesture != Gesture::move) return;
+  set_hovered(press_.on);
+  emit drag_started(*press_.on);
+}
+
+// How far the object is moved in the plane through it that faces the viewer. Coordinates that the view cannot change
+// keep every digit.
+Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
+  const Mat3 picture_from_world = press_.camera.picture_from_world();
+  const Vec3 at_picture = picture_from_world * (press_.object_world_m - press_.camera.focus_world_m);
+  const double scale = press_.camera.scale_at(-at_picture.z);
+  if (scale <= 0.0) return {};
+  const Vec3 delta = transposed(picture_from_world) * Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
+  const double fine = round_below(fine_px * options_.pixel_scale / scale);
+  if (!snap) return rounded(delta, fine);
+  const double step = round_below(snap_px * options_.pixel_scale / scale);
+  const auto snapped = [&](double from, double by) {
+    return std::abs(by) < 0.1 * fine ? 0.0 : rounded_to(from + by, step) - from;
+  };
+  return {snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
+          snapped(press_.object_world_m.z, delta.z)};
+}
+
+void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
+  const QPointF step = at_px - press_.at_px;
+  switch (press_.gesture) {
+    case Gesture::turn: change_camera(turned(press_.camera, step.x(), step.y(), options_.pixel_scale)); break;
+    case Gesture::pan: change_camera(panned(press_.camera, step.x(), step.y())); break;
+    case Gesture::zoom: {
+      const double factor = std::pow(10.0, -step.y() / (zoom_decade_px * options_.pixel_scale));
+      change_camera(zoomed(press_.camera, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
+      break;
+    }
+    case Gesture::move:
+      emit dragged_to(*press_.on, moved_by(step, modifiers.testFlag(Qt::ShiftModifier)));
+      redraw();
+      break;
+    case Gesture::none:
+    case Gesture::pressed: break;
+  }
+}
+
+// Leaves everything as the gesture made it.
+void SceneWidget::end_gesture() {
+  const Gesture gesture = press_.gesture;
+  press_.gesture = Gesture::none;
+  if (gesture == Gesture::move) emit drag_ended();
+  redraw();  // With all detail again.
+}
+
+void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF at_px = device_point(event->position());
+  // A dialog or another window may have taken the release.
+  if (press_.gesture != Gesture::none && !event->buttons().testFlag(press_.button)) end_gesture();
+  if (press_.gesture == Gesture::none) {
+    set_hovered(picked_at(at_px));
+    return;
+  }
+  const double drag_px = QApplication::startDragDistance() * options_.pixel_scale;
+  if (press_.gesture == Gesture::pressed && (at_px - press_.at_px).manhattanLength() >= drag_px)
+    begin_gesture(event->modifiers());
+  follow_gesture(at_px, event->modifiers());
+}
+
+void SceneWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != press_.button || press_.gesture == Gesture::none) return;
+  const bool clicked = press_.gesture == Gesture::pressed;
+  end_gesture();
+  if (clicked) click(event->modifiers(), event->globalPosition().toPoint());
+}
+
+void SceneWidget::click(Qt::KeyboardModifiers modifiers, QPoint global) {
+  if (press_.button == Qt::RightButton) emit menu_requested(press_.on, global);
+  if (press_.button != Qt::LeftButton) return;
+  if (press_.on)
+    emit selection_clicked(*press_.on, modifiers.testFlag(Qt::ControlModifier));
+  else
+    emit empty_clicked();
+}
+
+void SceneWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  press_.gesture = Gesture::none;  // The release that follows is no click.
+  if (event->button() != Qt::LeftButton) return;
+  if (const auto id = picked_at(device_point(event->position()))) emit edit_requested(*id);
+}
+
+void SceneWidget::wheelEvent(QWheelEvent* event) {
+  const QPointF at_px = device_point(event->position());
+  if (event->angleDelta().y() != 0 && press_.gesture == Gesture::none)
+    change_camera(zoomed(camera_, std::pow(10.0, event->angleDelta().y() / wheel_decade), at_px.x(), at_px.y()));
+  event->accept();
+}
+
+void SceneWidget::leaveEvent(QEvent*) {
+  if (press_.gesture == Gesture::none) set_hovered(std::nullopt);
+}
+
+void SceneWidget::take_gesture_back() {
+  const Gesture gesture = press_.gesture;
+  press_.gesture = Gesture::none;
+  if (gesture == Gesture::move) {
+    emit dragged_to(*press_.on, Vec3{});
+    emit drag_ended();
+  } else if (gesture != Gesture::pressed) {
+    change_camera(press_.camera);
+  }
+  redraw();
+}
+
+// --- Keys -----------------------------------------------------------------------------------------------------------
+
+void SceneWidget::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && press_.gesture != Gesture::none)
+    take_gesture_back();
+  else if (press_.gesture != Gesture::none || (!camera_key(*event) && !object_key(*event)))
+    QWidget::keyPressEvent(event);
+}
+
+bool SceneWidget::knows_key(const QKeyEvent& event) const {
+  switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down: return !event.modifiers().testFlag(Qt::ControlModifier);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+    case Qt::Key_Home: return true;
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3: return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    case Qt::Key_Escape: return press_.gesture != Gesture::none;
+    default: return false;
+  }
+}
+
+bool SceneWidget::camera_key(const QKeyEvent& event) {
+  const auto arrow = [&](double x, double y) {
+    const double scale = options_.pixel_scale;
+    if (event.modifiers().testFlag(Qt::ShiftModifier))
+      change_camera(panned(camera_, key_pan_px * scale * x, key_pan_px * scale * y));
+    else
+      change_camera(turned(camera_, key_turn_px * x, 0.5 * key_turn_px * y));
+    return true;
+  };
+  if (!knows_key(event)) return false;
+  switch (event.key()) {
+    case Qt::Key_Left: return arrow(-1.0, 0.0);
+    case Qt::Key_Right: return arrow(1.0, 0.0);
+    case Qt::Key_Up: return arrow(0.0, -1.0);
+    case Qt::Key_Down: return arrow(0.0, 1.0);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoom(key_zoom); return true;
+    case Qt::Key_Minus: zoom(1.0 / key_zoom); return true;
+    case Qt::Key_Home: fit(); return true;
+    case Qt::Key_1: look(ViewPreset::top); return true;
+    case Qt::Key_2: look(ViewPreset::front); return true;
+    case Qt::Key_3: look(ViewPreset::side); return true;
+    default: return false;
+  }
+}
+
+bool SceneWidget::object_key(const QKeyEvent& event) {
+  switch (event.key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (options_.selected.size() != 1) return false;
+      emit edit_requested(*options_.selected.begin());
+      return true;
+    case Qt::Key_Delete:
+      if (options_.selected.empty()) return false;
+      emit delete_wanted();
+      return true;
+    case Qt::Key_Menu: ask_for_menu_by_key(); return true;
+    case Qt::Key_F10:
+      if (!event.modifiers().testFlag(Qt::ShiftModifier)) return false;
+      ask_for_menu_by_key();
+      return true;
+    default: return false;
+  }
+}
+
+void SceneWidget::ask_for_menu_by_key() {
+  std::optional<ObjectId> id;
+  QPointF at = QRectF(rect()).center();
+  if (options_.selected.size() == 1) {
+    id = *options_.selected.begin();
+    const auto position = position_of(*id);
+    const auto point = position ? camera_.project(*position) : std::nullopt;
+    const QPointF there = point ? QPointF(point->x, point->y) / options_.pixel_scale : at;
+    if (rect().contains(there.toPoint())) at = there;
+  }
+  emit menu_requested(id, mapToGlobal(at.toPoint()));
+}
+
+}  // namespace sarsim

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include <memory>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "gui/script/script_coding.hpp"
+
+namespace sarsim {
+
+class ScriptHighlighter;
+
+/// The text of a script as it is typed: line numbers, colours, the current line marked, problems underlined where they
+/// are with their words as tooltips. Undo and redo are left to whoever holds the document.
+class ScriptText : public QPlainTextEdit {
+  Q_OBJECT
+
+ public:
+  explicit ScriptText(QWidget* parent = nullptr);
+  ~ScriptText() override;
+
+  /// The text with '\n' at the ends of lines, character by character as it was put in.
+  [[nodiscard]] QString script() const;
+  /// Puts another text in its place.
+  void set_script(const QString& text);
+  /// Puts stretches of text in place of others, in turn; the cursor and what is on screen stay where they are.
+  void splice(const std::vector<DecodedChange>& changes);
+
+  /// Underlines problems; they move with the text until they are set again.
+  void underline(const std::vector<Problem>& problems, const ScriptCoding& coding);
+  /// The underlined stretches, as begin and end.
+  [[nodiscard]] std::vector<std::pair<int, int>> underlined() const;
+  /// Words of the problems underlined at a position of the text; empty where there are none.
+  [[nodiscard]] QString problem_at(int position) const;
+  /// Puts the cursor where a problem is, and brings it into sight.
+  void jump_to(const Place& place, const ScriptCoding& coding);
+
+  /// Makes the text larger (steps above 0) or smaller; 0 steps: as at first.
+  void zoom(int steps);
+
+  /// Width of the line numbers, in pixels.
+  [[nodiscard]] int margin_width() const;
+  /// Paints them; called by the widget that they stand in.
+  void paint_margin(QPaintEvent* event);
+
+ signals:
+  void undo_wanted();  ///< Ctrl+Z was pressed.
+  void redo_wanted();  ///< Ctrl+Y, or Ctrl+Shift+Z.
+  void left();         ///< The keyboard goes elsewhere.
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  struct Mark {
+    QTextCursor where;
+    QString text;
+    Severity severity = Severity::error;
+  };
+
+  void place_margin();
+  void scroll_margin(const QRect& area, int dy);
+  void show_marks();
+  void refresh_colours();
+  [[nodiscard]] QTextCursor stretch_of(const Place& place, const ScriptCoding& coding) const;
+
+  QWidget* margin_ = nullptr;
+  std::unique_ptr<ScriptHighlighter> highlighter_;
+  std::vector<Mark> marks_;
+  double first_size_pt_ = 0.0;
+};
+
+}  // namespace sarsim

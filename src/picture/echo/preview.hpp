@@ -1,0 +1,108 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
+#include "picture/echo/echo_matrix.hpp"
+#include "picture/echo/echo_window.hpp"
+#include "scene/model/scene.hpp"
+#include "simulate/plan/engine.hpp"
+#include "simulate/plan/target_ranges.hpp"
+
+namespace sarsim {
+
+/// What becomes of rows of raw data that are longer than 2^20 samples.
+enum class LongRows {
+  by_screen,  ///< They take the screen's sampling: one of them would hold up a cancel.
+  computed,   ///< They are computed as they are, up to the length that recordings may have.
+};
+
+/// What a simulation window wants to see.
+struct PreviewRequest {
+  std::shared_ptr<const Scene> scene;  ///< Its own simulations and geometry tables do not matter.
+  EchoWindow window;
+  PlotSize size;
+  Engine engine = Engine::automatic;
+  bool show_all_targets = false;  ///< Choose the ranges so that all targets are seen; `EchoMatrix::window` has them.
+  LongRows long_rows = LongRows::by_screen;
+};
+
+/// What became of a request.
+struct PreviewEvent {
+  enum class Kind {
+    started,   ///< Planned; no row is ready.
+    rows,      ///< More rows are ready: first a coarse picture, then now and then.
+    finished,  ///< All rows are ready.
+    failed,    ///< `problems` say why.
+  };
+  Kind kind = Kind::started;
+  std::uint64_t request = 0;                 ///< What `show` returned.
+  std::shared_ptr<const EchoMatrix> matrix;  ///< Not where planning failed.
+  Problems problems;                         ///< Errors where it failed.
+};
+
+/// Computes the echo matrix of one simulation window in the background, on all cores, coarse rows first. The samples
+/// are those of the recording that the window stands for: the same plan, engine and noise as a run to a file has. Every
+/// new request ends the one before. What was prepared for a scene serves the next request for the same scene.
+class Preview {
+ public:
+  /// Called on the threads that compute, from one at a time; nothing is called about a request that was replaced,
+  /// once `show` or `cancel` has returned. Must neither call this object nor wait for who does.
+  using Listener = std::function<void(const PreviewEvent&)>;
+
+  /// @param threads  0: one for each core
+  explicit Preview(Listener listener, unsigned threads = 0);
+  ~Preview();
+  Preview(const Preview&) = delete;
+  Preview& operator=(const Preview&) = delete;
+
+  /// Begins; returns at once.
+  std::uint64_t show(PreviewRequest request);
+  /// Ends what is being computed, within the time of a row of the recording.
+  void cancel();
+  /// Waits until nothing is being computed.
+  void wait();
+
+ private:
+  struct Prepared;
+  void work();
+  void compute(const PreviewRequest& request, std::uint64_t number, const StopFlag& stop);
+  void compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoMatrix>& shared, std::uint64_t number,
+                    const StopFlag& stop);
+  std::shared_ptr<const Prepared> prepared(const PreviewRequest& request, const StopFlag& stop);
+  void tell(const PreviewEvent& event, const StopFlag& stop);
+
+  Listener listener_;
+  unsigned threads_;
+  std::mutex lock_;     // of what follows
+  std::mutex telling_;  // held while the listener is called
+  std::condition_variable changed_;
+  std::optional<PreviewRequest> pending_;
+  std::shared_ptr<StopFlag> stop_;  // of the request that is pending or being computed
+  std::uint64_t number_ = 0;
+  bool busy_ = false;
+  bool ending_ = false;
+  std::shared_ptr<const Prepared> prepared_;  // used by the worker alone
+  std::shared_ptr<SampleRoom> room_ = std::make_shared<SampleRoom>();
+  std::thread worker_;
+};
+
+/// What `Preview` does before its first row, for those who want the plan: the scene's problems that stop it, or the
+/// plan of what is shown.
+struct ShownPlan {
+  Problems problems;  ///< Errors only.
+  std::shared_ptr<const Plan> plan;
+};
+/// @param resolved  of the scene
+[[nodiscard]] ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
+                                   const EchoWindow& window, const PlotSize& size, Engine engine, LongRows long_rows,
+                                   const StopFlag* stop = nullptr);
+
+}  // namespace sarsim

@@ -1,0 +1,93 @@
+#include "picture/figure/ticks.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sarsim {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> labels(const Ticks& ticks) {
+  std::vector<std::string> texts;
+  for (const Tick& tick : ticks.ticks) texts.push_back(tick.label);
+  return texts;
+}
+
+TEST(Ticks, ShareOnePrefix) {
+  const Ticks ticks = axis_ticks(0.0, 10'000.0, 500.0, 100.0, "m");
+  EXPECT_EQ(ticks.unit, "km");
+  EXPECT_EQ(ticks.scale, 1000.0);
+  EXPECT_THAT(labels(ticks), ElementsAre("0", "2", "4", "6", "8", "10"));
+  EXPECT_DOUBLE_EQ(ticks.ticks[3].value, 6000.0);
+}
+
+TEST(Ticks, ShowTheDecimalsOfTheirStep) {
+  EXPECT_THAT(labels(axis_ticks(0.0, 0.01, 400.0, 100.0, "s")), ElementsAre("0", "5", "10"));
+  EXPECT_THAT(labels(axis_ticks(1.0, 2.0, 400.0, 100.0, "s")), ElementsAre("1.0", "1.5", "2.0"));
+  EXPECT_THAT(labels(axis_ticks(-0.5, 0.5, 500.0, 100.0, "")), ElementsAre("-0.4", "-0.2", "0", "0.2", "0.4"));
+}
+
+TEST(Ticks, RunFromFirstToLast) {
+  EXPECT_THAT(labels(axis_ticks(3.0, 0.0, 300.0, 100.0, "")), ElementsAre("3", "2", "1", "0"));
+}
+
+TEST(Ticks, DecibelsAndDegreesTakeNoPrefix) {
+  EXPECT_EQ(axis_ticks(-200.0, 2000.0, 300.0, 50.0, "dB").unit, "dB");
+  EXPECT_EQ(axis_ticks(0.0, 0.002, 300.0, 50.0, "deg").unit, "deg");
+  EXPECT_EQ(axis_ticks(0.0, 5e6, 300.0, 50.0, "").scale, 1.0);
+  EXPECT_EQ(axis_ticks(0.0, 5e6, 300.0, 50.0, "Hz").unit, "MHz");
+  EXPECT_EQ(axis_ticks(0.0, 3e-6, 300.0, 50.0, "s").unit, "us");
+}
+
+TEST(Ticks, AnEmptyOrInfiniteSpanHasNone) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(axis_ticks(1.0, 1.0, 300.0, 50.0, "m").ticks.empty());
+  EXPECT_TRUE(axis_ticks(0.0, infinity, 300.0, 50.0, "m").ticks.empty());
+  EXPECT_TRUE(axis_ticks(std::nan(""), 1.0, 300.0, 50.0, "m").ticks.empty());
+  EXPECT_TRUE(axis_ticks(0.0, 1.0, 0.0, 50.0, "m").ticks.empty());
+  EXPECT_TRUE(axis_ticks(1e9, 1e9 + 1e-7, 300.0, 50.0, "m").ticks.empty());
+  EXPECT_TRUE(axis_ticks(-1.7e308, 1.7e308, 300.0, 50.0, "m").ticks.empty());
+}
+
+TEST(Ticks, KeepTheirDistanceAndStayInTheSpan) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> exponent(-11.0, 12.0), side(-1.0, 1.0), length(30.0, 2000.0);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = std::pow(10.0, exponent(random));
+    const double a = size * side(random);
+    const double b = size * side(random);
+    const double length_px = length(random);
+    const Ticks ticks = axis_ticks(a, b, length_px, 40.0, "m");
+    const double span = std::abs(b - a);
+    for (std::size_t k = 0; k < ticks.ticks.size(); ++k) {
+      EXPECT_GE(ticks.ticks[k].value, std::min(a, b) - 1e-8 * size);
+      EXPECT_LE(ticks.ticks[k].value, std::max(a, b) + 1e-8 * size);
+      EXPECT_NEAR(std::stod(ticks.ticks[k].label) * ticks.scale, ticks.ticks[k].value, 1e-9 * size);
+      if (k == 0) continue;
+      const double gap_px = std::abs(ticks.ticks[k].value - ticks.ticks[k - 1].value) / span * length_px;
+      EXPECT_GE(gap_px, std::min(40.0, length_px) * (1.0 - 1e-6)) << a << " " << b;
+      EXPECT_LE(gap_px, 2.5 * 40.0 * (1.0 + 1e-6) + length_px * 1e-6) << a << " " << b;
+    }
+  }
+}
+
+TEST(RoundBelow, IsTheLargestRoundNumberThatIsNotAbove) {
+  EXPECT_DOUBLE_EQ(round_below(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(round_below(1.99), 1.0);
+  EXPECT_DOUBLE_EQ(round_below(2.0), 2.0);
+  EXPECT_DOUBLE_EQ(round_below(49'999.0), 20'000.0);
+  EXPECT_DOUBLE_EQ(round_below(0.07), 0.05);
+  EXPECT_DOUBLE_EQ(round_below(1000.0), 1000.0);
+  EXPECT_DOUBLE_EQ(round_below(1e-3), 1e-3);
+  EXPECT_EQ(round_below(0.0), 0.0);
+  EXPECT_EQ(round_below(-5.0), 0.0);
+  EXPECT_EQ(round_below(std::nan("")), 0.0);
+}
+
+}  // namespace
+}  // namespace sarsim

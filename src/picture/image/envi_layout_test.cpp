@@ -1,0 +1,69 @@
+#include "picture/image/envi_layout.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <complex>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "raster/format/image_source.hpp"
+
+namespace sarsim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class EnviLayout : public testing::Test {
+ protected:
+  EnviLayout() { fs::create_directories(folder_); }
+  ~EnviLayout() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& name, EnviHeader::Pixel pixel) const {
+    EnviHeader header;
+    header.samples = 3;
+    header.lines = 2;
+    header.pixel = pixel;
+    EnviWriter writer(folder_ / name, header, true);
+    for (float row = 0.0F; row < 2.0F; row += 1.0F) {
+      const std::vector<std::complex<float>> values{{row, 1.0F}, {row, 2.0F}, {row, 3.0F}};
+      writer.append(values);
+    }
+    writer.finish();
+    return folder_ / name;
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("sarsim_envi_layout_" + std::to_string(getpid()));
+};
+
+TEST_F(EnviLayout, OpensImagesOfBothKinds) {
+  for (const auto pixel : {EnviHeader::Pixel::complex_float, EnviHeader::Pixel::real_float}) {
+    const bool complex = pixel == EnviHeader::Pixel::complex_float;
+    const fs::path file = write(complex ? "complex.img" : "real.img", pixel);
+    ImageHints hints;
+    hints.raw = envi_layout(file);
+    ASSERT_TRUE(hints.raw);
+    const OpenedImage opened = ImageSource::open(file, hints);
+    ASSERT_TRUE(opened.source);
+    EXPECT_EQ(opened.source->rows(), 2u);
+    EXPECT_EQ(opened.source->columns(), 3u);
+    EXPECT_EQ(opened.source->info().value, complex ? ImageValue::complex : ImageValue::magnitude);
+    std::vector<std::complex<float>> read(1);
+    opened.source->read_window({1, 1, 2, 1, 1, 1}, read);
+    EXPECT_FLOAT_EQ(std::abs(read[0]), std::hypot(1.0F, 3.0F));
+  }
+}
+
+TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
+  EXPECT_FALSE(envi_layout(folder_ / "none.img"));
+  const fs::path cut = write("cut.img", EnviHeader::Pixel::complex_float);
+  fs::resize_file(cut, 5);
+  EXPECT_FALSE(envi_layout(cut));
+  std::ofstream(folder_ / "bad.img") << "data";
+  std::ofstream(folder_ / "bad.hdr") << "no header";
+  EXPECT_FALSE(envi_layout(folder_ / "bad.img"));
+}
+
+}  // namespace
+}  // namespace sarsim

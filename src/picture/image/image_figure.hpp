@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/task/stop.hpp"
+#include "picture/echo/echo_window.hpp"
+#include "picture/figure/figure.hpp"
+#include "raster/format/image_source.hpp"
+
+namespace sarsim {
+
+/// Places of rows or columns that the file does not say itself: `first` is that of the first, `step` from one to the
+/// next.
+struct ImagePlaces {
+  std::string label;  ///< "Azimuth".
+  std::string unit;   ///< "m".
+  double first = 0.0;
+  double step = 1.0;
+
+  friend bool operator==(const ImagePlaces&, const ImagePlaces&) = default;
+};
+
+/// How a file is looked at: the part that is seen, in rows and columns of the file, and the look.
+struct ImageLook : ColourLook {
+  ImageLook() {
+    quantity = DisplayQuantity::magnitude;
+    map = ColourMap::ocean;
+  }
+
+  std::size_t first_row = 0;
+  std::size_t rows = 0;  ///< 0: all.
+  std::size_t first_column = 0;
+  std::size_t columns = 0;  ///< 0: all.
+  /// Pixels, or curves (echo_curves.hpp): one for each row or column, of those that are nearer than 20 pixels every
+  /// n-th.
+  DrawAs draw_as = DrawAs::pixels;
+  PixelRule pixel_rule = PixelRule::sample;  ///< Of pixels: one of its samples, or the largest, which reads them all.
+  std::optional<ImagePlaces> row_places;     ///< Instead of the file's own.
+  std::optional<ImagePlaces> column_places;
+  std::optional<std::string> unit;  ///< Of the values; otherwise V, or none where the file holds counts or levels.
+};
+
+/// A picture of a file of any size: where it has more samples than pixels, a subset of them or the largest of each
+/// pixel. Axes are pulses and samples, or, where the file or the look says them, slant range and time; the larger place
+/// is above, also where the step of the rows is negative.
+/// @param size  device pixels at most
+/// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
+[[nodiscard]] Figure image_figure(const ImageSource& source, const ImageLook& look, const PlotSize& size,
+                                  const WorkControl& control = {});
+
+}  // namespace sarsim

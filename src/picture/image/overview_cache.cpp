@@ -1,0 +1,147 @@
+#include "picture/image/overview_cache.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "scene/edit/text_file.hpp"
+
+namespace sarsim {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Magic, format, length of the key, key, count, checksum of the numbers, numbers; the machine's own byte order, which
+// the format number shows.
+constexpr std::string_view magic = "SARSIMOV";
+constexpr std::uint32_t format = 1;
+constexpr std::string_view extension = ".overview";
+
+// FNV-1a, eight bytes at a time.
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325U;
+  constexpr std::uint64_t prime = 0x100000001b3U;
+  while (!bytes.empty()) {
+    std::uint64_t part = 0;
+    const std::size_t size = std::min(sizeof part, bytes.size());
+    std::memcpy(&part, bytes.data(), size);
+    bytes.remove_prefix(size);
+    sum = std::rotl((sum ^ part) * prime, 23);
+  }
+  return sum;
+}
+
+template <class Number>
+void append(std::string& text, Number value) {
+  text.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string head_of(const std::string& key, const std::vector<float>& numbers) {
+  std::string head(magic);
+  append(head, format);
+  append(head, static_cast<std::uint32_t>(key.size()));
+  head += key;
+  append(head, static_cast<std::uint64_t>(numbers.size()));
+  append(head, checksum({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)}));
+  return head;
+}
+
+fs::path absolute_variable(const char* name) {
+  const char* value = std::getenv(name);
+  const fs::path path = value == nullptr ? "" : value;
+  return path.is_absolute() ? path : fs::path();
+}
+
+}  // namespace
+
+std::optional<std::string> file_identity(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::canonical(path, error);
+  if (error) return std::nullopt;
+  struct stat status {};
+  if (::stat(whole.c_str(), &status) != 0) return std::nullopt;
+  return fmt::format("{}\n{}\n{}.{:09}\n{}", whole.string(), status.st_size, status.st_mtim.tv_sec,
+                     status.st_mtim.tv_nsec, status.st_ino);
+}
+
+fs::path user_cache_folder() {
+  if (const fs::path folder = absolute_variable("XDG_CACHE_HOME"); !folder.empty()) return folder / "sarsim";
+  if (const fs::path home = absolute_variable("HOME"); !home.empty()) return home / ".cache" / "sarsim";
+  return {};
+}
+
+OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_t most_bytes)
+    : folder_(std::move(folder)), identity_(std::move(identity)), most_bytes_(most_bytes) {}
+
+fs::path OverviewCache::file_of(const std::string& words) const {
+  return folder_ / fmt::format("{:016x}{}", checksum(identity_ + "\n" + words), extension);
+}
+
+std::optional<std::vector<float>> OverviewCache::load(const std::string& words, std::size_t count) const {
+  std::error_code error;
+  const fs::path path = file_of(words);
+  const std::string key = identity_ + "\n" + words;
+  // The size is known beforehand, so that a foreign file is not even read.
+  const std::vector<float> none;
+  const std::size_t head_size = head_of(key, none).size();
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) != head_size + count * sizeof(float))
+    return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(head_size, '\0');
+  std::vector<float> numbers(count);
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) ||
+      !file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(count * sizeof(float))) ||
+      head != head_of(key, numbers))
+    return std::nullopt;
+  // Used files are the last to be removed.
+  fs::last_write_time(path, fs::file_time_type::clock::now(), error);
+  return numbers;
+}
+
+void OverviewCache::store(const std::string& words, const std::vector<float>& numbers) const try {
+  if (folder_.empty() || numbers.size() * sizeof(float) > most_bytes_) return;
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  std::string text = head_of(identity_ + "\n" + words, numbers);
+  text.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
+  write_text_file(file_of(words), text);
+  remove_oldest();
+} catch (const std::exception&) {
+  // What cannot be kept is made again.
+}
+
+void OverviewCache::remove_oldest() const {
+  struct Entry {
+    fs::file_time_type used;
+    std::uint64_t size;
+    fs::path path;
+  };
+  std::vector<Entry> entries;
+  std::uint64_t all = 0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    if (!entry.is_regular_file(error) || entry.is_symlink(error) || entry.path().extension() != extension) continue;
+    entries.push_back({entry.last_write_time(error), entry.file_size(error), entry.path()});
+    all += entries.back().size;
+  }
+  std::ranges::sort(entries, {}, &Entry::used);
+  for (const Entry& entry : entries) {
+    if (all <= most_bytes_) return;
+    fs::remove(entry.path, error);
+    all -= entry.size;
+  }
+}
+
+}  // namespace sarsim

@@ -1,0 +1,147 @@
+#include "picture/scene/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/maths/constants.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double rad_per_deg = pi / 180.0;
+constexpr double nearest_part = 1e-3;   // of the viewer's distance: nothing is drawn nearer than that
+constexpr double fitted_part = 0.4;     // of the picture on either side of its middle
+constexpr double nearest_fitted = 0.5;  // of the viewer's distance: no fitted point comes nearer
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// In (-pi, pi].
+double wrapped(double angle_rad) {
+  const double reduced = std::remainder(angle_rad, 2.0 * pi);
+  return reduced <= -pi ? reduced + 2.0 * pi : reduced;
+}
+
+// The world's step that moves a point at the focus's depth by so many pixels.
+Vec3 world_step(const Camera& camera, double dx_px, double dy_px) {
+  const Vec3 picture_m{dx_px / camera.pixels_per_m, -dy_px / camera.pixels_per_m, 0.0};
+  return transposed(camera.picture_from_world()) * picture_m;
+}
+
+// The box that holds points in the picture's axes.
+struct Box {
+  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity()};
+  Vec3 high = -low;
+
+  void add(const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+// Largest scale at which a point `side_m` off the middle and `depth_m` behind the focus stays within `half_px` of it.
+// The viewer stands K = distance_in_heights * height / s away, so that side * s * K/(K + depth) <= half.
+double largest_scale(const Camera& camera, double side_m, double depth_m, double half_px) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (!camera.perspective) return side_m > 0.0 ? half_px / side_m : infinity;
+  const double viewer_px = distance_in_heights * camera.height_px;
+  const double slope = side_m * viewer_px - half_px * depth_m;
+  const double within = slope > 0.0 ? half_px * viewer_px / slope : infinity;
+  const double in_front = depth_m < 0.0 ? nearest_fitted * viewer_px / -depth_m : infinity;
+  return std::min(within, in_front);
+}
+
+}  // namespace
+
+Camera Camera::start(double width_px, double height_px) {
+  Camera camera;
+  camera.width_px = width_px;
+  camera.height_px = height_px;
+  return preset(camera, ViewPreset::start);
+}
+
+Mat3 Camera::picture_from_world() const {
+  const double s = std::sin(azimuth_rad);
+  const double c = std::cos(azimuth_rad);
+  const Vec3 right{-c, s, 0.0};
+  const Vec3 towards = direction(azimuth_rad, elevation_rad);
+  return {{right, cross(towards, right), towards}};
+}
+
+double Camera::scale_at(double depth_m) const {
+  if (!perspective) return pixels_per_m;
+  const double viewer_m = viewer_distance_m();
+  const double ahead_m = viewer_m + depth_m;
+  return ahead_m > nearest_part * viewer_m ? pixels_per_m * viewer_m / ahead_m : 0.0;
+}
+
+std::optional<PicturePoint> Camera::project(const Vec3& world_m) const {
+  const Vec3 picture_m = picture_from_world() * (world_m - focus_world_m);
+  if (!finite(picture_m)) return std::nullopt;
+  const double scale = scale_at(-picture_m.z);
+  if (scale == 0.0) return std::nullopt;
+  return PicturePoint{0.5 * width_px + scale * picture_m.x, 0.5 * height_px - scale * picture_m.y, -picture_m.z};
+}
+
+Vec3 Camera::unproject(double x_px, double y_px) const {
+  return focus_world_m + world_step(*this, x_px - 0.5 * width_px, y_px - 0.5 * height_px);
+}
+
+Camera turned(Camera camera, double dx_px, double dy_px, double scale) {
+  camera.azimuth_rad = wrapped(camera.azimuth_rad + dx_px / (4.0 * scale) * rad_per_deg);
+  camera.elevation_rad = std::clamp(camera.elevation_rad + dy_px / (2.0 * scale) * rad_per_deg, -0.5 * pi, 0.5 * pi);
+  return camera;
+}
+
+Camera panned(Camera camera, double dx_px, double dy_px) {
+  camera.focus_world_m = camera.focus_world_m - world_step(camera, dx_px, dy_px);
+  return camera;
+}
+
+Camera zoomed(Camera camera, double factor, double x_px, double y_px) {
+  if (!(factor > 0.0)) return camera;
+  const Vec3 kept = camera.unproject(x_px, y_px);
+  camera.pixels_per_m = std::clamp(camera.pixels_per_m * factor, smallest_pixels_per_m, largest_pixels_per_m);
+  camera.focus_world_m = kept - world_step(camera, x_px - 0.5 * camera.width_px, y_px - 0.5 * camera.height_px);
+  return camera;
+}
+
+Camera fitted(Camera camera, const std::vector<Vec3>& points_world_m) {
+  const Mat3 picture_from_world = camera.picture_from_world();
+  Box box;
+  for (const Vec3& point : points_world_m)
+    if (finite(point)) box.add(picture_from_world * point);
+  if (!(box.low.x <= box.high.x)) return camera;
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  camera.focus_world_m = transposed(picture_from_world) * middle;
+  double scale = std::numeric_limits<double>::infinity();
+  for (const Vec3& point : points_world_m) {
+    if (!finite(point)) continue;
+    const Vec3 p = picture_from_world * point - middle;
+    scale = std::min({scale, largest_scale(camera, std::abs(p.x), -p.z, fitted_part * camera.width_px),
+                      largest_scale(camera, std::abs(p.y), -p.z, fitted_part * camera.height_px)});
+  }
+  // Points that differ by rounding alone are one point.
+  const double size = std::max({norm(box.low), norm(box.high), 1e-3});
+  if (!std::isfinite(scale) || norm(box.high - box.low) < 1e-9 * size) return camera;
+  camera.pixels_per_m = std::clamp(scale, smallest_pixels_per_m, largest_pixels_per_m);
+  return camera;
+}
+
+Camera preset(Camera camera, ViewPreset view) {
+  const auto look_from = [&](double azimuth_deg, double elevation_deg) {
+    camera.azimuth_rad = azimuth_deg * rad_per_deg;
+    camera.elevation_rad = elevation_deg * rad_per_deg;
+  };
+  switch (view) {
+    case ViewPreset::start: look_from(60.0, 30.0); break;
+    case ViewPreset::top: look_from(180.0, 90.0); break;
+    case ViewPreset::front: look_from(180.0, 0.0); break;
+    case ViewPreset::side: look_from(90.0, 0.0); break;
+  }
+  return camera;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/maths/constants.hpp"
+#include "core/text/number_text.hpp"
+#include "picture/scene/drawing_pen.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double target_px = 7.0;
+constexpr double radar_px = 10.0;
+constexpr double cone_px = 50.0;
+constexpr double lobe_px = 60.0;
+constexpr int rim_points = 16;
+constexpr double platform_axis_px = 50.0;
+constexpr double normal_px = 20.0;
+
+// What is selected or hovered is told by size as well as by colour.
+double emphasis_px(const Pen& pen, const ObjectId& id) { return pen.hovered(id) ? 4.0 : pen.selected(id) ? 2.0 : 0.0; }
+
+// --- Targets --------------------------------------------------------------------------------------------------------
+
+// Membership of targets in a set of objects, by index: one look-up each for the many.
+class TargetFlags {
+ public:
+  TargetFlags(const std::set<ObjectId>& objects, std::size_t count) {
+    for (auto at = objects.lower_bound({ObjectKind::target, 0}); at != objects.end() && at->kind == ObjectKind::target;
+         ++at) {
+      if (at->index >= count) break;
+      if (flags_.empty()) flags_.resize(count, false);
+      flags_[at->index] = true;
+    }
+  }
+  [[nodiscard]] bool operator[](std::size_t index) const { return !flags_.empty() && flags_[index]; }
+
+ private:
+  std::vector<bool> flags_;
+};
+
+struct SeenTarget {
+  const Snapshot::Target* target;
+  PicturePoint at;
+  bool selected;
+};
+
+// Targets in the picture, farthest first.
+std::vector<SeenTarget> seen_targets(const Pen& pen, const std::vector<Snapshot::Target>& targets) {
+  const DrawingOptions& options = pen.options();
+  const std::size_t count = targets.back().id.index + 1;
+  const TargetFlags hidden(options.hidden, count);
+  const TargetFlags selected(options.selected, count);
+  const std::size_t stride = options.coarse ? (targets.size() + coarse_targets - 1) / coarse_targets : 1;
+  std::vector<SeenTarget> seen;
+  seen.reserve(targets.size() / stride + 1);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Snapshot::Target& target = targets[i];
+    const bool marked = selected[target.id.index];
+    if (hidden[target.id.index] || (i % stride != 0 && !marked && !pen.hovered(target.id))) continue;
+    const auto at = pen.project(target.position_world_m);
+    if (at && pen.visible(*at)) seen.push_back({&target, *at, marked});
+  }
+  std::ranges::stable_sort(seen, std::ranges::greater{}, [](const SeenTarget& s) { return s.at.depth_m; });
+  return seen;
+}
+
+void draw_target(Pen& pen, const SeenTarget& seen, bool drop_line) {
+  const Snapshot::Target& target = *seen.target;
+  const bool hovered = pen.hovered(target.id);
+  const Role role = hovered ? Role::hovered : seen.selected ? Role::selected : Role::target;
+  if (drop_line) pen.world_line(target.position_world_m, target.foot_world_m, Role::faint, 1.0, true);
+  if (target.directional) pen.line(seen.at, pen.along(seen.at, target.normal_world, normal_px), role, 1.0);
+  pen.disc(seen.at, target_px + (hovered ? 4.0 : seen.selected ? 2.0 : 0.0), role, true);
+  pen.handle(target.id, seen.at);
+}
+
+// --- Radars ---------------------------------------------------------------------------------------------------------
+
+void draw_dotted_circle(Pen& pen, const PicturePoint& centre, double diameter_px) {
+  constexpr int parts = 32;
+  const double radius = 0.5 * pen.px(diameter_px);
+  const auto at = [&](int i) {
+    const double angle = 2.0 * pi * i / parts;
+    return PicturePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle), centre.depth_m};
+  };
+  for (int i = 0; i < parts; i += 2) pen.line(at(i), at(i + 1), Role::beam, 1.0);
+}
+
+// The unit vector that lies at the given offsets from a beam's axis.
+Vec3 off_axis(const Snapshot::Radar& radar, double azimuth, double elevation) {
+  const Vec3 antenna = direction(azimuth, elevation);
+  return antenna.x * radar.across_world + antenna.y * radar.axis_world +
+         antenna.z * cross(radar.across_world, radar.axis_world);
+}
+
+void draw_cone(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex, Role role) {
+  const double half_azimuth = std::min(pi, 0.5 * radar.azimuth_width_rad);
+  const double half_elevation = std::min(0.5 * pi, 0.5 * radar.elevation_width_rad);
+  std::array<PicturePoint, rim_points> rim;
+  for (int i = 0; i < rim_points; ++i) {
+    const double angle = 2.0 * pi * i / rim_points;
+    const Vec3 towards = off_axis(radar, half_azimuth * std::cos(angle), half_elevation * std::sin(angle));
+    rim[static_cast<std::size_t>(i)] = pen.along(apex, towards, cone_px);
+  }
+  for (std::size_t i = 0; i < rim.size(); ++i) pen.line(rim[i], rim[(i + 1) % rim.size()], role, 1.0);
+  for (std::size_t i = 0; i < rim.size(); i += rim.size() / 4) pen.line(apex, rim[i], role, 1.0);
+  pen.line(apex, pen.along(apex, radar.axis_world, cone_px), role, 1.0, true);
+}
+
+// Every second row and every fourth column of the lobe's grid.
+void draw_lobe(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex, Role role) {
+  const auto& lobe = radar.lobe_world;
+  const auto at = [&](std::size_t row, std::size_t column) { return pen.along(apex, lobe[row][column], lobe_px); };
+  for (std::size_t row = 0; row < lobe.size(); row += 2)
+    for (std::size_t column = 1; column < lobe[row].size(); ++column)
+      pen.line(at(row, column - 1), at(row, column), role, 1.0);
+  for (std::size_t column = 0; column < lobe.front().size(); column += 4)
+    for (std::size_t row = 1; row < lobe.size(); ++row) pen.line(at(row - 1, column), at(row, column), role, 1.0);
+}
+
+void draw_radar(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& at) {
+  const DrawingOptions& options = pen.options();
+  const Role beam = pen.role_of(radar.id, Role::beam);
+  if (radar.isotropic)
+    draw_dotted_circle(pen, at, 20.0 + emphasis_px(pen, radar.id));
+  else if (options.lobes && !options.coarse && !radar.lobe_world.empty())
+    draw_lobe(pen, radar, at, beam);
+  else
+    draw_cone(pen, radar, at, beam);
+  pen.disc(at, radar_px + emphasis_px(pen, radar.id), pen.role_of(radar.id, Role::radar), true);
+  pen.handle(radar.id, at);
+  if (options.labels && !options.coarse)
+    pen.text(at.x, at.y + pen.px(24.0), radar.name, pen.role_of(radar.id, Role::radar), pen.selected(radar.id), true);
+}
+
+// --- Platforms ------------------------------------------------------------------------------------------------------
+
+void draw_trail(Pen& pen, const Snapshot::Platform& platform) {
+  const std::vector<Vec3>& trail = platform.trail_world_m;
+  for (std::size_t i = 1; i < trail.size(); ++i)
+    pen.world_line(trail[i - 1], trail[i], pen.role_of(platform.id, Role::faint), 1.0);
+}
+
+void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
+  const DrawingOptions& options = pen.options();
+  const auto at = pen.project(platform.pose.position_world_m);
+  if (!at || !pen.visible(*at)) return;
+  const bool world = equal_ignoring_case(platform.name, "Earth");  // The main axes are its own (thesis 4.1).
+  const bool marked = pen.selected(platform.id) || pen.hovered(platform.id);
+  const Vec3& p = platform.pose.position_world_m;
+  if (options.elevation_lines && p.z != 0.0) pen.world_line(p, {p.x, p.y, 0.0}, Role::faint, 1.0, true);
+  if (options.coordinate_systems && !world)
+    draw_axes(pen, *at, platform.pose.world_from_platform, platform_axis_px, marked ? 2.0 : 1.0,
+              options.labels && !options.coarse);
+  if (marked || (!options.coordinate_systems && !world))
+    pen.disc(*at, 5.0 + emphasis_px(pen, platform.id), pen.role_of(platform.id, Role::platform), true);
+  pen.handle(platform.id, *at);
+  if (!options.labels) return;
+  const double above = at->y - pen.px(10.0);
+  pen.text(at->x, above, platform.name, pen.role_of(platform.id, Role::platform), pen.selected(platform.id), true);
+  pen.handle(platform.id, {at->x, above - pen.px(4.0), at->depth_m});
+}
+
+// --- Surfaces -------------------------------------------------------------------------------------------------------
+
+// Grey by the elevation of the normal, white where it points down (thesis 4.1).
+std::uint8_t shade_of(const Vec3& normal_world) {
+  const double elevation = elevation_rad(normal_world);
+  if (elevation < 0.0) return 255;
+  return static_cast<std::uint8_t>(std::lround(100.0 + 154.0 * elevation / (0.5 * pi)));
+}
+
+void draw_surface(Pen& pen, const Snapshot::Surface& surface) {
+  const auto& c = surface.corner_world_m;
+  const DrawingOptions& options = pen.options();
+  pen.polygon(c, pen.role_of(surface.id, Role::surface), shade_of(surface.normal_world), options.filled_surfaces);
+  if (options.elevation_lines && !options.coarse)
+    for (const Vec3& corner : c)
+      if (corner.z != 0.0) pen.world_line(corner, {corner.x, corner.y, 0.0}, Role::faint, 1.0, true);
+  const auto centroid = pen.project((1.0 / 3.0) * (c[0] + c[1] + c[2]));
+  if (!centroid) return;
+  if (pen.visible(*centroid))
+    pen.line(*centroid, pen.along(*centroid, surface.normal_world, normal_px), pen.role_of(surface.id, Role::z_axis),
+             1.0);
+  pen.handle(surface.id, *centroid);
+}
+
+}  // namespace
+
+void draw_surfaces(Pen& pen, const std::vector<Snapshot::Surface>& surfaces) {
+  for (const Snapshot::Surface& surface : surfaces)
+    if (!pen.hidden(surface.id)) draw_surface(pen, surface);
+}
+
+void draw_targets(Pen& pen, const std::vector<Snapshot::Target>& targets) {
+  if (targets.empty()) return;
+  const std::vector<SeenTarget> seen = seen_targets(pen, targets);
+  const bool drop_lines = pen.options().elevation_lines && !pen.options().coarse;
+  pen.drawing().discs.reserve(pen.drawing().discs.size() + seen.size());
+  pen.drawing().handles.reserve(pen.drawing().handles.size() + seen.size());
+  for (const SeenTarget& target : seen) {
+    const bool raised = target.target->position_world_m != target.target->foot_world_m;
+    draw_target(pen, target, drop_lines && raised);
+  }
+}
+
+void draw_radars(Pen& pen, const std::vector<Snapshot::Radar>& radars) {
+  std::vector<std::pair<const Snapshot::Radar*, PicturePoint>> seen;
+  for (const Snapshot::Radar& radar : radars) {
+    if (pen.hidden(radar.id)) continue;
+    const auto at = pen.project(radar.position_world_m);
+    if (at && pen.visible(*at)) seen.emplace_back(&radar, *at);
+  }
+  std::ranges::stable_sort(seen, std::ranges::greater{}, [](const auto& s) { return s.second.depth_m; });
+  for (const auto& [radar, at] : seen) draw_radar(pen, *radar, at);
+}
+
+void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms) {
+  for (const Snapshot::Platform& platform : platforms) {
+    if (pen.hidden(platform.id)) continue;
+    if (pen.options().trails) draw_trail(pen, platform);
+    draw_platform(pen, platform);
+  }
+}
+
+}  // namespace sarsim

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "picture/colour/theme.hpp"
+#include "picture/scene/camera.hpp"
+#include "picture/scene/snapshot.hpp"
+
+namespace sarsim {
+
+/// What the View menu switches (thesis 4.1.2), and what is set apart.
+struct DrawingOptions {
+  bool coordinate_systems = true;  ///< Main axes and the platforms' own.
+  bool corner_triad = true;
+  bool elevation_lines = true;
+  bool filled_surfaces = false;
+  bool labels = true;
+  bool trails = true;
+  bool lobes = false;        ///< Pattern lobes instead of cones.
+  bool coarse = false;       ///< Less detail while the mouse drags: no labels and drop lines of targets, at most
+                             ///< `coarse_targets` discs.
+  double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen: sizes are multiplied by it.
+  std::set<ObjectId> selected;
+  std::optional<ObjectId> hovered;
+  std::set<ObjectId> hidden;
+};
+inline constexpr std::size_t coarse_targets = 2000;
+
+/// The scene as marks on a picture, back to front. Coordinates in device pixels.
+struct Drawing {
+  /// A straight line.
+  struct Line {
+    float x0, y0, x1, y1;
+    Role role;
+    float width_px;
+    bool dotted;
+  };
+  /// A filled circle, or a ring.
+  struct Disc {
+    float x, y;
+    float diameter_px;
+    Role role;
+    bool outlined;
+  };
+  /// A plane part of a surface.
+  struct Polygon {
+    std::vector<PicturePoint> corners;
+    Role role;
+    std::uint8_t shade;  ///< 0 to 255: grey of a filled surface by its normal's elevation (thesis 4.1).
+    bool filled;
+  };
+  /// Words.
+  struct Text {
+    float x, y;  ///< Left end of the base line, or its middle.
+    std::string text;
+    Role role;
+    bool bold;
+    bool centred;
+  };
+  /// What can be picked: an object with a place of it. A platform has a second one at its name, because its radar
+  /// covers its origin; the handle of a surface, at its centroid, says only that it was drawn.
+  struct Handle {
+    ObjectId id;
+    float x = 0.0F;
+    float y = 0.0F;
+    float depth_m = 0.0F;
+  };
+  std::vector<Polygon> polygons;  ///< Drawn first, farthest first.
+  std::vector<Line> lines;        ///< Then lines,
+  std::vector<Disc> discs;        ///< discs,
+  std::vector<Text> texts;        ///< and words.
+  std::vector<Handle> handles;
+};
+
+/// Draws a snapshot, whose objects are in the order of their lists, after the rules of the thesis (4.1.2): main axes
+/// 200 px long with a mark at a round distance, corner triad, platforms with own axes of 50 px and name, targets as
+/// discs of 7 px with drop lines and, where directional, the normal of 20 px, surfaces with their normal, radars as
+/// discs of 10 px with the cone of their beam (50 px, 16 points, 4 ribs) or a dotted circle where isotropic. Beyond
+/// them: a scale bar with the main axes, the names of radars, trails. What is selected or hovered has its own role and
+/// is larger. Marks end at most 64 pixels of the screen outside the picture. Drop lines of platforms and surfaces end
+/// at the world's z = 0. Fills `drawing`, whose room is used again. About 1 ms for 10 000 targets.
+void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options, Drawing& drawing);
+
+/// The object under a picture point: the nearest handle within `reach_px`, targets and radars before platforms, the
+/// nearer to the viewer first where two are equally near (to half a pixel); else the nearest surface whose triangle
+/// holds the point or has its rim within reach. Only what `draw_scene` put into `drawing`.
+[[nodiscard]] std::optional<ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
+                                             double x_px, double y_px, double reach_px);
+
+/// All points of a snapshot that a fitted view should show: objects, not trails.
+[[nodiscard]] std::vector<Vec3> points_of(const Snapshot& snapshot);
+
+}  // namespace sarsim

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "picture/scene/drawing.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double same_distance_px = 0.5;  // nearer together than that, depth decides
+
+template <class Accept>
+const Drawing::Handle* nearest_handle(const Drawing& drawing, double x_px, double y_px, double reach_px,
+                                      const Accept& accept) {
+  const auto distance = [&](const Drawing::Handle& h) {
+    return std::hypot(static_cast<double>(h.x) - x_px, static_cast<double>(h.y) - y_px);
+  };
+  double nearest = reach_px;
+  bool found = false;
+  for (const Drawing::Handle& handle : drawing.handles)
+    if (accept(handle.id.kind) && distance(handle) <= nearest) nearest = distance(handle), found = true;
+  if (!found) return nullptr;
+  const Drawing::Handle* best = nullptr;
+  for (const Drawing::Handle& handle : drawing.handles)
+    if (accept(handle.id.kind) && distance(handle) <= nearest + same_distance_px &&
+        (best == nullptr || handle.depth_m < best->depth_m))
+      best = &handle;
+  return best;
+}
+
+struct Side {
+  double inside;       // twice the signed area with the point
+  double distance_px;  // of the point from the segment
+};
+
+Side side_of(const PicturePoint& a, const PicturePoint& b, double x, double y) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double length2 = dx * dx + dy * dy;
+  const double t = length2 > 0.0 ? std::clamp(((x - a.x) * dx + (y - a.y) * dy) / length2, 0.0, 1.0) : 0.0;
+  return {dx * (y - a.y) - dy * (x - a.x), std::hypot(a.x + t * dx - x, a.y + t * dy - y)};
+}
+
+// Depth of a triangle under a picture point: of its centre, where the point lies in it or within reach of its rim.
+std::optional<double> depth_under(const Snapshot::Surface& surface, const Camera& camera, double x, double y,
+                                  double reach_px) {
+  std::array<PicturePoint, 3> corner;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto point = camera.project(surface.corner_world_m[i]);
+    if (!point) return std::nullopt;
+    corner[i] = *point;
+  }
+  int left = 0;
+  int right = 0;
+  double rim_px = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Side side = side_of(corner[i], corner[(i + 1) % 3], x, y);
+    rim_px = std::min(rim_px, side.distance_px);
+    (side.inside > 0.0 ? left : right) += 1;
+  }
+  const bool inside = left == 3 || right == 3;
+  if (!inside && rim_px > reach_px) return std::nullopt;
+  return (corner[0].depth_m + corner[1].depth_m + corner[2].depth_m) / 3.0;
+}
+
+bool drawn(const Drawing& drawing, const ObjectId& id) {
+  return std::ranges::any_of(drawing.handles, [&](const Drawing::Handle& handle) { return handle.id == id; });
+}
+
+std::optional<ObjectId> surface_under(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
+                                      double x_px, double y_px, double reach_px) {
+  std::optional<ObjectId> best;
+  double best_depth = std::numeric_limits<double>::infinity();
+  for (const Snapshot::Surface& surface : snapshot.surfaces) {
+    const auto depth = depth_under(surface, camera, x_px, y_px, reach_px);
+    if (!depth || *depth >= best_depth || !drawn(drawing, surface.id)) continue;
+    best = surface.id;
+    best_depth = *depth;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera, double x_px,
+                               double y_px, double reach_px) {
+  const auto small = [](ObjectKind kind) { return kind == ObjectKind::target || kind == ObjectKind::radar; };
+  const auto platform = [](ObjectKind kind) { return kind == ObjectKind::platform; };
+  if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, small)) return handle->id;
+  if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, platform)) return handle->id;
+  return surface_under(drawing, snapshot, camera, x_px, y_px, reach_px);
+}
+
+}  // namespace sarsim

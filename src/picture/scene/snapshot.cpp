@@ -1,0 +1,425 @@
+#include "picture/scene/snapshot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "picture/scene/snapshot_beam.hpp"
+#include "simulate/resolve/resolved.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double longest_time_s = 1e9;        // beyond it a scene's times are no times
+constexpr double shortest_envelope_s = 1e-6;  // of an integration envelope; below, steps outnumber integers
+constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass function's knots
+constexpr int trail_steps = 48;
+constexpr std::size_t most_trail_knots = 256;
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
+Vec3 finite_or_zero(const Vec3& v) { return {finite_or_zero(v.x), finite_or_zero(v.y), finite_or_zero(v.z)}; }
+Angle finite_or_zero(Angle angle) { return std::isfinite(angle.deg()) ? angle : Angle{}; }
+
+// --- What a half-typed scene becomes so that it can be evaluated ----------------------------------------------------
+
+// Finite knots, ascending; of knots at one place the first.
+SampledFunction cleaned(const SampledFunction& function) {
+  SampledFunction clean{function.method, {}};
+  for (const Knot& knot : function.knots)
+    if (std::isfinite(knot.x) && std::isfinite(knot.y)) clean.knots.push_back(knot);
+  std::ranges::stable_sort(clean.knots, {}, &Knot::x);
+  const auto same_place = [](const Knot& a, const Knot& b) { return a.x == b.x; };
+  clean.knots.erase(std::unique(clean.knots.begin(), clean.knots.end(), same_place), clean.knots.end());
+  if (clean.method != Interpolation::low_pass || clean.knots.size() < 2) return clean;
+  const double first = clean.knots.front().x;
+  const double last = clean.knots.back().x;
+  const double step = (last - first) / static_cast<double>(clean.knots.size() - 1);
+  if (std::max(std::abs(first), std::abs(last)) > most_low_pass_steps * step) clean.method = Interpolation::linear;
+  return clean;
+}
+
+template <std::size_t N>
+UserFunction<N> cleaned(const UserFunction<N>& function) {
+  UserFunction<N> clean;
+  for (std::size_t i = 0; i < N; ++i) clean.part[i] = cleaned(function.part[i]);
+  return clean;
+}
+
+UserFunction<3> cleaned_envelope(const UserFunction<3>& envelope) {
+  UserFunction<3> clean = cleaned(envelope);
+  for (SampledFunction& part : clean.part) {
+    if (part.knots.size() < 2) continue;
+    const double support = part.knots.back().x - part.knots.front().x;
+    const bool far = std::abs(part.knots.front().x) > longest_time_s;
+    if (support < shortest_envelope_s || !std::isfinite(support) || far) part.knots.clear();
+  }
+  return clean;
+}
+
+std::array<Angle, 3> cleaned(const std::array<Angle, 3>& angles) {
+  return {finite_or_zero(angles[0]), finite_or_zero(angles[1]), finite_or_zero(angles[2])};
+}
+
+Platform cleaned(const Platform& platform) {
+  Platform clean;
+  clean.name = platform.name;
+  clean.path = platform.path;
+  clean.position_m = finite_or_zero(platform.position_m);
+  clean.trajectory_m = cleaned(platform.trajectory_m);
+  clean.aligned = platform.aligned;
+  clean.rotation_kind = platform.rotation_kind;
+  clean.rotation = cleaned(platform.rotation);
+  clean.rotation_deg = cleaned(platform.rotation_deg);
+  clean.rotation_rate = cleaned(platform.rotation_rate);
+  clean.position_error = platform.position_error;
+  clean.position_stddev_m = finite_or_zero(platform.position_stddev_m);
+  clean.position_envelope = cleaned_envelope(platform.position_envelope);
+  clean.rotation_error = platform.rotation_error;
+  clean.rotation_stddev = cleaned(platform.rotation_stddev);
+  clean.rotation_envelope = cleaned_envelope(platform.rotation_envelope);
+  return clean;
+}
+
+// Only what drawing needs: the beam and the transmit antenna. It stands on the world, whose name always resolves.
+Radar cleaned(const Radar& radar) {
+  Radar clean;
+  clean.platform = "Earth";
+  clean.transmit_antenna = radar.transmit_antenna;
+  clean.transmit_antenna.gain_db = cleaned(radar.transmit_antenna.gain_db);
+  clean.beam = radar.beam;
+  clean.beam_elevation = finite_or_zero(radar.beam_elevation);
+  clean.beam_azimuth = finite_or_zero(radar.beam_azimuth);
+  clean.beam_rate = finite_or_zero(radar.beam_rate);
+  clean.spot_world_m = finite_or_zero(radar.spot_world_m);
+  clean.beam_target_world_m = cleaned(radar.beam_target_world_m);
+  return clean;
+}
+
+// The platforms and choices of a scene alone, so that resolving it fills no surfaces.
+Scene frames_of(const Scene& scene) {
+  Scene frames;
+  for (const Platform& platform : scene.platforms) frames.platforms.push_back(cleaned(platform));
+  frames.options = scene.options;
+  return frames;
+}
+
+// When the pulses of a radar leave; nothing where its description makes no sense yet.
+std::optional<Repetition> repetition_of(const Radar& radar) {
+  const auto sensible = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (radar.repetition == Radar::Repetition::constant)
+    return sensible(radar.prf_hz) ? std::optional(Repetition::constant(radar.prf_hz)) : std::nullopt;
+  std::vector<double> intervals_s;
+  for (const Knot& knot : radar.pri_s.part[0].knots) {
+    if (!sensible(knot.y)) return std::nullopt;
+    intervals_s.push_back(knot.y);
+  }
+  return intervals_s.empty() ? std::nullopt : std::optional(Repetition::intervals(std::move(intervals_s)));
+}
+
+// --- The span of times ----------------------------------------------------------------------------------------------
+
+struct Span {
+  double first = std::numeric_limits<double>::infinity();
+  double last = -first;
+
+  void add(double time_s) {
+    if (!std::isfinite(time_s)) return;
+    first = std::min(first, time_s);
+    last = std::max(last, time_s);
+  }
+  void add(const UserFunction<3>& function) {
+    for (const SampledFunction& part : function.part)
+      for (const Knot& knot : part.knots) add(knot.x);
+  }
+};
+
+std::array<double, 2> span_of(const Scene& scene) {
+  Span span;
+  for (const Platform& platform : scene.platforms) {
+    if (platform.path == Platform::Path::trajectory) span.add(platform.trajectory_m);
+    if (platform.rotation_kind == Platform::Rotation::user) span.add(platform.rotation_deg);
+  }
+  for (const Radar& radar : scene.radars)
+    if (radar.beam == Radar::Beam::user) span.add(radar.beam_target_world_m);
+  for (const Simulation& simulation : scene.simulations) {
+    span.add(simulation.time_start_s);
+    span.add(simulation.time_end_s);
+  }
+  for (const GeometryTable& table : scene.geometries) {
+    span.add(table.time_start_s);
+    span.add(table.time_end_s);
+  }
+  if (!(span.first <= span.last)) return {0.0, 1.0};
+  return {span.first, span.last > span.first ? span.last : span.first + 1.0};
+}
+
+// --- Paths ----------------------------------------------------------------------------------------------------------
+
+struct Path {
+  std::array<Interpolator, 3> position_m;
+  std::vector<double> knots_s;  // of all three, ascending: where a path of straight lines bends
+  bool moves = false;
+
+  [[nodiscard]] Vec3 at(double time_s) const {
+    return {position_m[0].value(time_s), position_m[1].value(time_s), position_m[2].value(time_s)};
+  }
+};
+
+// @param platform  cleaned
+Path path_of(const Platform& platform, LowPassRule rule) {
+  Path path;
+  if (platform.path != Platform::Path::trajectory) return path;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SampledFunction& part = platform.trajectory_m.part[i];
+    path.position_m[i] = Interpolator(part, rule);
+    for (const Knot& knot : part.knots) {
+      path.knots_s.push_back(knot.x);
+      if (knot.y != part.knots.front().y) path.moves = true;
+    }
+  }
+  std::ranges::sort(path.knots_s);
+  path.knots_s.erase(std::unique(path.knots_s.begin(), path.knots_s.end()), path.knots_s.end());
+  return path;
+}
+
+std::vector<Vec3> trail_of(const Path& path, double time_s, double length_s) {
+  std::vector<Vec3> trail;
+  if (!path.moves || !(length_s > 0.0) || !std::isfinite(length_s)) return trail;
+  const double start_s = time_s - 0.5 * length_s;
+  const double end_s = time_s + 0.5 * length_s;
+  std::vector<double> times_s;
+  for (int i = 0; i <= trail_steps; ++i) times_s.push_back(start_s + length_s * i / trail_steps);
+  const auto first = std::ranges::upper_bound(path.knots_s, start_s);
+  const auto last = std::ranges::lower_bound(path.knots_s, end_s);
+  if (first < last && static_cast<std::size_t>(last - first) <= most_trail_knots) {
+    times_s.insert(times_s.end(), first, last);
+    std::ranges::sort(times_s);
+  }
+  for (const double at_s : times_s) {
+    const Vec3 point = path.at(at_s);
+    if (finite(point)) trail.push_back(point);
+  }
+  return trail;
+}
+
+// Positions in the list of resolved platforms; unknown names mean the world, which comes last.
+class PlatformFinder {
+ public:
+  explicit PlatformFinder(const Scene& scene) : scene_(scene) {}
+
+  std::size_t operator()(const std::string& name) {
+    const auto [entry, fresh] = found_.try_emplace(name, 0);
+    if (fresh) {
+      const std::size_t found = find_platform(scene_, name);
+      entry->second = found == not_found ? scene_.platforms.size() : found;
+    }
+    return entry->second;
+  }
+
+ private:
+  const Scene& scene_;
+  std::map<std::string, std::size_t> found_;
+};
+
+}  // namespace
+
+struct SnapshotMaker::Prepared {
+  struct Target {
+    std::size_t index;
+    std::size_t platform;
+    Vec3 position_m;
+    Vec3 normal;
+    bool directional;
+  };
+  struct Surface {
+    std::size_t index;
+    std::size_t platform;
+    std::array<Vec3, 3> corner_m;
+    Vec3 normal;
+  };
+  struct Radar {
+    std::string name;
+    std::size_t platform;
+    Beam beam;
+    BeamShape shape;
+  };
+  // Where a platform is at the snapshot's time.
+  struct Frame {
+    Pose pose;
+    bool usable = false;
+  };
+
+  explicit Prepared(const Scene& scene);
+  void add_platforms(const Scene& frames);
+  void add_targets(const Scene& scene, PlatformFinder& platform_of);
+  void add_surfaces(const Scene& scene, PlatformFinder& platform_of);
+  void add_radars(const Scene& scene, PlatformFinder& platform_of);
+
+  [[nodiscard]] std::vector<Frame> frames_at(double time_s) const;
+  void put_platforms(const std::vector<Frame>& frames, double trail_s, Snapshot& snapshot) const;
+  void put_targets(const std::vector<Frame>& frames, Snapshot& snapshot) const;
+  void put_surfaces(const std::vector<Frame>& frames, Snapshot& snapshot) const;
+  void put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const;
+
+  ResolvedScene resolved;
+  std::vector<Path> paths;
+  std::vector<Target> targets;
+  std::vector<Surface> surfaces;
+  std::vector<Radar> radars;
+  std::optional<Repetition> repetition;
+  std::array<double, 2> span_s{};
+};
+
+SnapshotMaker::Prepared::Prepared(const Scene& scene) : span_s(span_of(scene)) {
+  add_platforms(frames_of(scene));
+  PlatformFinder platform_of(scene);
+  add_targets(scene, platform_of);
+  add_surfaces(scene, platform_of);
+  add_radars(scene, platform_of);
+}
+
+void SnapshotMaker::Prepared::add_platforms(const Scene& frames) {
+  resolved = resolve(frames);
+  for (const Platform& platform : frames.platforms) paths.push_back(path_of(platform, resolved.conventions.low_pass));
+}
+
+void SnapshotMaker::Prepared::add_targets(const Scene& scene, PlatformFinder& platform_of) {
+  targets.reserve(scene.targets.size());
+  for (std::size_t i = 0; i < scene.targets.size(); ++i) {
+    const auto& target = scene.targets[i];
+    if (!finite(target.position_m)) continue;
+    Vec3 normal;
+    if (target.reflectivity == sarsim::Target::Reflectivity::directional)
+      normal = direction(target.azimuth.rad(), target.elevation.rad());
+    const bool directional = normal != Vec3{} && finite(normal);
+    targets.push_back({i, platform_of(target.platform), target.position_m, directional ? normal : Vec3{}, directional});
+  }
+}
+
+void SnapshotMaker::Prepared::add_surfaces(const Scene& scene, PlatformFinder& platform_of) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const auto& surface = scene.surfaces[i];
+    const std::array<Vec3, 3>& c = surface.corner_m;
+    if (!std::ranges::all_of(c, finite)) continue;
+    const Vec3 across = cross(c[1] - c[0], c[2] - c[0]);
+    const double length = norm(across);
+    const Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : Vec3{};
+    surfaces.push_back({i, platform_of(surface.platform), c, normal});
+  }
+}
+
+void SnapshotMaker::Prepared::add_radars(const Scene& scene, PlatformFinder& platform_of) {
+  Scene drawn;  // The radars alone, as far as they are drawn.
+  for (const auto& radar : scene.radars) drawn.radars.push_back(cleaned(radar));
+  for (std::size_t i = 0; i < scene.radars.size(); ++i) {
+    ResolvedRadar r = resolve_radar(drawn, resolved, i);
+    radars.push_back({scene.radars[i].name, platform_of(scene.radars[i].platform), std::move(r.beam),
+                      beam_shape(r.transmit, resolved.conventions.pattern)});
+  }
+  if (!scene.radars.empty()) repetition = repetition_of(scene.radars.front());
+}
+
+std::vector<SnapshotMaker::Prepared::Frame> SnapshotMaker::Prepared::frames_at(double time_s) const {
+  const std::int64_t pulse = repetition ? repetition->pulses_in(time_s, time_s).last : 0;
+  std::vector<Frame> frames;
+  for (const ResolvedPlatform& platform : resolved.platforms) {
+    Frame frame{platform.track.at(time_s, pulse), false};
+    frame.usable =
+        finite(frame.pose.position_world_m) && std::ranges::all_of(frame.pose.world_from_platform.row, finite);
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+void SnapshotMaker::Prepared::put_platforms(const std::vector<Frame>& frames, double trail_s,
+                                            Snapshot& snapshot) const {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (!frames[i].usable) continue;
+    snapshot.platforms.push_back({{ObjectKind::platform, i},
+                                  resolved.platforms[i].name,
+                                  frames[i].pose,
+                                  trail_of(paths[i], snapshot.time_s, trail_s)});
+  }
+}
+
+void SnapshotMaker::Prepared::put_targets(const std::vector<Frame>& frames, Snapshot& snapshot) const {
+  snapshot.targets.reserve(targets.size());
+  for (const Target& target : targets) {
+    const Frame& frame = frames[target.platform];
+    if (!frame.usable) continue;
+    const Vec3& p = target.position_m;
+    Snapshot::Target shown;
+    shown.id = {ObjectKind::target, target.index};
+    shown.position_world_m = world_position_m(frame.pose, p);
+    shown.foot_world_m = world_position_m(frame.pose, {p.x, p.y, 0.0});
+    shown.directional = target.directional;
+    if (target.directional) shown.normal_world = frame.pose.world_from_platform * target.normal;
+    snapshot.targets.push_back(shown);
+  }
+}
+
+void SnapshotMaker::Prepared::put_surfaces(const std::vector<Frame>& frames, Snapshot& snapshot) const {
+  for (const Surface& surface : surfaces) {
+    const Frame& frame = frames[surface.platform];
+    if (!frame.usable) continue;
+    Snapshot::Surface shown;
+    shown.id = {ObjectKind::surface, surface.index};
+    for (std::size_t i = 0; i < 3; ++i) shown.corner_world_m[i] = world_position_m(frame.pose, surface.corner_m[i]);
+    shown.normal_world = frame.pose.world_from_platform * surface.normal;
+    snapshot.surfaces.push_back(shown);
+  }
+}
+
+void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const {
+  for (std::size_t i = 0; i < radars.size(); ++i) {
+    const Radar& radar = radars[i];
+    if (!frames[radar.platform].usable) continue;
+    const Pose& pose = frames[radar.platform].pose;
+    const Pointing pointing(radar.beam, resolved.conventions.pointing, snapshot.time_s, pose.position_world_m,
+                            pose.world_from_platform, pose.rotation_rad);
+    Snapshot::Radar shown;
+    shown.id = {ObjectKind::radar, i};
+    shown.name = radar.name;
+    shown.position_world_m = pose.position_world_m;
+    shown.axis_world = pointing.axis_world();
+    if (!finite(shown.axis_world)) continue;
+    // Offsets of the rule of added angles are angles of the world: its antenna is level.
+    const double azimuth = azimuth_rad(shown.axis_world);
+    shown.across_world = resolved.conventions.pointing == PointingRule::boresight
+                             ? pointing.antenna_from_world().row[0]
+                             : Vec3{std::cos(azimuth), -std::sin(azimuth), 0.0};
+    shown.azimuth_width_rad = radar.shape.azimuth_width_rad;
+    shown.elevation_width_rad = radar.shape.elevation_width_rad;
+    shown.isotropic = radar.shape.isotropic;
+    const Mat3 antenna_from_world{{shown.across_world, shown.axis_world, cross(shown.across_world, shown.axis_world)}};
+    const Mat3 world_from_antenna = transposed(antenna_from_world);
+    shown.lobe_world = radar.shape.lobe_antenna;
+    for (std::vector<Vec3>& row : shown.lobe_world)
+      for (Vec3& point : row) point = world_from_antenna * point;
+    snapshot.radars.push_back(std::move(shown));
+  }
+}
+
+SnapshotMaker::SnapshotMaker(const Scene& scene) : prepared_(std::make_unique<Prepared>(scene)) {}
+SnapshotMaker::~SnapshotMaker() = default;
+SnapshotMaker::SnapshotMaker(SnapshotMaker&&) noexcept = default;
+SnapshotMaker& SnapshotMaker::operator=(SnapshotMaker&&) noexcept = default;
+
+Snapshot SnapshotMaker::at(double time_s, double trail_s) const {
+  Snapshot snapshot;
+  snapshot.time_s = std::clamp(finite_or_zero(time_s), -longest_time_s, longest_time_s);
+  const std::vector<Prepared::Frame> frames = prepared_->frames_at(snapshot.time_s);
+  prepared_->put_platforms(frames, trail_s, snapshot);
+  prepared_->put_targets(frames, snapshot);
+  prepared_->put_surfaces(frames, snapshot);
+  prepared_->put_radars(frames, snapshot);
+  return snapshot;
+}
+
+std::array<double, 2> SnapshotMaker::time_span_s() const { return prepared_->span_s; }
+
+}  // namespace sarsim

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "core/maths/vector.hpp"
+#include "radar/antenna/pattern.hpp"
+
+namespace sarsim {
+
+/// What an antenna looks like, prepared once for many snapshots.
+struct BeamShape {
+  bool isotropic = true;
+  double azimuth_width_rad = 0.0;  ///< 2 pi where the pattern never falls by 3 dB.
+  double elevation_width_rad = 0.0;
+  /// Directions in the antenna's frame (x across, y boresight, z up) times the one-way amplitude over its largest:
+  /// [elevation][azimuth]. Empty where isotropic.
+  std::vector<std::vector<Vec3>> lobe_antenna;
+};
+
+/// The shape of a pattern. One that cannot be understood (a beamwidth that is not positive) is isotropic.
+[[nodiscard]] BeamShape beam_shape(const AntennaPattern& pattern, PatternRule rule);
+
+}  // namespace sarsim

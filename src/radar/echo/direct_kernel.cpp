@@ -1,0 +1,162 @@
+#include "radar/echo/direct_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/constants.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Half a block squared over the samples of a chirp is the largest number of turns: 3e5 for one of 500 at full band,
+// which a double resolves to 3e-11.
+constexpr std::size_t longest_block = 32768;
+
+double centre_of_block(std::size_t block, std::size_t length) {
+  return static_cast<double>(block * length + length / 2);
+}
+
+}  // namespace
+
+DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance)
+    : pulse_(&pulse),
+      grid_(grid),
+      single_precision_(tolerance >= 1e-6),
+      sweep_rate_hz_per_s_(pulse.band_limited ? 0.0 : pulse.pulse.sweep_rate_hz_per_s()),
+      block_(std::clamp<std::size_t>(grid.count, 1, longest_block)) {
+  if (pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user ||
+      pulse.pulse.envelope != Pulse::Envelope::rectangular) {
+    shape_.emplace(pulse, grid, single_precision_);
+    if (!shape_->is_usable()) return;
+  }
+  sum_.re.resize(grid.count + SplitRow::padding);
+  sum_.im.resize(grid.count + SplitRow::padding);
+  const double sweep = sweep_rate_hz_per_s_ * grid.interval_s * grid.interval_s;
+  if (sweep == 0.0) return;
+  chirp_.resize(block_);
+  for (std::size_t n = 0; n < block_; ++n) {
+    const double m = static_cast<double>(n) - centre_of_block(0, block_);
+    const double turns = 0.5 * sweep * m * m;
+    chirp_[n] = std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+  }
+}
+
+void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+  if (shape_ && !shape_->is_usable()) {
+    add_echoes(row, grid_, *pulse_, carrier_hz, echoes);
+    return;
+  }
+  collect(carrier_hz, echoes);
+  std::ranges::fill(sum_.re, 0.0);
+  std::ranges::fill(sum_.im, 0.0);
+  add_tones(tones_, single_precision_, sum_, scratch_);
+  if (shape_) add_shaped_tones(*shape_, shaped_, shaped_tones_, sum_, scratch_, shape_scratch_);
+  if (chirp_.empty()) {
+    for (std::size_t n = 0; n < row.size(); ++n) row[n] += std::complex(sum_.re[n], sum_.im[n]);
+    return;
+  }
+  for (std::size_t first = 0; first < row.size(); first += block_) {
+    const std::size_t count = std::min(block_, row.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double re = sum_.re[first + i];
+      const double im = sum_.im[first + i];
+      const std::complex<double> c = chirp_[i];
+      row[first + i] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
+    }
+  }
+}
+
+void DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
+  tones_.clear();
+  shaped_tones_.clear();
+  shaped_.clear();
+  for (std::size_t k = 0; k < echoes.size(); ++k) {
+    const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k]);
+    if (on.begin >= on.end) continue;
+    const Source source{echoes.delay_s[k], echoes.amplitude_sqrt_w[k],
+                        2.0 * echoes.speed_mps[k] / pulse_->light_speed_mps, carrier_hz};
+    if (!shape_) {
+      append_tones(source, on, tones_);
+      continue;
+    }
+    // Where the shape is a number its samples need no table.
+    const ShapeTable::Constant& constant = shape_->constant();
+    const std::size_t cell = shape_->place(on.begin, on.end, source.delay_s).cell;
+    const auto sample_of = [&](std::size_t c) {
+      return std::clamp(on.begin + c, cell + on.begin, cell + on.end) - cell;
+    };
+    const SampleSpan flat{sample_of(constant.begin), sample_of(constant.end)};
+    append_shaped(source, {on.begin, flat.begin});
+    Source gained = source;
+    gained.amplitude *= constant.gain;
+    append_tones(gained, flat, tones_);
+    append_shaped(source, {flat.end, on.end});
+  }
+}
+
+void DirectKernel::append_shaped(const Source& source, const SampleSpan& on) {
+  if (on.begin >= on.end) return;
+  ShapedEcho echo;
+  echo.place = shape_->place(on.begin, on.end, source.delay_s);
+  echo.first_tone = shaped_tones_.size();
+  append_tones(source, on, shaped_tones_);
+  echo.last_tone = shaped_tones_.size();
+  shaped_.push_back(echo);
+}
+
+void DirectKernel::append_tones(const Source& source, const SampleSpan& on, std::vector<Tone>& tones) const {
+  for (std::size_t begin = on.begin; begin < on.end;) {
+    const std::size_t block = begin / block_;
+    Tone tone = tone_at(source, block);
+    tone.begin = begin;
+    tone.end = std::min(on.end, (block + 1) * block_);
+    if (pulse_->pulse.kind == Pulse::Kind::code && !pulse_->band_limited)
+      append_code_tones(tone, source.delay_s, tones);
+    else
+      tones.push_back(tone);
+    begin = tone.end;
+  }
+}
+
+// Phase in turns of sample centre + m: (S - K D)u^2/2 - D f u - f tau with u = u0 + m dt, less S (m dt)^2/2; S is the
+// sweep rate K, or 0 where a table has the pulse with its sweep.
+Tone DirectKernel::tone_at(const Source& source, std::size_t block) const {
+  const double dt = grid_.interval_s;
+  const double doppler_rate = source.doppler * pulse_->pulse.sweep_rate_hz_per_s();
+  const double doppler_hz = source.doppler * source.carrier_hz;
+  const double sweep_rate = sweep_rate_hz_per_s_ - doppler_rate;
+  const double carrier_turns = source.carrier_hz * source.delay_s;
+  Tone tone;
+  tone.centre = centre_of_block(block, block_);
+  const double u0 = grid_.first_s + tone.centre * dt - source.delay_s + pulse_->lead_s - 0.5 * pulse_->pulse.width_s;
+  tone.alpha = 0.5 * sweep_rate * u0 * u0 - doppler_hz * u0 - (carrier_turns - std::round(carrier_turns));
+  tone.beta = (sweep_rate * u0 - doppler_hz) * dt;
+  tone.gamma = -0.5 * doppler_rate * dt * dt;
+  tone.amplitude = source.amplitude;
+  return tone;
+}
+
+// One tone per run of chips with the same sign.
+void DirectKernel::append_code_tones(const Tone& whole, double delay_s, std::vector<Tone>& tones) const {
+  const std::vector<int>& code = pulse_->pulse.code;
+  const double chip_s = pulse_->pulse.width_s / static_cast<double>(code.size());
+  Tone tone = whole;
+  for (std::size_t chip = 0; chip < code.size();) {
+    std::size_t after = chip + 1;
+    while (after < code.size() && code[after] == code[chip]) ++after;
+    // The border of chips is an edge like that of a pulse: a sample within 1e-9 of an interval belongs to the later
+    // one.
+    const double border =
+        (delay_s - pulse_->lead_s + static_cast<double>(after) * chip_s - grid_.first_s) / grid_.interval_s;
+    const double next = after == code.size() ? static_cast<double>(whole.end) : std::ceil(border - 1e-9);
+    tone.end =
+        static_cast<std::size_t>(std::clamp(next, static_cast<double>(tone.begin), static_cast<double>(whole.end)));
+    tone.amplitude = whole.amplitude * code[chip];
+    if (tone.begin < tone.end) tones.push_back(tone);
+    tone.begin = tone.end;
+    chip = after;
+  }
+}
+
+}  // namespace sarsim

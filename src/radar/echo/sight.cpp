@@ -1,0 +1,325 @@
+#include "radar/echo/sight.hpp"
+
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "radar/echo/sight.cpp"
+#include <hwy/foreach_target.h>  // includes this file once per instruction set
+
+#include "radar/echo/simd_angle-inl.hpp"
+#include "radar/echo/simd_curves-inl.hpp"
+#include "radar/echo/simd_math-inl.hpp"
+#include "radar/echo/simd_normals-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sarsim::HWY_NAMESPACE {
+
+using Tag = hn::ScalableTag<double>;
+using Vector = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
+
+struct Triple {
+  Vector x, y, z;
+};
+
+HWY_INLINE Vector dot_row(Tag d, const Vec3& row, const Triple& v, Vector start) {
+  return hn::MulAdd(hn::Set(d, row.z), v.z,
+                    hn::MulAdd(hn::Set(d, row.y), v.y, hn::MulAdd(hn::Set(d, row.x), v.x, start)));
+}
+
+HWY_INLINE Triple turned(Tag d, const Mat3& m, const Triple& v, const Vec3& shift) {
+  return {dot_row(d, m.row[0], v, hn::Set(d, shift.x)), dot_row(d, m.row[1], v, hn::Set(d, shift.y)),
+          dot_row(d, m.row[2], v, hn::Set(d, shift.z))};
+}
+
+HWY_INLINE Vector inner(const Triple& a, const Triple& b) {
+  return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+
+HWY_INLINE Triple outer(const Triple& a, const Triple& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+
+HWY_INLINE Vector degrees(Tag d, Vector radians) { return hn::Mul(radians, hn::Set(d, 57.295779513082320877)); }
+
+// Points [first, first + count) of the columns, one to a lane; lanes that are left over repeat the last one.
+template <bool Whole>
+struct Points {
+  std::size_t first, count;
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> of(D d, const std::vector<hn::TFromD<D>>& column) const {
+    if constexpr (Whole) return hn::LoadU(d, column.data() + first);
+    HWY_ALIGN hn::TFromD<D> buffer[hn::MaxLanes(d)];
+    for (std::size_t l = 0; l < hn::Lanes(d); ++l) buffer[l] = column[first + (l < count ? l : count - 1)];
+    return hn::Load(d, buffer);
+  }
+
+  HWY_INLINE void put(Tag d, Vector values, double* HWY_RESTRICT to) const {
+    if constexpr (Whole) return hn::StoreU(values, d, to);
+    HWY_ALIGN double buffer[hn::MaxLanes(d)];
+    hn::Store(values, d, buffer);
+    for (std::size_t l = 0; l < count; ++l) to[l] = buffer[l];
+  }
+};
+
+// The axis of AntennaSight::Offsets::world_angles.
+struct Axis {
+  double sine_azimuth, cosine_azimuth, sine_elevation, cosine_elevation;
+};
+
+Axis axis_of(const SightFrame& frame) {
+  return {std::sin(frame.axis_azimuth_rad), std::cos(frame.axis_azimuth_rad), std::sin(frame.axis_elevation_rad),
+          std::cos(frame.axis_elevation_rad)};
+}
+
+// What the echoes of a group of points depend on.
+struct Scenery {
+  const PointArrays& points;
+  const SightFrame& frame;
+  const AntennaSight& antenna;
+  const CurveTables& curves;
+  Axis axis;
+};
+
+// A direction as sines and cosines of its azimuth and elevation; 0 is the azimuth of a vertical one.
+struct Angles {
+  Vector sine_azimuth, cosine_azimuth, sine_elevation, cosine_elevation;
+};
+
+HWY_INLINE Angles angles_of(Tag d, const Triple& v, Vector level, Vector distance) {
+  const auto vertical = hn::Eq(level, hn::Zero(d));
+  const auto per_level = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(vertical, hn::Set(d, 1.0), level));
+  const auto per_distance = hn::Div(hn::Set(d, 1.0), distance);
+  return {hn::Mul(v.x, per_level), hn::IfThenElse(vertical, hn::Set(d, 1.0), hn::Mul(v.y, per_level)),
+          hn::Mul(v.z, per_distance), hn::Mul(level, per_distance)};
+}
+
+// cos and sin of any angle in radians.
+HWY_INLINE void cos_sin(Tag d, Vector radians, Vector& cosine, Vector& sine) {
+  const auto turns = hn::Mul(radians, hn::Set(d, 0.15915494309189533577));
+  cos_sin_turns(d, fraction_of_turn(turns), cosine, sine);
+}
+
+// sin(x)/x with x = 2 pi cut sine.
+HWY_INLINE Vector sinx_cut(Tag d, double cut, Vector sine) {
+  const auto turns = hn::Mul(hn::Set(d, cut), sine);
+  auto c = hn::Zero(d);
+  auto s = hn::Zero(d);
+  cos_sin_turns(d, fraction_of_turn(turns), c, s);
+  const auto x = hn::Mul(turns, hn::Set(d, 6.283185307179586476925));
+  const auto small = hn::Lt(hn::Abs(x), hn::Set(d, 1e-8));
+  return hn::IfThenElse(small, hn::Set(d, 1.0), hn::Div(s, hn::IfThenElse(small, hn::Set(d, 1.0), x)));
+}
+
+// The sin(x)/x cuts at an offset.
+HWY_INLINE Vector sinx_gain(Tag d, const AntennaSight& antenna, const Angles& offset) {
+  const auto& cut = antenna.cut;
+  auto gain = hn::Set(d, 1.0);
+  if (cut[0] > 0.0) gain = hn::Mul(gain, sinx_cut(d, cut[0], offset.sine_azimuth));
+  if (cut[1] > 0.0) gain = hn::Mul(gain, sinx_cut(d, cut[1], offset.sine_elevation));
+  if (cut[2] == cut[0] && cut[3] == cut[1]) {
+    gain = antenna.roots ? hn::Abs(gain) : hn::Mul(gain, gain);
+  } else {
+    if (cut[2] > 0.0) gain = hn::Mul(gain, sinx_cut(d, cut[2], offset.sine_azimuth));
+    if (cut[3] > 0.0) gain = hn::Mul(gain, sinx_cut(d, cut[3], offset.sine_elevation));
+    if (antenna.roots) gain = hn::Sqrt(hn::Abs(gain));
+  }
+  // Nothing from offsets that round to 90 degrees, or beyond.
+  const auto edge = hn::Set(d, 1.7e-16);
+  return hn::IfThenElseZero(hn::And(hn::Gt(offset.cosine_azimuth, edge), hn::Gt(offset.cosine_elevation, edge)), gain);
+}
+
+// Sines and cosines of differences between the angles of a direction and those of the axis.
+HWY_INLINE Angles less_axis(Tag d, const Angles& a, const Axis& axis) {
+  const auto sa = hn::Set(d, axis.sine_azimuth);
+  const auto ca = hn::Set(d, axis.cosine_azimuth);
+  const auto se = hn::Set(d, axis.sine_elevation);
+  const auto ce = hn::Set(d, axis.cosine_elevation);
+  return {hn::MulSub(a.sine_azimuth, ca, hn::Mul(a.cosine_azimuth, sa)),
+          hn::MulAdd(a.cosine_azimuth, ca, hn::Mul(a.sine_azimuth, sa)),
+          hn::MulSub(a.sine_elevation, ce, hn::Mul(a.cosine_elevation, se)),
+          hn::MulAdd(a.cosine_elevation, ce, hn::Mul(a.sine_elevation, se))};
+}
+
+// The user-defined cuts, decibels. In the antenna's frame the magnitudes of the offsets come out at once.
+HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFrame& frame, const Triple& v,
+                               Vector level) {
+  auto azimuth = angle_between(d, hn::Abs(v.x), v.y);
+  auto elevation = angle_between(d, hn::Abs(v.z), level);
+  if (antenna.offsets == AntennaSight::Offsets::antenna_frame) {
+    azimuth = degrees(d, azimuth);
+    elevation = degrees(d, elevation);
+  } else {
+    azimuth = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_azimuth_rad), hn::CopySign(azimuth, v.x)));
+    elevation = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_elevation_rad), hn::CopySign(elevation, v.z)));
+  }
+  const auto at = [&](std::size_t i, Vector offset) {
+    if (antenna.curve_cell[i] < 0.0) return hn::Zero(d);
+    return curve_value(d, antenna.curves, hn::Set(d, antenna.curve_cell[i]), offset);
+  };
+  auto gain = hn::Add(at(0, azimuth), at(1, elevation));
+  if (antenna.curve_cell[2] == antenna.curve_cell[0] && antenna.curve_cell[3] == antenna.curve_cell[1])
+    return hn::Add(gain, gain);
+  return hn::Add(gain, hn::Add(at(2, azimuth), at(3, elevation)));
+}
+
+// What the antennas make of an amplitude, and the decibels that are still to be applied.
+HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Triple& look, Vector distance, Vector& amplitude,
+                      Vector& decibels) {
+  const AntennaSight& antenna = scenery.antenna;
+  const SightFrame& frame = scenery.frame;
+  const bool sinx = antenna.cut != std::array<double, 4>{};
+  const bool user = antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0;
+  if (!sinx && !user) return;
+  const bool world = antenna.offsets == AntennaSight::Offsets::world_angles;
+  const Triple v = world ? look : turned(d, frame.antenna_from_world, look, Vec3{});
+  const auto level = hn::Sqrt(hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y)));
+  if (sinx) {
+    const Angles angles = angles_of(d, v, level, distance);
+    const Angles offset = world ? less_axis(d, angles, scenery.axis) : angles;
+    amplitude = hn::Mul(amplitude, sinx_gain(d, antenna, offset));
+  }
+  if (user) decibels = hn::Add(decibels, user_gain_db(d, antenna, frame, v, level));
+}
+
+template <bool Whole>
+HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse,
+                                 Triple point) {
+  const hn::RebindToUnsigned<Tag> du;
+  const PointJitter& jitter = points.jitter;
+  auto a = hn::Zero(d);
+  auto b = hn::Zero(d);
+  if (!jitter.x_stddev_m.empty()) {
+    normal_pair(d, at.of(du, jitter.position_key), pulse, 0, a, b);
+    point.x = hn::MulAdd(at.of(d, jitter.x_stddev_m), a, point.x);
+    point.y = hn::MulAdd(at.of(d, jitter.y_stddev_m), b, point.y);
+  }
+  if (!jitter.z_stddev_m.empty()) {
+    normal_pair(d, at.of(du, jitter.position_key), pulse, 1, a, b);
+    point.z = hn::MulAdd(at.of(d, jitter.z_stddev_m), a, point.z);
+  }
+  return point;
+}
+
+template <bool Whole>
+HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
+  const PointJitter& jitter = points.jitter;
+  if (jitter.rcs_m2.empty()) return at.of(d, points.root_rcs_m);
+  const hn::RebindToUnsigned<Tag> du;
+  auto a = hn::Zero(d);
+  auto b = hn::Zero(d);
+  normal_pair(d, at.of(du, jitter.rcs_key), pulse, 0, a, b);
+  const auto rcs = hn::MulAdd(at.of(d, jitter.rcs_stddev_m2), a, at.of(d, jitter.rcs_m2));
+  return hn::Sqrt(hn::Max(rcs, hn::Zero(d)));
+}
+
+template <bool Whole>
+HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
+  const PointJitter& jitter = points.jitter;
+  if (jitter.azimuth_rad.empty())
+    return {at.of(d, points.normal_x), at.of(d, points.normal_y), at.of(d, points.normal_z)};
+  const hn::RebindToUnsigned<Tag> du;
+  auto a = hn::Zero(d);
+  auto b = hn::Zero(d);
+  normal_pair(d, at.of(du, jitter.pointing_key), pulse, 0, a, b);
+  auto ca = hn::Zero(d);
+  auto sa = hn::Zero(d);
+  auto ce = hn::Zero(d);
+  auto se = hn::Zero(d);
+  cos_sin(d, hn::MulAdd(at.of(d, jitter.azimuth_stddev_rad), a, at.of(d, jitter.azimuth_rad)), ca, sa);
+  cos_sin(d, hn::MulAdd(at.of(d, jitter.elevation_stddev_rad), b, at.of(d, jitter.elevation_rad)), ce, se);
+  return {hn::Mul(sa, ce), hn::Mul(ca, ce), se};
+}
+
+// What the reflectivity makes of an amplitude, and the decibels that are still to be applied.
+template <bool Whole>
+HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, const Triple& look, Vector distance,
+                        Vector& amplitude, Vector& decibels) {
+  const PointArrays& points = scenery.points;
+  const SightFrame& frame = scenery.frame;
+  if (points.law == PointArrays::Law::isotropic) return;
+  const Triple normal = turned(d, frame.world_from_platform, normals(d, points, at, frame.pulse), Vec3{});
+  const auto towards = hn::Neg(inner(normal, look));
+  if (points.law == PointArrays::Law::cosine) {
+    amplitude = hn::Mul(amplitude, hn::Sqrt(hn::Max(hn::Div(towards, distance), hn::Zero(d))));
+    return;
+  }
+  const Triple across = outer(normal, look);
+  const auto incidence = angle_between(d, hn::Sqrt(inner(across, across)), towards);
+  decibels = hn::Add(decibels, curve_value(d, scenery.curves, at.of(d, points.curve_cell), degrees(d, incidence)));
+}
+
+// The echoes of one vector of points; a mask of those that are certain to be possible.
+template <bool Whole>
+HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, double* HWY_RESTRICT delay,
+                          double* HWY_RESTRICT amplitude, double* HWY_RESTRICT speed) {
+  const Tag d;
+  const PointArrays& points = scenery.points;
+  const SightFrame& frame = scenery.frame;
+  const AntennaSight& antenna = scenery.antenna;
+  const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
+  // Deviations move points, never speeds.
+  const Triple velocity = turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
+  const Triple look =
+      turned(d, frame.world_from_platform, drawn_position(d, points, at, frame.pulse, point), frame.origin_m);
+  const auto distance2 = inner(look, look);
+  const auto distance = hn::Sqrt(distance2);
+  const auto v = hn::Div(inner(look, velocity), distance);
+  at.put(d, v, speed);
+  at.put(d, hn::Div(hn::Add(distance, distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v)), delay);
+
+  auto a = hn::Mul(root_rcs(d, points, at, frame.pulse), hn::Set(d, frame.amplitude_scale));
+  auto decibels = hn::Zero(d);
+  reflect(d, scenery, at, look, distance, a, decibels);
+  weigh(d, scenery, look, distance, a, decibels);
+  if (points.law == PointArrays::Law::curve || antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0)
+    a = hn::Mul(a, amplitude_of_decibels(d, decibels));
+  if (frame.spreading) a = hn::Div(a, distance2);
+  at.put(d, a, amplitude);
+  const auto slow = hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
+  const auto apart = hn::Ge(distance, hn::Set(d, doubtful_distance_m));
+  return hn::And(hn::And(slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
+}
+
+// The last few points; a function of its own, or the compiler takes its time over the two copies of the geometry.
+HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, double* delay, double* amplitude,
+                          double* speed) {
+  return echoes_at(scenery, at, delay, amplitude, speed);
+}
+
+bool write_on_target(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
+                     const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
+  const Tag d;
+  const std::size_t lanes = hn::Lanes(d);
+  const Scenery scenery{points, frame, antenna, curves, axis_of(frame)};
+  double* const delay = echoes.delay_s.data() + first;
+  double* const amplitude = echoes.amplitude_sqrt_w.data() + first;
+  double* const speed = echoes.speed_mps.data() + first;
+  Mask possible = hn::FirstN(d, lanes);
+  std::size_t i = 0;
+  for (; i + lanes <= points.size(); i += lanes)
+    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, delay + i, amplitude + i, speed + i));
+  if (i < points.size())
+    possible = hn::And(possible, rest_at(scenery, {i, points.size() - i}, delay + i, amplitude + i, speed + i));
+  return hn::AllTrue(d, possible);
+}
+
+}  // namespace sarsim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace sarsim {
+
+HWY_EXPORT(write_on_target);
+
+bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
+                  const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
+  return HWY_DYNAMIC_DISPATCH(write_on_target)(points, frame, antenna, curves, echoes, first);
+}
+
+}  // namespace sarsim
+
+#endif

@@ -1,0 +1,283 @@
+#include "radar/echo/sight.hpp"
+
+#include <limits>
+
+#include "radar/echo/echo_test_support.hpp"
+
+namespace sarsim {
+namespace {
+
+constexpr double c = exact_light_speed_mps;
+
+Mat3 random_matrix(std::mt19937& random, double size) {
+  std::uniform_real_distribution<double> unit(-size, size);
+  Mat3 m;
+  for (Vec3& row : m.row) row = {unit(random), unit(random), unit(random)};
+  return m;
+}
+
+Mat3 yaw(double angle) {
+  return {{Vec3{std::cos(angle), std::sin(angle), 0}, Vec3{-std::sin(angle), std::cos(angle), 0}, Vec3{0, 0, 1}}};
+}
+Mat3 pitch(double angle) {
+  return {{Vec3{1, 0, 0}, Vec3{0, std::cos(angle), std::sin(angle)}, Vec3{0, -std::sin(angle), std::cos(angle)}}};
+}
+
+EchoBatch batch_of(std::size_t count) {
+  EchoBatch echoes;
+  for (std::size_t i = 0; i < count; ++i) echoes.add(-1.0, -2.0, -3.0);
+  return echoes;
+}
+
+struct Written {
+  EchoBatch echoes;
+  bool possible = false;
+};
+
+Written written(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna = {},
+                const CurveTables& curves = {}) {
+  Written result{batch_of(points.size()), false};
+  result.possible = write_echoes(points, frame, antenna, curves, result.echoes, 0);
+  return result;
+}
+
+PointArrays random_points(std::mt19937& random, std::size_t count, bool cosine) {
+  std::uniform_real_distribution<double> place(-300.0, 300.0), size(0.1, 4.0), angle(-pi, pi);
+  PointArrays points;
+  if (cosine) points.law = PointArrays::Law::cosine;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.x_m.push_back(place(random));
+    points.y_m.push_back(place(random));
+    points.z_m.push_back(place(random));
+    points.root_rcs_m.push_back(size(random));
+    if (!cosine) continue;
+    const Vec3 n = direction(angle(random), 0.5 * angle(random));
+    points.normal_x.push_back(n.x);
+    points.normal_y.push_back(n.y);
+    points.normal_z.push_back(n.z);
+  }
+  return points;
+}
+
+SightFrame random_frame(std::mt19937& random) {
+  SightFrame frame;
+  frame.world_from_platform = yaw(0.7) * pitch(-0.3);
+  frame.world_from_platform_rate = random_matrix(random, 0.2);
+  frame.origin_m = {900.0, 2500.0, -400.0};
+  frame.velocity_mps = {-120.0, 300.0, 15.0};
+  frame.light_speed_mps = c;
+  frame.amplitude_scale = 0.0123;
+  return frame;
+}
+
+// sin(x)/x of an offset, thesis A.17: x = 0.88 pi sin(offset)/beamwidth, nothing from 90 degrees on.
+double sinx(double offset, double beamwidth) {
+  if (std::abs(offset) >= 0.5 * pi) return 0.0;
+  const double x = 0.88 * pi * std::sin(offset) / beamwidth;
+  return x == 0.0 ? 1.0 : std::sin(x) / x;
+}
+
+struct ScalarEcho {
+  double delay_s, amplitude, speed_mps;
+};
+
+// Plainly written: range, speed along it, delay, radar equation.
+ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame& frame) {
+  const Vec3 point{points.x_m[i], points.y_m[i], points.z_m[i]};
+  const Vec3 look = frame.origin_m + frame.world_from_platform * point;
+  const double distance = norm(look);
+  const double speed = dot(look, frame.velocity_mps + frame.world_from_platform_rate * point) / distance;
+  double amplitude = frame.amplitude_scale * points.root_rcs_m[i];
+  if (!points.normal_x.empty()) {
+    const Vec3 normal = frame.world_from_platform * Vec3{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
+    amplitude *= std::sqrt(std::max(0.0, -dot(normal, look) / distance));
+  }
+  if (frame.spreading) amplitude /= distance * distance;
+  return {2.0 * distance / (c - speed), amplitude, speed};
+}
+
+TEST(WriteEchoes, AreTheScalarFormulasForAnyNumberOfPoints) {
+  std::mt19937 random(2);
+  at_every_simd_level([&] {
+    for (const bool cosine : {false, true})
+      for (const bool spreading : {true, false})
+        for (std::size_t count = 1; count <= 20; ++count) {
+          SightFrame frame = random_frame(random);
+          frame.spreading = spreading;
+          const PointArrays points = random_points(random, count, cosine);
+          EchoBatch echoes = batch_of(count + 2);
+          EXPECT_TRUE(write_echoes(points, frame, {}, {}, echoes, 1));
+          for (const std::size_t neighbour : {std::size_t{0}, count + 1}) {
+            EXPECT_EQ(echoes.delay_s[neighbour], -1.0);
+            EXPECT_EQ(echoes.amplitude_sqrt_w[neighbour], -2.0);
+            EXPECT_EQ(echoes.speed_mps[neighbour], -3.0);
+          }
+          for (std::size_t i = 0; i < count; ++i) {
+            const ScalarEcho expected = plain_echo(points, i, frame);
+            EXPECT_NEAR(echoes.delay_s[i + 1], expected.delay_s, 1e-12 * expected.delay_s);
+            // Near the edge of the back side a root multiplies the rounding of the cosine.
+            EXPECT_NEAR(echoes.amplitude_sqrt_w[i + 1], expected.amplitude,
+                        1e-12 * frame.amplitude_scale * 4.0 * (spreading ? 1e-6 : 1.0));
+            EXPECT_NEAR(echoes.speed_mps[i + 1], expected.speed_mps, 1e-12 * 500.0);
+          }
+        }
+  });
+}
+
+TEST(WriteEchoes, OfPointsThatShowTheirBacksAreZero) {
+  at_every_simd_level([] {
+    SightFrame frame;
+    frame.origin_m = {0.0, 1000.0, 0.0};
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    PointArrays points;
+    points.law = PointArrays::Law::cosine;
+    for (int i = 0; i < 9; ++i) {  // normals turn from facing the radar, -y, to its opposite
+      const Vec3 n = direction(pi + pi * i / 8.0, 0.0);
+      points.x_m.push_back(0.0), points.y_m.push_back(0.0), points.z_m.push_back(0.0);
+      points.root_rcs_m.push_back(2.0);
+      points.normal_x.push_back(n.x), points.normal_y.push_back(n.y), points.normal_z.push_back(n.z);
+    }
+    const EchoBatch echoes = written(points, frame).echoes;
+    for (int i = 0; i < 9; ++i) {
+      const double cosine = std::cos(pi * i / 8.0);
+      const auto k = static_cast<std::size_t>(i);
+      if (i > 4)
+        EXPECT_EQ(echoes.amplitude_sqrt_w[k], 0.0) << i;
+      else if (i < 4)
+        EXPECT_NEAR(echoes.amplitude_sqrt_w[k], 2e-6 * std::sqrt(cosine), 1e-18) << i;
+      else
+        EXPECT_NEAR(echoes.amplitude_sqrt_w[k], 0.0, 2e-6 * 3e-8) << i;  // the root of a rounding
+    }
+  });
+}
+
+// The same gain from the offset's angles: azimuth atan2(x, y), elevation asin(z) in the antenna's frame.
+void expect_beam(const AntennaSight& beam, const double (&beamwidth)[4], const SightFrame& frame,
+                 const PointArrays& points) {
+  const EchoBatch plain = written(points, frame).echoes;
+  const EchoBatch seen = written(points, frame, beam).echoes;
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 look = frame.origin_m + frame.world_from_platform * Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
+    const Vec3 a = frame.antenna_from_world * look;
+    const double azimuth = std::atan2(a.x, a.y), elevation = std::asin(a.z / norm(a));
+    double gain = std::abs(azimuth) < 0.5 * pi ? 1.0 : 0.0;
+    for (const int cut : {0, 1, 2, 3})
+      if (beamwidth[cut] > 0.0) gain *= sinx(cut % 2 == 0 ? azimuth : elevation, beamwidth[cut]);
+    lit += gain != 0.0 ? 1 : 0;
+    EXPECT_NEAR(seen.amplitude_sqrt_w[i], plain.amplitude_sqrt_w[i] * gain, 1e-12 * plain.amplitude_sqrt_w[i]);
+  }
+  EXPECT_GT(lit, points.size() / 4);
+  EXPECT_LT(lit, points.size());
+}
+
+TEST(WriteEchoes, WithABeamAreMultipliedBySinXOverXOfEveryCut) {
+  std::mt19937 random(4);
+  const double widths[][4] = {
+      {0.3, 0.2, 0.3, 0.2}, {0.3, 0.2, 0.5, 0.9}, {0.0, 0.0, 0.4, 0.3}, {0.1, 0.2, 0.0, 0.0}, {0.3, 0.2, 0.3, 0.7}};
+  at_every_simd_level([&] {
+    for (const auto& beamwidth : widths) {
+      SightFrame frame = random_frame(random);
+      frame.origin_m = {30.0, 20.0, 5.0};  // points all around
+      frame.antenna_from_world = yaw(0.2) * pitch(0.1);
+      AntennaSight beam;
+      for (const std::size_t cut : {0U, 1U, 2U, 3U})
+        beam.cut[cut] = beamwidth[cut] > 0.0 ? 0.88 / (2.0 * beamwidth[cut]) : 0.0;
+      expect_beam(beam, beamwidth, frame, random_points(random, 203, false));
+    }
+  });
+}
+
+TEST(WriteEchoes, OnTheAxisOfABeamHaveGainOneAndRightAboveItNone) {
+  at_every_simd_level([] {
+    SightFrame frame;
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    AntennaSight beam;
+    for (double& cut : beam.cut) cut = 4.4;
+    PointArrays points;
+    points.x_m = {0.0, 0.0, 0.0};
+    points.y_m = {100.0, 0.0, -100.0};
+    points.z_m = {0.0, 100.0, 0.0};
+    points.root_rcs_m = {1.0, 1.0, 1.0};
+    const EchoBatch echoes = written(points, frame, beam).echoes;
+    EXPECT_NEAR(echoes.amplitude_sqrt_w[0], 1e-4, 1e-19);
+    EXPECT_EQ(echoes.amplitude_sqrt_w[1], 0.0);
+    EXPECT_EQ(echoes.amplitude_sqrt_w[2], 0.0);
+  });
+}
+
+// A beam along +x with no elevation: its axis has y = 6e-17, which must not light up what stands at a right angle.
+TEST(WriteEchoes, AtARightAngleToABeamOrBeyondAreNothingHoweverTheAxisIsRounded) {
+  at_every_simd_level([] {
+    for (const auto offsets : {AntennaSight::Offsets::antenna_frame, AntennaSight::Offsets::world_angles}) {
+      SightFrame frame;
+      frame.light_speed_mps = c;
+      frame.amplitude_scale = 1.0;
+      frame.antenna_from_world = {{Vec3{std::cos(pi / 2), -1, 0}, Vec3{1, std::cos(pi / 2), 0}, Vec3{0, 0, 1}}};
+      frame.axis_azimuth_rad = pi / 2;
+      AntennaSight beam;
+      beam.offsets = offsets;
+      for (double& cut : beam.cut) cut = 4.4;
+      PointArrays points;
+      points.x_m = {100.0, 0.0, 0.0, -100.0, 0.0, 0.0, 100.0};
+      points.y_m = {0.0, 100.0, -100.0, 0.0, 0.0, 0.0, 1.0};
+      points.z_m = {0.0, 0.0, 0.0, 0.0, 100.0, -100.0, 0.0};
+      points.root_rcs_m = std::vector<double>(7, 1.0);
+      const EchoBatch echoes = written(points, frame, beam).echoes;
+      EXPECT_NEAR(echoes.amplitude_sqrt_w[0], 1e-4, 1e-18);
+      for (std::size_t i = 1; i < 6; ++i) EXPECT_EQ(echoes.amplitude_sqrt_w[i], 0.0) << i;
+      EXPECT_GT(echoes.amplitude_sqrt_w[6], 1e-6);
+    }
+  });
+}
+
+TEST(WriteEchoes, OfAPointAtTheRadarAreInfiniteAndDoubtful) {
+  at_every_simd_level([] {
+    SightFrame frame;
+    frame.origin_m = {1.0, 2.0, 3.0};
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    PointArrays points;
+    points.x_m = {-1.0, 5.0};
+    points.y_m = {-2.0, 5.0};
+    points.z_m = {-3.0, 5.0};
+    points.root_rcs_m = {1.0, 1.0};
+    const Written at = written(points, frame);
+    EXPECT_FALSE(at.possible);
+    EXPECT_EQ(at.echoes.amplitude_sqrt_w[0], std::numeric_limits<double>::infinity());
+    EXPECT_GT(at.echoes.delay_s[1], 0.0);
+    EXPECT_TRUE(std::isfinite(at.echoes.amplitude_sqrt_w[1]));
+  });
+}
+
+TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
+  const auto possible = [](std::size_t culprit, const Vec3& at, double root_rcs, const Vec3& velocity) {
+    SightFrame frame;
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    frame.velocity_mps = velocity;
+    PointArrays points;
+    points.x_m = points.y_m = points.z_m = points.root_rcs_m = std::vector<double>(11, 10.0);
+    points.x_m[culprit] = at.x;
+    points.y_m[culprit] = at.y;
+    points.z_m[culprit] = at.z;
+    points.root_rcs_m[culprit] = root_rcs;
+    return written(points, frame).possible;
+  };
+  at_every_simd_level([&] {
+    for (std::size_t i = 0; i < 11; ++i) {
+      EXPECT_TRUE(possible(i, {1e-3, 0, 0}, 1.0, {}));
+      EXPECT_FALSE(possible(i, {1e-7, 0, 0}, 1.0, {}));
+      EXPECT_FALSE(possible(i, {10, 0, 0}, 1e33, {}));
+      EXPECT_FALSE(possible(i, {10, 0, 0}, std::numeric_limits<double>::quiet_NaN(), {}));
+      EXPECT_FALSE(possible(i, {10, 0, 0}, 1.0, {1.001 * c, 0, 0}));
+      EXPECT_FALSE(possible(i, {10, 0, 0}, 1.0, {-1.001 * c, 0, 0}));
+    }
+    EXPECT_TRUE(possible(0, {10, 0, 0}, 1.0, {0.9 * c, 0, 0}));
+  });
+}
+
+}  // namespace
+}  // namespace sarsim

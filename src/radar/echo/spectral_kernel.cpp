@@ -1,0 +1,438 @@
+#include "radar/echo/spectral_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/fft.hpp"
+#include "radar/echo/complex_rows.hpp"
+#include "radar/echo/direct_kernel.hpp"
+#include "radar/echo/pulse_body.hpp"
+#include "radar/echo/spreading.hpp"
+#include "radar/echo/strengths.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per thread
+constexpr std::size_t bands_kept = 4;              // allowances for Doppler shifts whose transforms are remembered
+constexpr std::size_t oversampling = 4;            // of the body, for its spectrum
+
+// How an error budget is divided and what follows from it.
+struct Settings {
+  bool single_precision;
+  double share;              // error allowed to each source
+  std::size_t edge_samples;  // K
+  double beta;               // of the Kaiser step
+
+  explicit Settings(double tolerance)
+      : single_precision(tolerance >= 9.9e-7),
+        share(tolerance / 8.0),
+        edge_samples(single_precision ? 8 : 12),
+        beta(std::log(4.0 / share)) {}
+};
+
+// Terms of the interpolation in D that make exp(-j z x), |x| <= 1, to `error`: the remainder of Chebyshev interpolation
+// is below 2 (z/2)^R/R! for R nodes.
+std::size_t terms_for(double z, double error) {
+  double bound = 2.0;
+  for (std::size_t terms = 1;; ++terms) {
+    bound *= 0.5 * z / static_cast<double>(terms);
+    if (bound < error || terms > most_doppler_terms) return terms;
+  }
+}
+
+// Largest Doppler phase per unit of D over the pulse [rad].
+double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
+  double largest = 0.0;
+  for (int i = 0; i <= 16; ++i)
+    largest = std::max(
+        largest, std::abs(body.doppler_turns(body.first() + (body.last() - body.first()) * i / 16.0, carrier_hz)));
+  return 2.0 * pi * largest;
+}
+
+// A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
+DopplerSpan span_covering(double lowest, double highest) {
+  if (lowest == highest) return {lowest, 0.0};
+  // Half spans are powers of two; middles are multiples of half of that.
+  double half = std::exp2(std::ceil(std::log2(0.5 * (highest - lowest))));
+  for (;; half *= 2.0) {
+    const double step = 0.5 * half;
+    const double middle = std::round(0.5 * (lowest + highest) / step) * step;
+    if (middle - half <= lowest && middle + half >= highest) return {middle, half};
+  }
+}
+
+// What a body's band is widened by for Doppler shifts of up to `shift` cycles per sample: nothing where it is too small
+// to move more than a trifle over the edge, otherwise a power of two, so that few widths occur. It depends on the
+// pulse's own echoes alone, so that a kernel gives the same samples whatever it did before.
+double allowance_for(double shift) {
+  constexpr double trifle = 1.0 / 4096.0;
+  return shift <= trifle ? 0.0 : std::exp2(std::ceil(std::log2(shift)));
+}
+
+}  // namespace
+
+struct SpectralKernel::Implementation {
+  virtual ~Implementation() = default;
+  virtual void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) = 0;
+  virtual void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) = 0;
+};
+
+template <class Real>
+struct SpectralKernel::Typed : Implementation {
+  // What depends on the Doppler span: nodes and the factors of the modes, with every scale in them.
+  struct Spectra {
+    DopplerSpan span;
+    double carrier_hz = 0.0;
+    std::size_t terms = 1;
+    std::vector<std::vector<std::complex<Real>>> factor;  // [term][mode + modes]
+  };
+
+  // The transform between the spreading grid and the modes of a band.
+  struct Band {
+    double allowance;   // for Doppler shifts, cycles per sample
+    std::size_t modes;  // -modes ... modes - 1
+    std::size_t cells;  // of the spreading grid
+    BasicFft<Real> grid_fft;
+    std::vector<double> kernel_transform;
+    std::list<Spectra> recent;
+
+    Band(double shift_allowance, double half_band, std::size_t row_size, const SpreadingKernel& kernel)
+        : allowance(shift_allowance),
+          modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
+          cells(good_fft_size(4 * modes + 2 * kernel.width)),
+          grid_fft(cells),
+          kernel_transform(kernel.transforms(cells, modes + 1)) {}
+  };
+
+  Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance,
+        const RowFilter& filter)
+      : pulse(&echo_pulse),
+        grid(sample_grid),
+        settings(choices),
+        body(echo_pulse, sample_grid.interval_s, choices.edge_samples, choices.beta),
+        kernel(choices.share),
+        taps(tap_polynomials<Real>(kernel, 0.3 * choices.share)),
+        direct(echo_pulse, sample_grid, tolerance),
+        row_size(
+            good_fft_size(sample_grid.count + static_cast<std::size_t>(std::ceil(body.last() - body.first())) + 4)),
+        row_fft(row_size),
+        folded(row_size) {
+    edge_row.resize(grid.count);
+    has_body = body.has_body() && make_pieces();
+    if (!filter.taps.empty()) set_filter(filter);
+  }
+
+  void set_filter(const RowFilter& filter) {
+    // Correlation: the transform of the filter run backwards in time.
+    std::vector<std::complex<double>> backwards(row_size);
+    for (std::size_t k = 0; k < filter.taps.size(); ++k) backwards[(row_size - k) % row_size] = filter.taps[k];
+    const Fft fft(row_size);
+    fft.forward(backwards);
+    double largest = 0.0;
+    for (const std::complex<double>& value : backwards) largest = std::max(largest, std::abs(value));
+    if (!(largest > 0.0) || !std::isfinite(largest)) largest = 1.0;
+    // A power of two apart, so that weak echoes behind a filter of little gain keep their digits in single precision.
+    response_scale = std::exp2(std::floor(std::log2(largest)));
+    for (std::complex<double>& value : backwards) value /= response_scale;
+    response.assign(backwards.begin(), backwards.end());
+    output_index.assign(filter.output_index.begin(), filter.output_index.end());
+  }
+
+  void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) override {
+    if (!add_bodies(carrier_hz, echoes)) {
+      if (!position.empty()) direct.add(row, carrier_hz, echoes);
+      return;
+    }
+    row_fft.inverse(folded);
+    add_row<Real>(row, std::span(folded).first(row.size()));
+    if (pieces.empty()) return;
+    add_edge_pieces(carrier_hz);
+    add_row<Real>(row, std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, row.size()));
+  }
+
+  void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) override {
+    if (!add_bodies(carrier_hz, echoes)) {
+      if (position.empty()) return;
+      raw_row.assign(grid.count, {});
+      direct.add(raw_row, carrier_hz, echoes);
+      std::ranges::fill(folded, std::complex<Real>());
+      time_row.assign(row_size, {});
+      std::ranges::transform(raw_row, time_row.begin(), [](std::complex<double> z) { return std::complex<Real>(z); });
+      add_time_row();
+    } else if (!pieces.empty()) {
+      add_edge_pieces(carrier_hz);
+      time_row.assign(row_size, {});
+      std::ranges::copy(std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, grid.count), time_row.begin());
+      add_time_row();
+    }
+    multiply_by<Real>(folded, response);
+    row_fft.inverse(folded);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += response_scale * std::complex<double>(folded[output_index[i]]);
+  }
+
+  // Adds the spectrum of a row of samples to that of the bodies.
+  void add_time_row() {
+    row_fft.forward(time_row);
+    const Real scale = Real(1) / static_cast<Real>(row_size);
+    for (std::size_t j = 0; j < row_size; ++j) folded[j] += scale * time_row[j];
+  }
+
+  // The spectrum of the row's bodies, into `folded`; false where the echoes are better added directly, or there are
+  // none.
+  bool add_bodies(double carrier_hz, const EchoBatch& echoes) {
+    gather(carrier_hz, echoes);
+    if (position.empty()) return false;
+    const double lowest = gathered.lowest_doppler;
+    const double highest = gathered.highest_doppler;
+    const DopplerSpan span = span_covering(lowest, highest);
+    if (!has_body || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_doppler_terms)
+      return false;
+    const double frequency_hz = body.largest_frequency_hz(carrier_hz);
+    Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * frequency_hz * grid.interval_s);
+    const Spectra& s = spectra_for(band, span, carrier_hz);
+    spread_terms(band, s);
+    transform(band, s);
+    return true;
+  }
+
+  Band& band_for(double shift) {
+    const double allowance = allowance_for(shift);
+    const auto found = std::ranges::find(bands, allowance, &Band::allowance);
+    if (found != bands.end()) {
+      bands.splice(bands.begin(), bands, found);
+      return bands.front();
+    }
+    if (bands.size() >= bands_kept) bands.pop_back();
+    return bands.emplace_front(allowance, body.half_band(), row_size, kernel);
+  }
+
+  // The echoes that touch the row.
+  void gather(double carrier_hz, const EchoBatch& echoes) {
+    RowFrame frame;
+    frame.carrier_hz = carrier_hz;
+    frame.light_speed_mps = pulse->light_speed_mps;
+    frame.origin_s = pulse->lead_s + grid.first_s;
+    frame.interval_s = grid.interval_s;
+    frame.from = -body.last();
+    frame.to = static_cast<double>(grid.count) - body.first();
+    gather_strengths(echoes, frame, gathered);
+  }
+
+  void spread_terms(const Band& band, const Spectra& s) {
+    spread_grid.resize(band.cells, s.terms);
+    spread_grid.clear();
+    if (s.terms == 1) {
+      spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strength, spread_grid);
+      return;
+    }
+    weigh_strengths(gathered, s.span, s.terms, weighted);
+    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, weighted, spread_grid);
+  }
+
+  // Grid to modes, times the factors, folded into the sampled band.
+  void transform(const Band& band, const Spectra& s) {
+    std::ranges::fill(folded, std::complex<Real>());
+    for (std::size_t r = 0; r < s.terms; ++r) {
+      const std::span<std::complex<Real>> cell = spread_grid.fold(r);
+      band.grid_fft.forward(cell);
+      fold_modes(cell.last(band.modes), std::span(s.factor[r]).first(band.modes), row_size - band.modes % row_size);
+      fold_modes(cell.first(band.modes), std::span(s.factor[r]).last(band.modes), 0);
+    }
+  }
+
+  // Adds modes times factors to the bins of the row from `bin` on, again and again around the circle.
+  void fold_modes(std::span<const std::complex<Real>> modes, std::span<const std::complex<Real>> factors,
+                  std::size_t bin) {
+    bin %= row_size;
+    for (std::size_t from = 0; from < modes.size();) {
+      const std::size_t count = std::min(modes.size() - from, row_size - bin);
+      add_products<Real>(std::span(folded).subspan(bin, count), modes.subspan(from, count),
+                         factors.subspan(from, count));
+      from += count;
+      bin = 0;
+    }
+  }
+
+  // The samples next to the hard edges, into `edge_row`.
+  void add_edge_pieces(double carrier_hz) {
+    edge_row.clear();
+    for (EdgePiece<Real>& piece : pieces) {
+      piece.doppler_offset = body.doppler_turns(piece.start, carrier_hz);
+      piece.doppler_bend = 0.5 * (body.doppler_turns(piece.start + 1.0, carrier_hz) +
+                                  body.doppler_turns(piece.start - 1.0, carrier_hz)) -
+                           piece.doppler_offset;
+      piece.doppler_slope =
+          body.doppler_turns(piece.start + 1.0, carrier_hz) - piece.doppler_offset - piece.doppler_bend;
+      add_edges<Real>(piece, position, strength,
+                      gathered.moving() ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
+    }
+  }
+
+  // False where a pulse is too wild next to its edges for polynomials.
+  bool make_pieces() {
+    const auto width = static_cast<double>(settings.edge_samples);
+    for (const PulseBody::Edge& edge : body.edges()) {
+      // Kept off the border by a hair, so that a value there is the one inside the piece.
+      const auto inside = [&](double t) { return std::clamp(t, edge.start + 1e-9, edge.start + width - 1e-9); };
+      const auto left_out = [&](std::size_t lane, double fraction) {
+        const double t = static_cast<double>(lane) + fraction;
+        const double x = t / width;
+        return body.value(inside(edge.start + t)) * (1.0 - body.step(edge.rising ? x : 1.0 - x));
+      };
+      auto samples = fit_lanes<Real>(
+          2 * settings.edge_samples,
+          [&](std::size_t lane, double x) {
+            const std::complex<double> e = left_out(lane / 2, x);
+            return lane % 2 == 0 ? e.real() : e.imag();
+          },
+          0.3 * settings.share);
+      if (!samples) return false;
+      EdgePiece<Real> piece;
+      piece.start = edge.start;
+      piece.samples = std::move(*samples);
+      pieces.push_back(std::move(piece));
+    }
+    return true;
+  }
+
+  const Spectra& spectra_for(Band& band, const DopplerSpan& span, double carrier_hz) {
+    const auto found = std::ranges::find_if(band.recent, [&](const Spectra& s) {
+      return s.span == span && (s.carrier_hz == carrier_hz || (span.half == 0.0 && span.middle == 0.0));
+    });
+    if (found != band.recent.end()) {
+      band.recent.splice(band.recent.begin(), band.recent, found);
+      return band.recent.front();
+    }
+    band.recent.push_front(make_spectra(band, span, carrier_hz));
+    // Stepped carriers come back; the least recently used spectra make room.
+    std::size_t bytes = 0;
+    std::size_t kept = 0;
+    for (const Spectra& s : band.recent) {
+      bytes += s.terms * s.factor.front().size() * sizeof(std::complex<Real>);
+      if (bytes > spectra_bytes && kept > 0) break;
+      ++kept;
+    }
+    band.recent.resize(kept);
+    return band.recent.front();
+  }
+
+  Spectra make_spectra(const Band& band, const DopplerSpan& span, double carrier_hz) {
+    Spectra s;
+    s.span = span;
+    s.carrier_hz = carrier_hz;
+    s.terms = span.half > 0.0 ? terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) : 1;
+    for (std::size_t r = 0; r < s.terms; ++r) {
+      const double d = span.middle + (span.half > 0.0 ? span.half * doppler_node(r, s.terms) : 0.0);
+      s.factor.push_back(mode_factors(band, d, carrier_hz));
+    }
+    return s;
+  }
+
+  // Spectrum of the body with Doppler d at the modes, over the kernel's transform, with the scale of the transforms.
+  std::vector<std::complex<Real>> mode_factors(const Band& band, double d, double carrier_hz) {
+    const std::size_t fine = oversampling * fine_factor(band) * row_size;
+    const double per_sample = static_cast<double>(oversampling * fine_factor(band));
+    std::vector<std::complex<double>> spectrum(fine);
+    const auto first = static_cast<std::ptrdiff_t>(std::ceil(body.first() * per_sample));
+    const auto last = static_cast<std::ptrdiff_t>(std::floor(body.last() * per_sample));
+    for (std::ptrdiff_t i = first; i <= last; ++i) {
+      const double t = static_cast<double>(i) / per_sample;
+      const double share = body.body_share(t);
+      if (share == 0.0) continue;
+      const double turns = d * body.doppler_turns(t, carrier_hz);
+      const auto index =
+          static_cast<std::size_t>(((i % static_cast<std::ptrdiff_t>(fine)) + static_cast<std::ptrdiff_t>(fine)) %
+                                   static_cast<std::ptrdiff_t>(fine));
+      spectrum[index] += share * body.value(t) * std::polar(1.0, -2.0 * pi * (turns - std::round(turns)));
+    }
+    const Fft fft(fine);
+    fft.forward(spectrum);
+    const auto half = static_cast<std::ptrdiff_t>(band.modes);
+    std::vector<std::complex<Real>> factor(2 * band.modes);
+    for (std::ptrdiff_t j = -half; j < half; ++j) {
+      const std::complex<double> q =
+          spectrum[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(fine) : j)] / per_sample;
+      factor[static_cast<std::size_t>(j + half)] = std::complex<Real>(
+          q / (static_cast<double>(row_size) * band.kernel_transform[static_cast<std::size_t>(std::abs(j))]));
+    }
+    return factor;
+  }
+
+  // The body is sampled often enough that its spectrum, twice as wide as the modes, does not alias.
+  [[nodiscard]] std::size_t fine_factor(const Band& band) const {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(body.half_band() + band.allowance)));
+  }
+
+  const EchoPulse* pulse;
+  SampleGrid grid;
+  Settings settings;
+  PulseBody body;
+  SpreadingKernel kernel;
+  LanePolynomials<Real> taps;
+  DirectKernel direct;
+  std::size_t row_size;  // points of the period that the row is part of
+  BasicFft<Real> row_fft;
+  std::vector<EdgePiece<Real>> pieces;
+  std::list<Band> bands;
+
+  Strengths<Real> gathered;
+  std::vector<double>& position = gathered.position;
+  std::vector<std::complex<Real>>& strength = gathered.strength;
+  std::vector<double>& doppler = gathered.doppler;
+  std::vector<std::complex<Real>> weighted;
+  SpreadGrid<Real> spread_grid;
+  EdgeRow<Real> edge_row;
+  bool has_body = false;
+  std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
+
+  std::vector<std::complex<Real>> response;  // of the filter, but for its scale
+  double response_scale = 1.0;
+  std::vector<std::size_t> output_index;
+  std::vector<std::complex<Real>> time_row;
+  std::vector<std::complex<double>> raw_row;
+};
+
+SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance,
+                               const RowFilter& filter) {
+  const Settings settings(tolerance);
+  if (settings.single_precision)
+    implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance, filter);
+  else
+    implementation_ = std::make_unique<Typed<double>>(pulse, grid, settings, tolerance, filter);
+}
+
+SpectralKernel::~SpectralKernel() = default;
+SpectralKernel::SpectralKernel(SpectralKernel&&) noexcept = default;
+SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
+
+void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+  implementation_->add(row, carrier_hz, echoes);
+}
+
+void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) {
+  implementation_->add_filtered(out, carrier_hz, echoes);
+}
+
+SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, double carrier_hz,
+                                  double lowest_doppler, double highest_doppler) {
+  const Settings settings(tolerance);
+  const PulseBody body(pulse, grid.interval_s, settings.edge_samples, settings.beta);
+  const auto row = static_cast<double>(grid.count) + body.last() - body.first();
+  const double shift = std::max(std::abs(lowest_doppler), std::abs(highest_doppler)) *
+                       body.largest_frequency_hz(carrier_hz) * grid.interval_s;
+  const DopplerSpan span = span_covering(lowest_doppler, highest_doppler);
+  SpectralCost cost;
+  cost.spreading_width = SpreadingKernel(settings.share).width;
+  cost.edge_samples = body.edges().size() * settings.edge_samples;
+  cost.transform_size = static_cast<std::size_t>(4.0 * (body.half_band() + allowance_for(shift)) * row);
+  cost.doppler_terms = terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share);
+  if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
+  return cost;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,476 @@
+#include "radar/echo/spreading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "radar/echo/spreading.cpp"
+#include <hwy/foreach_target.h>  // includes this file once per instruction set
+
+#include "radar/echo/simd_math-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sarsim::HWY_NAMESPACE {
+
+// Where a block of echoes goes: for each the first sample or cell it touches, and what of the table of polynomials
+// belongs to its fraction.
+template <class Real>
+struct Places {
+  static constexpr std::size_t most = 64;
+  HWY_ALIGN Real y[most];
+  HWY_ALIGN double fraction[most];  // of a sample, to that first sample
+  HWY_ALIGN double cell[most];
+  HWY_ALIGN double table[most];  // offset of the piece's coefficients
+};
+
+// `x` in [0, 1): the piece of it and the position inside.
+template <class Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void place_on_pieces(D d, V x, const LanePolynomials<Real>& lanes, std::size_t k, Places<Real>& out) {
+  const auto pieces = static_cast<double>(lanes.pieces);
+  const auto scaled = hn::Mul(x, hn::Set(d, pieces));
+  const auto piece = hn::Min(hn::Floor(scaled), hn::Set(d, pieces - 1.0));
+  const auto y = hn::Sub(hn::Sub(scaled, piece), hn::Set(d, 0.5));
+  hn::Store(hn::Mul(piece, hn::Set(d, static_cast<double>((lanes.degree + 1) * lanes.lanes))), d, out.table + k);
+  if constexpr (sizeof(Real) == 4) {
+    const hn::Rebind<float, D> narrow;
+    hn::StoreU(hn::DemoteTo(narrow, y), narrow, out.y + k);
+  } else {
+    hn::Store(y, d, out.y + k);
+  }
+}
+
+// The values [first, first + count): where they stand if they fill whole vectors, else a padded copy in `buffer`.
+HWY_INLINE const double* whole_vectors(std::span<const double> values, std::size_t first, std::size_t count,
+                                       double* HWY_RESTRICT buffer) {
+  const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
+  const double* const from = values.data() + first;
+  if (count % lanes == 0) return from;
+  std::copy_n(from, count, buffer);
+  for (; count % lanes != 0; ++count) buffer[count] = buffer[0];
+  return buffer;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+// One lane holds no pair of a real and an imaginary part: plain loops.
+
+template <class Real>
+Real lane_value(const LanePolynomials<Real>& lanes, std::size_t table, std::size_t lane, Real y) {
+  const Real* at = lanes.coefficients.data() + table + lane;
+  Real sum = at[0];
+  for (std::size_t p = 1; p <= lanes.degree; ++p) sum = sum * y + at[p * lanes.lanes];
+  return sum;
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first, std::size_t count,
+                  std::size_t total, std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(places.cell[k]);
+    const auto table = static_cast<std::size_t>(places.table[k]);
+    for (std::size_t tap = 0; 2 * tap < taps.lanes; ++tap) {
+      const Real weight = lane_value(taps, table, 2 * tap, places.y[k]);
+      for (std::size_t r = 0; r < grid.term.size(); ++r)
+        grid.term[r][at + tap] += weight * strength[r * total + first + k];
+    }
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first, std::size_t count,
+                std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row) {
+  const std::size_t samples = piece.samples.lanes / 2;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (places.cell[k] < 0.0) continue;
+    const auto at = static_cast<std::size_t>(places.cell[k]);
+    const auto table = static_cast<std::size_t>(places.table[k]);
+    for (std::size_t i = 0; i < samples; ++i) {
+      std::complex<Real> z(lane_value(piece.samples, table, 2 * i, places.y[k]),
+                           lane_value(piece.samples, table, 2 * i + 1, places.y[k]));
+      if (!doppler.empty()) {
+        const double t = static_cast<double>(i) + places.fraction[k];
+        const double turns =
+            doppler[first + k] * (piece.doppler_offset + t * (piece.doppler_slope + t * piece.doppler_bend));
+        z *= std::complex<Real>(std::polar(1.0, -6.283185307179586476925 * (turns - std::round(turns))));
+      }
+      row.samples[at + i] += strength[first + k] * z;
+    }
+  }
+}
+
+#else
+
+// Polynomials of one degree by Horner's rule. Degree and Chunks, the vectors that the lanes fill, are 0 where they are
+// only known at run time.
+template <class Real, std::size_t Degree, std::size_t Chunks>
+struct Polynomials {
+  using D = hn::ScalableTag<Real>;
+  const Real* HWY_RESTRICT coefficients;
+  std::size_t lanes;
+  std::size_t chunks;
+  std::size_t degree;
+
+  HWY_INLINE explicit Polynomials(const LanePolynomials<Real>& all)
+      : coefficients(all.coefficients.data()),
+        lanes(Chunks > 0 ? Chunks * hn::Lanes(D()) : all.lanes),
+        chunks(Chunks > 0 ? Chunks : all.lanes / hn::Lanes(D())),
+        degree(Degree > 0 ? Degree : all.degree) {}
+
+  // Of the lanes of one vector; `table` counts the coefficients before the piece's.
+  HWY_INLINE hn::Vec<D> at(double table, std::size_t chunk, hn::Vec<D> y) const {
+    const D d;
+    const Real* HWY_RESTRICT from = coefficients + static_cast<std::ptrdiff_t>(table) + chunk * hn::Lanes(d);
+    const std::size_t last = Degree > 0 ? Degree : degree;
+    const std::size_t stride = Chunks > 0 ? Chunks * hn::Lanes(d) : lanes;
+    auto sum = hn::LoadU(d, from);
+    for (std::size_t p = 1; p <= last; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, from + p * stride));
+    return sum;
+  }
+};
+
+// Terms is 0 where their number is only known at run time.
+template <class Real, std::size_t Degree, std::size_t Chunks, std::size_t Terms>
+HWY_INLINE void spread_terms(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
+                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
+                             SpreadGrid<Real>& grid) {
+  const hn::ScalableTag<Real> d;
+  const Polynomials<Real, Degree, Chunks> polynomials(taps);
+  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+  const std::size_t terms = Terms > 0 ? Terms : grid.term.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto y = hn::Set(d, places.y[k]);
+    const auto at = static_cast<std::ptrdiff_t>(places.cell[k]);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const auto weight = polynomials.at(places.table[k], chunk, y);
+      for (std::size_t r = 0; r < terms; ++r) {
+        const std::complex<Real> s = strength[r * total + first + k];
+        const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
+        Real* HWY_RESTRICT out = reinterpret_cast<Real*>(grid.term[r].data() + at) + chunk * hn::Lanes(d);
+        hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
+      }
+    }
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
+                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
+                             SpreadGrid<Real>& grid) {
+  switch (grid.term.size()) {
+    case 1: return spread_terms<Real, Degree, Chunks, 1>(taps, places, first, count, total, strength, grid);
+    case 2: return spread_terms<Real, Degree, Chunks, 2>(taps, places, first, count, total, strength, grid);
+    case 3: return spread_terms<Real, Degree, Chunks, 3>(taps, places, first, count, total, strength, grid);
+    default: return spread_terms<Real, Degree, Chunks, 0>(taps, places, first, count, total, strength, grid);
+  }
+}
+
+// Interleaved complex numbers times (re, im): re in both lanes of a pair, im with the sign that its lane takes.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V complex_product(D d, V pairs, V re, V signed_im) {
+  return hn::MulAdd(pairs, re, hn::Mul(hn::Reverse2(d, pairs), signed_im));
+}
+
+// -1 in even lanes, +1 in odd ones.
+template <class D>
+HWY_INLINE hn::Vec<D> pair_signs(D d) {
+  using T = hn::TFromD<D>;
+  return hn::OddEven(hn::Set(d, T(1)), hn::Set(d, T(-1)));
+}
+
+// Number of the sample that each lane from `lane` on belongs to.
+template <class D>
+HWY_INLINE hn::Vec<D> sample_numbers(D d, std::size_t lane) {
+  using T = hn::TFromD<D>;
+  const auto twice = hn::Iota(d, static_cast<T>(lane));
+  return hn::Mul(hn::OddEven(hn::Sub(twice, hn::Set(d, T(1))), twice), hn::Set(d, T(0.5)));
+}
+
+// How the Doppler phase runs along the few samples of the edges of a block of echoes: not at all, or seen from the
+// middle sample by so little that a short series turns them, or by any angle.
+enum class EdgeTurn { none, slight, any };
+
+// The strengths of the edges of a block of echoes, turned by the Doppler phase of the middle sample, and how the phase
+// goes on from there.
+template <class Real>
+struct TurnedEdges {
+  static constexpr std::size_t most = Places<Real>::most;
+  HWY_ALIGN double turns[most];
+  HWY_ALIGN Real slope[most];  // Turns per sample, backwards
+  HWY_ALIGN Real bend[most];   // and per sample squared.
+  HWY_ALIGN Real strength[2 * most];
+  EdgeTurn turn = EdgeTurn::none;
+};
+
+template <class Real>
+double middle_sample(const EdgePiece<Real>& piece) {
+  return 0.5 * (0.5 * static_cast<double>(piece.samples.lanes) - 1.0);
+}
+
+template <class Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void store_narrow(D d, V x, Real* HWY_RESTRICT out) {
+  if constexpr (sizeof(Real) == 4) {
+    const hn::Rebind<float, D> narrow;
+    hn::StoreU(hn::DemoteTo(narrow, x), narrow, out);
+  } else {
+    hn::Store(x, d, out);
+  }
+}
+
+// Phases of the middle samples and their changes. The next terms of the series, the fourth power of the angle over 24,
+// are lost in the last digit of Real (1e-13 in double precision) below `slight_angle`.
+template <class Real>
+HWY_INLINE void place_turns(const EdgePiece<Real>& piece, std::span<const double> doppler, std::size_t first,
+                            std::size_t count, const Places<Real>& places, TurnedEdges<Real>& out) {
+  constexpr double slight_angle = sizeof(Real) == 4 ? 0.02 : 1e-3;
+  const hn::ScalableTag<double> d;
+  HWY_ALIGN double buffer[Places<Real>::most];
+  const double* const from = whole_vectors(doppler, first, count, buffer);
+  const double middle = middle_sample(piece);
+  const auto offset = hn::Set(d, piece.doppler_offset);
+  const auto slope = hn::Set(d, piece.doppler_slope);
+  const auto bend = hn::Set(d, piece.doppler_bend);
+  auto largest = hn::Zero(d);
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    const auto speed = hn::LoadU(d, from + k);
+    const auto sample = hn::Add(hn::Load(d, places.fraction + k), hn::Set(d, middle));
+    const auto bent = hn::Mul(sample, bend);
+    const auto turns = hn::Mul(speed, hn::Add(offset, hn::Mul(sample, hn::Add(slope, bent))));
+    const auto change = hn::Neg(hn::Mul(speed, hn::Add(slope, hn::Add(bent, bent))));
+    const auto curve = hn::Neg(hn::Mul(speed, bend));
+    hn::Store(hn::Sub(hn::Round(turns), turns), d, out.turns + k);
+    store_narrow(d, change, out.slope + k);
+    store_narrow(d, curve, out.bend + k);
+    largest = hn::Max(largest, hn::MulAdd(hn::Set(d, middle), hn::Abs(curve), hn::Abs(change)));
+  }
+  const double angle = 6.283185307179586476925 * middle * hn::GetLane(hn::MaxOfLanes(d, largest));
+  out.turn = angle < slight_angle ? EdgeTurn::slight : EdgeTurn::any;
+}
+
+// Strengths times the phasors of the middle samples.
+template <class Real>
+HWY_INLINE void turn_strengths(const std::complex<Real>* HWY_RESTRICT strength, std::size_t count,
+                               TurnedEdges<Real>& out) {
+  using Edges = TurnedEdges<Real>;
+  const hn::ScalableTag<Real> d;
+  HWY_ALIGN Real given[2 * Edges::most];
+  HWY_ALIGN Real turns[Edges::most];
+  std::copy_n(reinterpret_cast<const Real*>(strength), 2 * count, given);
+  std::transform(out.turns, out.turns + count, turns, [](double t) { return static_cast<Real>(t); });
+  for (std::size_t padded = count; padded % hn::Lanes(d) != 0; ++padded) {
+    turns[padded] = 0;
+    given[2 * padded] = given[2 * padded + 1] = 0;
+  }
+  for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+    auto c = hn::Zero(d);
+    auto s = hn::Zero(d);
+    cos_sin_turns(d, hn::Load(d, turns + k), c, s);
+    auto re = hn::Zero(d);
+    auto im = hn::Zero(d);
+    hn::LoadInterleaved2(d, given + 2 * k, re, im);
+    hn::StoreInterleaved2(hn::NegMulAdd(im, s, hn::Mul(re, c)), hn::MulAdd(re, s, hn::Mul(im, c)), d,
+                          out.strength + 2 * k);
+  }
+}
+
+// The samples of an edge turned from the middle one: `i` counts them from there.
+template <EdgeTurn Turn, class D, class V = hn::Vec<D>>
+HWY_INLINE V turned(D d, V pairs, V i, V slope, V bend) {
+  using T = hn::TFromD<D>;
+  const auto turns = hn::Mul(i, hn::MulAdd(i, bend, slope));
+  auto c = hn::Set(d, T(1));
+  auto s = hn::Zero(d);
+  if constexpr (Turn == EdgeTurn::slight) {
+    const auto angle = hn::Mul(turns, hn::Set(d, T(6.283185307179586476925)));
+    const auto square = hn::Mul(angle, angle);
+    c = hn::MulAdd(square, hn::Set(d, T(-0.5)), c);
+    s = hn::Mul(angle, hn::MulAdd(square, hn::Set(d, T(-1.0 / 6.0)), hn::Set(d, T(1))));
+  } else {
+    cos_sin_turns(d, fraction_of_turn(turns), c, s);
+  }
+  return complex_product(d, pairs, c, hn::Mul(s, pair_signs(d)));
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks, EdgeTurn Turn>
+HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t count,
+                          const Real* HWY_RESTRICT strength, const TurnedEdges<Real>& edges,
+                          std::complex<Real>* HWY_RESTRICT row) {
+  const hn::ScalableTag<Real> d;
+  const Polynomials<Real, Degree, Chunks> polynomials(piece.samples);
+  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+  const auto signs = pair_signs(d);
+  const auto middle = hn::Set(d, static_cast<Real>(middle_sample(piece)));
+  for (std::size_t k = 0; k < count; ++k) {
+    if (places.cell[k] < 0.0) continue;
+    const auto y = hn::Set(d, places.y[k]);
+    const auto s_re = hn::Set(d, strength[2 * k]);
+    const auto s_im = hn::Mul(hn::Set(d, strength[2 * k + 1]), signs);
+    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + static_cast<std::ptrdiff_t>(places.cell[k]));
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const std::size_t lane = chunk * hn::Lanes(d);
+      auto pairs = polynomials.at(places.table[k], chunk, y);
+      if constexpr (Turn != EdgeTurn::none)
+        pairs = turned<Turn>(d, pairs, hn::Sub(sample_numbers(d, lane), middle), hn::Set(d, edges.slope[k]),
+                             hn::Set(d, edges.bend[k]));
+      const auto sum = hn::MulAdd(pairs, s_re, hn::LoadU(d, out + lane));
+      hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), s_im, sum), d, out + lane);
+    }
+  }
+}
+
+template <class Real, std::size_t Degree, std::size_t Chunks>
+HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first,
+                           std::size_t count, std::span<const std::complex<Real>> strength,
+                           std::span<const double> doppler, EdgeRow<Real>& row) {
+  TurnedEdges<Real> edges;
+  std::complex<Real>* const out = row.samples.data();
+  if (doppler.empty()) {
+    const Real* const given = reinterpret_cast<const Real*>(strength.data() + first);
+    return edge_loop<Real, Degree, Chunks, EdgeTurn::none>(piece, places, count, given, edges, out);
+  }
+  place_turns(piece, doppler, first, count, places, edges);
+  turn_strengths(strength.data() + first, count, edges);
+  if (edges.turn == EdgeTurn::slight)
+    edge_loop<Real, Degree, Chunks, EdgeTurn::slight>(piece, places, count, edges.strength, edges, out);
+  else
+    edge_loop<Real, Degree, Chunks, EdgeTurn::any>(piece, places, count, edges.strength, edges, out);
+}
+
+#endif  // HWY_SCALAR
+
+// Calls f with the degree and the number of vectors as compile-time constants where they are usual ones.
+template <std::size_t Chunks, class F>
+HWY_INLINE void with_degree(std::size_t degree, const F& f) {
+  constexpr std::integral_constant<std::size_t, Chunks> chunks;
+  switch (degree) {
+    case 3: return f(std::integral_constant<std::size_t, 3>(), chunks);
+    case 4: return f(std::integral_constant<std::size_t, 4>(), chunks);
+    case 5: return f(std::integral_constant<std::size_t, 5>(), chunks);
+    case 6: return f(std::integral_constant<std::size_t, 6>(), chunks);
+    case 7: return f(std::integral_constant<std::size_t, 7>(), chunks);
+    default: return f(std::integral_constant<std::size_t, 0>(), chunks);
+  }
+}
+template <class Real, class F>
+HWY_INLINE void with_shape(const LanePolynomials<Real>& lanes, const F& f) {
+  switch (lanes.lanes / hn::Lanes(hn::ScalableTag<Real>())) {
+    case 1: return with_degree<1>(lanes.degree, f);
+    case 2: return with_degree<2>(lanes.degree, f);
+    case 4: return with_degree<4>(lanes.degree, f);
+    default: return with_degree<0>(lanes.degree, f);
+  }
+}
+
+template <class Real>
+HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, double period,
+                                 std::span<const double> position, std::span<const std::complex<Real>> strength,
+                                 SpreadGrid<Real>& grid) {
+  using Block = Places<Real>;
+  const hn::ScalableTag<double> d;
+  const auto cells = static_cast<double>(grid.cells);
+  const auto padding = hn::Set(d, static_cast<double>(SpreadGrid<Real>::padding));
+  HWY_ALIGN double buffer[Block::most];
+  Block places;
+  for (std::size_t first = 0; first < position.size(); first += Block::most) {
+    const std::size_t count = std::min(Block::most, position.size() - first);
+    const double* const from = whole_vectors(position, first, count, buffer);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const auto given = hn::LoadU(d, from + k);
+      const auto wrapped = hn::IfThenElse(hn::Lt(given, hn::Zero(d)), hn::Add(given, hn::Set(d, period)), given);
+      const auto on_grid = hn::Min(hn::Mul(wrapped, hn::Set(d, cells / period)), hn::Set(d, cells));
+      const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
+      const auto cell = hn::Ceil(left);
+      hn::Store(hn::Add(cell, padding), d, places.cell + k);
+      place_on_pieces(d, hn::Sub(cell, left), taps, k, places);
+    }
+    with_shape(taps, [&](auto degree, auto chunks) {
+      spread_block<Real, degree(), chunks()>(taps, places, first, count, position.size(), strength, grid);
+    });
+  }
+}
+
+template <class Real>
+HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<const double> position,
+                                    std::span<const std::complex<Real>> strength, std::span<const double> doppler,
+                                    EdgeRow<Real>& row) {
+  using Block = Places<Real>;
+  const hn::ScalableTag<double> d;
+  const auto padding = hn::Set(d, static_cast<double>(EdgeRow<Real>::padding));
+  const auto first_useful = hn::Set(d, -0.5 * static_cast<double>(piece.samples.lanes));
+  const auto last_useful = hn::Set(d, static_cast<double>(row.count));
+  HWY_ALIGN double buffer[Block::most];
+  Block places;
+  for (std::size_t first = 0; first < position.size(); first += Block::most) {
+    const std::size_t count = std::min(Block::most, position.size() - first);
+    const double* const from = whole_vectors(position, first, count, buffer);
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+      const auto start = hn::Add(hn::LoadU(d, from + k), hn::Set(d, piece.start));
+      const auto sample = hn::Ceil(hn::Sub(start, hn::Set(d, 1e-9)));
+      const auto fraction = hn::Max(hn::Zero(d), hn::Sub(sample, start));
+      const auto useful = hn::And(hn::Gt(sample, first_useful), hn::Lt(sample, last_useful));
+      hn::Store(hn::IfThenElse(useful, hn::Add(sample, padding), hn::Set(d, -1.0)), d, places.cell + k);
+      hn::Store(fraction, d, places.fraction + k);
+      place_on_pieces(d, fraction, piece.samples, k, places);
+    }
+    with_shape(piece.samples, [&](auto degree, auto chunks) {
+      edge_block<Real, degree(), chunks()>(piece, places, first, count, strength, doppler, row);
+    });
+  }
+}
+
+void spread_single(const LanePolynomials<float>& taps, std::size_t width, double period,
+                   std::span<const double> position, std::span<const std::complex<float>> strength,
+                   SpreadGrid<float>& grid) {
+  spread_on_target(taps, width, period, position, strength, grid);
+}
+void spread_double(const LanePolynomials<double>& taps, std::size_t width, double period,
+                   std::span<const double> position, std::span<const std::complex<double>> strength,
+                   SpreadGrid<double>& grid) {
+  spread_on_target(taps, width, period, position, strength, grid);
+}
+void edges_single(const EdgePiece<float>& piece, std::span<const double> position,
+                  std::span<const std::complex<float>> strength, std::span<const double> doppler, EdgeRow<float>& row) {
+  add_edges_on_target(piece, position, strength, doppler, row);
+}
+void edges_double(const EdgePiece<double>& piece, std::span<const double> position,
+                  std::span<const std::complex<double>> strength, std::span<const double> doppler,
+                  EdgeRow<double>& row) {
+  add_edges_on_target(piece, position, strength, doppler, row);
+}
+
+}  // namespace sarsim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace sarsim {
+
+HWY_EXPORT(spread_single);
+HWY_EXPORT(spread_double);
+HWY_EXPORT(edges_single);
+HWY_EXPORT(edges_double);
+
+template <>
+void spread(const LanePolynomials<float>& taps, std::size_t width, double period, std::span<const double> position,
+            std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {
+  HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, period, position, strength, grid);
+}
+template <>
+void spread(const LanePolynomials<double>& taps, std::size_t width, double period, std::span<const double> position,
+            std::span<const std::complex<double>> strength, SpreadGrid<double>& grid) {
+  HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, period, position, strength, grid);
+}
+template <>
+void add_edges(const EdgePiece<float>& piece, std::span<const double> position,
+               std::span<const std::complex<float>> strength, std::span<const double> doppler, EdgeRow<float>& row) {
+  HWY_DYNAMIC_DISPATCH(edges_single)(piece, position, strength, doppler, row);
+}
+template <>
+void add_edges(const EdgePiece<double>& piece, std::span<const double> position,
+               std::span<const std::complex<double>> strength, std::span<const double> doppler, EdgeRow<double>& row) {
+  HWY_DYNAMIC_DISPATCH(edges_double)(piece, position, strength, doppler, row);
+}
+
+}  // namespace sarsim
+
+#endif

@@ -1,0 +1,255 @@
+#include "radar/echo/strengths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/constants.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "radar/echo/strengths.cpp"
+#include <hwy/foreach_target.h>  // includes this file once per instruction set
+
+#include "radar/echo/simd_math-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sarsim::HWY_NAMESPACE {
+
+// Positions, phasors and Doppler factors of one vector of echoes.
+template <class Real>
+struct Vectors {
+  using Wide = hn::ScalableTag<double>;
+  using Narrow = hn::Rebind<Real, Wide>;
+  hn::Vec<Wide> position, doppler;
+  hn::Vec<Narrow> re, im;
+};
+
+struct Columns {
+  const double *delay, *amplitude, *speed;
+};
+
+template <class Real>
+HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) {
+  const hn::ScalableTag<double> dd;
+  const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
+  const auto delay = hn::LoadU(dd, at.delay);
+  const auto amplitude = hn::LoadU(dd, at.amplitude);
+  Vectors<Real> out;
+  out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, frame.origin_s)), hn::Set(dd, 1.0 / frame.interval_s));
+  out.doppler = hn::Mul(hn::LoadU(dd, at.speed), hn::Set(dd, 2.0 / frame.light_speed_mps));
+  const auto turns = fraction_of_turn(hn::Mul(delay, hn::Set(dd, -frame.carrier_hz)));
+  auto c = hn::Zero(dd);
+  auto s = hn::Zero(dd);
+  cos_sin_turns(dd, turns, c, s);
+  if constexpr (sizeof(Real) == 4) {
+    out.re = hn::DemoteTo(narrow, hn::Mul(c, amplitude));
+    out.im = hn::DemoteTo(narrow, hn::Mul(s, amplitude));
+  } else {
+    out.re = hn::Mul(c, amplitude);
+    out.im = hn::Mul(s, amplitude);
+  }
+  return out;
+}
+
+// Writes the echoes of a vector that touch the row behind the `kept` ones that are there.
+template <class Real>
+HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std::size_t here, std::size_t& kept,
+                              Strengths<Real>& out) {
+  const hn::ScalableTag<double> dd;
+  const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
+  const std::size_t lanes = hn::Lanes(dd);
+  const auto touches = hn::And(hn::Gt(v.position, hn::Set(dd, frame.from)), hn::Lt(v.position, hn::Set(dd, frame.to)));
+  if (here == lanes && hn::AllTrue(dd, touches)) {
+    hn::StoreU(v.position, dd, out.position.data() + kept);
+    hn::StoreU(v.doppler, dd, out.doppler.data() + kept);
+    hn::StoreInterleaved2(v.re, v.im, narrow, reinterpret_cast<Real*>(out.strength.data() + kept));
+    kept += lanes;
+    return;
+  }
+  HWY_ALIGN double position[hn::MaxLanes(dd)];
+  HWY_ALIGN double doppler[hn::MaxLanes(dd)];
+  HWY_ALIGN Real re[hn::MaxLanes(dd)];
+  HWY_ALIGN Real im[hn::MaxLanes(dd)];
+  hn::Store(v.position, dd, position);
+  hn::Store(v.doppler, dd, doppler);
+  hn::StoreU(v.re, narrow, re);
+  hn::StoreU(v.im, narrow, im);
+  for (std::size_t i = 0; i < here; ++i) {
+    if (!(position[i] > frame.from && position[i] < frame.to)) continue;
+    out.position[kept] = position[i];
+    out.strength[kept] = {re[i], im[i]};
+    out.doppler[kept] = doppler[i];
+    ++kept;
+  }
+}
+
+template <class Real>
+HWY_INLINE void set_doppler_range(Strengths<Real>& out) {
+  const hn::ScalableTag<double> d;
+  const std::size_t count = out.doppler.size();
+  const auto first = hn::Set(d, count > 0 ? out.doppler.front() : 0.0);
+  auto lowest = first;
+  auto highest = first;
+  std::size_t k = 0;
+  for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d)) {
+    const auto x = hn::LoadU(d, out.doppler.data() + k);
+    lowest = hn::Min(lowest, x);
+    highest = hn::Max(highest, x);
+  }
+  out.lowest_doppler = hn::GetLane(hn::MinOfLanes(d, lowest));
+  out.highest_doppler = hn::GetLane(hn::MaxOfLanes(d, highest));
+  for (; k < count; ++k) {
+    out.lowest_doppler = std::min(out.lowest_doppler, out.doppler[k]);
+    out.highest_doppler = std::max(out.highest_doppler, out.doppler[k]);
+  }
+}
+
+template <class Real>
+HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out) {
+  const hn::ScalableTag<double> dd;
+  const std::size_t lanes = hn::Lanes(dd);
+  const std::size_t count = echoes.size();
+  out.position.resize(count);
+  out.strength.resize(count);
+  out.doppler.resize(count);
+  std::size_t kept = 0;
+  std::size_t k = 0;
+  const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.speed_mps.data()};
+  for (; k + lanes <= count; k += lanes)
+    keep_touching(strengths_at<Real>({all.delay + k, all.amplitude + k, all.speed + k}, frame), frame, lanes, kept,
+                  out);
+  if (k < count) {
+    HWY_ALIGN double rest[3][hn::MaxLanes(dd)];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const std::size_t source = k + i < count ? k + i : k;
+      rest[0][i] = all.delay[source];
+      rest[1][i] = all.amplitude[source];
+      rest[2][i] = all.speed[source];
+    }
+    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2]}, frame), frame, count - k, kept, out);
+  }
+  out.position.resize(kept);
+  out.strength.resize(kept);
+  out.doppler.resize(kept);
+  set_doppler_range(out);
+}
+
+// Chebyshev's polynomials at the nodes, [node][degree], times 2/terms, half of that for degree 0: Lagrange's polynomial
+// of node r is sum over m of matrix[r][m] T_m(x).
+void lagrange_matrix(std::size_t terms, double* matrix) {
+  for (std::size_t r = 0; r < terms; ++r)
+    for (std::size_t m = 0; m < terms; ++m)
+      matrix[r * terms + m] = (m == 0 ? 1.0 : 2.0) / static_cast<double>(terms) *
+                              std::cos(static_cast<double>(m) * std::acos(doppler_node(r, terms)));
+}
+
+// Strengths of one vector of echoes, or of the first `here` of it, times their weights.
+template <class Real>
+HWY_INLINE void store_weighted(hn::Vec<hn::ScalableTag<double>> weight, const std::complex<Real>* HWY_RESTRICT strength,
+                               std::size_t here, std::complex<Real>* HWY_RESTRICT out) {
+  const hn::ScalableTag<double> dd;
+  const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
+  auto factor = hn::Zero(narrow);
+  if constexpr (sizeof(Real) == 4) factor = hn::DemoteTo(narrow, weight);
+  if constexpr (sizeof(Real) == 8) factor = weight;
+  if (here < hn::Lanes(dd)) {
+    HWY_ALIGN Real each[hn::MaxLanes(dd)];
+    hn::Store(factor, narrow, each);
+    for (std::size_t i = 0; i < here; ++i) out[i] = strength[i] * each[i];
+    return;
+  }
+  auto re = hn::Zero(narrow);
+  auto im = hn::Zero(narrow);
+  hn::LoadInterleaved2(narrow, reinterpret_cast<const Real*>(strength), re, im);
+  hn::StoreInterleaved2(hn::Mul(re, factor), hn::Mul(im, factor), narrow, reinterpret_cast<Real*>(out));
+}
+
+template <class Real>
+HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan& span, std::size_t terms,
+                                std::complex<Real>* weighted) {
+  const hn::ScalableTag<double> dd;
+  const std::size_t lanes = hn::Lanes(dd);
+  const std::size_t count = echoes.position.size();
+  double matrix[most_doppler_terms * most_doppler_terms];
+  lagrange_matrix(terms, matrix);
+  HWY_ALIGN double chebyshev[most_doppler_terms * hn::MaxLanes(dd)];
+  HWY_ALIGN double buffer[hn::MaxLanes(dd)];
+  for (std::size_t k = 0; k < count; k += lanes) {
+    const std::size_t here = std::min(lanes, count - k);
+    if (here < lanes)
+      for (std::size_t i = 0; i < lanes; ++i) buffer[i] = echoes.doppler[k + std::min(i, here - 1)];
+    const auto doppler = hn::LoadU(dd, here < lanes ? buffer : echoes.doppler.data() + k);
+    const auto x = hn::Mul(hn::Sub(doppler, hn::Set(dd, span.middle)), hn::Set(dd, 1.0 / span.half));
+    auto before = hn::Set(dd, 1.0);
+    auto now = x;
+    for (std::size_t m = 0; m < terms; ++m) {
+      hn::Store(before, dd, chebyshev + m * lanes);
+      const auto next = hn::MulSub(hn::Add(x, x), now, before);
+      before = now;
+      now = next;
+    }
+    for (std::size_t r = 0; r < terms; ++r) {
+      auto sum = hn::Zero(dd);
+      for (std::size_t m = 0; m < terms; ++m)
+        sum = hn::MulAdd(hn::Set(dd, matrix[r * terms + m]), hn::Load(dd, chebyshev + m * lanes), sum);
+      store_weighted(sum, echoes.strength.data() + k, here, weighted + r * count + k);
+    }
+  }
+}
+
+void gather_single(const EchoBatch& echoes, const RowFrame& frame, Strengths<float>& out) {
+  gather_on_target(echoes, frame, out);
+}
+void gather_double(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
+  gather_on_target(echoes, frame, out);
+}
+
+void weigh_single(const Strengths<float>& echoes, const DopplerSpan& span, std::size_t terms,
+                  std::complex<float>* weighted) {
+  weigh_on_target(echoes, span, terms, weighted);
+}
+void weigh_double(const Strengths<double>& echoes, const DopplerSpan& span, std::size_t terms,
+                  std::complex<double>* weighted) {
+  weigh_on_target(echoes, span, terms, weighted);
+}
+
+}  // namespace sarsim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace sarsim {
+
+HWY_EXPORT(gather_single);
+HWY_EXPORT(gather_double);
+HWY_EXPORT(weigh_single);
+HWY_EXPORT(weigh_double);
+
+double doppler_node(std::size_t r, std::size_t terms) {
+  return std::cos(pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
+}
+
+template <>
+void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<float>& out) {
+  HWY_DYNAMIC_DISPATCH(gather_single)(echoes, frame, out);
+}
+template <>
+void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
+  HWY_DYNAMIC_DISPATCH(gather_double)(echoes, frame, out);
+}
+
+template <>
+void weigh_strengths(const Strengths<float>& echoes, const DopplerSpan& span, std::size_t terms,
+                     std::vector<std::complex<float>>& weighted) {
+  weighted.resize(terms * echoes.position.size());
+  HWY_DYNAMIC_DISPATCH(weigh_single)(echoes, span, terms, weighted.data());
+}
+template <>
+void weigh_strengths(const Strengths<double>& echoes, const DopplerSpan& span, std::size_t terms,
+                     std::vector<std::complex<double>>& weighted) {
+  weighted.resize(terms * echoes.position.size());
+  HWY_DYNAMIC_DISPATCH(weigh_double)(echoes, span, terms, weighted.data());
+}
+
+}  // namespace sarsim
+
+#endif

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "radar/echo/echo_batch.hpp"
+
+namespace sarsim {
+
+/// What the row of one pulse needs to know of its echoes to turn them into positions and phasors.
+struct RowFrame {
+  double carrier_hz = 0.0;
+  double light_speed_mps = 0.0;
+  double origin_s = 0.0;  ///< Delay at which an echo's leading edge falls on the row's first sample.
+  double interval_s = 1.0;
+  double from = 0.0;  ///< Echoes with leading edges in (from, to), in samples, touch the row.
+  double to = 0.0;
+};
+
+/// The echoes of one pulse that touch its row.
+template <class Real>
+struct Strengths {
+  std::vector<double> position;              ///< Of the leading edge, samples after the row's first.
+  std::vector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
+  std::vector<double> doppler;               ///< 2v/c.
+  double lowest_doppler = 0.0;               ///< Of `doppler`; 0 without echoes.
+  double highest_doppler = 0.0;
+
+  /// Whether any Doppler factor is not 0.
+  [[nodiscard]] bool moving() const { return lowest_doppler != 0.0 || highest_doppler != 0.0; }
+};
+
+/// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to
+/// that of `Real`.
+template <class Real>
+void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
+
+/// A span of D = 2v/c.
+struct DopplerSpan {
+  double middle = 0.0;
+  double half = 0.0;
+  friend bool operator==(const DopplerSpan&, const DopplerSpan&) = default;
+};
+
+/// The node in [-1, 1] that term `r` of an interpolation in D stands at: Chebyshev's points.
+[[nodiscard]] double doppler_node(std::size_t r, std::size_t terms);
+
+/// Strengths of the echoes for each node of an interpolation in D: times Lagrange's polynomials, in SIMD.
+/// @param terms          at most `most_doppler_terms`
+/// @param[out] weighted  terms x echoes, term-major
+template <class Real>
+void weigh_strengths(const Strengths<Real>& echoes, const DopplerSpan& span, std::size_t terms,
+                     std::vector<std::complex<Real>>& weighted);
+
+inline constexpr std::size_t most_doppler_terms = 24;
+
+}  // namespace sarsim

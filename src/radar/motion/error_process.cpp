@@ -1,0 +1,61 @@
+#include "radar/motion/error_process.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace sarsim {
+
+namespace {
+
+constexpr int steps_over_support = 512;
+
+// Mean of h over one step by Simpson's rule on four panels; exact for the pieces of linear and cubic functions
+// between knots.
+double mean_over(const Interpolator& h, double start, double step) {
+  constexpr int panels = 4;
+  double sum = 0.0;
+  for (int i = 0; i <= 2 * panels; ++i) {
+    const double weight = (i == 0 || i == 2 * panels) ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+    sum += weight * h.value(start + step * i / (2.0 * panels));
+  }
+  return sum / (6.0 * panels);
+}
+
+}  // namespace
+
+ErrorProcess::ErrorProcess(const Interpolator& envelope, const RandomStream& stream, int axis)
+    : stream_(stream), axis_(axis) {
+  if (envelope.knots().size() < 2) return;
+  const double first = envelope.knots().front().x;
+  const double last = envelope.knots().back().x;
+  step_s_ = (last - first) / steps_over_support;
+  first_lag_ = std::llround(first / step_s_);
+  weights_.resize(steps_over_support);
+  for (int k = 0; k < steps_over_support; ++k)
+    weights_[static_cast<std::size_t>(k)] = mean_over(envelope, first + k * step_s_, step_s_) * std::sqrt(step_s_);
+}
+
+Jet ErrorProcess::at(double time_s) const {
+  if (!active()) return {};
+  const double position = time_s / step_s_;
+  const double below = std::floor(position + 1e-9);
+  const std::int64_t newest = static_cast<std::int64_t>(below) + 1 - first_lag_;
+  // White noise of the cells newest, newest - 1, ...; two neighbouring cells share one pair of normal numbers.
+  std::array<double, steps_over_support + 2> noise;
+  for (std::size_t i = 0; i <= weights_.size();) {
+    const std::int64_t cell = newest - static_cast<std::int64_t>(i);
+    const std::int64_t pair = cell >= 0 ? cell / 2 : (cell - 1) / 2;
+    const auto numbers = stream_.normals(pair, axis_);
+    if (cell != 2 * pair) noise[i++] = numbers[1];
+    noise[i++] = numbers[0];
+  }
+  double left = 0.0;
+  double right = 0.0;
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    right += weights_[k] * noise[k];
+    left += weights_[k] * noise[k + 1];
+  }
+  return {left + (right - left) * (position - below), (right - left) / step_s_, 0.0};
+}
+
+}  // namespace sarsim

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/maths/interpolator.hpp"
+#include "core/maths/random.hpp"
+
+namespace sarsim {
+
+/// A Gaussian random deviation in time with a given integration envelope (decision 16):
+///
+///     d(t) = integral of h(u) w(t - u) du,
+///
+/// w unit white noise, h the user's function of the lag u [s], 0 outside its points. Variance: integral of h^2;
+/// autocorrelation at lag s: integral of h(u) h(u + s) du.
+///
+/// Realised on a grid that is anchored at t = 0 and has 512 steps over the support of h: white noise becomes one
+/// normal number per step, h its mean over each step, and d(t) is linear between grid times. The autocorrelation is
+/// then that of h to a relative 1/512 times the largest jump of h over its rms value, squared; smooth envelopes are
+/// far closer. The same (seed, object, time) always gives the same deviation. Costs about 512 random numbers a call.
+class ErrorProcess {
+ public:
+  ErrorProcess() = default;
+  /// @param envelope  h; fewer than two knots: no deviation at all.
+  /// @param axis      0, 1 or 2: which of the object's independent noises drives it.
+  ErrorProcess(const Interpolator& envelope, const RandomStream& stream, int axis);
+
+  /// Deviation at time t and its slope (to the right at grid times).
+  [[nodiscard]] Jet at(double time_s) const;
+  [[nodiscard]] bool active() const { return !weights_.empty(); }
+
+ private:
+  std::vector<double> weights_;  // mean of h over each lag step times sqrt(step)
+  std::int64_t first_lag_ = 0;   // lag of weights_[0], in steps
+  double step_s_ = 1.0;
+  RandomStream stream_{0, RandomKind::position_envelope, 0};
+  int axis_ = 0;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,126 @@
+#include "radar/motion/track.hpp"
+
+#include <cmath>
+
+#include "core/maths/constants.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Elementary right-handed rotations about x, y, z and their derivatives with respect to the angle.
+std::array<Mat3, 3> elementary(const std::array<double, 3>& a) {
+  const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
+  const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
+  const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
+  return {Mat3{{Vec3{1, 0, 0}, Vec3{0, c1, -s1}, Vec3{0, s1, c1}}},
+          Mat3{{Vec3{c2, 0, s2}, Vec3{0, 1, 0}, Vec3{-s2, 0, c2}}},
+          Mat3{{Vec3{c3, -s3, 0}, Vec3{s3, c3, 0}, Vec3{0, 0, 1}}}};
+}
+
+std::array<Mat3, 3> elementary_slopes(const std::array<double, 3>& a) {
+  const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
+  const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
+  const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
+  return {Mat3{{Vec3{}, Vec3{0, -s1, -c1}, Vec3{0, c1, -s1}}}, Mat3{{Vec3{-s2, 0, c2}, Vec3{}, Vec3{-c2, 0, -s2}}},
+          Mat3{{Vec3{-s3, -c3, 0}, Vec3{c3, -s3, 0}, Vec3{}}}};
+}
+
+bool moves(const Interpolator& function) { return function.knots().size() > 1; }
+
+bool is_fixed(const Motion& motion) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (moves(motion.position_m[i]) || moves(motion.rotation_rad[i]) || motion.rotation_rate_rad_per_s[i] != 0.0 ||
+        motion.position_stddev_m[i] != 0.0 || motion.rotation_stddev_rad[i] != 0.0 ||
+        moves(motion.position_envelope[i]) || moves(motion.rotation_envelope[i]))
+      return false;
+  return true;
+}
+
+// Adds the angles that turn the x axis along the velocity, and their rates (thesis 4.3).
+void align(Pose& pose, const Vec3& v, const Vec3& a) {
+  const double level = std::hypot(v.x, v.y);
+  const double speed2 = dot(v, v);
+  pose.rotation_rad[1] += elevation_rad(v);
+  pose.rotation_rad[2] += azimuth_rad(v) - pi / 2.0;
+  if (level <= 0.0) return;
+  const double level_rate = (v.x * a.x + v.y * a.y) / level;
+  pose.rotation_rate_rad_per_s[1] += (level * a.z - v.z * level_rate) / speed2;
+  pose.rotation_rate_rad_per_s[2] += (v.y * a.x - v.x * a.y) / (level * level);
+}
+
+}  // namespace
+
+Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
+  const auto r = elementary(rotation_rad);
+  return transposed(r[0] * r[1] * r[2]);
+}
+
+Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad, const std::array<double, 3>& rate_rad_per_s) {
+  const auto r = elementary(rotation_rad);
+  const auto d = elementary_slopes(rotation_rad);
+  return transposed(rate_rad_per_s[0] * (d[0] * r[1] * r[2]) + rate_rad_per_s[1] * (r[0] * d[1] * r[2]) +
+                    rate_rad_per_s[2] * (r[0] * r[1] * d[2]));
+}
+
+Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
+    : motion_(std::move(motion)),
+      position_noise_(seed, RandomKind::platform_position, name_key(name)),
+      rotation_noise_(seed, RandomKind::platform_rotation, name_key(name)),
+      fixed_(is_fixed(motion_)) {
+  const RandomStream position(seed, RandomKind::position_envelope, name_key(name));
+  const RandomStream rotation(seed, RandomKind::rotation_envelope, name_key(name));
+  for (std::size_t i = 0; i < 3; ++i) {
+    position_process_[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
+    rotation_process_[i] = ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i));
+  }
+}
+
+Pose Track::at(double time_s, std::int64_t pulse) const {
+  Pose pose;
+  add_path(pose, time_s);
+  add_errors(pose, time_s, pulse);
+  pose.world_from_platform = world_from_platform(pose.rotation_rad);
+  pose.world_from_platform_rate = world_from_platform_rate(pose.rotation_rad, pose.rotation_rate_rad_per_s);
+  return pose;
+}
+
+void Track::add_path(Pose& pose, double time_s) const {
+  const Jet x = motion_.position_m[0].jet(time_s);
+  const Jet y = motion_.position_m[1].jet(time_s);
+  const Jet z = motion_.position_m[2].jet(time_s);
+  pose.position_world_m = {x.value, y.value, z.value};
+  pose.velocity_world_mps = {x.slope, y.slope, z.slope};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Jet angle = motion_.rotation_rad[i].jet(time_s);
+    pose.rotation_rad[i] = angle.value + motion_.rotation_rate_rad_per_s[i] * time_s;
+    pose.rotation_rate_rad_per_s[i] = angle.slope + motion_.rotation_rate_rad_per_s[i];
+  }
+  if (motion_.aligned) align(pose, pose.velocity_world_mps, {x.curvature, y.curvature, z.curvature});
+}
+
+void Track::add_errors(Pose& pose, double time_s, std::int64_t pulse) const {
+  std::array<double, 3> shift{};
+  std::array<double, 3> speed{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::int64_t>(i);
+    if (motion_.position_stddev_m[i] != 0.0)
+      shift[i] += motion_.position_stddev_m[i] * position_noise_.normals(pulse, axis)[0];
+    if (motion_.rotation_stddev_rad[i] != 0.0)
+      pose.rotation_rad[i] += motion_.rotation_stddev_rad[i] * rotation_noise_.normals(pulse, axis)[0];
+    if (position_process_[i].active()) {
+      const Jet deviation = position_process_[i].at(time_s);
+      shift[i] += deviation.value;
+      speed[i] += deviation.slope;
+    }
+    if (rotation_process_[i].active()) {
+      const Jet deviation = rotation_process_[i].at(time_s);
+      pose.rotation_rad[i] += deviation.value;
+      pose.rotation_rate_rad_per_s[i] += deviation.slope;
+    }
+  }
+  pose.position_world_m = pose.position_world_m + Vec3{shift[0], shift[1], shift[2]};
+  pose.velocity_world_mps = pose.velocity_world_mps + Vec3{speed[0], speed[1], speed[2]};
+}
+
+}  // namespace sarsim

@@ -1,0 +1,14 @@
+#include "radar/receiver/noise.hpp"
+
+namespace sarsim {
+
+void add_noise(std::span<std::complex<double>> row, double stddev_v, const RandomStream& stream, std::int64_t pulse,
+               std::int64_t first_sample) {
+  if (stddev_v == 0.0) return;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto [in_phase, quadrature] = stream.normals(pulse, first_sample + static_cast<std::int64_t>(i));
+    row[i] += std::complex(stddev_v * in_phase, stddev_v * quadrature);
+  }
+}
+
+}  // namespace sarsim

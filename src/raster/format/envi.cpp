@@ -1,0 +1,334 @@
+#include "raster/format/envi.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "raster/format/npy_header.hpp"
+#include "raster/format/sample_reader.hpp"
+
+namespace sarsim {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return result;
+}
+
+std::string harmless(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+    if (c == '{') c = '(';
+    if (c == '}') c = ')';
+  }
+  return text;
+}
+
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+// "name = value" lines; a value in braces may go over several lines.
+Fields fields_of(std::string_view text) {
+  Fields fields;
+  while (!text.empty()) {
+    const std::size_t equals = text.find('=');
+    const std::size_t line = text.find('\n');
+    if (line < equals) {
+      text.remove_prefix(line + 1);
+      continue;
+    }
+    if (equals == std::string_view::npos) break;
+    const std::string name = lower(trimmed(text.substr(0, equals)));
+    text = text.substr(equals + 1);
+    const std::size_t brace = text.find_first_not_of(" \t");
+    const bool braced = brace != std::string_view::npos && text[brace] == '{';
+    const std::size_t end = text.find(braced ? '}' : '\n');
+    std::string_view value =
+        text.substr(braced ? brace + 1 : 0, end == std::string_view::npos ? end : end - (braced ? brace + 1 : 0));
+    fields.emplace_back(name, trimmed(value));
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+  }
+  return fields;
+}
+
+// Takes a field out of the list.
+std::optional<std::string> take(Fields& fields, std::string_view name) {
+  const auto found = std::ranges::find(fields, name, [](const auto& field) -> std::string_view { return field.first; });
+  if (found == fields.end()) return std::nullopt;
+  std::string value = std::move(found->second);
+  fields.erase(found);
+  return value;
+}
+
+// Reads the numbers of a header, keeping what is wrong with them.
+class NumberTaker {
+ public:
+  NumberTaker(Fields& fields, const std::string& file, Problems& problems)
+      : fields_(fields), file_(file), problems_(problems) {}
+
+  std::size_t take_number(std::string_view name, std::optional<std::int64_t> missing) {
+    const auto text = take(fields_, name);
+    if (!text && missing) return static_cast<std::size_t>(*missing);
+    const auto value = text ? parse_integer(*text) : std::nullopt;
+    // What has to be there counts something.
+    const std::int64_t least = missing ? 0 : 1;
+    if (value && *value >= least) return static_cast<std::size_t>(*value);
+    const char* expected = missing ? "a whole number" : "a whole number above 0";
+    problems_.push_back(file_problem(
+        file_,
+        text ? fmt::format("'{}' is not {}", name, expected) : fmt::format("the header does not give '{}'", name),
+        text.value_or(""), expected));
+    return 0;
+  }
+
+  void expect(std::string_view name, std::size_t value, std::initializer_list<std::size_t> allowed,
+              std::string_view expected) {
+    if (std::ranges::find(allowed, value) != allowed.end()) return;
+    problems_.push_back(file_problem(file_, fmt::format("'{}' of the image is not supported", name),
+                                     std::to_string(value), std::string(expected)));
+  }
+
+ private:
+  Fields& fields_;
+  const std::string& file_;
+  Problems& problems_;
+};
+
+// As much as a header may have: of any other file no more is read.
+std::string header_text(const std::filesystem::path& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  std::ifstream stream(path, std::ios::binary);
+  std::string text(most_bytes, '\0');
+  if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+// Others would be waited for, or cannot be read at any place.
+std::optional<Problem> problem_of_kind(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return std::nullopt;
+  return file_problem(path.string(), "this is no ordinary file", "", "an image and its header, both of them files");
+}
+
+std::filesystem::path header_path(std::filesystem::path data) { return data.replace_extension(".hdr"); }
+
+// What a NumPy array file says of itself; nothing for other files.
+std::optional<NpyHeader> array_header(const std::filesystem::path& data) {
+  std::ifstream stream(data, std::ios::binary);
+  std::string bytes(12, '\0');
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
+  const std::uint64_t size = npy_header_size(std::as_bytes(std::span(bytes)));
+  if (size == 0 || size > most_bytes) return std::nullopt;
+  bytes.resize(static_cast<std::size_t>(size));
+  stream.seekg(0);
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  auto parsed = parse_npy_header(std::as_bytes(std::span(bytes)));
+  if (auto* header = std::get_if<NpyHeader>(&parsed)) return std::move(*header);
+  return std::nullopt;
+}
+
+// Whether a header says of an array what that says of itself.
+bool describes(const EnviHeader& header, const NpyHeader& array) {
+  const char* type = header.pixel == EnviHeader::Pixel::real_float ? "<f4" : "<c8";
+  const std::vector<std::uint64_t> shape{header.lines, header.samples};
+  return array.type == type && !array.fortran_order && array.shape == shape &&
+         array.data_offset == header.header_offset;
+}
+
+// Image and array of one stem share the name of the header, which can only be that of one of them.
+std::optional<Problem> misfit_of_array(const std::filesystem::path& data, const EnviHeader& header) {
+  const auto array = array_header(data);
+  if (!array || describes(header, *array)) return std::nullopt;
+  return file_problem(data.string(), "the header beside the array is that of another file",
+                      envi_header_of(data).string(), "",
+                      "keep files of one name in folders of their own; sarsim convert writes an image's header anew");
+}
+
+std::filesystem::path appended_header_path(const std::filesystem::path& data) { return data.string() + ".hdr"; }
+
+// Whether a header can be that of a data file, as far as sizes tell and what an array says of itself.
+bool can_belong(const std::filesystem::path& header_file, const std::filesystem::path& data) {
+  std::error_code failure;
+  for (const std::filesystem::path& file : {header_file, data})
+    if (!std::filesystem::is_regular_file(file, failure)) return false;
+  const EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
+  if (!reading.header) return false;
+  const EnviHeader& header = *reading.header;
+  if (const auto array = array_header(data)) return describes(header, *array);
+  const auto bytes = checked_product(header.samples, header.lines, pixel_bytes(header.pixel));
+  const std::uintmax_t size = std::filesystem::file_size(data, failure);
+  return !failure && bytes && size >= *bytes + header.header_offset;
+}
+
+}  // namespace
+
+std::optional<std::string> EnviHeader::field(std::string_view name) const {
+  const auto found = std::ranges::find(fields, name, [](const auto& pair) -> std::string_view { return pair.first; });
+  if (found == fields.end()) return std::nullopt;
+  return found->second;
+}
+
+std::size_t pixel_bytes(EnviHeader::Pixel pixel) { return pixel == EnviHeader::Pixel::real_float ? 4 : 8; }
+
+std::string to_text(const EnviHeader& header) {
+  std::string text = fmt::format(
+      "ENVI\ndescription = {{{}}}\nsamples = {}\nlines = {}\nbands = 1\nheader offset = {}\nfile type = ENVI Standard\n"
+      "data type = {}\ninterleave = bsq\nbyte order = 0\n",
+      harmless(header.description), header.samples, header.lines, header.header_offset, static_cast<int>(header.pixel));
+  for (const auto& [name, value] : header.fields) text += fmt::format("{} = {{{}}}\n", name, harmless(value));
+  return text;
+}
+
+EnviReading read_envi_header(std::string_view text, const std::string& file) {
+  EnviReading reading;
+  if (!trimmed(text.substr(0, text.find('\n'))).starts_with("ENVI")) {
+    reading.problems.push_back(
+        file_problem(file, "this is no header of an ENVI image", "", "'ENVI' in the first line"));
+    return reading;
+  }
+  Fields fields = fields_of(text);
+  EnviHeader header;
+  NumberTaker numbers(fields, file, reading.problems);
+  header.samples = numbers.take_number("samples", std::nullopt);
+  header.lines = numbers.take_number("lines", std::nullopt);
+  header.header_offset = numbers.take_number("header offset", 0);
+  const std::size_t type = numbers.take_number("data type", std::nullopt);
+  numbers.expect("data type", type, {4, 6}, "4 (float) or 6 (complex float)");
+  numbers.expect("bands", numbers.take_number("bands", 1), {1}, "1");
+  numbers.expect("byte order", numbers.take_number("byte order", 0), {0}, "0 (least significant byte first)");
+  header.pixel = type == 4 ? EnviHeader::Pixel::real_float : EnviHeader::Pixel::complex_float;
+  header.description = take(fields, "description").value_or("");
+  (void)take(fields, "file type");
+  (void)take(fields, "interleave");
+  header.fields = std::move(fields);
+  if (!has_errors(reading.problems)) reading.header = std::move(header);
+  return reading;
+}
+
+std::filesystem::path envi_header_of(const std::filesystem::path& data) {
+  const std::filesystem::path replaced = header_path(data);
+  const std::filesystem::path appended = appended_header_path(data);
+  if (!std::filesystem::exists(appended)) return replaced;
+  return std::filesystem::exists(replaced) && can_belong(replaced, data) ? replaced : appended;
+}
+
+EnviWriter::EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace)
+    : header_(std::move(header)), data_(data, replace), text_(header_path(data), replace) {
+  if (data == header_path(data))
+    throw std::invalid_argument("an image and its header cannot both be '" + data.string() + "'");
+}
+
+void EnviWriter::append(std::span<const std::complex<float>> row) {
+  if (row.size() != header_.samples || rows_ >= header_.lines)
+    throw std::logic_error("a row that does not belong to this image");
+  ++rows_;
+  if (header_.pixel == EnviHeader::Pixel::complex_float) {
+    data_.write(std::as_bytes(row));
+    return;
+  }
+  magnitudes_.resize(row.size());
+  std::ranges::transform(row, magnitudes_.begin(), [](std::complex<float> value) { return std::abs(value); });
+  data_.write(std::as_bytes(std::span(magnitudes_)));
+}
+
+void EnviWriter::finish() {
+  if (rows_ != header_.lines) throw std::logic_error("rows of this image are missing");
+  const std::string text = to_text(header_);
+  text_.write(std::as_bytes(std::span(text)));
+  data_.secure();
+  text_.secure();
+  data_.commit();
+  text_.commit();
+}
+
+bool has_envi_header(const std::filesystem::path& data) {
+  const std::filesystem::path header_file = envi_header_of(data);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(header_file, ignored)) return false;
+  if (!array_header(data)) return true;
+  const EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
+  return reading.header && !misfit_of_array(data, *reading.header);
+}
+
+struct EnviImage::Closer {
+  explicit Closer(int file) : descriptor(file) {}
+  Closer(const Closer&) = delete;
+  Closer& operator=(const Closer&) = delete;
+  ~Closer() { ::close(descriptor); }
+  int descriptor;
+};
+
+EnviImage::EnviImage(EnviHeader header, std::filesystem::path data, int descriptor)
+    : header_(std::move(header)), data_(std::move(data)), file_(std::make_shared<const Closer>(descriptor)) {}
+
+std::pair<std::optional<EnviImage>, Problems> EnviImage::open(const std::filesystem::path& data) {
+  const std::filesystem::path header_file = envi_header_of(data);
+  if (!std::filesystem::exists(header_file))
+    return {std::nullopt,
+            {file_problem(data.string(), "the image has no header beside it", "",
+                          fmt::format("{} or {}", header_file.string(), appended_header_path(data).string()),
+                          "sarsim focus writes images with their headers as ENVI and NPY, and convert copies them")}};
+  for (const std::filesystem::path& file : {header_file, data})
+    if (auto problem = problem_of_kind(file)) return {std::nullopt, {std::move(*problem)}};
+  EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
+  if (!reading.header) return {std::nullopt, std::move(reading.problems)};
+  const EnviHeader& header = *reading.header;
+  if (auto misfit = misfit_of_array(data, header)) return {std::nullopt, {std::move(*misfit)}};
+  const int descriptor = ::open(data.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot open '" + data.string() + "'");
+  EnviImage image(header, data, descriptor);
+  const auto bytes = checked_product(header.samples, header.lines, pixel_bytes(header.pixel));
+  if (!bytes || static_cast<std::uint64_t>(status.st_size) < *bytes + header.header_offset)
+    return {std::nullopt,
+            {file_problem(data.string(), "the file is shorter than its header says", std::to_string(status.st_size),
+                          bytes ? fmt::format("{} bytes", *bytes + header.header_offset) : std::string())}};
+  return {std::move(image), std::move(reading.problems)};
+}
+
+void EnviImage::read(std::size_t line, std::size_t first, std::span<std::complex<float>> out) const {
+  const std::size_t size = pixel_bytes(header_.pixel);
+  std::vector<std::byte> bytes(out.size() * size);
+  std::size_t done = 0;
+  const std::size_t begin = header_.header_offset + (line * header_.samples + first) * size;
+  while (done < bytes.size()) {
+    const ssize_t count =
+        ::pread(file_->descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(begin + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw std::system_error(errno, std::generic_category(), "cannot read '" + data_.string() + "'");
+    if (count == 0) throw std::runtime_error("'" + data_.string() + "' has become shorter");
+    done += static_cast<std::size_t>(count);
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    float part[2] = {0.0F, 0.0F};
+    std::memcpy(part, bytes.data() + i * size, size);
+    out[i] = {part[0], part[1]};
+  }
+}
+
+}  // namespace sarsim

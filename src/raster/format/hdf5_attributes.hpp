@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "raster/format/hdf5_library.hpp"
+
+namespace sarsim {
+
+/// Name and value of attributes, in the order of their names.
+using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// The attributes of an object as text: strings as they are, numbers in decimal, other types left out. At most 1000
+/// attributes, none longer than `longest` bytes.
+[[nodiscard]] AttributeTexts read_attributes(hid_t object, std::uint64_t longest);
+
+/// The value of an attribute by its exact name.
+[[nodiscard]] std::optional<std::string> find_attribute(const AttributeTexts& attributes, std::string_view name);
+
+}  // namespace sarsim

@@ -1,0 +1,116 @@
+#include "raster/format/hdf5_dataset.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "raster/format/sample_reader.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::uint64_t best_compression = 1032;  // No deflate stream grows by more.
+constexpr std::uint64_t allowed_chunk_growth = 16;
+constexpr std::uint64_t small_chunk = std::uint64_t{1} << 20;
+constexpr std::size_t largest_element = 1024;
+constexpr int most_filters = 32;
+
+Problem problem_of(const std::string& path, const std::string& what, std::string found = {},
+                   std::string expected = {}) {
+  return file_problem({}, fmt::format("the dataset {} {}", path, what), std::move(found), std::move(expected));
+}
+
+std::optional<Problem> filter_problem(hid_t properties, const std::string& path) {
+  const int filters = H5Pget_nfilters(properties);
+  if (filters < 0 || filters > most_filters) return problem_of(path, "has a damaged list of filters");
+  for (int i = 0; i < filters; ++i) {
+    unsigned flags = 0;
+    unsigned configuration = 0;
+    std::size_t values = 0;
+    std::array<char, 64> name{};
+    const H5Z_filter_t filter = H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr,
+                                               name.size(), name.data(), &configuration);
+    name.back() = '\0';
+    if (filter < 0 || H5Zfilter_avail(filter) <= 0)
+      return problem_of(path, "is stored with a filter that is not at hand", fmt::format("{} {}", filter, name.data()));
+  }
+  return std::nullopt;
+}
+
+std::optional<Problem> chunk_problem(hid_t properties, const std::string& path, std::size_t element,
+                                     std::uint64_t file_bytes) {
+  std::array<hsize_t, 2> chunk{1, 1};
+  if (H5Pget_chunk(properties, 2, chunk.data()) < 1) return problem_of(path, "has damaged chunks");
+  const auto bytes = checked_product(chunk[0], chunk[1], element);
+  const std::uint64_t most = small_chunk + allowed_chunk_growth * file_bytes;
+  if (!bytes || *bytes > most)
+    return problem_of(path, "has chunks larger than its file allows", fmt::format("{} x {}", chunk[0], chunk[1]));
+  return std::nullopt;
+}
+
+// A contiguous dataset must lie within the file as a whole; chunks may be compressed, or absent and then zero.
+std::optional<Problem> storage_problem(const Hdf5Dataset& dataset, const std::string& path, std::uint64_t file_bytes) {
+  const Hdf5Handle properties(H5Dget_create_plist(dataset.id.get()), H5Pclose);
+  if (!properties) return problem_of(path, "cannot be understood", hdf5_error_text());
+  const std::size_t element = H5Tget_size(dataset.type.get());
+  const std::uint64_t columns = dataset.shape.size() > 1 ? dataset.shape[1] : 1;
+  const auto bytes = checked_product(dataset.shape[0], columns, element);
+  const std::string size = fmt::format("{} x {} elements of {} bytes", dataset.shape[0], columns, element);
+  if (!bytes) return problem_of(path, "is too large", size);
+  if (H5Pget_external_count(properties.get()) != 0) return problem_of(path, "is stored in other files");
+  if (auto problem = filter_problem(properties.get(), path)) return problem;
+  switch (H5Pget_layout(properties.get())) {
+    case H5D_COMPACT: break;
+    case H5D_CONTIGUOUS: {
+      const haddr_t offset = H5Dget_offset(dataset.id.get());
+      const bool inside = offset != HADDR_UNDEF && offset <= file_bytes && *bytes <= file_bytes - offset;
+      if (*bytes > 0 && !inside) return problem_of(path, "lies beyond the end of the file", size);
+      break;
+    }
+    case H5D_CHUNKED:
+      if (auto problem = chunk_problem(properties.get(), path, element, file_bytes)) return problem;
+      break;
+    default: return problem_of(path, "has a layout that is not read");
+  }
+  if (*bytes / best_compression > file_bytes) return problem_of(path, "is larger than its file can hold", size);
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool has_object(hid_t file, const std::string& path) {
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    H5L_info_t link{};
+    if (H5Lexists(file, part.c_str(), H5P_DEFAULT) <= 0) return false;
+    if (H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::variant<Hdf5Dataset, Problem> open_dataset(hid_t file, const std::string& path, std::uint64_t file_bytes) {
+  if (!has_object(file, path)) return problem_of(path, "is not in the file");
+  H5O_info_t object{};
+  if (H5Oget_info_by_name2(file, path.c_str(), &object, H5O_INFO_BASIC, H5P_DEFAULT) < 0 ||
+      object.type != H5O_TYPE_DATASET)
+    return problem_of(path, "is not a dataset");
+  Hdf5Dataset dataset;
+  dataset.id = Hdf5Handle(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!dataset.id) return problem_of(path, "cannot be opened", hdf5_error_text());
+  dataset.type = Hdf5Handle(H5Dget_type(dataset.id.get()), H5Tclose);
+  const Hdf5Handle space(H5Dget_space(dataset.id.get()), H5Sclose);
+  if (!dataset.type || !space) return problem_of(path, "cannot be understood", hdf5_error_text());
+  const int rank = H5Sget_simple_extent_ndims(space.get());
+  if (rank != 1 && rank != 2) return problem_of(path, "has the wrong rank", fmt::format("{}", rank), "1 or 2");
+  std::array<hsize_t, 2> sizes{};
+  H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr);
+  dataset.shape.assign(sizes.begin(), sizes.begin() + rank);
+  const std::size_t element = H5Tget_size(dataset.type.get());
+  if (element == 0 || element > largest_element)
+    return problem_of(path, "has elements of a strange size", fmt::format("{} bytes", element));
+  if (auto problem = storage_problem(dataset, path, file_bytes)) return std::move(*problem);
+  return dataset;
+}
+
+}  // namespace sarsim

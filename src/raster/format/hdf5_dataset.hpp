@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "raster/format/hdf5_library.hpp"
+
+namespace sarsim {
+
+/// A dataset whose shape and storage have been found sound: its bytes are in the file itself, no larger than the file
+/// can hold, and every filter that they need is at hand.
+struct Hdf5Dataset {
+  Hdf5Handle id;
+  Hdf5Handle type;
+  std::vector<std::uint64_t> shape;  ///< One or two sizes.
+};
+
+/// Opens a dataset by its path from the root, following hard links only, so that no other file is ever opened.
+/// @param file_bytes  size of the file, against which the dataset's size is held
+[[nodiscard]] std::variant<Hdf5Dataset, Problem> open_dataset(hid_t file, const std::string& path,
+                                                              std::uint64_t file_bytes);
+
+/// Whether the path leads to something over hard links only.
+[[nodiscard]] bool has_object(hid_t file, const std::string& path);
+
+}  // namespace sarsim

@@ -1,0 +1,354 @@
+#include "raster/format/hdf5_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <new>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "core/os/trial.hpp"
+#include "core/task/stop.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/format/hdf5_attributes.hpp"
+#include "raster/format/hdf5_dataset.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr const char* samples_path = "/samples";
+constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
+constexpr hsize_t most_details = 1000;
+constexpr const char* good = "good";  // What a child process says of a file that it could read.
+
+// Memory layout of std::complex<double>: complex.array requires the real part first.
+Hdf5Handle complex_in_memory() {
+  Hdf5Handle type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)), H5Tclose);
+  H5Tinsert(type.get(), "r", 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(type.get(), "i", sizeof(double), H5T_NATIVE_DOUBLE);
+  return type;
+}
+
+// The library could not get the memory that it wanted.
+struct LacksMemory : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// How samples are transferred that take so many bytes in memory: the library clears the buffers in which it converts
+// numbers, a megabyte each unless told otherwise, at every call, which is a hundred times the work of a short row.
+Hdf5Handle transfer_of(std::uint64_t bytes) {
+  constexpr std::uint64_t least = 4096;
+  constexpr std::uint64_t most = std::uint64_t{1} << 20U;
+  Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  H5Pset_buffer(transfer.get(), std::clamp(bytes, least, most), nullptr, nullptr);
+  return transfer;
+}
+
+// Reads leading indices [first, first + count). Throws LacksMemory or std::runtime_error; `what` names what is read.
+void read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std::uint64_t count, void* out,
+               const std::string& what) {
+  const Hdf5Handle place(H5Dget_space(dataset.id.get()), H5Sclose);
+  const std::uint64_t columns = dataset.shape.size() > 1 ? dataset.shape[1] : 1;
+  const std::array<hsize_t, 2> start{first, 0};
+  const std::array<hsize_t, 2> size{count, columns};
+  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(dataset.shape.size()), size.data(), nullptr), H5Sclose);
+  const Hdf5Handle transfer = transfer_of(count * columns * sizeof(std::complex<double>));
+  if (H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0 &&
+      H5Dread(dataset.id.get(), type, memory.get(), place.get(), transfer.get(), out) >= 0)
+    return;
+  // Now: closing the handles makes the library forget what went wrong.
+  const std::string text = "cannot read " + what + ": HDF5: " + hdf5_error_text();
+  if (hdf5_lacked_memory()) throw LacksMemory(text);
+  throw std::runtime_error(text);
+}
+
+class Hdf5Reader final : public SampleReader {
+ public:
+  Hdf5Reader(SampleFileInfo info, std::string name, Hdf5Handle file, Hdf5Dataset samples, std::uint64_t file_bytes,
+             bool old_layout)
+      : SampleReader(std::move(info)),
+        name_(std::move(name)),
+        file_(std::move(file)),
+        samples_(std::move(samples)),
+        file_bytes_(file_bytes),
+        memory_(old_layout ? Hdf5Handle(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose) : complex_in_memory()),
+        old_layout_(old_layout) {}
+
+  void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
+    if (out.empty()) return;
+    const Hdf5Use use;
+    read_part(samples_, memory_.get(), first, count, out.data(), name_);
+  }
+
+  [[nodiscard]] std::optional<SampleAxes> axes() const override {
+    if (old_layout_) return std::nullopt;
+    const Hdf5Use use;
+    auto time = read_axis("/pulse_time_s", info().rows);
+    auto carrier = read_axis("/carrier_hz", info().rows);
+    auto range = read_axis("/slant_range_m", info().columns);
+    if (!time || !carrier || !range) return std::nullopt;
+    return SampleAxes{std::move(*time), std::move(*carrier), std::move(*range)};
+  }
+
+  // Reads the axes as `axes` does, in memory that does not grow with their length.
+  void try_axes() const {
+    if (old_layout_) return;
+    const Hdf5Use use;
+    try_axis("/pulse_time_s", info().rows);
+    try_axis("/carrier_hz", info().rows);
+    try_axis("/slant_range_m", info().columns);
+  }
+
+ private:
+  // The axis, where it is there and of numbers, one for each of `length`.
+  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length) const {
+    auto opened = open_dataset(file_.get(), path, file_bytes_);
+    auto* dataset = std::get_if<Hdf5Dataset>(&opened);
+    if (dataset == nullptr || dataset->shape.size() != 1 || dataset->shape[0] != length) return std::nullopt;
+    const H5T_class_t kind = H5Tget_class(dataset->type.get());
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+    return std::move(*dataset);
+  }
+
+  void read_axis_part(const Hdf5Dataset& axis, const char* path, std::size_t first, std::span<double> out) const {
+    read_part(axis, H5T_NATIVE_DOUBLE, first, out.size(), out.data(), fmt::format("{} of {}", path, name_));
+  }
+
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length) const {
+    const auto axis = open_axis(path, length);
+    if (!axis) return std::nullopt;
+    std::vector<double> values(length);
+    read_axis_part(*axis, path, 0, values);
+    return values;
+  }
+
+  void try_axis(const char* path, std::size_t length) const {
+    constexpr std::size_t at_once = std::size_t{1} << 22U;
+    const auto axis = open_axis(path, length);
+    if (!axis) return;
+    std::vector<double> values(std::min(length, at_once));
+    for (std::size_t first = 0; first < length; first += values.size()) {
+      values.resize(std::min(values.size(), length - first));
+      read_axis_part(*axis, path, first, values);
+    }
+  }
+
+  std::string name_;
+  Hdf5Handle file_;
+  Hdf5Dataset samples_;
+  std::uint64_t file_bytes_;
+  Hdf5Handle memory_;
+  bool old_layout_;
+};
+
+// Whether the type is a compound of two numbers r and i, and whether these are integers; nothing for another type.
+std::optional<bool> complex_of_integers(hid_t type) {
+  if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
+  const int real = H5Tget_member_index(type, "r");
+  const int imaginary = H5Tget_member_index(type, "i");
+  if (real < 0 || imaginary < 0) return std::nullopt;
+  const H5T_class_t kind = H5Tget_member_class(type, static_cast<unsigned>(real));
+  if (kind != H5Tget_member_class(type, static_cast<unsigned>(imaginary))) return std::nullopt;
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+  return kind == H5T_INTEGER;
+}
+
+// Numbers that a file says of itself, read from the text of an attribute, 10^shift times its unit.
+std::optional<double> number_attribute(const AttributeTexts& attributes, std::string_view name, int shift = 0) {
+  const auto text = find_attribute(attributes, name);
+  return text ? parse_number(*text, shift) : std::nullopt;
+}
+
+void take_known_attributes(SampleFileInfo& info) {
+  const auto bits = number_attribute(info.attributes, "bits");
+  if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
+  info.lsb_v = number_attribute(info.attributes, "lsb_v");
+  if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
+  info.sample_rate_hz = number_attribute(info.attributes, "sample_rate_hz");
+  if (info.sample_rate_hz && !(*info.sample_rate_hz > 0.0)) info.sample_rate_hz.reset();
+}
+
+// The old program named its attributes after the comments of the script and kept the script's units.
+void take_old_attributes(SampleFileInfo& info) {
+  const std::string prefix = "SIMULATION/";
+  const auto bits = number_attribute(info.attributes, prefix + "A/D_bit_accuracy");
+  if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
+  info.lsb_v = number_attribute(info.attributes, prefix + "(mV)_Least_Significant_Bit_value", -3);
+  if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
+  info.sample_rate_hz = number_attribute(info.attributes, prefix + "(GHz)_Sample_frequency", 9);
+}
+
+std::string link_name(hid_t group, hsize_t index) {
+  std::array<char, 256> name{};
+  const ssize_t size =
+      H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, index, name.data(), name.size(), H5P_DEFAULT);
+  return size <= 0 ? std::string() : std::string(name.data());
+}
+
+// Scripts with the line ends of DOS left a carriage return at the end of names.
+std::string without_return(std::string name) {
+  if (name.ends_with('\r')) name.pop_back();
+  return name;
+}
+
+AttributeTexts read_details(hid_t file, std::uint64_t longest) {
+  AttributeTexts result;
+  if (!has_object(file, "/Details")) return result;
+  const Hdf5Handle group(H5Gopen2(file, "/Details", H5P_DEFAULT), H5Gclose);
+  for (hsize_t i = 0; group && i < most_details; ++i) {
+    const std::string name = link_name(group.get(), i);
+    if (name.empty()) break;
+    if (!has_object(group.get(), name)) continue;
+    const Hdf5Handle object(H5Dopen2(group.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!object) continue;
+    for (auto& [key, value] : read_attributes(object.get(), longest))
+      result.emplace_back(without_return(name) + "/" + without_return(key), std::move(value));
+  }
+  return result;
+}
+
+OpenedReader refused(const std::string& name, Problem problem) {
+  problem.place.file = name;
+  return {nullptr, {std::move(problem)}};
+}
+
+// Takes the shape over, or says why it is none of samples. `per_sample` is the number of stored columns of a sample.
+std::optional<Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& samples, const char* path,
+                                  std::uint64_t per_sample) {
+  const auto& shape = samples.shape;
+  if (shape.size() != 2)
+    return file_problem({}, fmt::format("the dataset {} has the wrong rank", path), fmt::format("{}", shape.size()),
+                        "2");
+  if (shape[0] == 0 || shape[1] == 0 || shape[1] % per_sample != 0)
+    return file_problem({}, fmt::format("the dataset {} holds no whole rows", path),
+                        fmt::format("{} x {}", shape[0], shape[1]));
+  if (!checked_product(shape[0], shape[1], 2 * sizeof(double)))
+    return file_problem({}, fmt::format("the dataset {} is too large", path));
+  info.rows = static_cast<std::size_t>(shape[0]);
+  info.columns = static_cast<std::size_t>(shape[1] / per_sample);
+  return std::nullopt;
+}
+
+std::optional<Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+  const auto integers = complex_of_integers(samples.type.get());
+  if (!integers)
+    return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", samples_path), {},
+                        "a compound of r and i, both floating-point or both integer");
+  info.counts = *integers;
+  return take_shape(info, samples, samples_path, 1);
+}
+
+std::optional<Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+  const H5T_class_t kind = H5Tget_class(samples.type.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return file_problem({}, fmt::format("the dataset {} does not hold numbers", old_samples_path));
+  info.counts = true;
+  return take_shape(info, samples, old_samples_path, 2);
+}
+
+OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  const Hdf5Use use;
+  const std::string name = path.string();
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
+#endif
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  if (!file)
+    return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
+                                      "the file is damaged or of another format"));
+  const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
+  auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
+  if (auto* problem = std::get_if<Problem>(&opened)) return refused(name, std::move(*problem));
+  auto& samples = std::get<Hdf5Dataset>(opened);
+  SampleFileInfo info;
+  info.format = FileFormat::hdf5;
+  if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
+    return refused(name, std::move(*problem));
+  if (hints.rows > 0 && hints.rows != info.rows)
+    return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", info.rows),
+                                      fmt::format("{}", hints.rows)));
+  info.attributes = old_layout ? read_details(file.get(), file_bytes) : read_attributes(file.get(), file_bytes);
+  old_layout ? take_old_attributes(info) : take_known_attributes(info);
+  if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
+  if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
+  return {std::make_unique<Hdf5Reader>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
+}
+
+// Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
+void read_through(const Hdf5Reader& reader) {
+  constexpr std::size_t most_samples = std::size_t{1} << 22U;
+  const SampleFileInfo& info = reader.info();
+  reader.try_axes();
+  if (info.columns > most_samples) return;
+  const std::size_t rows = std::min(info.rows, most_samples / info.columns);
+  std::vector<std::complex<double>> samples(rows * info.columns);
+  reader.read_rows(0, rows, samples);
+  reader.read_rows(info.rows - rows, rows, samples);
+}
+
+// A problem as text and back, for the way from one process to the other.
+std::string packed(const Problem& problem) {
+  return problem.message + '\0' + problem.found + '\0' + problem.expected + '\0' + problem.hint;
+}
+
+Problem unpacked(const std::string& text) {
+  std::array<std::string, 4> part;
+  std::size_t index = 0;
+  for (const char c : text)
+    if (c == '\0' && index + 1 < part.size())
+      ++index;
+    else
+      part[index] += c;
+  Problem problem;
+  problem.message = part[0];
+  problem.found = part[1];
+  problem.expected = part[2];
+  problem.hint = part[3];
+  return problem;
+}
+
+Problem lacks_memory(const std::string& what) {
+  return file_problem({}, "the HDF5 library needs more memory for the file than it is given", what,
+                      fmt::format("at most {} MB more than the program has", trial_bytes >> 20U),
+                      "the file is damaged, or stored in very large chunks: h5repack makes them smaller");
+}
+
+// What the child process does: the word that all is well, or a packed problem.
+std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  try {
+    const OpenedReader opened = open_here(path, file_bytes, hints);
+    if (!opened.reader) return packed(opened.problems.front());
+    read_through(static_cast<const Hdf5Reader&>(*opened.reader));
+    return good;
+  } catch (const LacksMemory& error) {
+    return packed(lacks_memory(error.what()));
+  } catch (const std::bad_alloc&) {
+    return packed(lacks_memory({}));
+  } catch (const std::exception& error) {
+    return packed(file_problem({}, "the file is damaged: the HDF5 library cannot read all of it", error.what()));
+  }
+}
+
+}  // namespace
+
+OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+  // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
+  // So a child process goes first, and this one opens only what the child could read.
+  constexpr unsigned patience_s = 20;
+  const TrialReport trial = run_trial([&] { return tried(path, file_bytes, hints); }, patience_s, &hdf5_lock());
+  if (trial.result == TrialResult::stopped) throw Interrupted();
+  if (trial.result != TrialResult::passed)
+    return refused(path.string(),
+                   file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
+                                                trial.result == TrialResult::crashed ? "crashes" : "hangs")));
+  if (trial.text.empty())
+    return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library cannot read all of it"));
+  if (trial.text != good) return refused(path.string(), unpacked(trial.text));
+  return open_here(path, file_bytes, hints);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "raster/format/sample_reader.hpp"
+
+namespace sarsim {
+
+/// Opens an HDF5 file of samples: the layout of docs/formats/samples.md, or that of the program of 2015 (dataset
+/// `/Data/PulseNo_x_SampleNo_I&Q` of interleaved counts, parameters as attributes below `/Details`).
+///
+/// Every size is held against the file's before anything is read; datasets in other files, over soft or external
+/// links, of other types or with unknown filters are problems.
+[[nodiscard]] OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes,
+                                     const SampleFileHints& hints);
+
+}  // namespace sarsim

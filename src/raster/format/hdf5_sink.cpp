@@ -1,0 +1,218 @@
+#include "raster/format/hdf5_sink.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/build/version.hpp"
+#include "raster/table/product_attributes.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::int32_t format_version = 1;
+constexpr std::size_t axis_chunk = 8192;  // Values of an axis that are computed and written at a time.
+constexpr unsigned most_attributes_in_header = 64;
+
+const char* name_of(Processing processing) {
+  switch (processing) {
+    case Processing::raw: return "raw";
+    case Processing::matched_filter: return "matched_filter";
+    case Processing::srp: return "srp";
+  }
+  return "raw";
+}
+
+const char* name_of(Profile profile) { return profile == Profile::classic ? "classic" : "physical"; }
+
+const char* name_of(PulseDefinition pulse) { return pulse == PulseDefinition::band_limited ? "band_limited" : "ideal"; }
+
+// Complex numbers as h5py, MATLAB scripts and others expect them: a compound of r and i.
+Hdf5Handle complex_type(hid_t part) {
+  const std::size_t size = H5Tget_size(part);
+  Hdf5Handle type(H5Tcreate(H5T_COMPOUND, 2 * size), H5Tclose);
+  H5Tinsert(type.get(), "r", 0, part);
+  H5Tinsert(type.get(), "i", size, part);
+  return type;
+}
+
+hid_t part_type(const Encoding& encoding) {
+  if (!encoding.counts) return H5T_IEEE_F32LE;
+  return component_bytes(encoding) == 8 ? H5T_STD_I64LE : H5T_STD_I32LE;
+}
+
+bool write_attribute(hid_t object, const char* name, hid_t type, const void* value) {
+  if (H5Aexists(object, name) > 0) {
+    const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+    return attribute && H5Awrite(attribute.get(), type, value) >= 0;
+  }
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return attribute && H5Awrite(attribute.get(), type, value) >= 0;
+}
+
+bool write_attribute(hid_t object, const char* name, const std::string& text) {
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), H5T_VARIABLE);
+  H5Tset_cset(type.get(), H5T_CSET_UTF8);
+  const char* pointer = text.c_str();
+  return write_attribute(object, name, type.get(), &pointer);
+}
+
+bool write_attribute(hid_t object, const char* name, double value) {
+  return write_attribute(object, name, H5T_IEEE_F64LE, &value);
+}
+
+bool write_attribute(hid_t object, const char* name, std::int32_t value) {
+  return write_attribute(object, name, H5T_STD_I32LE, &value);
+}
+
+Hdf5Handle create_dataset(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes) {
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);
+  H5Pset_layout(properties.get(), H5D_CONTIGUOUS);
+  H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER);
+  return {H5Dcreate2(file, name, type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose};
+}
+
+// Writes whole leading indices [first, first + count) of a dataset of one or two dimensions.
+bool write_part(hid_t dataset, hid_t type, std::size_t first, std::size_t count, std::size_t columns,
+                const void* data) {
+  if (count == 0 || columns == 0) return true;
+  const Hdf5Handle place(H5Dget_space(dataset), H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(place.get());
+  const std::array<hsize_t, 2> start{first, 0};
+  const std::array<hsize_t, 2> size{count, columns};
+  const Hdf5Handle memory(H5Screate_simple(rank, size.data(), nullptr), H5Sclose);
+  return H5Sselect_hyperslab(place.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr) >= 0 &&
+         H5Dwrite(dataset, type, memory.get(), place.get(), H5P_DEFAULT, data) >= 0;
+}
+
+bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
+                const std::function<double(std::size_t)>& value) {
+  if (!value) return true;
+  std::vector<double> values;
+  for (std::size_t begin = first; begin < first + count; begin += values.size()) {
+    values.resize(std::min(axis_chunk, first + count - begin));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(begin + i);
+    if (!write_part(dataset.get(), H5T_NATIVE_DOUBLE, begin, values.size(), 1, values.data())) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace)
+    : product_(product), encoding_(encoding), file_(path, replace), order_(product.rows), output_(file_) {
+  if (!file_.seekable())
+    throw std::system_error(ESPIPE, std::generic_category(), "cannot write HDF5 into a pipe: " + path.string());
+  const Hdf5Use use;
+  create_file();
+  sample_type_ = complex_type(part_type(encoding_));
+  write_attributes();
+  create_datasets();
+  write_column_axis();
+  output_.check();
+}
+
+Hdf5Sink::~Hdf5Sink() = default;
+
+// A failure of the disk explains a failure of the library, so it is reported first.
+void Hdf5Sink::expect(bool done) const {
+  output_.check();
+  if (!done)
+    throw std::runtime_error(fmt::format("cannot write {}: HDF5: {}", file_.path().string(), hdf5_error_text()));
+}
+
+void Hdf5Sink::create_file() {
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  H5Pset_attr_phase_change(creation.get(), most_attributes_in_header, 0);
+  const Hdf5Handle access = output_.access_properties();
+  hdf5_ = Hdf5Handle(H5Fcreate(file_.working_path().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
+  expect(static_cast<bool>(hdf5_));
+}
+
+void Hdf5Sink::write_attributes() {
+  const hid_t root = hdf5_.get();
+  const RunOptions& options = product_.options;
+  const auto put = [&](const char* name, const auto&... value) {
+    return !is_known(product_, name) || write_attribute(root, name, value...);
+  };
+  expect(write_attribute(root, "format_version", format_version) &&
+         write_attribute(root, "program_version", std::string(program_version)) && put("script", product_.script) &&
+         put("radar", product_.radar) && put("processing", std::string(name_of(product_.processing))) &&
+         put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&
+         put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
+         put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
+         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
+}
+
+void Hdf5Sink::create_datasets() {
+  const std::array<hsize_t, 2> shape{product_.rows, product_.columns};
+  const hid_t file = hdf5_.get();
+  const auto add_axis = [&](const char* name, const auto& axis, Hdf5Handle& dataset, std::span<const hsize_t> size) {
+    if (!axis) return;
+    dataset = create_dataset(file, name, H5T_IEEE_F64LE, size);
+    expect(static_cast<bool>(dataset));
+  };
+  add_axis("pulse_time_s", product_.row_time_s, pulse_time_, std::span(shape).first(1));
+  add_axis("carrier_hz", product_.row_carrier_hz, carrier_, std::span(shape).first(1));
+  add_axis("slant_range_m", product_.column_range_m, slant_range_, std::span(shape).last(1));
+  samples_ = create_dataset(file, "samples", sample_type_.get(), shape);
+  expect(samples_ && write_attribute(samples_.get(), "unit", std::string(encoding_.counts ? "count" : "V")));
+}
+
+void Hdf5Sink::write_column_axis() { expect(write_axis(slant_range_, 0, product_.columns, product_.column_range_m)); }
+
+void Hdf5Sink::write_row_axes(std::size_t first_row, std::size_t rows) {
+  expect(write_axis(pulse_time_, first_row, rows, product_.row_time_s) &&
+         write_axis(carrier_, first_row, rows, product_.row_carrier_hz));
+}
+
+void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) {
+  order_.expect(first_row, rows);
+  if (bytes.size() != rows * product_.columns * 2 * component_bytes(encoding_))
+    throw std::logic_error("encoded rows of the wrong size");
+  const Hdf5Use use;
+  expect(write_part(samples_.get(), sample_type_.get(), first_row, rows, product_.columns, bytes.data()));
+  write_row_axes(first_row, rows);
+  order_.take(rows);
+}
+
+void Hdf5Sink::append_axes(std::size_t first_row, std::size_t rows) {
+  order_.expect(first_row, rows);
+  const Hdf5Use use;
+  write_row_axes(first_row, rows);
+  order_.take(rows);
+}
+
+std::uint64_t Hdf5Sink::samples_offset() const {
+  const Hdf5Use use;
+  const haddr_t offset = H5Dget_offset(samples_.get());
+  expect(offset != HADDR_UNDEF);
+  return offset;
+}
+
+void Hdf5Sink::finish(const RunReport& report) {
+  order_.expect_all();
+  const Hdf5Use use;
+  expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
+  bool closed = true;
+  for (Hdf5Handle* handle : {&slant_range_, &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})
+    closed = handle->close() && closed;
+  expect(closed);
+  file_.commit();
+}
+
+}  // namespace sarsim

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/os/output_file.hpp"
+#include "raster/format/encoder.hpp"
+#include "raster/format/hdf5_library.hpp"
+#include "raster/format/hdf5_output.hpp"
+#include "raster/table/row_order.hpp"
+#include "simulate/plan/sink.hpp"
+
+namespace sarsim {
+
+/// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`
+/// and `/slant_range_m`, but for what is not known. Contiguous datasets of known size; rows and their axes are written
+/// as they come. No time stamps, and a fixed version of the format: the same input gives the same bytes.
+class Hdf5Sink final : public Sink {
+ public:
+  /// Begins the file; an existing one is refused unless `replace`.
+  Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace);
+  ~Hdf5Sink() override;
+
+  [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
+  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+    return encode_rows(encoding_, block);
+  }
+  void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override;
+  /// Instead of `append`, for rows whose samples somebody else writes: only their axes.
+  void append_axes(std::size_t first_row, std::size_t rows);
+  void finish(const RunReport& report) override;
+
+  /// Where the samples begin in the file.
+  [[nodiscard]] std::uint64_t samples_offset() const;
+
+ private:
+  void expect(bool done) const;
+  void create_file();
+  void create_datasets();
+  void write_attributes();
+  void write_column_axis();
+  void write_row_axes(std::size_t first_row, std::size_t rows);
+
+  Product product_;
+  Encoding encoding_;
+  OutputFile file_;
+  RowOrder order_;
+  Hdf5Output output_;
+  Hdf5Handle hdf5_;
+  Hdf5Handle sample_type_;
+  Hdf5Handle samples_;
+  Hdf5Handle pulse_time_;
+  Hdf5Handle carrier_;
+  Hdf5Handle slant_range_;
+};
+
+}  // namespace sarsim

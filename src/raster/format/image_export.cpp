@@ -1,0 +1,137 @@
+#include "raster/format/image_export.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "radar/receiver/converter.hpp"
+#include "raster/table/formats.hpp"
+#include "raster/table/product_attributes.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::size_t samples_at_once = std::size_t{1} << 18;
+
+// Consecutive rows of a window, some MB at a time: use(first row of the window, samples).
+template <class Use>
+void for_each_block(const ImageSource& source, const ImageWindow& window, const WorkControl& control, const Use& use) {
+  const std::size_t at_once = std::max<std::size_t>(1, samples_at_once / window.cols);
+  std::vector<std::complex<float>> samples;
+  for (std::size_t i = 0; i < window.rows; i += at_once) {
+    if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+    ImageWindow part = window;
+    part.row0 = window.row(i);
+    part.rows = std::min(at_once, window.rows - i);
+    samples.resize(part.samples());
+    source.read_window(part, samples, control);
+    use(i, samples);
+  }
+}
+
+double magnitude_of(const std::complex<double>& value) {
+  const double magnitude = std::abs(value);
+  return std::isfinite(magnitude) ? magnitude : 0.0;
+}
+
+double largest_magnitude(const ImageSource& source, const ImageWindow& window, const WorkControl& control) {
+  double largest = 0.0;
+  for_each_block(source, window, control, [&](std::size_t, const std::vector<std::complex<float>>& samples) {
+    for (const auto& sample : samples) largest = std::max(largest, magnitude_of(std::complex<double>(sample)));
+  });
+  return largest;
+}
+
+// Picks what a window takes of an axis.
+std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t first, std::size_t step) {
+  return [axis = std::move(axis), first, step](std::size_t i) {
+    const std::size_t at = first + i * step;
+    return at < axis.size() ? axis[at] : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
+  const ImageInfo& info = source.info();
+  Product product;
+  product.rows = window.rows;
+  product.columns = window.cols;
+  if (auto axes = source.axes()) {
+    product.row_time_s = picked(std::move(axes->row_time_s), window.row0, window.row_step);
+    product.row_carrier_hz = picked(std::move(axes->row_carrier_hz), window.row0, window.row_step);
+    product.column_range_m = picked(std::move(axes->column_range_m), window.col0, window.col_step);
+  }
+  product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
+  product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;
+  take_origin(info.attributes, product);
+  product.engine = "selection of " + info.path.filename().string();
+  std::erase(product.unknown, "engine");
+  if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
+  if (options.bits <= 0 && info.bits <= 0 && !holds_counts(options.sink.format, options.sink.counts))
+    product.unknown.emplace_back("bits");
+  return product;
+}
+
+// What the sink is given of one block.
+struct BlockMaker {
+  Converter converter;  // Of the numbers as they are read.
+  double volts_of_value = 1.0;
+  bool counts = false;
+  std::vector<std::complex<double>> values;
+  std::vector<std::int64_t> numbers;
+
+  // Fills the lists and adds to the report.
+  void make(const std::vector<std::complex<float>>& samples, RunReport& report) {
+    values.clear();
+    for (const std::complex<float>& sample : samples) {
+      const std::complex<double> value(sample);
+      report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
+      values.push_back(counts ? value : value * volts_of_value);
+    }
+    if (!counts) return;
+    numbers.resize(2 * values.size());
+    ConversionTally tally;
+    converter.convert(values, numbers, tally);
+    report.saturated += tally.saturated;
+    report.zero += tally.zero;
+    report.not_numbers += tally.not_numbers;
+  }
+};
+
+}  // namespace
+
+RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const WorkControl& control, const ProgressReport& progress) {
+  if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
+  const auto begin = std::chrono::steady_clock::now();
+  Product product = product_of(source, window, options);
+  const bool from_counts = source.info().counts;
+  const bool lsb_is_known = options.lsb_v > 0.0 || source.info().lsb_v || from_counts;
+  if (!lsb_is_known && !holds_counts(options.sink.format, options.sink.counts)) product.unknown.emplace_back("lsb_v");
+  const auto sink = make_sink(path, product, options.sink);
+  const double steps = full_scale_count(product.bits);
+  double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
+  if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
+  if (!(lsb_v > 0.0)) lsb_v = 1.0;
+  BlockMaker maker{{product.bits, from_counts ? 1.0 : lsb_v}, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
+  RunReport report;
+  report.rows = window.rows;
+  report.columns = window.cols;
+  for_each_block(source, window, control, [&](std::size_t row, const std::vector<std::complex<float>>& samples) {
+    maker.make(samples, report);
+    const std::size_t rows = samples.size() / window.cols;
+    sink->append(sink->encode({row, rows, window.cols, maker.values, maker.numbers}), row, rows);
+    if (progress) progress({row + rows, window.rows, window.cols});
+  });
+  report.lsb_v = lsb_v;
+  report.best_lsb_v = report.maximum_v / steps;
+  report.range_used = report.maximum_v / (lsb_v * steps);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sink->finish(report);
+  return report;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/task/parallel.hpp"
+#include "core/task/progress.hpp"
+#include "raster/format/image_source.hpp"
+#include "raster/format/sinks.hpp"
+
+namespace sarsim {
+
+/// How a selection of an image is stored.
+struct ImageExport {
+  SinkOptions sink;
+  int bits = 0;  ///< Of the counts; 0: those of the source, otherwise 16.
+  double lsb_v =
+      0.0;  ///< Volts of a count; 0: that of the source, otherwise of counts 1 and of volts the largest one/C.
+};
+
+/// Writes a window of an image as a file of samples in any of the formats of docs/formats/samples.md, some MB at a
+/// time.
+///
+/// Counts stay counts where the format holds counts, clipped where they do not fit, and 0 for what is not a number;
+/// volts become counts, and counts volts, by the LSB. Real values, magnitudes, powers and the luminance of colours are
+/// stored as they are, with Q 0. Numbers pass through float: counts above 2^24 are rounded. Times, carriers, ranges and
+/// the sampling rate are those of the samples that are taken; what the source does not say the file does not say
+/// either.
+///
+/// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
+/// std::out_of_range for a window that is not inside or empty, Interrupted.
+RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
+                        const ImageExport& options, const WorkControl& control = {},
+                        const ProgressReport& progress = {});
+
+}  // namespace sarsim

@@ -1,0 +1,298 @@
+#include "raster/format/image_source.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "raster/format/image_test_support.hpp"
+#include "raster/format/recording_hints.hpp"
+
+namespace sarsim {
+namespace {
+
+namespace fs = std::filesystem;
+using data_test::open_whole;
+using data_test::put;
+using data_test::read;
+using data_test::read_all;
+using data_test::sample_hints;
+using data_test::test_product;
+using data_test::TestFolder;
+using data_test::text_of;
+using testing::HasSubstr;
+
+struct FormatCase {
+  const char* name;
+  FileFormat format;
+  ImageFormat image;
+  bool counts;
+};
+
+class ImageOfFormat : public testing::TestWithParam<FormatCase> {};
+
+TEST_P(ImageOfFormat, GivesTheSamplesOfAnyWindow) {
+  const TestFolder folder;
+  constexpr std::size_t rows = 23;
+  constexpr std::size_t columns = 17;
+  constexpr int bits = 12;
+  const Product product = test_product(rows, columns, bits);
+  const fs::path path = folder / GetParam().name;
+  data_test::write_test_file(path, product, {GetParam().format, false, GetParam().counts, false});
+  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? columns : 0, bits));
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->info().format, GetParam().image);
+  EXPECT_EQ(source->info().value, ImageValue::complex);
+  EXPECT_EQ(source->info().counts, GetParam().counts);
+  ASSERT_EQ(source->rows(), rows);
+  ASSERT_EQ(source->columns(), columns);
+  EXPECT_EQ(source->indexed(), 1.0);
+  const auto counts = data_test::test_counts(rows * columns, bits);
+  const auto volts = data_test::test_volts(rows * columns);
+  const auto expected = [&](std::size_t row, std::size_t column) {
+    const std::size_t i = row * columns + column;
+    if (!GetParam().counts) return std::complex<float>(volts[i]);
+    return std::complex<float>(static_cast<float>(counts[2 * i]), static_cast<float>(counts[2 * i + 1]));
+  };
+  for (const ImageWindow& window :
+       {ImageWindow{0, rows, 0, columns}, ImageWindow{5, 3, 2, 4}, ImageWindow{22, 1, 16, 1},
+        ImageWindow{1, 8, 0, 6, 3, 3}, ImageWindow{0, 2, 16, 1, 22, 1}}) {
+    const auto samples = read(*source, window, 2);
+    for (std::size_t i = 0; i < window.rows; ++i)
+      for (std::size_t k = 0; k < window.cols; ++k)
+        ASSERT_EQ(samples[i * window.cols + k], expected(window.row(i), window.column(k))) << i << ", " << k;
+  }
+}
+
+TEST_P(ImageOfFormat, RefusesWindowsThatAreNotInside) {
+  const TestFolder folder;
+  const fs::path path = folder / GetParam().name;
+  data_test::write_test_file(path, test_product(4, 3, 8), {GetParam().format, false, GetParam().counts, false});
+  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? 3 : 0, 8));
+  ASSERT_TRUE(source);
+  constexpr std::size_t huge = std::numeric_limits<std::size_t>::max();
+  std::vector<std::complex<float>> samples(4);
+  for (const ImageWindow& window :
+       {ImageWindow{3, 2, 0, 2}, ImageWindow{0, 2, 2, 2}, ImageWindow{0, 2, 0, 2, 4, 1},
+        ImageWindow{0, 2, 0, 2, 1, huge}, ImageWindow{huge, 2, 0, 2}, ImageWindow{0, 2, 0, 2, 0, 1}})
+    EXPECT_THROW(source->read_window(window, samples), std::out_of_range);
+  EXPECT_THROW(source->read_window({0, 1, 0, 2}, samples), std::invalid_argument);
+  std::vector<Rgb> colours(4);
+  EXPECT_THROW(source->read_rgb({0, 2, 0, 2}, colours), std::logic_error);
+  source->read_window({2, 0, 1, 0}, {});
+}
+
+TEST_P(ImageOfFormat, CutWhileOpenGivesAMessageWithItsName) {
+  if (GetParam().format == FileFormat::hdf5) GTEST_SKIP() << "the HDF5 library's own business";
+  const TestFolder folder;
+  const fs::path path = folder / GetParam().name;
+  data_test::write_test_file(path, test_product(3000, 40, 8), {GetParam().format, false, GetParam().counts, false});
+  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? 40 : 0, 8));
+  ASSERT_TRUE(source);
+  fs::resize_file(path, fs::file_size(path) / 2);
+  try {
+    read(*source, {2990, 2, 0, 40});
+    FAIL() << "read rows that are not there";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(path.string()));
+  }
+  EXPECT_EQ(read(*source, {0, 1, 0, 40}).size(), 40U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ImageOfFormat,
+                         testing::Values(FormatCase{"a.bin", FileFormat::binary, ImageFormat::binary, true},
+                                         FormatCase{"a.asc", FileFormat::ascii, ImageFormat::ascii, true},
+                                         FormatCase{"a.csv", FileFormat::csv, ImageFormat::csv, true},
+                                         FormatCase{"a.brk", FileFormat::bracket, ImageFormat::bracket, true},
+                                         FormatCase{"counts.npy", FileFormat::npy, ImageFormat::npy, true},
+                                         FormatCase{"volts.npy", FileFormat::npy, ImageFormat::npy, false},
+                                         FormatCase{"counts.h5", FileFormat::hdf5, ImageFormat::hdf5, true},
+                                         FormatCase{"volts.h5", FileFormat::hdf5, ImageFormat::hdf5, false}),
+                         [](const auto& tested) {
+                           std::string name = tested.param.name;
+                           name.replace(name.find('.'), 1, "_");
+                           return name;
+                         });
+
+TEST(ImageSource, OfHdf5CarriesAxesAndAttributes) {
+  const TestFolder folder;
+  data_test::write_test_file(folder / "a.h5", test_product(4, 3, 8), {FileFormat::hdf5, false, false, false});
+  const auto source = open_whole(folder / "a.h5");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->info().sample_rate_hz, 100e6);
+  EXPECT_EQ(source->info().lsb_v, 2.5e-9);
+  const auto axes = source->axes();
+  ASSERT_TRUE(axes);
+  EXPECT_EQ(axes->column_range_m[2], 1003.0);
+}
+
+TEST(ImageSource, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
+  const TestFolder folder;
+  for (int bits = 1; bits <= 64; ++bits) {
+    const auto product = test_product(3, 5, bits);
+    data_test::write_test_file(folder / "a.bin", product, {FileFormat::binary, true, true, false});
+    const auto source = open_whole(folder / "a.bin", sample_hints(5, bits));
+    ASSERT_TRUE(source);
+    const auto samples = read_all(*source);
+    const auto counts = data_test::test_counts(15, bits);
+    for (std::size_t i = 0; i < 15; ++i)
+      ASSERT_EQ(samples[i],
+                std::complex<float>(static_cast<float>(counts[2 * i]), static_cast<float>(counts[2 * i + 1])))
+          << bits;
+  }
+}
+
+TEST(ImageSource, SaysWhatAFileWithoutADescriptionNeeds) {
+  const TestFolder folder;
+  const auto refusal = [&](const fs::path& path) {
+    const OpenedImage opened = ImageSource::open(path);
+    EXPECT_FALSE(opened.source);
+    EXPECT_TRUE(has_errors(opened.problems));
+    return text_of(opened.problems);
+  };
+  EXPECT_THAT(refusal(put(folder / "a.bin", "1234")), HasSubstr("does not say its own shape"));
+  EXPECT_THAT(refusal(put(folder / "a.xyz", std::string("\0\1\2\3", 4))), HasSubstr("describe it as a custom file"));
+  EXPECT_THAT(refusal(put(folder / "b.xyz", "")), HasSubstr("empty"));
+  EXPECT_THAT(refusal(folder / "none"), HasSubstr("cannot read the file"));
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("it is a folder"));
+}
+
+// --- Growing files ----------------------------------------------------------------------------------------------
+
+TEST(ImageSource, RefreshFindsWhatABinaryFileHasGrownAndLost) {
+  const TestFolder folder;
+  const fs::path path = put(folder / "a.bin", std::string(4 * 6, '\x80'));
+  const auto source = open_whole(path, sample_hints(3, 8));
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->rows(), 4U);
+  std::ofstream(path, std::ios::binary | std::ios::app) << std::string(13, '\x81');
+  EXPECT_EQ(source->refresh(), 6U);
+  EXPECT_EQ(read(*source, {5, 1, 0, 1})[0], std::complex<float>(2, 2));
+  fs::resize_file(path, 11);
+  EXPECT_EQ(source->refresh(), 1U);
+  EXPECT_THROW(read(*source, {1, 1, 0, 1}), std::out_of_range);
+}
+
+TEST(ImageSource, RefreshFindsNewRowsOfATextAndCompletesTheLast) {
+  const TestFolder folder;
+  const fs::path path = put(folder / "a.csv", "1,2,3,4\n5,6,7,8\n9,10");
+  const auto source = open_whole(path);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->rows(), 2U);
+  EXPECT_TRUE(source->problems().empty());
+  std::ofstream(path, std::ios::app) << ",11,12\n13,14,15,1";
+  source->refresh();
+  source->wait_until_indexed(nullptr);
+  ASSERT_EQ(source->rows(), 4U);
+  EXPECT_EQ(read(*source, {2, 1, 0, 2}), (std::vector<std::complex<float>>{{9, 10}, {11, 12}}));
+  std::ofstream(path, std::ios::app) << "6\n17,18,19,20\n";
+  source->refresh();
+  source->wait_until_indexed(nullptr);
+  ASSERT_EQ(source->rows(), 5U);
+  EXPECT_EQ(read(*source, {3, 2, 1, 1}), (std::vector<std::complex<float>>{{15, 16}, {19, 20}}));
+}
+
+// --- Drafts and stopping ----------------------------------------------------------------------------------------
+
+TEST(ImageSource, DraftIsCoarserWhereTheTimeIsShortAndStandsForItsNeighbours) {
+  const TestFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 64 * 64; ++i) bytes += static_cast<char>(i % 64 + i / 64);
+  RawLayout layout;
+  layout.width = 64;
+  layout.value = ImageValue::real;
+  ImageHints hints;
+  hints.raw = layout;
+  const auto source = open_whole(put(folder / "a.raw", bytes), hints);
+  ASSERT_TRUE(source);
+  const ImageWindow window{3, 61, 1, 60};
+  std::vector<std::complex<float>> exact(window.samples());
+  EXPECT_EQ(source->read_draft(window, 1.0, exact), window);
+  EXPECT_EQ(exact, read(*source, window));
+  std::vector<std::complex<float>> draft(window.samples());
+  const ImageWindow coarse = source->read_draft(window, source->read_cost_s(window) / 20.0, draft);
+  EXPECT_LE(source->read_cost_s(coarse), source->read_cost_s(window) / 20.0);
+  ASSERT_GT(coarse.row_step * coarse.col_step, 1U);
+  for (std::size_t i = 0; i < window.rows; ++i)
+    for (std::size_t k = 0; k < window.cols; ++k) {
+      const std::size_t row = i / coarse.row_step * coarse.row_step;
+      const std::size_t column = k / coarse.col_step * coarse.col_step;
+      ASSERT_EQ(draft[i * window.cols + k], exact[row * window.cols + column]);
+    }
+}
+
+TEST(ImageSource, ReadingStopsWhereItIsAskedTo) {
+  const TestFolder folder;
+  const auto source = open_whole(put(folder / "a.bin", std::string(600, '\x80')), sample_hints(3, 8));
+  ASSERT_TRUE(source);
+  StopFlag stop;
+  stop.request();
+  std::vector<std::complex<float>> samples(300);
+  EXPECT_THROW(source->read_window({0, 100, 0, 3}, samples, {1, &stop}), Interrupted);
+}
+
+// --- Hints from a scene -----------------------------------------------------------------------------------------
+
+Scene recording_scene() {
+  Scene scene;
+  scene.platforms.emplace_back();
+  scene.radars.emplace_back();
+  Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_end_m = 299.792458;
+  simulation.time_end_s = 0.0095;
+  simulation.sample_rate_hz = 50e6;
+  simulation.bits = 10;
+  simulation.lsb_v = 1e-6;
+  simulation.file = "C:\\OUT\\Echo.BIN";
+  simulation.format = FileFormat::binary;
+  scene.simulations.push_back(simulation);
+  return scene;
+}
+
+TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
+  Scene scene = recording_scene();
+  scene.simulations.push_back(scene.simulations[0]);
+  scene.simulations[1].file = "echo.asc";
+  scene.simulations[1].bits = 12;
+  ASSERT_TRUE(hints_from_scene(scene, "ECHO.asc"));
+  EXPECT_EQ(hints_from_scene(scene, "ECHO.asc")->bits, 12);
+  EXPECT_EQ(hints_from_scene(scene, "echo.bin")->bits, 10);
+  EXPECT_FALSE(hints_from_scene(scene, "echo.npy"));
+}
+
+TEST(HintsFromScene, AreNotToBeHadOfWindowsThatNoMemoryHolds) {
+  Scene scene = recording_scene();
+  scene.simulations[0].range_end_m = 1e12;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AreNotToBeHadOfARadarWithMistakes) {
+  Scene scene = recording_scene();
+  scene.radars[0].prf_hz = 0.0;
+  EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
+}
+
+TEST(HintsFromScene, AskNothingOfTargets) {
+  Scene scene = recording_scene();
+  scene.targets.emplace_back().platform = "Nowhere";
+  const auto hints = hints_from_scene(scene, "echo.bin");
+  ASSERT_TRUE(hints);
+  EXPECT_EQ(hints->columns, 100U);
+}
+
+TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
+  const auto hints = hints_from_scene(recording_scene(), "/data/echo.bin");
+  ASSERT_TRUE(hints);
+  EXPECT_EQ(hints->columns, 100U);
+  EXPECT_EQ(hints->rows, 10U);
+  EXPECT_EQ(hints->bits, 10);
+  EXPECT_EQ(hints->lsb_v, 1e-6);
+  EXPECT_EQ(hints->format, FileFormat::binary);
+  const auto other = hints_from_scene(recording_scene(), "echo.csv");
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(other->format);
+  EXPECT_FALSE(hints_from_scene(recording_scene(), "other.bin"));
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "raster/format/encoder.hpp"
+#include "raster/format/sample_reader.hpp"
+#include "raster/table/row_places.hpp"
+#include "simulate/plan/sink.hpp"
+
+namespace sarsim {
+
+/// What needs the HDF5 library. It is a module of its own, `sarsim_hdf5.so`, because loading that library and the
+/// thirty others that it needs takes longer than many a run, and most runs have no use for it.
+struct Hdf5Module {
+  /// Opens a file of so many bytes for reading, see open_hdf5.
+  OpenedReader (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints);
+  /// Begins a file, see Hdf5Sink.
+  std::unique_ptr<Sink> (*make_sink)(const std::filesystem::path& path, const Product& product,
+                                     const Encoding& encoding, bool replace);
+  /// Where the samples of such a file stand. `scratch` names a file that is begun and thrown away.
+  RowPlaces (*row_places)(const std::filesystem::path& scratch, const Product& product, const Encoding& encoding);
+  /// Makes a whole file but for its samples, which are left as a hole.
+  void (*write_frame)(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
+                      const RunReport& report);
+};
+
+/// The module, which the first call loads and which then stays. May be called from many threads at once.
+/// @param wanted_for  the file to be read or written, for the message
+/// @throws std::runtime_error where the module, or a library that it needs, cannot be loaded
+[[nodiscard]] const Hdf5Module& hdf5_module(const std::filesystem::path& wanted_for);
+
+}  // namespace sarsim

@@ -1,0 +1,168 @@
+#include "raster/format/npy_header.hpp"
+
+#include <charconv>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::string_view signature = "\x93NUMPY";
+constexpr std::size_t alignment = 64;
+
+std::size_t prefix_size(unsigned major) { return major == 1 ? 10 : 12; }
+
+Problem problem(std::string message, std::string found = {}, std::string expected = {}) {
+  Problem result;
+  result.message = std::move(message);
+  result.found = std::move(found);
+  result.expected = std::move(expected);
+  return result;
+}
+
+// A reader for the one Python literal that a header is: a dictionary of strings, booleans and tuples of integers.
+class LiteralReader {
+ public:
+  explicit LiteralReader(std::string_view text) : rest_(text) {}
+
+  void skip_blanks() {
+    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\n' || rest_.front() == '\t'))
+      rest_.remove_prefix(1);
+  }
+  bool take(char c) {
+    skip_blanks();
+    if (rest_.empty() || rest_.front() != c) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  bool take_word(std::string_view word) {
+    skip_blanks();
+    if (!rest_.starts_with(word)) return false;
+    rest_.remove_prefix(word.size());
+    return true;
+  }
+  std::optional<std::string> take_string() {
+    const char quote = take('\'') ? '\'' : (take('"') ? '"' : '\0');
+    const std::size_t end = quote == '\0' ? std::string_view::npos : rest_.find(quote);
+    if (end == std::string_view::npos) return std::nullopt;
+    std::string text(rest_.substr(0, end));
+    rest_.remove_prefix(end + 1);
+    return text;
+  }
+  std::optional<std::uint64_t> take_size() {
+    skip_blanks();
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+    if (error != std::errc{}) return std::nullopt;
+    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    take('L');  // Python 2 wrote long integers so.
+    return value;
+  }
+  std::optional<std::vector<std::uint64_t>> take_tuple() {
+    if (!take('(')) return std::nullopt;
+    std::vector<std::uint64_t> values;
+    while (!take(')')) {
+      const auto value = take_size();
+      if (!value) return std::nullopt;
+      values.push_back(*value);
+      if (!take(',') && (skip_blanks(), !rest_.starts_with(')'))) return std::nullopt;
+    }
+    return values;
+  }
+  [[nodiscard]] bool at_end() {
+    skip_blanks();
+    return rest_.empty();
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+// Takes the value of one key; false where it is not what the key asks for.
+bool take_entry(LiteralReader& reader, const std::string& key, NpyHeader& header) {
+  if (key == "descr") {
+    auto type = reader.take_string();
+    if (type) header.type = std::move(*type);
+    return type.has_value();
+  }
+  if (key == "fortran_order") {
+    header.fortran_order = reader.take_word("True");
+    return header.fortran_order || reader.take_word("False");
+  }
+  if (key == "shape") {
+    auto shape = reader.take_tuple();
+    if (shape) header.shape = std::move(*shape);
+    return shape.has_value();
+  }
+  return false;
+}
+
+std::variant<NpyHeader, Problem> parse_dictionary(std::string_view text) {
+  const auto malformed = [&] {
+    return problem("the header of the NumPy file is malformed", std::string(text.substr(0, 120)),
+                   "{'descr': type, 'fortran_order': False, 'shape': (rows, columns)}");
+  };
+  LiteralReader reader(text);
+  NpyHeader header;
+  int entries = 0;
+  if (!reader.take('{')) return malformed();
+  while (!reader.take('}')) {
+    const auto key = reader.take_string();
+    if (!key || !reader.take(':')) return malformed();
+    if (*key == "descr" && reader.take('['))
+      return problem("arrays of structures are not read", std::string(text.substr(0, 120)), "a complex type");
+    if (!take_entry(reader, *key, header)) return malformed();
+    ++entries;
+    if (reader.take(',')) continue;
+    if (!reader.take('}')) return malformed();
+    break;
+  }
+  if (entries != 3 || header.type.empty() || !reader.at_end()) return malformed();
+  return header;
+}
+
+}  // namespace
+
+std::string npy_header_text(std::string_view type, std::span<const std::size_t> shape) {
+  std::string sizes;
+  for (const std::size_t size : shape) sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ", size);
+  if (shape.size() == 1) sizes += ',';
+  std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes);
+  const std::size_t unpadded = prefix_size(1) + text.size() + 1;
+  text.append((alignment - unpadded % alignment) % alignment, ' ');
+  text += '\n';
+  std::string header(signature);
+  header += {'\x01', '\x00'};
+  header += static_cast<char>(text.size() & 0xFFU);
+  header += static_cast<char>(text.size() >> 8U);
+  return header + text;
+}
+
+std::uint64_t npy_header_size(std::span<const std::byte> bytes) {
+  if (bytes.size() < 12 || std::memcmp(bytes.data(), signature.data(), signature.size()) != 0) return 0;
+  const auto byte = [&](std::size_t i) { return std::to_integer<std::uint64_t>(bytes[i]); };
+  if (byte(6) == 1) return prefix_size(1) + (byte(8) | byte(9) << 8U);
+  return prefix_size(2) + (byte(8) | byte(9) << 8U | byte(10) << 16U | byte(11) << 24U);
+}
+
+std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> bytes) {
+  const std::uint64_t size = npy_header_size(bytes);
+  if (size == 0) return problem("this is not a NumPy array file");
+  const unsigned major = std::to_integer<unsigned>(bytes[6]);
+  const unsigned minor = std::to_integer<unsigned>(bytes[7]);
+  if (major < 1 || major > 3 || minor != 0)
+    return problem("the version of the NumPy file is not known", fmt::format("{}.{}", major, minor), "1.0, 2.0 or 3.0");
+  if (size > bytes.size())
+    return problem("the NumPy file ends within its header", fmt::format("{} bytes", bytes.size()),
+                   fmt::format("{} bytes", size));
+  const std::size_t prefix = prefix_size(major);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()) + prefix, size - prefix);
+  auto header = parse_dictionary(text);
+  if (auto* found = std::get_if<NpyHeader>(&header)) found->data_offset = static_cast<std::size_t>(size);
+  return header;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/report/problem.hpp"
+
+namespace sarsim {
+
+/// What the header of a NumPy array file says.
+struct NpyHeader {
+  std::string type;                  ///< Array-protocol type, for instance "<c8".
+  bool fortran_order = false;        ///< First index fastest.
+  std::vector<std::uint64_t> shape;  ///< Empty for a single number.
+  std::size_t data_offset = 0;       ///< Bytes before the array.
+};
+
+/// The header of a C-order array, version 1.0, padded with blanks so that the array begins at a multiple of 64 bytes.
+/// Reference: NumPy, "numpy.lib.format", NPY format version 1.0.
+[[nodiscard]] std::string npy_header_text(std::string_view type, std::span<const std::size_t> shape);
+
+/// Bytes that `bytes` must hold before `parse_npy_header` can say everything: the prefix tells the header's length.
+/// 0 where they are not the beginning of a NumPy array file. At least 12 bytes are needed to ask.
+[[nodiscard]] std::uint64_t npy_header_size(std::span<const std::byte> bytes);
+
+/// Reads a header of version 1.0, 2.0 or 3.0 from the beginning of a file.
+[[nodiscard]] std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> bytes);
+
+}  // namespace sarsim

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+
+#include "raster/table/stored_grid.hpp"
+
+namespace sarsim {
+
+/// One number as it is stored.
+template <class Number, bool BigEndian>
+double raw_component(const std::byte* bytes) {
+  Number value;
+  if constexpr (BigEndian && sizeof(Number) > 1) {
+    std::array<std::byte, sizeof(Number)> turned;
+    for (std::size_t i = 0; i < sizeof(Number); ++i) turned[i] = bytes[sizeof(Number) - 1 - i];
+    std::memcpy(&value, turned.data(), sizeof value);
+  } else {
+    std::memcpy(&value, bytes, sizeof value);
+  }
+  return static_cast<double>(value);
+}
+
+/// The nearest float; what is beyond all floats becomes infinite.
+inline float as_float(double value) {
+  constexpr double most = static_cast<double>(std::numeric_limits<float>::max());
+  if (std::abs(value) <= most || !std::isfinite(value)) return static_cast<float>(value);
+  return std::copysign(std::numeric_limits<float>::infinity(), value < 0.0 ? -1.0F : 1.0F);
+}
+
+/// Decodes samples of one or two components (StoredGrid::Decode).
+template <class Number, bool BigEndian, bool Complex, bool QFirst>
+void decode_raw(const StoredGrid& grid, const std::byte* first, std::size_t stride, std::size_t count,
+                std::complex<float>* out) {
+  const double centre = grid.centre;
+  for (std::size_t i = 0; i < count; ++i, first += stride) {
+    const float one = as_float(raw_component<Number, BigEndian>(first) - centre);
+    if constexpr (Complex) {
+      const float other = as_float(raw_component<Number, BigEndian>(first + sizeof(Number)) - centre);
+      out[i] = QFirst ? std::complex<float>(other, one) : std::complex<float>(one, other);
+    } else {
+      out[i] = {one, 0.0F};
+    }
+  }
+}
+
+/// The decoder of a type.
+template <class Number>
+StoredGrid::Decode raw_decoder(bool complex, bool big_endian, bool q_first) {
+  if (!complex) return big_endian ? decode_raw<Number, true, false, false> : decode_raw<Number, false, false, false>;
+  if (q_first) return big_endian ? decode_raw<Number, true, true, true> : decode_raw<Number, false, true, true>;
+  return big_endian ? decode_raw<Number, true, true, false> : decode_raw<Number, false, true, false>;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "raster/format/data_test_support.hpp"
+#include "support/folders.hpp"
+
+// Reads what the programs of 1997 to 2015 wrote; the files are not part of the project.
+namespace sarsim {
+namespace {
+
+using namespace data_test;
+
+using test::reference_folder;
+
+struct Shape {
+  const char* file;
+  std::size_t rows;
+  std::size_t columns;
+};
+
+class ReferenceFile : public testing::TestWithParam<Shape> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Old, ReferenceFile,
+    testing::Values(Shape{"original/examples/sim1.asc", 19, 146}, Shape{"original/helvin/sims1.asc", 1, 160},
+                    Shape{"original/helvin/sims2.asc", 5, 200},
+                    Shape{"original/helvin/exam1_sim2_first6pulses.asc", 6, 53},
+                    Shape{"original/linux/exam2.asc", 19, 146}, Shape{"original/linux/final.h5", 19, 146},
+                    Shape{"original/stc/sim3_third.asc", 1, 5003}, Shape{"direct/a2_mono_raw.asc", 2, 53},
+                    Shape{"direct/sar_c_band_receding.asc", 121, 500}, Shape{"direct/a4_search.asc", 201, 4}));
+
+TEST_P(ReferenceFile, HasItsShapeAndIsNotEmpty) {
+  const fs::path path = reference_folder() / GetParam().file;
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; SARSIM_REFERENCE names the folder";
+  const auto opened = SampleFile::open(path);
+  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
+  EXPECT_EQ(opened.file->info().rows, GetParam().rows);
+  EXPECT_EQ(opened.file->info().columns, GetParam().columns);
+  EXPECT_TRUE(opened.file->info().counts);
+  const auto samples = read_all(*opened.file);
+  EXPECT_TRUE(std::ranges::any_of(samples, [](const auto& sample) { return sample != 0.0; }));
+}
+
+TEST(ReferenceFiles, TheOldHdf5HoldsItsParameters) {
+  const fs::path path = reference_folder() / "original/linux/final.h5";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; SARSIM_REFERENCE names the folder";
+  const auto opened = SampleFile::open(path);
+  ASSERT_TRUE(opened.file);
+  EXPECT_EQ(opened.file->info().bits, 8);
+  EXPECT_TRUE(opened.file->info().lsb_v);
+  EXPECT_TRUE(opened.file->info().sample_rate_hz);
+  EXPECT_FALSE(opened.file->info().attributes.empty());
+}
+
+TEST(ReferenceFiles, TheOldHdf5HoldsTheCountsOfTheText) {
+  const fs::path folder = reference_folder() / "original/linux";
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not here; SARSIM_REFERENCE names the folder";
+  const auto text = SampleFile::open(folder / "exam2.asc");
+  const auto hdf5 = SampleFile::open(folder / "final.h5");
+  ASSERT_TRUE(text.file && hdf5.file);
+  const auto a = read_all(*text.file);
+  const auto b = read_all(*hdf5.file);
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) same += a[i] == b[i] ? 1U : 0U;
+  EXPECT_EQ(same, a.size());
+}
+
+}  // namespace
+}  // namespace sarsim

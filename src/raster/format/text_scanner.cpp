@@ -1,0 +1,83 @@
+#include "raster/format/text_scanner.hpp"
+
+#include <charconv>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
+
+bool is_white(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool ends_token(int c) { return c == TextScanner::end || is_white(c) || c == ',' || c == '(' || c == ')'; }
+
+// Exact for whole numbers of up to 20 digits; the others go through the general reader.
+bool read_whole(std::string_view text, TextNumber& number) {
+  number.negative = text.starts_with('-');
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const char* last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, number.magnitude);
+  if (error != std::errc{} || stop != last || text.empty()) return false;
+  number.whole = true;
+  number.value = number.negative ? -static_cast<double>(number.magnitude) : static_cast<double>(number.magnitude);
+  return true;
+}
+
+}  // namespace
+
+TextScanner::TextScanner(const InputFile& file, std::uint64_t offset, std::size_t line)
+    : file_(file), buffer_(buffer_bytes), base_(offset), line_start_(offset), line_(line) {}
+
+bool TextScanner::fill() {
+  base_ += next_;
+  next_ = 0;
+  filled_ = file_.read_at(base_, std::as_writable_bytes(std::span(buffer_)));
+  return filled_ > 0;
+}
+
+void TextScanner::skip_blanks() {
+  for (int c = peek(); is_white(c) && c != '\n'; c = peek()) advance();
+}
+
+std::size_t TextScanner::skip_white_space() {
+  std::size_t lines = 0;
+  for (int c = peek(); is_white(c); c = peek()) {
+    lines += c == '\n' ? 1 : 0;
+    advance();
+  }
+  return lines;
+}
+
+void TextScanner::skip_line() {
+  int c = peek();
+  for (; c != end && c != '\n'; c = peek()) advance();
+  if (c == '\n') advance();
+}
+
+std::string TextScanner::take_token() {
+  std::string token;
+  for (int c = peek(); !ends_token(c) && token.size() < longest_token; c = peek()) {
+    token += static_cast<char>(c);
+    advance();
+  }
+  return token;
+}
+
+bool TextScanner::take_number(TextNumber& number, std::string& token) {
+  token.clear();
+  for (int c = peek(); !ends_token(c) && token.size() < longest_token; c = peek()) {
+    token += static_cast<char>(c);
+    ++next_;  // No line feed can stand here.
+  }
+  number = {};
+  if (read_whole(token, number)) return true;
+  const auto value = token.size() < longest_token ? parse_number(token) : std::nullopt;
+  if (!value) return false;
+  number.whole = false;
+  number.value = *value;
+  return true;
+}
+
+}  // namespace sarsim

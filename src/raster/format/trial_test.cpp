@@ -1,0 +1,92 @@
+#include "core/os/trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include "raster/format/sample_file.hpp"
+#include "support/folders.hpp"
+
+namespace sarsim {
+namespace {
+
+TEST(Trial, TellsSurvivalFromCrashAndHang) {
+  EXPECT_EQ(run_trial([] { return std::string(); }, 5).result, TrialResult::passed);
+  EXPECT_EQ(run_trial([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result, TrialResult::passed);
+  EXPECT_EQ(run_trial([]() -> std::string { std::abort(); }, 5).result, TrialResult::crashed);
+  volatile bool never = false;
+  EXPECT_EQ(run_trial(
+                [&] {
+                  while (!never) {
+                  }
+                  return std::string();
+                },
+                1)
+                .result,
+            TrialResult::timed_out);
+}
+
+// The terminal sends Ctrl-C to the child as well.
+TEST(Trial, ARequestToEndIsNoCrash) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, SIG_DFL);
+    const TrialReport report = run_trial(
+        [signal] {
+          std::raise(signal);
+          return std::string("survived");
+        },
+        5);
+    std::signal(signal, before);
+    EXPECT_EQ(report.result, TrialResult::stopped) << signal;
+  }
+}
+
+TEST(Trial, WhatIsIgnoredStaysIgnored) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  const TrialReport report = run_trial(
+      [] {
+        std::raise(SIGHUP);
+        return std::string("survived");
+      },
+      5);
+  std::signal(SIGHUP, before);
+  EXPECT_EQ(report.result, TrialResult::passed);
+  EXPECT_EQ(report.text, "survived");
+}
+
+TEST(Trial, BringsBackTheTextAndNothingElse) {
+  int value = 1;
+  const TrialReport report = run_trial(
+      [&] {
+        value = 2;
+        return std::string(50'000, 'x') + '\0' + "end";
+      },
+      5);
+  EXPECT_EQ(report.text, std::string(50'000, 'x') + '\0' + "end");
+  EXPECT_EQ(value, 1);
+}
+
+// An input that fuzzing found: H5Fopen of libhdf5 1.10.8 reads beyond its memory and dies.
+TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
+  const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/crashes_libhdf5_1_10.h5";
+  ASSERT_TRUE(std::filesystem::exists(path));
+  const OpenedSampleFile opened = SampleFile::open(path);
+  EXPECT_FALSE(opened.file.has_value());
+  ASSERT_FALSE(opened.problems.empty());
+  EXPECT_EQ(opened.problems.front().severity, Severity::error);
+}
+
+// Another: the library asks for 17 GB because a header says so.
+TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
+  const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/claims_17_gigabytes.h5";
+  ASSERT_TRUE(std::filesystem::exists(path));
+  const OpenedSampleFile opened = SampleFile::open(path);
+  EXPECT_FALSE(opened.file.has_value());
+  EXPECT_FALSE(opened.problems.empty());
+}
+
+}  // namespace
+}  // namespace sarsim

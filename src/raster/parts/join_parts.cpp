@@ -1,0 +1,429 @@
+#include "raster/parts/join_parts.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/hash/checksum.hpp"
+#include "core/os/output_file.hpp"
+#include "core/os/raw_file.hpp"
+#include "raster/format/sample_reader.hpp"
+
+namespace sarsim {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
+constexpr std::string_view finished_name = "finished";
+
+fs::path file_of(const Journal& journal) {
+  return journal.head.store == RowStore::placed ? shared_rows_of(journal.path.parent_path())
+                                                : rows_file_of(journal.path);
+}
+
+// A claim and whose it is.
+struct Piece {
+  Claim claim;
+  const Journal* journal = nullptr;
+};
+
+std::vector<Piece> pieces_of(std::span<const Journal> journals) {
+  std::vector<Piece> pieces;
+  for (const Journal& journal : journals)
+    for (const Claim& claim : journal.claims) pieces.push_back({claim, &journal});
+  std::ranges::stable_sort(pieces, {}, [](const Piece& piece) { return piece.claim.rows.first; });
+  return pieces;
+}
+
+std::string rows_text(RowRange rows) {
+  if (rows.count == 1) return fmt::format("pulse {}", rows.first + 1);
+  return fmt::format("pulses {} to {}", rows.first + 1, rows.end());
+}
+
+// Calls take(bytes) for the bytes of a claim, at most `step` at a time; whether they are as vouched for.
+bool each_piece(const RawFile& file, const Claim& claim, std::size_t step,
+                const std::function<void(std::span<const std::byte>)>& take) {
+  Checksum sum;
+  std::vector<std::byte> bytes;
+  for (std::uint64_t done = 0; done < claim.bytes; done += bytes.size()) {
+    bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(step, claim.bytes - done)));
+    if (!file.read_at(claim.offset + done, bytes)) return false;
+    sum.add(bytes);
+    if (take) take(bytes);
+  }
+  return sum.value() == claim.checksum;
+}
+
+[[noreturn]] void throw_damaged(const Piece& piece) {
+  Problem problem =
+      file_problem(file_of(*piece.journal).string(),
+                   fmt::format("{} are not what part {} wrote", rows_text(piece.claim.rows), piece.journal->head.part));
+  problem.hint = "compute them again: run that part with --resume, or delete its journal and run it anew";
+  throw UnfitParts({problem});
+}
+
+// Throws UnfitParts for a piece whose bytes are not there.
+void verify(const std::vector<Piece>& pieces, const RunControl& control) {
+  parallel_ranges(pieces.size(), 1, {thread_count(control.threads), control.stop},
+                  [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                      if (!holds(*pieces[i].journal, pieces[i].claim)) throw_damaged(pieces[i]);
+                  });
+}
+
+ConversionTally tally_of(const std::vector<Piece>& pieces) {
+  ConversionTally tally;
+  for (const Piece& piece : pieces) tally.add(piece.claim.tally);
+  return tally;
+}
+
+double seconds_of(const std::vector<Piece>& pieces) {
+  double seconds = 0.0;
+  for (const Piece& piece : pieces) seconds += piece.claim.seconds;
+  return seconds;
+}
+
+// One join, from the pieces to a complete file that has not its name yet.
+class Joiner {
+ public:
+  Joiner(const JoinTask& task, const RunControl& control)
+      : task_(task),
+        control_(control),
+        pieces_(pieces_of(task.journals)),
+        folder_(parts_folder_of(task.output)),
+        recorded_{task.product.product.rows, task.product.product.columns, task.product.product.bits} {}
+
+  Joined join() {
+    expect_place();
+    const bool made_here = fs::create_directories(folder_);
+    fs::path complete;
+    try {
+      return join_into(complete);
+    } catch (...) {
+      tidy(complete, made_here);
+      throw;
+    }
+  }
+
+ private:
+  // What is no file cannot get its content by a change of names.
+  void expect_place() const {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(task_.output, ignored);
+    if (!fs::exists(status) || fs::is_regular_file(status)) return;
+    Problem problem = file_problem(task_.output.string(), "parts can only become a file");
+    problem.hint = "give the output another name";
+    throw UnfitParts({problem});
+  }
+
+  // Takes away what a join that fails has made; the parts stay.
+  void tidy(const fs::path& complete, bool made_here) const {
+    std::error_code ignored;
+    if (complete == joined_path()) fs::remove(complete, ignored);
+    fs::remove(frame_path(), ignored);
+    if (made_here) fs::remove(folder_, ignored);
+  }
+
+  // @param[out] complete  the whole file, as soon as there is one
+  Joined join_into(fs::path& complete) {
+    const ConversionTally tally = tally_of(pieces_);
+    const double given_v = task_.product.product.lsb_v;
+    Joined joined;
+    if (task_.product.estimate_lsb) {
+      complete = convert(joined.report, lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
+    } else {
+      joined.report = report_of(recorded_, given_v, tally);
+      complete = in_place() ? frame(joined.report) : concatenate(joined.report);
+    }
+    joined.report.seconds = seconds_of(pieces_);
+    // Before the file has its name: who dies in between leaves a file that --resume knows, or none.
+    write_receipt(complete, joined);
+    publish(complete);
+    return joined;
+  }
+
+  [[nodiscard]] fs::path joined_path() const { return folder_ / "joined"; }
+  [[nodiscard]] fs::path frame_path() const { return folder_ / "frame"; }
+
+  [[nodiscard]] bool in_place() const {
+    return std::ranges::all_of(pieces_, [&](const Piece& piece) {
+      return piece.journal->head.store == RowStore::placed &&
+             fs::equivalent(piece.journal->path.parent_path(), folder_);
+    });
+  }
+
+  fs::path frame(const RunReport& report) {
+    verify(unchecked(), control_);
+    const fs::path path = shared_rows_of(folder_);
+    RawFile file(path, RawFile::Mode::write);
+    write_frame(file, frame_path(), task_.product.product, task_.product.options, report);
+    file.sync();
+    return path;
+  }
+
+  [[nodiscard]] std::unique_ptr<Sink> sink_at(const fs::path& path) const {
+    SinkOptions options = task_.product.options;
+    options.replace = true;
+    return make_sink(path, task_.product.product, options);
+  }
+
+  fs::path concatenate(const RunReport& report) {
+    fs::path path = joined_path();
+    const auto sink = sink_at(path);
+    const auto places = row_places(frame_path(), task_.product.product, task_.product.options);
+    const std::size_t row_bytes = places ? static_cast<std::size_t>(places->row_bytes) : 0;
+    for (const Piece& piece : pieces_) {
+      append(piece, row_bytes, *sink);
+      if (control_.stop != nullptr && control_.stop->requested()) throw Interrupted();
+      if (control_.progress) control_.progress({piece.claim.rows.end(), recorded_.rows, recorded_.columns});
+    }
+    sink->finish(report);
+    return path;
+  }
+
+  // Rows of a known size go on as whole rows; text in any pieces, of which the last one counts as the rows.
+  static void append(const Piece& piece, std::size_t row_bytes, Sink& sink) {
+    const RawFile file(file_of(*piece.journal), RawFile::Mode::read);
+    const RowRange rows = piece.claim.rows;
+    const std::size_t step =
+        row_bytes > 0 ? std::max(piece_bytes / row_bytes, std::size_t{1}) * row_bytes : piece_bytes;
+    std::size_t row = rows.first;
+    const bool good = each_piece(file, piece.claim, step, [&](std::span<const std::byte> bytes) {
+      const std::size_t count = row_bytes > 0 ? bytes.size() / row_bytes : 0;
+      sink.append(bytes, row, count);
+      row += count;
+    });
+    if (!good) throw_damaged(piece);
+    if (row_bytes == 0) sink.append({}, rows.first, rows.count);
+  }
+
+  fs::path convert(RunReport& report, double lsb_v) {
+    verify(pieces_, control_);
+    fs::path path = joined_path();
+    const auto sink = sink_at(path);
+    report = run_stored(
+        recorded_, [&] { return reader(); }, lsb_v, *sink, control_);
+    return path;
+  }
+
+  // Of one thread, with one file open at a time: there may be more parts than a process may have files.
+  [[nodiscard]] RowReader reader() const {
+    struct Open {
+      const Journal* journal = nullptr;
+      RawFile file;
+    };
+    return [this, open = std::make_shared<Open>()](std::size_t row, std::span<std::complex<double>> volts) {
+      const auto after = std::ranges::upper_bound(pieces_, row, {}, [](const Piece& p) { return p.claim.rows.first; });
+      const Piece& piece = *std::prev(after);
+      if (open->journal != piece.journal) {
+        open->file = RawFile();
+        open->file = RawFile(file_of(*piece.journal), RawFile::Mode::read);
+        open->journal = piece.journal;
+      }
+      const std::uint64_t offset = piece.claim.offset + (row - piece.claim.rows.first) * volts.size_bytes();
+      if (!open->file.read_at(offset, std::as_writable_bytes(volts))) throw_damaged(piece);
+    };
+  }
+
+  // Pieces that nobody has looked at since they were written.
+  [[nodiscard]] std::vector<Piece> unchecked() const {
+    const auto first_row = [](const Claim& claim) { return claim.rows.first; };
+    std::vector<Claim> checked = task_.checked;
+    std::ranges::sort(checked, {}, first_row);
+    std::vector<Piece> pieces;
+    std::ranges::copy_if(pieces_, std::back_inserter(pieces), [&](const Piece& piece) {
+      const auto alike = std::ranges::equal_range(checked, piece.claim.rows.first, {}, first_row);
+      return std::ranges::none_of(alike, [&](const Claim& claim) { return same_bytes(claim, piece.claim); });
+    });
+    return pieces;
+  }
+
+  void publish(const fs::path& complete) const;
+
+  void write_receipt(const fs::path& complete, const Joined& joined) const;
+
+  const JoinTask& task_;
+  const RunControl& control_;
+  std::vector<Piece> pieces_;
+  fs::path folder_;
+  Recorded recorded_;
+};
+
+fs::path receipt_of(const fs::path& output) {
+  fs::path path = end_of_links(output);
+  path += ".journal";
+  return path;
+}
+
+void Joiner::publish(const fs::path& complete) const {
+  try {
+    publish_file(complete, task_.output, task_.replace);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(receipt_of(task_.output), ignored);
+    throw;
+  }
+}
+
+// Size and time of a file's content; both survive a change of its name.
+std::string state_of(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return {};
+  return fmt::format("{} bytes at {}.{:09d}", status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+}
+
+void Joiner::write_receipt(const fs::path& complete, const Joined& joined) const {
+  JournalHead head;
+  if (!task_.journals.empty()) head.identity = task_.journals.front().head.identity;
+  head.identity.emplace_back(finished_name, state_of(complete));
+  head.part = "all";
+  head.range = {0, recorded_.rows};
+  Claim claim;
+  claim.rows = head.range;
+  claim.seconds = joined.report.seconds;
+  claim.tally = {joined.report.maximum_v, joined.report.saturated, joined.report.zero};
+  const std::string text = text_of(head) + text_of(claim);
+  static_cast<void>(replace_file(receipt_of(task_.output), std::as_bytes(std::span(text))));
+}
+
+void add_identity_problems(const std::vector<Journal>& journals, Problems& problems) {
+  for (std::size_t i = 1; i < journals.size(); ++i) {
+    const JournalHead& first = journals.front().head;
+    const JournalHead& other = journals[i].head;
+    for (const std::string& difference :
+         differences(first.identity, "in part " + first.part, other.identity, "in part " + other.part))
+      problems.push_back(
+          file_problem(journals[i].path.string(), "parts of different runs cannot be joined: " + difference));
+  }
+}
+
+// Whose the missing rows would be.
+std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
+  for (const Journal& journal : journals) {
+    const RowRange range = journal.head.range;
+    if (missing.first >= range.first && missing.first < range.end())
+      return fmt::format("part {} has not finished; go on with it by --resume", journal.head.part);
+  }
+  return "no part of them is here; run it, or bring its files here";
+}
+
+}  // namespace
+
+fs::path parts_folder_of(const fs::path& output) {
+  fs::path folder = end_of_links(output);
+  folder += ".parts";
+  return folder;
+}
+
+fs::path shared_rows_of(const fs::path& folder) { return folder / "samples"; }
+fs::path product_file_of(const fs::path& folder) { return folder / "product"; }
+
+std::vector<Journal> read_journals(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".journal") paths.push_back(entry.path());
+  std::ranges::sort(paths);
+  std::vector<Journal> journals;
+  Problems problems;
+  for (const fs::path& path : paths) {
+    auto read = read_journal(path);
+    if (auto* problem = std::get_if<Problem>(&read))
+      problems.push_back(std::move(*problem));
+    else
+      journals.push_back(std::move(std::get<Journal>(read)));
+  }
+  if (!problems.empty()) throw UnfitParts(std::move(problems));
+  return journals;
+}
+
+void remove_parts(const fs::path& folder) noexcept {
+  std::error_code ignored;
+  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / "lock", folder / "frame",
+                              folder / "joined"};
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    const bool ours = name.ends_with(".journal") || name.ends_with(".rows") ||
+                      name.find(".new-") != std::string::npos || name.find(".partial-") != std::string::npos;
+    if (ours) paths.push_back(entry->path());
+  }
+  for (const fs::path& path : paths) fs::remove(path, ignored);
+  fs::remove(folder, ignored);
+}
+
+std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals) {
+  std::vector<RowRange> missing;
+  std::size_t next = range.first;
+  for (const Piece& piece : pieces_of(journals)) {
+    const RowRange rows = piece.claim.rows;
+    if (rows.first >= range.end()) break;
+    if (rows.first > next) missing.push_back({next, rows.first - next});
+    next = std::max(next, rows.end());
+  }
+  if (next < range.end()) missing.push_back({next, range.end() - next});
+  return missing;
+}
+
+Problems join_problems(const std::vector<Journal>& journals, std::size_t rows) {
+  constexpr std::size_t most = 10;
+  Problems problems;
+  add_identity_problems(journals, problems);
+  if (!problems.empty()) return problems;
+  const std::vector<Piece> pieces = pieces_of(journals);
+  for (std::size_t i = 1; i < pieces.size() && problems.size() < most; ++i) {
+    const RowRange before = pieces[i - 1].claim.rows;
+    const RowRange here = pieces[i].claim.rows;
+    if (here.first >= before.end()) continue;
+    const RowRange both{here.first, std::min(before.end(), here.end()) - here.first};
+    problems.push_back(file_problem(pieces[i].journal->path.string(),
+                                    fmt::format("parts overlap: {} are in part {} and in part {}", rows_text(both),
+                                                pieces[i - 1].journal->head.part, pieces[i].journal->head.part)));
+    problems.back().hint = "leave one of them out";
+  }
+  for (const RowRange& missing : missing_rows({0, rows}, journals)) {
+    if (problems.size() >= most) break;
+    Problem problem =
+        file_problem({}, fmt::format("parts are missing: nobody vouches for {} of {}", rows_text(missing), rows));
+    problem.hint = owner_text(journals, missing);
+    problems.push_back(std::move(problem));
+  }
+  return problems;
+}
+
+bool holds(const Journal& journal, const Claim& claim) {
+  std::error_code missing;
+  const fs::path path = file_of(journal);
+  if (!fs::exists(path, missing)) return false;
+  return each_piece(RawFile(path, RawFile::Mode::read), claim, piece_bytes, {});
+}
+
+Joined join_parts(const JoinTask& task, const RunControl& control) { return Joiner(task, control).join(); }
+
+std::optional<Receipt> read_receipt(const fs::path& output, const StoredProduct& stored) {
+  std::error_code missing;
+  if (!fs::exists(receipt_of(output), missing)) return std::nullopt;
+  const auto read = read_journal(receipt_of(output));
+  const auto* journal = std::get_if<Journal>(&read);
+  if (journal == nullptr || journal->claims.size() != 1) return std::nullopt;
+  Receipt receipt{journal->head.identity, {}};
+  const auto finished = std::ranges::find(receipt.identity, finished_name, &Identity::value_type::first);
+  if (finished == receipt.identity.end() || finished->second != state_of(output)) return std::nullopt;
+  receipt.identity.erase(finished);
+  const Claim& claim = journal->claims.front();
+  const Product& product = stored.product;
+  const double lsb_v = stored.estimate_lsb ? lsb_of_maximum_v(claim.tally.maximum_v, product.bits) : product.lsb_v;
+  receipt.report = report_of({product.rows, product.columns, product.bits}, lsb_v, claim.tally);
+  receipt.report.seconds = claim.seconds;
+  return receipt;
+}
+
+}  // namespace sarsim

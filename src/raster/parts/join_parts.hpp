@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/parts/journal.hpp"
+#include "raster/parts/stored_product.hpp"
+#include "simulate/run/run.hpp"
+
+namespace sarsim {
+
+/// Thrown where parts cannot be begun, continued or joined because of what is there already.
+struct UnfitParts : std::runtime_error {
+  explicit UnfitParts(Problems all) : std::runtime_error("unfit parts"), problems(std::move(all)) {}
+  Problems problems;
+};
+
+/// The folder beside an output in which its parts come together; where the output is a link, beside what it means, so
+/// that both are on one disk.
+[[nodiscard]] std::filesystem::path parts_folder_of(const std::filesystem::path& output);
+
+/// The file of a folder that all parts share, with the rows at their places; and the one with what joining needs.
+[[nodiscard]] std::filesystem::path shared_rows_of(const std::filesystem::path& folder);
+[[nodiscard]] std::filesystem::path product_file_of(const std::filesystem::path& folder);
+
+/// All journals of a folder, by name. @throws UnfitParts with everything that is damaged
+[[nodiscard]] std::vector<Journal> read_journals(const std::filesystem::path& folder);
+
+/// Removes what parts have left in a folder, and the folder where it is empty then.
+void remove_parts(const std::filesystem::path& folder) noexcept;
+
+/// Rows of a range for which no journal vouches, in order.
+[[nodiscard]] std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals);
+
+/// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
+[[nodiscard]] Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
+
+/// Whether the bytes that a claim speaks of are what it says.
+[[nodiscard]] bool holds(const Journal& journal, const Claim& claim);
+
+/// What is joined, and into what.
+struct JoinTask {
+  std::filesystem::path output;
+  StoredProduct product;
+  std::vector<Journal> journals;  ///< Without `join_problems`.
+  bool replace = false;
+  /// Of rows that stand at their places already: those that need not be read and held against their checksums, because
+  /// the caller has written them or done so.
+  std::vector<Claim> checked;
+};
+
+/// What the whole turned out to be.
+struct Joined {
+  RunReport report;  ///< `seconds`: of computing, of all parts together.
+};
+
+/// Makes a recording's file of its parts, byte for byte the file of a single run, and gives it its name; beside it a
+/// receipt ".journal" by which a later `--resume` knows it. The parts stay where they are, but for the shared file,
+/// which becomes the output where all rows stand in it.
+/// Where it fails, the parts are all that is left.
+/// @throws UnfitParts where rows are not what their journal says, and where the output is there but no file
+Joined join_parts(const JoinTask& task, const RunControl& control);
+
+/// A finished recording's receipt.
+struct Receipt {
+  Identity identity;
+  RunReport report;
+};
+
+/// The receipt of a finished recording; nothing where there is none or where the file was changed since.
+[[nodiscard]] std::optional<Receipt> read_receipt(const std::filesystem::path& output, const StoredProduct& product);
+
+}  // namespace sarsim

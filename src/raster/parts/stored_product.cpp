@@ -1,0 +1,165 @@
+#include "raster/parts/stored_product.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/hash/checksum.hpp"
+#include "core/os/raw_file.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'01U;
+
+using Axis = std::function<double(std::size_t)>;
+
+// Words of 64 bits and texts, one after the other; a checksum at the end.
+class Packer {
+ public:
+  void put(std::uint64_t word) { add(std::as_bytes(std::span(&word, 1))); }
+  void put_real(double value) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof word);
+    put(word);
+  }
+  void put_text(const std::string& text) {
+    put(text.size());
+    add(std::as_bytes(std::span(text)));
+  }
+  void put_axis(const Axis& axis, std::size_t count) {
+    put(axis ? count : 0);
+    for (std::size_t i = 0; axis && i < count; ++i) put_real(axis(i));
+  }
+  std::vector<std::byte> take() {
+    Checksum sum;
+    sum.add(bytes_);
+    put(sum.value());
+    return std::move(bytes_);
+  }
+
+ private:
+  void add(std::span<const std::byte> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
+  std::vector<std::byte> bytes_;
+};
+
+class Unpacker {
+ public:
+  Unpacker(std::span<const std::byte> bytes, std::string name) : rest_(bytes), name_(std::move(name)) {
+    if (rest_.size() < 2 * sizeof(std::uint64_t)) fail();
+    Checksum sum;
+    const std::size_t content = rest_.size() - sizeof(std::uint64_t);
+    sum.add(rest_.first(content));
+    std::uint64_t expected = 0;
+    std::memcpy(&expected, rest_.data() + content, sizeof expected);
+    if (sum.value() != expected) fail();
+    rest_ = rest_.first(content);
+  }
+
+  [[nodiscard]] std::uint64_t word() {
+    std::uint64_t value = 0;
+    std::memcpy(&value, piece(sizeof value).data(), sizeof value);
+    return value;
+  }
+  [[nodiscard]] double real() {
+    const std::uint64_t value = word();
+    double number = 0.0;
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+  }
+  [[nodiscard]] std::string text() {
+    const auto bytes = piece(word());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+  [[nodiscard]] Axis axis() {
+    const std::uint64_t count = word();
+    if (count == 0) return {};
+    const auto values = std::make_shared<std::vector<double>>();
+    for (std::uint64_t i = 0; i < count; ++i) values->push_back(real());
+    return [values](std::size_t i) { return values->at(i); };
+  }
+  void fail() const { throw std::runtime_error("cannot read " + name_ + ": it is damaged; compute one part again"); }
+
+ private:
+  std::span<const std::byte> piece(std::uint64_t size) {
+    if (size > rest_.size()) fail();
+    const auto bytes = rest_.first(static_cast<std::size_t>(size));
+    rest_ = rest_.subspan(static_cast<std::size_t>(size));
+    return bytes;
+  }
+
+  std::span<const std::byte> rest_;
+  std::string name_;
+};
+
+}  // namespace
+
+void store_product(const std::filesystem::path& path, const StoredProduct& stored) {
+  const Product& product = stored.product;
+  const bool axes = stored.options.format == FileFormat::hdf5;
+  Packer packer;
+  packer.put(format_mark);
+  packer.put_text(product.radar);
+  packer.put(static_cast<std::uint64_t>(product.processing));
+  packer.put(product.rows);
+  packer.put(product.columns);
+  packer.put_real(product.sample_rate_hz);
+  packer.put(static_cast<std::uint64_t>(product.bits));
+  packer.put_real(product.lsb_v);
+  packer.put(static_cast<std::uint64_t>(product.options.profile));
+  packer.put(product.options.seed);
+  packer.put(static_cast<std::uint64_t>(product.options.pulse));
+  packer.put_real(product.options.tolerance);
+  packer.put_text(product.engine);
+  packer.put_text(product.script);
+  packer.put(static_cast<std::uint64_t>(stored.options.format));
+  packer.put(static_cast<std::uint64_t>(stored.options.counts));
+  packer.put(static_cast<std::uint64_t>(stored.options.header));
+  packer.put(static_cast<std::uint64_t>(stored.estimate_lsb));
+  packer.put_text(stored.engine_reason);
+  packer.put_axis(axes ? product.row_time_s : Axis(), product.rows);
+  packer.put_axis(axes ? product.row_carrier_hz : Axis(), product.rows);
+  packer.put_axis(axes ? product.column_range_m : Axis(), product.columns);
+  static_cast<void>(replace_file(path, packer.take()));
+}
+
+StoredProduct load_product(const std::filesystem::path& path) {
+  const RawFile file(path, RawFile::Mode::read);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(file.size()));
+  static_cast<void>(file.read_at(0, bytes));
+  Unpacker from(bytes, path.string());
+  if (from.word() != format_mark) from.fail();
+  StoredProduct stored;
+  Product& product = stored.product;
+  product.radar = from.text();
+  product.processing = static_cast<Processing>(from.word());
+  product.rows = from.word();
+  product.columns = from.word();
+  product.sample_rate_hz = from.real();
+  product.bits = static_cast<int>(from.word());
+  product.lsb_v = from.real();
+  product.options.profile = static_cast<Profile>(from.word());
+  product.options.seed = from.word();
+  product.options.pulse = static_cast<PulseDefinition>(from.word());
+  product.options.tolerance = from.real();
+  product.engine = from.text();
+  product.script = from.text();
+  stored.options.format = static_cast<FileFormat>(from.word());
+  stored.options.counts = from.word() != 0;
+  stored.options.header = from.word() != 0;
+  stored.estimate_lsb = from.word() != 0;
+  stored.engine_reason = from.text();
+  product.row_time_s = from.axis();
+  product.row_carrier_hz = from.axis();
+  product.column_range_m = from.axis();
+  return stored;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,75 @@
+#include "raster/table/product_attributes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// One of the words that an attribute may have; false for another one.
+template <class Value>
+bool take_word(const std::string& word, std::initializer_list<std::pair<std::string_view, Value>> words, Value& value) {
+  for (const auto& [name, meant] : words) {
+    if (word != name) continue;
+    value = meant;
+    return true;
+  }
+  return false;
+}
+
+bool take_text(std::string text, std::string& value) {
+  if (text.empty()) return false;
+  value = std::move(text);
+  return true;
+}
+
+bool take_whole(const std::string& text, std::uint64_t& value) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return false;
+  value = number;
+  return true;
+}
+
+bool take_number(const std::string& text, double& value) {
+  const auto number = parse_number(text);
+  if (number) value = *number;
+  return number.has_value();
+}
+
+}  // namespace
+
+std::string attribute_of(const FileAttributes& attributes, std::string_view name) {
+  const auto found =
+      std::ranges::find(attributes, name, [](const auto& pair) -> std::string_view { return pair.first; });
+  return found == attributes.end() ? std::string() : found->second;
+}
+
+void take_origin(const FileAttributes& attributes, Product& product) {
+  RunOptions& options = product.options;
+  const auto take = [&](const char* name, const auto& taker) {
+    if (!taker(attribute_of(attributes, name))) product.unknown.emplace_back(name);
+  };
+  take("radar", [&](const std::string& text) { return take_text(text, product.radar); });
+  take("engine", [&](const std::string& text) { return take_text(text, product.engine); });
+  take("processing", [&](const std::string& text) {
+    return take_word(
+        text, {{"raw", Processing::raw}, {"matched_filter", Processing::matched_filter}, {"srp", Processing::srp}},
+        product.processing);
+  });
+  take("profile", [&](const std::string& text) {
+    return take_word(text, {{"physical", Profile::physical}, {"classic", Profile::classic}}, options.profile);
+  });
+  take("pulse", [&](const std::string& text) {
+    return take_word(text, {{"ideal", PulseDefinition::ideal}, {"band_limited", PulseDefinition::band_limited}},
+                     options.pulse);
+  });
+  take("seed", [&](const std::string& text) { return take_whole(text, options.seed); });
+  take("tolerance", [&](const std::string& text) { return take_number(text, options.tolerance); });
+}
+
+}  // namespace sarsim

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/os/input_file.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/table/image_window.hpp"
+
+namespace sarsim {
+
+/// A table of samples of a fixed size in a file, rows one after the other.
+struct StoredGrid {
+  /// Turns `count` samples that stand `stride` bytes apart into numbers.
+  using Decode = void (*)(const StoredGrid& grid, const std::byte* first, std::size_t stride, std::size_t count,
+                          std::complex<float>* out);
+
+  std::uint64_t offset = 0;  ///< Bytes before the first sample.
+  std::size_t columns = 0;
+  std::size_t sample_bytes = 0;
+  Decode decode = nullptr;
+  double centre = 0.0;             ///< Subtracted from every component.
+  std::uint64_t count_offset = 0;  ///< The same where components are whole numbers of any number of bytes.
+
+  [[nodiscard]] std::uint64_t row_bytes() const { return std::uint64_t{columns} * sample_bytes; }
+};
+
+/// Reads a window: whole stretches where samples lie close together, sample by sample where they are pages apart.
+/// std::runtime_error where the file has become shorter, std::system_error where the disk fails.
+void read_grid(const InputFile& file, const StoredGrid& grid, const ImageWindow& window,
+               std::span<std::complex<float>> out, const WorkControl& control);
+
+/// Estimated seconds of that where the system holds the file in memory.
+[[nodiscard]] double grid_cost_s(const StoredGrid& grid, const ImageWindow& window);
+
+}  // namespace sarsim

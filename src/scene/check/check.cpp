@@ -1,0 +1,99 @@
+#include "scene/check/check.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "scene/check/check_objects.hpp"
+#include "scene/model/limits.hpp"
+
+namespace sarsim {
+
+namespace {
+
+template <class Objects>
+std::vector<std::string_view> names_of(const Objects& objects) {
+  std::vector<std::string_view> names;
+  names.reserve(objects.size());
+  for (const auto& object : objects) names.emplace_back(object.name);
+  return names;
+}
+
+template <class Objects, class Check>
+void check_each(Findings& findings, std::string_view kind, const Objects& objects, const Check& check_one) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    findings.about(kind, i);
+    check_one(objects[i]);
+  }
+}
+
+// Targets can be very many: ranges of them are checked on several threads, what is found is joined in their order.
+void check_targets(Findings& findings, NameCheck& platforms, const std::vector<Target>& targets,
+                   const WorkControl& control) {
+  constexpr std::size_t range_targets = 16384;
+  struct Part {
+    Findings findings;
+    std::optional<NameCheck> platforms;
+  };
+  std::vector<Part> parts((targets.size() + range_targets - 1) / range_targets);
+  parallel_ranges(targets.size(), range_targets, control, [&](std::size_t begin, std::size_t end) {
+    Part& part = parts[begin / range_targets];
+    part.platforms = platforms.beginning_anew();
+    for (std::size_t i = begin; i < end; ++i) {
+      part.findings.about("target", i);
+      check_target(part.findings, *part.platforms, targets[i]);
+    }
+  });
+  for (Part& part : parts) {
+    findings.append(std::move(part.findings));
+    platforms.append(*part.platforms);
+  }
+}
+
+// Surfaces are small one by one and may be many: all are filled with points.
+void check_surfaces_together(Findings& findings, const std::vector<Surface>& surfaces) {
+  double area_m2 = 0.0;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const auto& [a, b, c] = surfaces[i].corner_m;
+    const double more_m2 = 0.5 * norm(cross(b - a, c - a));
+    if (!(more_m2 <= largest_surface_m2)) continue;  // Reported by itself.
+    area_m2 += more_m2;
+    if (area_m2 <= largest_surface_m2) continue;
+    findings.about("surface", i);
+    findings.error("corner_m", {.message = "the surfaces together are too large to be filled with points, one per "
+                                           "square metre",
+                                .found = value_text(area_m2, "m2") + " up to this one",
+                                .expected = value_text(largest_surface_m2, "m2") + " or less of all surfaces",
+                                .hint = "Corners are given in metres."});
+    return;
+  }
+}
+
+}  // namespace
+
+void check_options(Findings& findings, const RunOptions& options) {
+  findings.between("tolerance", "tolerance", options.tolerance, 1e-12, 0.1, "");
+}
+
+Problems check(const Scene& scene, const WorkControl& control) {
+  Findings findings;
+  NameCheck platforms("platform", names_of(scene.platforms));
+  NameCheck radars("radar", names_of(scene.radars));
+  platforms.check_definitions(findings);
+  check_each(findings, "platform", scene.platforms, [&](const Platform& p) { check_platform(findings, p); });
+  check_each(findings, "surface", scene.surfaces, [&](const Surface& s) { check_surface(findings, platforms, s); });
+  check_surfaces_together(findings, scene.surfaces);
+  check_targets(findings, platforms, scene.targets, control);
+  radars.check_definitions(findings);
+  check_each(findings, "radar", scene.radars, [&](const Radar& r) { check_radar(findings, platforms, r); });
+  check_each(findings, "simulation", scene.simulations,
+             [&](const Simulation& s) { check_simulation(findings, radars, scene, s); });
+  check_each(findings, "geometry", scene.geometries,
+             [&](const GeometryTable& g) { check_geometry_table(findings, radars, scene, g); });
+  check_file_names(findings, scene);
+  findings.about("options", 0);
+  check_options(findings, scene.options);
+  platforms.report_undefined_earth(findings);
+  return std::move(findings).take();
+}
+
+}  // namespace sarsim

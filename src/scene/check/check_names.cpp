@@ -1,0 +1,146 @@
+#include "scene/check/check_names.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+// Either may be a prefix of the other, as the original programs compared (script format, strings).
+bool share_prefix(std::string_view a, std::string_view b) {
+  const std::size_t shared = std::min(a.size(), b.size());
+  return shared > 0 && equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
+}
+
+}  // namespace
+
+NameTable::NameTable(std::vector<std::string_view> names) : names_(std::move(names)) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const auto [first, is_new] = first_.try_emplace(lower_case(names_[i]), i);
+    if (!is_new) duplicates_.emplace_back(i, first->second);
+  }
+}
+
+NameTable::Result NameTable::find(std::string_view name) const {
+  if (const auto exact = first_.find(lower_case(name)); exact != first_.end()) return {Match::exact, exact->second};
+  Result result;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!share_prefix(names_[i], name)) continue;
+    if (result.match == Match::prefix) return {Match::ambiguous, not_found};
+    result = {Match::prefix, i};
+  }
+  return result;
+}
+
+std::string NameTable::candidates(std::string_view name) const {
+  std::string text;
+  for (const std::string_view candidate : names_) {
+    if (!share_prefix(candidate, name)) continue;
+    if (!text.empty()) text += ", ";
+    text += candidate;
+  }
+  return text;
+}
+
+NameCheck::NameCheck(std::string_view kind, std::vector<std::string_view> names)
+    : kind_(kind), table_(std::make_shared<const NameTable>(std::move(names))) {}
+
+void NameCheck::append(const NameCheck& later) {
+  if (earth_uses_ == 0) first_earth_ = later.first_earth_;
+  earth_uses_ += later.earth_uses_;
+}
+
+NameTable::Result NameCheck::find(std::string_view name) {
+  if (last_ && last_name_ == name) return *last_;
+  last_name_ = name;
+  auto known = known_.find(last_name_);
+  if (known == known_.end()) known = known_.emplace(last_name_, table_->find(name)).first;
+  last_ = known->second;
+  return *last_;
+}
+
+void NameCheck::check_definitions(Findings& findings) const {
+  for (std::size_t i = 0; i < table_->names().size(); ++i) {
+    if (!table_->names()[i].empty()) continue;
+    findings.about(kind_, i);
+    findings.error("name", {.message = fmt::format("the {} has no name", kind_),
+                            .found = {},
+                            .expected = "a name",
+                            .hint = "Other objects refer to it by its name."});
+  }
+  for (const auto& [index, first] : table_->duplicates()) {
+    if (table_->names()[index].empty()) continue;
+    findings.about(kind_, index);
+    findings.warning(Consequence::other_object, "name",
+                     {.message = fmt::format("another {0} has the same name; the name means the first {0}", kind_),
+                      .found = std::string(table_->names()[index]),
+                      .expected = "a name of its own",
+                      .hint = {}});
+  }
+}
+
+std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::string_view name) {
+  const NameTable::Result result = find(name);
+  if (result.match == NameTable::Match::exact) return result.index;
+  if (result.match == NameTable::Match::prefix) {
+    findings.warning(
+        Consequence::other_object, field,
+        {.message = fmt::format("no {} has exactly this name; the only one that begins alike is used", kind_),
+         .found = std::string(name),
+         .expected = std::string(table_->names()[result.index]),
+         .hint = "Write the whole name."});
+    return result.index;
+  }
+  if (kind_ == "platform" && equal_ignoring_case(name, "Earth")) {
+    if (earth_uses_++ == 0) first_earth_ = findings.subject();
+    return not_found;
+  }
+  if (result.match == NameTable::Match::ambiguous) {
+    findings.error(field, {.message = fmt::format("several {}s begin like this name", kind_),
+                           .found = std::string(name),
+                           .expected = fmt::format("one of {}", table_->candidates(name)),
+                           .hint = "Write the whole name."});
+    return not_found;
+  }
+  report_unknown(findings, field, name);
+  return not_found;
+}
+
+void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
+  std::vector<std::string_view> candidates = table_->names();
+  if (kind_ == "platform") candidates.emplace_back("Earth");
+  const std::string nearest = nearest_word(name, candidates);
+  std::string hint;
+  if (!nearest.empty())
+    hint = fmt::format("Did you mean {}?", nearest);
+  else if (table_->names().empty())
+    hint = fmt::format("The scene defines no {}.", kind_);
+  findings.error(field, {.message = fmt::format("no {} has this name", kind_),
+                         .found = std::string(name),
+                         .expected = fmt::format("the name of a {}", kind_),
+                         .hint = std::move(hint)});
+}
+
+void NameCheck::report_undefined_earth(Findings& findings) const {
+  if (earth_uses_ == 0) return;
+  findings.about(first_earth_.kind, first_earth_.index);
+  findings.note("platform",
+                {.message = "platform Earth is not defined; it is taken to rest at the origin, not turned",
+                 .found = {},
+                 .expected = {},
+                 .hint = {}},
+                earth_uses_);
+}
+
+}  // namespace sarsim

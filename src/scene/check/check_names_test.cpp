@@ -1,0 +1,143 @@
+#include "scene/check/check_names.hpp"
+
+#include <random>
+
+#include "scene/check/check_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(CheckNames, AcceptNamesInAnyCase) {
+  Scene scene = sound_scene();
+  scene.targets[0].platform = "EARTH";
+  scene.radars[0].platform = "plane";
+  scene.simulations[0].radar = "rAdAr1";
+  EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(CheckNames, SuggestTheNearestNameForAnUnknownPlatform) {
+  Scene scene = sound_scene();
+  scene.targets[0].platform = "Plnae";
+  const Problem problem = expect_error(scene, {"target", 0, "platform"});
+  EXPECT_EQ(problem.found, "Plnae");
+  EXPECT_EQ(problem.hint, "Did you mean Plane?");
+}
+
+TEST(CheckNames, SuggestNothingWhereNothingIsNear) {
+  Scene scene = sound_scene();
+  scene.surfaces[0].platform = "Submarine";
+  EXPECT_EQ(expect_error(scene, {"surface", 0, "platform"}).hint, "");
+}
+
+TEST(CheckNames, SuggestEarthAlthoughItIsNotDefined) {
+  Scene scene = sound_scene();
+  scene.platforms.erase(scene.platforms.begin());
+  scene.surfaces.clear();
+  scene.targets[0].platform = "Erath";
+  EXPECT_EQ(expect_error(scene, {"target", 0, "platform"}).hint, "Did you mean Earth?");
+}
+
+TEST(CheckNames, SayThatThereIsNoRadarAtAll) {
+  Scene scene = sound_scene();
+  scene.radars.clear();
+  scene.geometries.clear();
+  EXPECT_EQ(expect_error(scene, {"simulation", 0, "radar"}).hint, "The scene defines no radar.");
+}
+
+TEST(CheckNames, RefuseAnUnknownRadarOfAGeometryTable) {
+  Scene scene = sound_scene();
+  scene.geometries[0].radar = "Radio1";
+  EXPECT_EQ(expect_error(scene, {"geometry", 0, "radar"}).hint, "Did you mean Radar1?");
+}
+
+TEST(CheckNames, RefuseAnEmptyReference) {
+  Scene scene = sound_scene();
+  scene.targets[0].platform = "";
+  expect_error(scene, {"target", 0, "platform"});
+}
+
+TEST(CheckNames, AcceptUndefinedEarthWithOneNoteForAllUses) {
+  Scene scene = sound_scene();
+  scene.platforms.erase(scene.platforms.begin());
+  scene.targets.resize(3);
+  const Problem problem = expect_single(scene, Severity::note, {"surface", 0, "platform"});
+  EXPECT_EQ(problem.count, 4U);
+  EXPECT_THAT(problem.message, HasSubstr("Earth is not defined"));
+}
+
+TEST(CheckNames, WarnOfANameThatIsOnlyAPrefix) {
+  Scene scene = sound_scene();
+  scene.targets[0].platform = "Pla";
+  const Problem problem = expect_warning(scene, {"target", 0, "platform"});
+  EXPECT_EQ(problem.found, "Pla");
+  EXPECT_EQ(problem.expected, "Plane");
+}
+
+TEST(CheckNames, WarnOfANameThatADefinedNameBegins) {
+  Scene scene = sound_scene();
+  scene.geometries[0].radar = "Radar1b";
+  EXPECT_EQ(expect_warning(scene, {"geometry", 0, "radar"}).expected, "Radar1");
+}
+
+TEST(CheckNames, RefuseAPrefixOfSeveralNames) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(scene.platforms[1]);
+  scene.platforms.back().name = "Planet";
+  scene.targets[0].platform = "Plan";
+  EXPECT_EQ(expect_error(scene, {"target", 0, "platform"}).expected, "one of Plane, Planet");
+}
+
+TEST(CheckNames, PreferTheExactNameToALongerOne) {
+  Scene scene = sound_scene();
+  scene.platforms.push_back(scene.platforms[1]);
+  scene.platforms.back().name = "Planet";
+  EXPECT_TRUE(check(scene).empty());
+}
+
+TEST(CheckNames, WarnOfRepeatedDefinitions) {
+  Scene platforms = sound_scene();
+  platforms.platforms.push_back(platforms.platforms[0]);
+  platforms.platforms.back().name = "EARTH";
+  EXPECT_EQ(expect_warning(platforms, {"platform", 2, "name"}).found, "EARTH");
+
+  Scene radars = sound_scene();
+  radars.radars.push_back(radars.radars[0]);
+  expect_warning(radars, {"radar", 1, "name"});
+}
+
+TEST(CheckNames, RefuseDefinitionsWithoutAName) {
+  Scene scene = sound_scene();
+  scene.platforms.emplace_back();
+  scene.platforms.back().name = "";
+  expect_error(scene, {"platform", 2, "name"});
+}
+
+// The table exists only for speed and for better messages: it must mean what find_platform means.
+TEST(NameTable, AgreesWithFindPlatform) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> letter('a', 'c');
+  std::uniform_int_distribution<int> length(0, 4);
+  std::uniform_int_distribution<int> upper(0, 1);
+  const auto word = [&] {
+    std::string text(static_cast<std::size_t>(length(random)), ' ');
+    for (char& c : text) c = static_cast<char>(letter(random) - (upper(random) == 1 ? 'a' - 'A' : 0));
+    return text;
+  };
+  int found = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Scene scene;
+    for (int i = 0; i < 4; ++i) scene.platforms.emplace_back().name = word();
+    std::vector<std::string_view> names;
+    for (const Platform& platform : scene.platforms) names.emplace_back(platform.name);
+    const std::string name = word();
+    const std::size_t expected = find_platform(scene, name);
+    EXPECT_EQ(NameTable(names).find(name).index, expected) << name;
+    found += expected == not_found ? 0 : 1;
+  }
+  EXPECT_GT(found, 500);
+}
+
+}  // namespace
+}  // namespace sarsim

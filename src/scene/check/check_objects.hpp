@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "radar/waveform/schedule.hpp"
+#include "scene/check/check_findings.hpp"
+#include "scene/check/check_names.hpp"
+#include "scene/model/scene.hpp"
+
+/// The parts of `check`, one for each kind of object. Each expects `findings.about` to have named the object.
+namespace sarsim {
+
+void check_platform(Findings& findings, const Platform& platform);
+void check_target(Findings& findings, NameCheck& platforms, const Target& target);
+void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface);
+void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar);
+void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation);
+void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table);
+void check_options(Findings& findings, const RunOptions& options);
+
+/// Warns of products whose files would have one name.
+void check_file_names(Findings& findings, const Scene& scene);
+
+/// When a radar's pulses leave; nothing where its repetition is faulty.
+[[nodiscard]] std::optional<Repetition> repetition_of(const Radar& radar);
+
+/// Bandwidth by which a radar's sampling is judged [Hz], the same that `bandwidth_hz` has for its pulse (decision 7);
+/// nothing where the pulse is faulty.
+[[nodiscard]] std::optional<double> nominal_bandwidth_hz(const Radar& radar);
+
+}  // namespace sarsim

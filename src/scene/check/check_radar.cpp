@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "radar/waveform/pulse.hpp"
+#include "scene/check/check_objects.hpp"
+#include "scene/model/limits.hpp"
+#include "scene/model/radar_pulse.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::string_view quadrature_parts[] = {"I", "Q"};
+constexpr std::string_view cut_parts[] = {"azimuth cut", "elevation cut"};
+
+bool all_zero(const SampledFunction& function) {
+  return std::ranges::all_of(function.knots, [](const Knot& knot) { return knot.y == 0.0; });
+}
+
+void check_user_pulse(Findings& findings, const Radar& radar) {
+  const bool used = radar.pulse == Radar::Pulse::user;
+  const bool none = std::ranges::all_of(radar.pulse_iq.part, [](const SampledFunction& f) { return f.knots.empty(); });
+  const bool sound = check_function(findings,
+                                    {.field = "pulse_iq",
+                                     .what = "user-defined pulse",
+                                     .parts = quadrature_parts,
+                                     .used = used,
+                                     .empty = none ? FunctionRule::Empty::error : FunctionRule::Empty::constant_zero},
+                                    radar.pulse_iq.part);
+  if (used && sound && std::ranges::all_of(radar.pulse_iq.part, all_zero))
+    findings.error("pulse_iq", {.message = "the user-defined pulse is zero throughout",
+                                .found = "only zeros",
+                                .expected = "a pulse that transmits something",
+                                .hint = {}});
+}
+
+void check_modulation(Findings& findings, const Radar& radar) {
+  if (findings.finite("bandwidth_hz", "chirp bandwidth", radar.bandwidth_hz, "Hz") &&
+      radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz == 0.0)
+    findings.warning(Consequence::surprise, "bandwidth_hz",
+                     {.message = "a chirp without bandwidth is an unmodulated pulse",
+                      .found = value_text(radar.bandwidth_hz, "Hz"),
+                      .expected = "a bandwidth other than 0",
+                      .hint = "Write MONO for an unmodulated pulse."});
+  if (radar.pulse == Radar::Pulse::barker && (radar.barker_code < 0 || radar.barker_code > 6))
+    findings.error("barker_code", {.message = "there is no Barker code with this number",
+                                   .found = std::to_string(radar.barker_code),
+                                   .expected = "0 to 6, for lengths 2, 3, 4, 5, 7, 11 and 13",
+                                   .hint = {}});
+  check_user_pulse(findings, radar);
+}
+
+void check_pulse_envelope(Findings& findings, const Radar& radar) {
+  const bool numbers = findings.not_negative("rise_s", "rise time", radar.rise_s, "s") &
+                       findings.not_negative("fall_s", "fall time", radar.fall_s, "s");
+  const bool ramps = radar.envelope == Radar::Envelope::linear && radar.pulse_width_s > 0.0;
+  if (ramps && numbers && radar.rise_s + radar.fall_s > radar.pulse_width_s)
+    findings.warning(Consequence::surprise, "rise_s",
+                     {.message = "the pulse's rise and fall together are longer than the pulse",
+                      .found = fmt::format("{} and {} in a pulse of {}", value_text(radar.rise_s, "s"),
+                                           value_text(radar.fall_s, "s"), value_text(radar.pulse_width_s, "s")),
+                      .expected = "rise + fall up to the pulse width",
+                      .hint = "The pulse never reaches its full amplitude."});
+  const bool used = radar.envelope == Radar::Envelope::user;
+  const bool sound =
+      check_function(findings, {.field = "envelope_gain", .what = "pulse envelope", .parts = single_part, .used = used},
+                     radar.envelope_gain.part);
+  if (used && sound && all_zero(radar.envelope_gain.part[0]))
+    findings.error("envelope_gain", {.message = "the pulse envelope is zero throughout",
+                                     .found = "only zeros",
+                                     .expected = "an envelope that lets something pass",
+                                     .hint = {}});
+}
+
+// Entries of a list whose x is ignored: every one has to be above zero.
+void check_list(Findings& findings, std::string_view field, std::string_view what, std::string_view unit, bool used,
+                const UserFunction<1>& list) {
+  const FunctionRule rule{.field = field, .what = what, .parts = single_part, .used = used, .x_matters = false};
+  if (!check_function(findings, rule, list.part) || !used) return;
+  const auto& knots = list.part[0].knots;
+  const auto bad = std::ranges::find_if(knots, [](const Knot& knot) { return !(knot.y > 0.0); });
+  if (bad != knots.end())
+    findings.error(field, {.message = fmt::format("an entry of the {} is not above zero", what),
+                           .found = fmt::format("entry {}: {}", bad - knots.begin() + 1, value_text(bad->y, unit)),
+                           .expected = "numbers above 0",
+                           .hint = {}});
+}
+
+void check_repetition(Findings& findings, const Radar& radar) {
+  if (radar.repetition == Radar::Repetition::constant)
+    findings.positive("prf_hz", "pulse repetition frequency", radar.prf_hz, "Hz");
+  else
+    findings.finite("prf_hz", "pulse repetition frequency", radar.prf_hz, "Hz");
+  check_list(findings, "pri_s", "list of pulse repetition intervals", "s", radar.repetition == Radar::Repetition::user,
+             radar.pri_s);
+  const auto repetition = repetition_of(radar);
+  if (!repetition || !std::isfinite(radar.pulse_width_s)) return;
+  if (radar.pulse_width_s <= repetition->shortest_interval_s()) return;
+  findings.warning(Consequence::false_signal, "pulse_width_s",
+                   {.message = "the pulse is longer than the interval to the next one",
+                    .found = fmt::format("{} in an interval of {}", value_text(radar.pulse_width_s, "s"),
+                                         value_text(repetition->shortest_interval_s(), "s")),
+                    .expected = "a pulse that ends before the next begins",
+                    .hint = "A row holds the echoes of its own pulse only, as if the others were not sent."});
+}
+
+void check_steps(Findings& findings, const Radar& radar) {
+  bool sound = findings.finite("carrier_step_hz", "frequency step", radar.carrier_step_hz, "Hz");
+  for (const auto& [field, what, count] :
+       {std::tuple("carrier_steps", "number of frequency steps", radar.carrier_steps),
+        std::tuple("pulses_per_step", "number of pulses per frequency", radar.pulses_per_step)}) {
+    if (count >= 1) continue;
+    sound = false;
+    findings.error(field, {.message = fmt::format("the {} is below one", what),
+                           .found = std::to_string(count),
+                           .expected = "1 or more",
+                           .hint = {}});
+  }
+  const double last_hz = radar.carrier_hz + radar.carrier_step_hz * (radar.carrier_steps - 1);
+  if (sound && radar.carrier_hz > 0.0 && !(last_hz > 0.0))
+    findings.error("carrier_step_hz", {.message = "the frequency steps lead to a carrier that is not above zero",
+                                       .found = value_text(last_hz, "Hz"),
+                                       .expected = "carriers above 0",
+                                       .hint = {}});
+}
+
+void check_carrier(Findings& findings, const Radar& radar) {
+  const bool listed = radar.carrier == Radar::Carrier::user;
+  if (listed)
+    findings.finite("carrier_hz", "carrier", radar.carrier_hz, "Hz");
+  else
+    findings.positive("carrier_hz", "carrier", radar.carrier_hz, "Hz");
+  if (radar.carrier == Radar::Carrier::stepped)
+    check_steps(findings, radar);
+  else
+    findings.finite("carrier_step_hz", "frequency step", radar.carrier_step_hz, "Hz");
+  check_list(findings, "carrier_list_hz", "list of carriers", "Hz", listed, radar.carrier_list_hz);
+}
+
+void check_power(Findings& findings, const Radar& radar) {
+  findings.not_negative("power_w", "output power", radar.power_w, "W");
+  findings.between("transmit_gain", "transmit gain", radar.transmit_gain.db(), -largest_value, largest_gain_db, "dB");
+  findings.between("receive_gain", "receive gain", radar.receive_gain.db(), -largest_value, largest_gain_db, "dB");
+  findings.not_negative("losses", "total of the losses", radar.losses.db(), "dB");
+  findings.not_negative("noise_temperature_k", "noise temperature", radar.noise_temperature_k, "K");
+}
+
+void check_antenna(Findings& findings, std::string_view field, std::string_view what, bool used,
+                   const Antenna& antenna) {
+  const bool beam = used && antenna.pattern == Antenna::Pattern::sinx;
+  for (const auto& [plane, width] :
+       {std::pair("elevation", antenna.elevation_beamwidth), std::pair("azimuth", antenna.azimuth_beamwidth)}) {
+    const std::string name = fmt::format("{} beam width of the {} antenna", plane, what);
+    const std::string member = fmt::format("{}.{}_beamwidth", field, plane);
+    if (findings.finite(member, name, width.deg(), "deg") && beam && !(width.deg() > 0.0 && width.deg() <= 360.0))
+      findings.error(member, {.message = fmt::format("the {} is out of range", name),
+                              .found = value_text(width.deg(), "deg"),
+                              .expected = "above 0 and up to 360 deg",
+                              .hint = {}});
+  }
+  check_function(findings,
+                 {.field = field,
+                  .what = fmt::format("{} antenna's", what),
+                  .parts = cut_parts,
+                  .used = used && antenna.pattern == Antenna::Pattern::user},
+                 antenna.gain_db.part);
+}
+
+void check_beam(Findings& findings, const Radar& radar) {
+  check_antenna(findings, "transmit_antenna", "transmit", true, radar.transmit_antenna);
+  check_antenna(findings, "receive_antenna", "receive", !radar.same_antenna, radar.receive_antenna);
+  findings.finite("beam_elevation", "beam elevation", radar.beam_elevation.deg(), "deg");
+  findings.finite("beam_azimuth", "beam azimuth", radar.beam_azimuth.deg(), "deg");
+  findings.finite("beam_rate", "rotation rate of the beam", radar.beam_rate.deg(), "deg/s");
+  findings.finite("spot_world_m", "spot", radar.spot_world_m, "m");
+  check_function(findings,
+                 {.field = "beam_target_world_m",
+                  .what = "beam direction",
+                  .parts = coordinate_parts,
+                  .used = radar.beam == Radar::Beam::user,
+                  .empty = FunctionRule::Empty::constant_zero},
+                 radar.beam_target_world_m.part);
+}
+
+void check_receiver(Findings& findings, const Radar& radar) {
+  if (radar.window == Radar::Window::hanning)
+    findings.between("hanning_pedestal", "Hanning constant", radar.hanning_pedestal, 0.0, 1.0, "");
+  else
+    findings.finite("hanning_pedestal", "Hanning constant", radar.hanning_pedestal, "");
+  const bool windowed = radar.window == Radar::Window::user;
+  const bool sound = check_function(
+      findings, {.field = "window_gain", .what = "matched-filter window", .parts = single_part, .used = windowed},
+      radar.window_gain.part);
+  if (windowed && sound && all_zero(radar.window_gain.part[0]))
+    findings.error("window_gain", {.message = "the matched-filter window is zero throughout",
+                                   .found = "only zeros",
+                                   .expected = "a window that lets something pass",
+                                   .hint = {}});
+  check_function(findings,
+                 {.field = "stc_gain",
+                  .what = "sensitivity-time control",
+                  .parts = single_part,
+                  .used = radar.stc == Radar::Stc::user},
+                 radar.stc_gain.part);
+}
+
+}  // namespace
+
+void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar) {
+  platforms.resolve(findings, "platform", radar.platform);
+  check_modulation(findings, radar);
+  findings.positive("pulse_width_s", "pulse width", radar.pulse_width_s, "s");
+  check_pulse_envelope(findings, radar);
+  check_repetition(findings, radar);
+  check_carrier(findings, radar);
+  check_power(findings, radar);
+  check_beam(findings, radar);
+  check_receiver(findings, radar);
+}
+
+std::optional<Repetition> repetition_of(const Radar& radar) {
+  const auto usable = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (radar.repetition == Radar::Repetition::constant) {
+    if (!usable(radar.prf_hz)) return std::nullopt;
+    return Repetition::constant(radar.prf_hz);
+  }
+  std::vector<double> intervals;
+  for (const Knot& knot : radar.pri_s.part[0].knots) {
+    if (!usable(knot.y)) return std::nullopt;
+    intervals.push_back(knot.y);
+  }
+  if (intervals.empty()) return std::nullopt;
+  return Repetition::intervals(std::move(intervals));
+}
+
+namespace {
+
+// Whether the functions of a user-defined pulse can be evaluated; what is wrong with them is said elsewhere.
+bool user_pulse_is_sound(const Radar& radar) {
+  const auto numbers = [](const SampledFunction& function) {
+    return std::ranges::all_of(function.knots, [](const Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
+  };
+  const auto ascends = [](const SampledFunction& function) {
+    return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x) == function.knots.end();
+  };
+  const auto sound = [&](const SampledFunction& function) { return numbers(function) && ascends(function); };
+  if (!std::ranges::all_of(radar.pulse_iq.part, sound) || std::ranges::all_of(radar.pulse_iq.part, all_zero))
+    return false;
+  switch (radar.envelope) {
+    case Radar::Envelope::rectangular: return true;
+    case Radar::Envelope::linear:
+      return std::isfinite(radar.rise_s) && std::isfinite(radar.fall_s) && radar.rise_s >= 0.0 && radar.fall_s >= 0.0;
+    case Radar::Envelope::user: break;
+  }
+  return sound(radar.envelope_gain.part[0]) && !all_zero(radar.envelope_gain.part[0]);
+}
+
+}  // namespace
+
+std::optional<double> nominal_bandwidth_hz(const Radar& radar) {
+  if (!std::isfinite(radar.pulse_width_s) || !(radar.pulse_width_s > 0.0)) return std::nullopt;
+  switch (radar.pulse) {
+    case Radar::Pulse::mono: break;
+    case Radar::Pulse::user:
+      if (!user_pulse_is_sound(radar)) return std::nullopt;
+      return bandwidth_hz(pulse_of(radar));
+    case Radar::Pulse::chirp:
+      if (!std::isfinite(radar.bandwidth_hz)) return std::nullopt;
+      if (radar.bandwidth_hz != 0.0) return std::abs(radar.bandwidth_hz);
+      break;
+    case Radar::Pulse::barker:
+      if (radar.barker_code < 0 || radar.barker_code > 6) return std::nullopt;
+      return static_cast<double>(barker_code(radar.barker_code).size()) / radar.pulse_width_s;
+  }
+  return 1.0 / radar.pulse_width_s;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "scene/edit/data_functions.hpp"
+#include "scene/edit/history.hpp"
+#include "scene/edit/splice_places.hpp"
+#include "scene/script/reader.hpp"
+
+namespace sarsim {
+
+/// A scene being edited together with its script text, its file and its history. Scene and text always say the same:
+/// an edit of the scene rewrites the commands of the objects it touched and leaves everything else, comments included,
+/// as it was typed; a new text that can be read becomes an edit of the scene. Both are undone together, byte by byte.
+class Document {
+ public:
+  /// An empty scene: one platform, Earth (thesis 4.1).
+  Document();
+
+  /// A document from a file. Throws nothing: what stands in the way is in `problems`. Where that is the file itself
+  /// (none, a folder, no text) the document is empty and without a path; where the script holds mistakes, the scene is
+  /// what could be understood of it.
+  [[nodiscard]] static Document open(const std::filesystem::path& path);
+  /// A document without a file from a text, for templates and examples; mistakes as in `open`.
+  [[nodiscard]] static Document from_text(std::string text);
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+  /// Empty where it was never saved.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Problems of the text and, where it holds no errors, of the scene (`check`), with their places in the text; ranked.
+  /// Found when they are asked for, once after each change; that reads the text, so a drag of many objects should ask
+  /// when it ends.
+  [[nodiscard]] const Problems& problems() const { return findings().problems; }
+  /// Where each field stands in the text; found as the problems are.
+  [[nodiscard]] const FieldPlaces& places() const { return findings().places; }
+  /// Where the commands of the objects stand in the text; always at hand. While the text is broken, those of the last
+  /// one that could be read, or none.
+  [[nodiscard]] const CommandPlaces& commands() const { return commands_; }
+  /// True where the text was typed so that it cannot be read: the scene is then the last one that could.
+  [[nodiscard]] bool text_broken() const { return text_broken_; }
+  /// Texts of the data files, by their names in the script, that hold the points of edited functions and are not on
+  /// disk yet. They are the function editor's to write.
+  [[nodiscard]] const std::map<std::string, std::string>& pending_data() const { return data_.texts(); }
+  /// True where scene or text are not as they were saved last.
+  [[nodiscard]] bool changed() const;
+
+  /// Applies an edit and writes the objects that it touches into the text. What a script cannot say of them, members
+  /// that their choices make meaningless for example, is left out of the scene too. While the text is broken the last
+  /// text that could be read is written on; undoing gives the broken one back.
+  /// @throws std::logic_error where the edit was not made for this scene; nothing is changed then
+  void perform(Edit edit);
+  void end_run() { history_.end_run(); }
+  /// Replaces the text, as typed. Where it can be read without errors of language, the scene follows in one undoable
+  /// step; otherwise the scene stays and `problems` says why. Typing in a row is one step.
+  void type_text(std::string text);
+  /// Takes back the last step, with its text; std::logic_error where there is none.
+  void undo();
+  /// Makes the step again that was taken back last; std::logic_error where there is none.
+  void redo();
+  [[nodiscard]] const History& history() const { return history_; }
+  /// The edit that the last perform, undo, redo or type_text applied, and in which direction; for those who follow ids.
+  struct LastEdit {
+    Edit edit;
+    bool forwards = true;
+  };
+  [[nodiscard]] const std::optional<LastEdit>& last_edit() const { return last_edit_; }
+  /// How many edits were applied, in either direction. One that changed nothing is none, and `last_edit` is still the
+  /// one before.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+  /// Writes the text to a file, completely or not at all, and makes it this document's. Throws std::runtime_error that
+  /// names the file and the cause.
+  void save(const std::filesystem::path& path);
+  /// True where the file on disk is no longer what was opened or saved here.
+  [[nodiscard]] bool changed_on_disk() const;
+
+ private:
+  // What is known of the text as it is.
+  struct Findings {
+    Problems problems;
+    FieldPlaces places;
+  };
+
+  // A text, where its commands stand, and how it comes from the present one.
+  struct NewText {
+    std::string text;
+    CommandPlaces commands;
+    TextChanges changes;
+  };
+
+  void load(std::string text);
+  void follow_history(const Edit& edit, bool forwards);
+  void note_edit(Edit edit, bool forwards);
+  [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
+  [[nodiscard]] ScriptReading read(const std::string& text) const;
+  [[nodiscard]] DataFileLoader disk() const;
+  [[nodiscard]] const Findings& findings() const;
+  [[nodiscard]] Findings found_in(ScriptReading reading) const;
+
+  Scene scene_;
+  std::string text_;
+  bool text_broken_ = false;
+  std::optional<std::string> sound_text_;  // the last that could be read, where it is known and the text is broken
+  CommandPlaces commands_;
+  std::filesystem::path path_;
+  std::string text_on_disk_;
+  mutable PendingData data_;
+  mutable std::optional<Findings> findings_;
+  History history_;
+  std::optional<LastEdit> last_edit_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace sarsim

@@ -1,0 +1,249 @@
+#include "scene/edit/splice_command.hpp"
+
+#include <algorithm>
+
+#include "scene/model/object_lists.hpp"
+#include "scene/schema/grammar.hpp"
+#include "scene/script/write_commands.hpp"
+
+namespace sarsim {
+
+namespace {
+
+void write(script::ScriptLines& lines, const Platform& platform) { script::write_platform(lines, platform); }
+void write(script::ScriptLines& lines, const Target& target) { script::write_target(lines, target); }
+void write(script::ScriptLines& lines, const Surface& surface) { script::write_surface(lines, surface); }
+void write(script::ScriptLines& lines, const Radar& radar) { script::write_radar(lines, radar); }
+void write(script::ScriptLines& lines, const Simulation& simulation) { script::write_simulation(lines, simulation); }
+void write(script::ScriptLines& lines, const GeometryTable& table) { script::write_geometry(lines, table); }
+
+std::string taken(script::ScriptLines& lines) {
+  std::string text = lines.take();
+  while (text.ends_with("\n\n")) text.pop_back();
+  return text;
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }
+
+void make_writable(std::string& name) { std::ranges::replace_if(name, is_control, '_'); }
+
+template <std::size_t N>
+void make_writable(UserFunction<N>& function) {
+  make_writable(function.file);
+}
+
+void make_writable(Platform& platform) {
+  make_writable(platform.name);
+  make_writable(platform.trajectory_m);
+  make_writable(platform.rotation_deg);
+  make_writable(platform.position_envelope);
+  make_writable(platform.rotation_envelope);
+}
+
+void make_writable(Target& target) {
+  make_writable(target.platform);
+  make_writable(target.gain_db);
+}
+
+void make_writable(Surface& surface) { make_writable(surface.platform); }
+
+void make_writable(Radar& radar) {
+  make_writable(radar.name);
+  make_writable(radar.platform);
+  make_writable(radar.pulse_iq);
+  make_writable(radar.envelope_gain);
+  make_writable(radar.pri_s);
+  make_writable(radar.carrier_list_hz);
+  make_writable(radar.transmit_antenna.gain_db);
+  make_writable(radar.receive_antenna.gain_db);
+  make_writable(radar.beam_target_world_m);
+  make_writable(radar.window_gain);
+  make_writable(radar.stc_gain);
+}
+
+void make_writable(Simulation& simulation) {
+  make_writable(simulation.radar);
+  make_writable(simulation.file);
+}
+
+void make_writable(GeometryTable& table) {
+  make_writable(table.radar);
+  make_writable(table.file);
+}
+
+std::size_t size_of(const Scene& scene) {
+  std::size_t size = 0;
+  for (const ObjectKind kind : all_object_kinds) size += count_of(scene, kind);
+  return size;
+}
+
+std::string_view part(std::string_view text, TextStretch at) { return text.substr(at.begin, at.end - at.begin); }
+
+// Three texts of a command by tokens: as it stands, as the writer would have written it, as the writer would now.
+struct Aligned {
+  std::string_view command;
+  std::string_view before;
+  std::string_view after;
+  std::vector<PlacedToken> stands = placed_tokens(command);
+  std::vector<PlacedToken> was = placed_tokens(before);
+  std::vector<PlacedToken> becomes = placed_tokens(after);
+
+  [[nodiscard]] bool same(std::size_t i, std::size_t j) const {
+    return part(before, was[i].at) == part(after, becomes[j].at);
+  }
+};
+
+bool alone_on_line(std::string_view text, const std::vector<PlacedToken>& tokens, std::size_t i) {
+  return is_first_on_line(text, tokens[i].at.begin) &&
+         (i + 1 == tokens.size() || is_first_on_line(text, tokens[i + 1].at.begin));
+}
+
+TextStretch to_end_of_line(std::string_view text, std::size_t begin) {
+  return {begin, std::min(text.find_first_of("\r\n", begin), text.size())};
+}
+
+// A comment beside a keyword explains that keyword and goes with it.
+bool takes_comment(const Aligned& texts, std::size_t i) {
+  return script::is_keyword(part(texts.before, texts.was[i].at)) &&
+         script::is_keyword(part(texts.after, texts.becomes[i].at)) && alone_on_line(texts.command, texts.stands, i) &&
+         alone_on_line(texts.after, texts.becomes, i);
+}
+
+// Widens or narrows the blanks before a comment, so that it stays in its column after `growth` bytes before it.
+void keep_column(TextChanges& changes, std::string_view command, std::size_t at, std::size_t old_size,
+                 std::size_t new_size) {
+  const std::size_t comment = std::min(command.find_first_not_of(' ', at), command.size());
+  if (new_size == old_size || comment == at || comment == command.size() || command[comment] != '!') return;
+  const std::size_t blanks = comment - at + old_size;
+  changes.push_back({at, std::string(comment - at, ' '), std::string(blanks > new_size ? blanks - new_size : 1, ' ')});
+}
+
+// How many tokens at the beginning and at the end of a command stay when lines between them are replaced.
+struct Kept {
+  std::size_t head = 0;
+  std::size_t tail = 0;
+};
+
+// Where token i begins its line; the end of a text that ends with a line counts as the beginning of one.
+bool begins_line(std::string_view text, const std::vector<PlacedToken>& tokens, std::size_t i) {
+  return i == tokens.size() ? is_first_on_line(text, text.size()) : is_first_on_line(text, tokens[i].at.begin);
+}
+
+Kept kept_tokens(const Aligned& texts) {
+  const std::size_t shared = std::min(texts.was.size(), texts.becomes.size());
+  Kept kept;
+  while (kept.head < shared && texts.same(kept.head, kept.head)) ++kept.head;
+  while (kept.tail < shared - kept.head &&
+         texts.same(texts.was.size() - 1 - kept.tail, texts.becomes.size() - 1 - kept.tail))
+    ++kept.tail;
+  const auto begin_lines = [&](std::size_t i, std::size_t j) {
+    return begins_line(texts.command, texts.stands, i) && begins_line(texts.after, texts.becomes, j);
+  };
+  while (kept.head > 0 && !begin_lines(kept.head, kept.head)) --kept.head;
+  while (kept.tail > 0 && !begin_lines(texts.stands.size() - kept.tail, texts.becomes.size() - kept.tail)) --kept.tail;
+  return kept;
+}
+
+std::size_t line_of(std::string_view text, const std::vector<PlacedToken>& tokens, std::size_t i) {
+  return i == tokens.size() ? text.size() : line_begin(text, tokens[i].at.begin);
+}
+
+}  // namespace
+
+std::string command_text(const AnyObject& object) {
+  AnyObject writable = object;
+  std::visit([](auto& any) { make_writable(any); }, writable);
+  script::ScriptLines lines;
+  std::visit([&](const auto& any) { write(lines, any); }, writable);
+  return taken(lines);
+}
+
+std::string command_text(const RunOptions& options) {
+  script::ScriptLines lines;
+  script::write_options(lines, options);
+  return taken(lines);
+}
+
+ScriptReading read_command_text(std::string_view command, const DataFileLoader& loader) {
+  return read_script(command, "", loader);
+}
+
+std::optional<AnyObject> only_object(const Scene& scene) {
+  if (size_of(scene) != 1) return std::nullopt;
+  for (const ObjectKind kind : all_object_kinds)
+    if (count_of(scene, kind) == 1) return object_of(scene, {kind, 0});
+  return std::nullopt;
+}
+
+AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader) {
+  AnyObject writable = object;
+  std::visit([](auto& any) { make_writable(any); }, writable);
+  const ScriptReading reading = read_command_text(command_text(writable), loader);
+  if (has_errors(reading.problems)) return writable;
+  return only_object(reading.scene).value_or(writable);
+}
+
+RunOptions as_script_says(const RunOptions& options) {
+  const ScriptReading reading = read_command_text(command_text(options), {});
+  return has_errors(reading.problems) ? options : reading.scene.options;
+}
+
+namespace detail {
+
+TextChanges change_values(std::string_view command, std::string_view before, std::string_view after) {
+  const Aligned texts{command, before, after};
+  if (texts.stands.size() != texts.was.size() || texts.was.size() != texts.becomes.size()) return {};
+  TextChanges changes;
+  std::size_t old_size = 0;  // of what changed on this line
+  std::size_t new_size = 0;
+  for (std::size_t i = 0; i < texts.stands.size(); ++i) {
+    const TextStretch at = texts.stands[i].at;
+    if (is_first_on_line(command, at.begin)) old_size = new_size = 0;
+    if (!texts.same(i, i)) {
+      const std::string_view value = part(after, texts.becomes[i].at);
+      if (takes_comment(texts, i)) {
+        changes.push_back({at.begin, std::string(part(command, to_end_of_line(command, at.begin))),
+                           std::string(part(after, to_end_of_line(after, texts.becomes[i].at.begin)))});
+        continue;
+      }
+      changes.push_back({at.begin, std::string(part(command, at)), std::string(value)});
+      old_size += at.end - at.begin;
+      new_size += value.size();
+    }
+    keep_column(changes, command, at.end, old_size, new_size);
+  }
+  return changes;
+}
+
+TextChanges change_lines(std::string_view command, std::string_view before, std::string_view after,
+                         std::string_view line_end) {
+  const Aligned texts{command, before, after};
+  if (texts.stands.size() != texts.was.size()) return {};
+  const Kept kept = kept_tokens(texts);
+  if (kept.head == 0) return {};
+  const std::size_t behind = texts.stands.size() - kept.tail;
+  const std::size_t begin = line_of(command, texts.stands, kept.head);
+  // Comment lines above the first value that stays are left to it.
+  const std::size_t end = behind > kept.head ? behind_line(command, texts.stands[behind - 1].at.end) : begin;
+  // An addition at the very end could not be told from what comes behind the command.
+  if (begin == end && end == command.size()) return {};
+  const std::size_t new_begin = line_of(after, texts.becomes, kept.head);
+  const std::size_t new_end = line_of(after, texts.becomes, texts.becomes.size() - kept.tail);
+  return {{begin, std::string(command.substr(begin, end - begin)),
+           with_line_ends(after.substr(new_begin, new_end - new_begin), line_end)}};
+}
+
+std::string with_line_ends(std::string_view text, std::string_view line_end) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n')
+      result += line_end;
+    else
+      result += c;
+  }
+  return result;
+}
+
+}  // namespace detail
+
+}  // namespace sarsim

@@ -1,0 +1,251 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/maths/angle.hpp"
+#include "core/maths/sampled_function.hpp"
+#include "core/maths/vector.hpp"
+
+/// What a script describes, as plain data. Any values can be stored, so that an editor can hold a
+/// half-typed object; `check` (scene/check/check.hpp) says whether they can be simulated. SI units, except
+/// that angles and decibels keep what was typed (core/maths/angle.hpp) and that the knots of user-defined
+/// functions stay in the units that their name ends in.
+namespace sarsim {
+
+/// N functions of one variable that are defined together, in the script or in a data file.
+template <std::size_t N>
+struct UserFunction {
+  std::array<SampledFunction, N> part;
+  std::string file;  ///< Name of the data file as the script gives it; empty: INLINE.
+
+  friend bool operator==(const UserFunction&, const UserFunction&) = default;
+};
+
+/// A frame that carries targets and radars (script `$PLATFORM`, thesis 4.3).
+struct Platform {
+  /// Stays where it is, or follows points against time.
+  enum class Path { stationary, trajectory };
+  /// Angles that stay, or points against time.
+  enum class Rotation { constant, user };
+  /// A draw of its own for each pulse, or white noise smoothed by an envelope.
+  enum class MotionError { gaussian, envelope };
+
+  std::string name = "Earth";
+  Path path = Path::stationary;
+  Vec3 position_m;               ///< World position; Path::stationary.
+  UserFunction<3> trajectory_m;  ///< World x, y, z [m] against time [s]; Path::trajectory.
+  bool aligned = false;          ///< Platform x axis along the velocity; Path::trajectory.
+  Rotation rotation_kind = Rotation::constant;
+  std::array<Angle, 3> rotation;       ///< About x, y, z; Rotation::constant.
+  UserFunction<3> rotation_deg;        ///< About x, y, z [deg] against time [s]; Rotation::user.
+  std::array<Angle, 3> rotation_rate;  ///< Per second; added to either kind as rate * t.
+  MotionError position_error = MotionError::gaussian;
+  Vec3 position_stddev_m;             ///< MotionError::gaussian.
+  UserFunction<3> position_envelope;  ///< Integration envelope [m/sqrt(s)] against lag [s]; MotionError::envelope.
+  MotionError rotation_error = MotionError::gaussian;
+  std::array<Angle, 3> rotation_stddev;
+  UserFunction<3> rotation_envelope;  ///< Integration envelope [deg/sqrt(s)] against lag [s].
+
+  friend bool operator==(const Platform&, const Platform&) = default;
+};
+
+/// A point that reflects (script `$TARGET`, thesis 4.2).
+struct Target {
+  /// The same cross-section from all sides, or one that depends on the angle from a normal.
+  enum class Reflectivity { isotropic, directional };
+  /// That dependence: the cosine, or points.
+  enum class Gain { cosine, user };
+
+  std::string platform = "Earth";
+  Vec3 position_m;  ///< In the platform's frame.
+  Vec3 position_stddev_m;
+  double rcs_m2 = 1.0;
+  double rcs_stddev_m2 = 0.0;
+  Reflectivity reflectivity = Reflectivity::isotropic;
+  Angle azimuth;  ///< Of the reflecting normal in the platform's frame; Reflectivity::directional.
+  Angle elevation;
+  Angle azimuth_stddev;
+  Angle elevation_stddev;
+  Gain gain = Gain::cosine;
+  UserFunction<1> gain_db;  ///< Reflectivity [dB] against incidence angle [deg]; Gain::user.
+
+  friend bool operator==(const Target&, const Target&) = default;
+};
+
+/// A triangle that reflects (script `$SURFACE`); its front is where (corner 2 - corner 1) x (corner 3 - corner 1)
+/// points.
+struct Surface {
+  std::string platform = "Earth";
+  std::array<Vec3, 3> corner_m{Vec3{1000.0, 10.0, 0.0}, Vec3{1000.0, -10.0, 0.0}, Vec3{1000.0, 0.0, 10.0}};
+
+  friend bool operator==(const Surface&, const Surface&) = default;
+};
+
+/// One antenna of a radar: its gain against the offset from the beam's direction.
+struct Antenna {
+  /// Gain 1 everywhere, sin(x)/x, or points.
+  enum class Pattern { isotropic, sinx, user };
+
+  Pattern pattern = Pattern::isotropic;
+  Angle elevation_beamwidth = Angle::from_deg(10.0);  ///< Pattern::sinx.
+  Angle azimuth_beamwidth = Angle::from_deg(10.0);
+  UserFunction<2> gain_db;  ///< Azimuth cut, elevation cut: one-way power [dB] against offset [deg]; Pattern::user.
+
+  friend bool operator==(const Antenna&, const Antenna&) = default;
+};
+
+/// A transmitter and receiver at the origin of its platform (script `$RADAR`, thesis 4.4).
+struct Radar {
+  /// One frequency, a linear sweep, I and Q by points, or a Barker code.
+  enum class Pulse { mono, chirp, user, barker };
+  /// Full amplitude throughout, straight rise and fall, or points.
+  enum class Envelope { rectangular, linear, user };
+  /// One repetition frequency, or a list of intervals.
+  enum class Repetition { constant, user };
+  /// One carrier, evenly spaced steps, or a list.
+  enum class Carrier { single, stepped, user };
+  /// A fixed direction, a turning one, a point that is looked at, or angles against time.
+  enum class Beam { fixed, rotating, spot, user };
+  /// Weights of the matched filter.
+  enum class Window { rectangular, hanning, bartlett, hamming, user };
+  /// Sensitivity-time control: none, gain with the square of the range, or points.
+  enum class Stc { none, range_law, user };
+
+  std::string name = "Radar1";
+  std::string platform = "Earth";
+
+  Pulse pulse = Pulse::mono;
+  double bandwidth_hz = 50e6;  ///< Pulse::chirp; negative sweeps down.
+  UserFunction<2> pulse_iq;    ///< I, Q against the fraction of the pulse width; Pulse::user.
+  int barker_code = 6;         ///< 0 to 6, lengths 2, 3, 4, 5, 7, 11, 13; Pulse::barker.
+  double pulse_width_s = 5e-6;
+  Envelope envelope = Envelope::rectangular;
+  double rise_s = 0.0;  ///< Envelope::linear.
+  double fall_s = 0.0;
+  UserFunction<1> envelope_gain;  ///< Against the fraction of the pulse width; Envelope::user.
+
+  Repetition repetition = Repetition::constant;
+  double prf_hz = 1000.0;  ///< Repetition::constant.
+  UserFunction<1> pri_s;   ///< y: interval after each pulse, in turn; x is ignored; Repetition::user.
+  Carrier carrier = Carrier::single;
+  double carrier_hz = 1e9;  ///< Carrier::single, and the start frequency of Carrier::stepped.
+  double carrier_step_hz = 0.1e9;
+  int carrier_steps = 66;
+  int pulses_per_step = 2;
+  UserFunction<1> carrier_list_hz;  ///< y: carrier of each pulse, in turn; x is ignored; Carrier::user.
+
+  double power_w = 1000.0;
+  PowerRatio transmit_gain;
+  PowerRatio receive_gain;
+  PowerRatio losses;
+  double noise_temperature_k = 0.0;
+
+  Antenna transmit_antenna;
+  bool same_antenna = true;  ///< Receive with the transmit antenna.
+  Antenna receive_antenna;   ///< Where not the same.
+  Beam beam = Beam::fixed;
+  Angle beam_elevation;                 ///< Beam::fixed, Beam::rotating; in the platform's frame.
+  Angle beam_azimuth;                   ///< Beam::fixed.
+  Angle beam_rate;                      ///< Per second; Beam::rotating.
+  Vec3 spot_world_m;                    ///< Beam::spot.
+  UserFunction<3> beam_target_world_m;  ///< World point looked at [m] against time [s]; Beam::user.
+
+  Window window = Window::rectangular;
+  double hanning_pedestal = 1.0;
+  UserFunction<1> window_gain;  ///< Against the fraction of the pulse width; Window::user.
+  Stc stc = Stc::none;
+  UserFunction<1> stc_gain;  ///< Voltage gain against range [m]; Stc::user.
+
+  friend bool operator==(const Radar&, const Radar&) = default;
+};
+
+/// How a file of samples is laid out (docs/formats).
+enum class FileFormat { ascii, binary, bracket, hdf5, csv, npy };
+
+/// What is done to the received samples before the A/D converter.
+enum class Processing { raw, matched_filter, srp };
+
+/// A recording to be made (script `$SIMULATION`, thesis 4.5).
+struct Simulation {
+  /// Which part of an echo stands at its target's range.
+  enum class PulsePosition { begin, centre };
+
+  std::string radar;
+  double range_start_m = 0.0;  ///< One way.
+  double range_end_m = 0.0;
+  double time_start_s = 0.0;
+  double time_end_s = 0.01;
+  int bits = 8;
+  double sample_rate_hz = 0.0;
+  double lsb_v = 0.0;  ///< 0: estimated from the largest magnitude.
+  FileFormat format = FileFormat::binary;
+  Processing processing = Processing::raw;
+  std::string file = "sim1.bin";
+  PulsePosition pulse_position = PulsePosition::begin;
+  double oversampling = 1.0;  ///< Above 1 a band-limited pulse keeps only its nominal bandwidth.
+  double width_factor = 1.0;  ///< Kept length of such a pulse, in pulse widths.
+
+  friend bool operator==(const Simulation&, const Simulation&) = default;
+};
+
+/// A table of delays, amplitudes and speeds to be made (script `$GEOMETRY`, thesis 4.10).
+struct GeometryTable {
+  /// What stands between the columns of the table.
+  enum class Separator { space, comma };
+
+  std::string radar;
+  double range_start_m = 0.0;
+  double range_end_m = 100e3;
+  double time_start_s = 0.0;
+  double time_end_s = 0.1;
+  Separator separator = Separator::space;
+  int columns = 227;  ///< Sum of column bits, docs/formats/geometry-table.md.
+  std::string file = "geo1.txt";
+
+  friend bool operator==(const GeometryTable&, const GeometryTable&) = default;
+};
+
+/// Which set of conventions a run follows (docs/decisions/0001-profiles.md).
+enum class Profile { physical, classic };
+
+/// What the pulse of a simulation is (decision 7): hard-edged, or confined to a band.
+enum class PulseDefinition { ideal, band_limited };
+
+/// Choices that hold for every product of a scene (script `$OPTIONS`; the command line overrides).
+struct RunOptions {
+  Profile profile = Profile::physical;
+  std::uint64_t seed = 1;
+  PulseDefinition pulse = PulseDefinition::ideal;
+  double tolerance = 1e-6;
+
+  friend bool operator==(const RunOptions&, const RunOptions&) = default;
+};
+
+/// Everything that a script says, in the script's order within each list.
+struct Scene {
+  std::vector<Platform> platforms;
+  std::vector<Surface> surfaces;
+  std::vector<Target> targets;
+  std::vector<Radar> radars;
+  std::vector<Simulation> simulations;
+  std::vector<GeometryTable> geometries;
+  RunOptions options;
+
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// Position of the platform that `name` means, or `not_found`: an exact match ignoring case first, otherwise the only
+/// platform of which `name` is a prefix (or that is a prefix of `name`). "Earth" where no platform has exactly that
+/// name is not found: it is the world itself, which `resolve` (simulate/resolve/resolved.hpp) knows without a
+/// definition.
+inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
+/// See `not_found`.
+[[nodiscard]] std::size_t find_platform(const Scene& scene, std::string_view name);
+/// The same for radars.
+[[nodiscard]] std::size_t find_radar(const Scene& scene, std::string_view name);
+
+}  // namespace sarsim

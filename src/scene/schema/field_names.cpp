@@ -1,0 +1,365 @@
+#include "scene/schema/field_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "scene/model/object_lists.hpp"
+#include "scene/schema/radar_grammar.hpp"
+#include "scene/schema/scene_grammar.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Small letters without what people put between words.
+std::string plain(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (c != '_' && c != ' ' && c != '-') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// "position.x" of "position_m.x", "corner2.x" of "corner_m[1].x", "spot.z" of "spot_world_m.z".
+std::string without_units(std::string_view id) {
+  static constexpr std::array<std::string_view, 10> endings{"_world_m", "_m2", "_mps", "_hz", "_deg",
+                                                            "_m",       "_s",  "_w",   "_k",  "_v"};
+  const std::size_t end = std::min(id.find_first_of(".["), id.size());
+  std::string_view first = id.substr(0, end);
+  for (const std::string_view ending : endings)
+    if (first.ends_with(ending)) {
+      first.remove_suffix(ending.size());
+      break;
+    }
+  std::string result(first);
+  std::string_view rest = id.substr(end);
+  if (rest.starts_with("[")) {
+    result += static_cast<char>(rest[1] + 1);
+    rest.remove_prefix(3);
+  }
+  return result + std::string(rest);
+}
+
+bool starts_like_number(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != std::string_view::npos &&
+         std::string_view("0123456789.+-").find(text[first]) != std::string_view::npos;
+}
+
+const std::vector<Field>& fields_for(const NamedField& named) {
+  return named.objects.empty() ? option_fields() : fields_of(named.objects.front().kind);
+}
+
+// The fields that a name can mean.
+std::vector<const Field*> fields_called(const std::vector<Field>& fields, std::string_view name) {
+  const std::string wanted = plain(name);
+  std::vector<const Field*> found;
+  const auto collect = [&](const auto& name_of_field) {
+    for (const Field& field : fields)
+      if (plain(name_of_field(field)) == wanted && std::ranges::find(found, &field) == found.end())
+        found.push_back(&field);
+  };
+  collect([](const Field& field) { return std::string_view(field.id); });
+  collect([](const Field& field) { return without_units(field.id); });
+  if (!found.empty()) return found;
+  if (wanted == "x" || wanted == "y" || wanted == "z")
+    collect([&](const Field& field) { return field.id == "position_m." + wanted ? wanted : std::string(); });
+  if (!found.empty()) return found;
+  collect([](const Field& field) { return std::string_view(field.label); });
+  if (found.size() > 1) found.clear();  // Labels repeat from group to group.
+  return found;
+}
+
+// Of fields of one name, the number for a number and the choice for a word.
+const Field* fitting(const std::vector<const Field*>& fields, std::string_view value) {
+  if (fields.empty()) return nullptr;
+  const bool number = starts_like_number(value);
+  for (const Field* field : fields)
+    if ((field->kind == FieldKind::quantity) == number) return field;
+  return fields.front();
+}
+
+std::optional<ObjectKind> kind_called(std::string_view word) {
+  for (const ObjectKind kind : all_object_kinds)
+    if (equal_ignoring_case(name_of(kind), word)) return kind;
+  return std::nullopt;
+}
+
+std::string capital(std::string_view word) {
+  std::string result(word);
+  result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
+  return result;
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
+// The objects that a word can mean, each list of one kind; the first failure where there is none.
+struct ObjectSearch {
+  std::vector<std::vector<ObjectId>> found;
+  std::string failure;
+};
+
+void find_by_own_name(const Scene& scene, std::string_view word, ObjectSearch& search) {
+  const auto look = [&](ObjectKind kind, const auto& list, const auto& is_called) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (is_called(list[i])) {
+        search.found.push_back({{kind, i}});
+        return;
+      }
+  };
+  const auto named = [&](const auto& object) { return equal_ignoring_case(object.name, word); };
+  const auto filed = [&](const auto& object) {
+    return equal_ignoring_case(object.file, word) || equal_ignoring_case(file_name(object.file), word);
+  };
+  look(ObjectKind::radar, scene.radars, named);
+  look(ObjectKind::platform, scene.platforms, named);
+  look(ObjectKind::simulation, scene.simulations, filed);
+  look(ObjectKind::geometry, scene.geometries, filed);
+}
+
+std::string count_failure(ObjectKind kind, std::size_t count) {
+  const std::string word = capital(name_of(kind));
+  if (count == 0) return fmt::format("the scene has no {}", name_of(kind));
+  if (count == 1) return fmt::format("the scene has one {}: write {}1", name_of(kind), word);
+  return fmt::format("the scene has {} of the kind {}: write {}1 to {}{}, or {}* for all of them", count, name_of(kind),
+                     word, word, count, word);
+}
+
+// "Target3", "target 3", "Target[3]", "Target*", "Target".
+void find_by_kind(const Scene& scene, std::string_view word, ObjectSearch& search) {
+  std::string text = plain(word);
+  std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
+  const std::size_t letters = std::min(text.find_first_of("*0123456789"), text.size());
+  const auto kind = kind_called(std::string_view(text).substr(0, letters));
+  if (!kind) return;
+  const std::size_t count = count_of(scene, *kind);
+  const std::string_view rest = std::string_view(text).substr(letters);
+  if (rest == "*" && count > 0) {
+    std::vector<ObjectId> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back({*kind, i});
+    search.found.push_back(std::move(all));
+    return;
+  }
+  const auto number = rest.empty() && count == 1 ? std::optional<std::int64_t>(1) : parse_integer(rest);
+  if (number && *number >= 1 && static_cast<std::size_t>(*number) <= count)
+    search.found.push_back({{*kind, static_cast<std::size_t>(*number) - 1}});
+  else if (search.failure.empty())
+    search.failure = count_failure(*kind, count);
+}
+
+// A name hides a number: a radar called Target1 is meant by that word. Of objects with one name only one can have the
+// field, or the number is asked for.
+ObjectSearch objects_called(const Scene& scene, std::string_view word) {
+  ObjectSearch search;
+  find_by_own_name(scene, word, search);
+  if (search.found.empty()) find_by_kind(scene, word, search);
+  return search;
+}
+
+std::vector<std::string> short_names(const std::vector<Field>& fields) {
+  std::vector<std::string> names;
+  for (const Field& field : fields)
+    if (field.kind != FieldKind::function) names.push_back(short_name(fields, field));
+  return names;
+}
+
+// What to try instead of a name that nothing has.
+std::string meant_among(std::string_view name, const std::vector<std::string>& names) {
+  const std::string nearest = nearest_word(name, names);
+  return nearest.empty() ? "'sarsim sweep SCENE --fields' lists what there is"
+                         : fmt::format("did you mean {}?", nearest);
+}
+
+std::string no_field(std::string_view owner, const std::vector<Field>& fields, std::string_view name) {
+  const std::vector<std::string> names = short_names(fields);
+  return fmt::format("{} has no field '{}'; {}", owner, name, meant_among(name, names));
+}
+
+std::string no_object(const Scene& scene, std::string_view word) {
+  std::vector<std::string> names;
+  for (const Radar& radar : scene.radars) names.push_back(radar.name);
+  for (const Platform& platform : scene.platforms) names.push_back(platform.name);
+  for (const ObjectKind kind : all_object_kinds)
+    if (count_of(scene, kind) > 0) names.push_back(capital(name_of(kind)) + "1");
+  return fmt::format("the scene has no object '{}'; {}", word, meant_among(word, names));
+}
+
+NamedField option_called(std::string_view name, std::string_view value) {
+  NamedField named;
+  named.field = fitting(fields_called(option_fields(), name), value);
+  return named;
+}
+
+// What one way of cutting a name into object and field can mean.
+std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std::string_view field,
+                               std::string_view value, std::string& failure) {
+  if (equal_ignoring_case(object, "options")) {
+    NamedField named = option_called(field, value);
+    if (named.field == nullptr) failure = no_field("$OPTIONS", option_fields(), field);
+    return named.field == nullptr ? std::vector<NamedField>{} : std::vector<NamedField>{named};
+  }
+  ObjectSearch search = objects_called(scene, object);
+  if (failure.empty()) failure = search.failure;
+  std::vector<NamedField> found;
+  for (std::vector<ObjectId>& objects : search.found) {
+    NamedField named;
+    named.objects = std::move(objects);
+    named.field = fitting(fields_called(fields_for(named), field), value);
+    if (named.field != nullptr)
+      found.push_back(std::move(named));
+    else
+      failure = no_field(object, fields_for(named), field);
+  }
+  return found;
+}
+
+NamedField failed(std::string failure) {
+  NamedField named;
+  named.failure = std::move(failure);
+  return named;
+}
+
+NamedField expect_settable(NamedField named, std::string_view name) {
+  if (named.field->kind == FieldKind::function)
+    return failed(fmt::format("{} is a user-defined function, which has no single value to set", name));
+  return named;
+}
+
+// Words of the script language in the order of the choices of a field.
+struct ScriptWord {
+  std::string_view word;
+  std::size_t choice;
+};
+
+template <class... Lists>
+std::vector<ScriptWord> words_of(const Lists&... lists) {
+  std::vector<ScriptWord> words;
+  const auto add = [&](const auto& list) {
+    for (const auto& alternative : list)
+      words.push_back({alternative.word, static_cast<std::size_t>(alternative.value)});
+  };
+  (add(lists), ...);
+  return words;
+}
+
+struct ScriptChoice {
+  const std::vector<Field>* fields;
+  std::string_view id;
+  std::vector<ScriptWord> words;
+};
+
+const std::vector<ScriptChoice>& script_choices() {
+  namespace radar_grammar = script::radar_grammar;
+  namespace platform_grammar = script::platform_grammar;
+  namespace target_grammar = script::target_grammar;
+  namespace simulation_grammar = script::simulation_grammar;
+  namespace options_grammar = script::options_grammar;
+  static const std::vector<ScriptChoice> choices = [] {
+    const std::vector<Field>* radar = &fields_of(ObjectKind::radar);
+    const std::vector<Field>* platform = &fields_of(ObjectKind::platform);
+    const std::vector<Field>* target = &fields_of(ObjectKind::target);
+    const std::vector<Field>* simulation = &fields_of(ObjectKind::simulation);
+    return std::vector<ScriptChoice>{{radar, "pulse", words_of(radar_grammar::pulses)},
+                                     {radar, "envelope", words_of(radar_grammar::envelopes)},
+                                     {radar, "repetition", words_of(radar_grammar::repetitions)},
+                                     {radar, "carrier", words_of(radar_grammar::carriers)},
+                                     {radar, "transmit_antenna.pattern", words_of(radar_grammar::transmit_patterns)},
+                                     {radar, "receive_antenna.pattern", words_of(radar_grammar::transmit_patterns)},
+                                     {radar, "beam", words_of(radar_grammar::beams)},
+                                     {radar, "window", words_of(radar_grammar::windows)},
+                                     {radar, "stc", words_of(radar_grammar::stc_laws)},
+                                     {platform, "path", words_of(platform_grammar::paths)},
+                                     {platform, "rotation_kind", words_of(platform_grammar::rotations)},
+                                     {platform, "position_error", words_of(platform_grammar::position_errors)},
+                                     {platform, "rotation_error", words_of(platform_grammar::rotation_errors)},
+                                     {target, "reflectivity", words_of(target_grammar::reflectivities)},
+                                     {target, "gain", words_of(target_grammar::gains)},
+                                     {simulation, "format", words_of(simulation_grammar::formats)},
+                                     {simulation, "processing", words_of(simulation_grammar::processings)},
+                                     {simulation, "pulse_position", words_of(simulation_grammar::pulse_positions)},
+                                     {&option_fields(), "profile", words_of(options_grammar::profiles)},
+                                     {&option_fields(), "pulse", words_of(options_grammar::pulses)}};
+  }();
+  return choices;
+}
+
+// The choice that a word of the script language stands for; the text itself where it is none.
+std::string_view choice_text(const NamedField& named, std::string_view text) {
+  if (named.field->kind != FieldKind::choice) return text;
+  const std::string wanted = plain(text);
+  for (const ScriptChoice& choice : script_choices()) {
+    if (choice.fields != &fields_for(named) || choice.id != named.field->id) continue;
+    for (const ScriptWord& word : choice.words)
+      if (plain(word.word) == wanted && word.choice < named.field->choices.size())
+        return named.field->choices[word.choice];
+  }
+  return text;
+}
+
+}  // namespace
+
+NamedField find_named_field(const Scene& scene, std::string_view name, std::string_view value) {
+  if (name.empty()) return failed("no field is named before the '='");
+  std::string failure;
+  for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.', dot + 1)) {
+    const std::string_view object = name.substr(0, dot);
+    std::vector<NamedField> found = cut_at(scene, object, name.substr(dot + 1), value, failure);
+    if (found.size() == 1) return expect_settable(std::move(found.front()), name);
+    if (found.size() > 1)
+      return failed(fmt::format("{} can mean {}{} and {}{}; write one of these", object,
+                                capital(name_of(found[0].objects.front().kind)), found[0].objects.front().index + 1,
+                                capital(name_of(found[1].objects.front().kind)), found[1].objects.front().index + 1));
+  }
+  NamedField option = option_called(name, value);
+  if (option.field != nullptr) return expect_settable(std::move(option), name);
+  if (!failure.empty()) return failed(std::move(failure));
+  const std::size_t dot = name.find('.');
+  if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
+  const std::string nearest = nearest_word(name, short_names(option_fields()));
+  return failed(nearest.empty()
+                    ? fmt::format("'{}' is no option; a field is written OBJECT.FIELD, as in Radar1.bandwidth", name)
+                    : fmt::format("'{}' is no option; did you mean {}?", name, nearest));
+}
+
+std::string short_name(const std::vector<Field>& fields, const Field& field) {
+  std::string name = without_units(field.id);
+  const auto alike = std::ranges::count_if(
+      fields, [&](const Field& other) { return other.id == name || without_units(other.id) == name; });
+  return alike > 1 ? field.id : name;
+}
+
+std::string address_of(const Scene& scene, ObjectId id) {
+  const std::string numbered = capital(name_of(id.kind)) + std::to_string(id.index + 1);
+  if (id.kind != ObjectKind::radar && id.kind != ObjectKind::platform) return numbered;
+  std::string name = id.kind == ObjectKind::radar ? scene.radars.at(id.index).name : scene.platforms.at(id.index).name;
+  const ObjectSearch search = objects_called(scene, name);
+  const bool own = search.found.size() == 1 && search.found.front() == std::vector<ObjectId>{id};
+  return own && !name.empty() && name.find_first_of(" \t=,\"'*") == std::string::npos ? name : numbered;
+}
+
+std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text) {
+  const std::string_view typed = choice_text(named, text);
+  if (named.objects.empty()) return set_field(scene.options, named.field->id, typed);
+  for (const ObjectId id : named.objects) {
+    AnyObject object = object_of(scene, id);
+    // `set_field` takes the value that is there, whether it means something or not.
+    if (!field_applies(object, named.field->id))
+      return named.field->label + " means nothing with what is chosen elsewhere; change that choice first";
+    if (std::string failure = set_field(object, named.field->id, typed); !failure.empty()) return failure;
+    visit_list(scene, id.kind, [&](auto& list) {
+      list.at(id.index) = std::get<std::remove_cvref_t<decltype(list.front())>>(std::move(object));
+    });
+  }
+  return {};
+}
+
+std::string named_field_text(const Scene& scene, const NamedField& named) {
+  if (named.objects.empty()) return field_text(scene.options, named.field->id);
+  return field_text(object_of(scene, named.objects.front()), named.field->id);
+}
+
+}  // namespace sarsim

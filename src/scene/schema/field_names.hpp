@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/schema/fields.hpp"
+
+namespace sarsim {
+
+/// A field that was named in words: one field of one or several objects of a kind, or of the options.
+struct NamedField {
+  std::vector<ObjectId> objects;  ///< Of one kind; empty: the field is one of `option_fields`.
+  const Field* field = nullptr;   ///< An element of `fields_of` or `option_fields`; null: not found.
+  std::string failure;            ///< Why not, in words: "Radar1 has no field 'bandwith'; did you mean bandwidth?".
+};
+
+/// Finds the field that a name such as "Radar1.bandwidth", "Target3.position.x", "Simulation*.bits" or "seed" means.
+///
+/// An object is called by its name (platforms and radars), by its output file (simulations and geometry tables), or by
+/// its kind and number in the script, from 1 ("Target3"); a kind alone is the only object of that kind, and with a star
+/// all of them. A field is called by its id, by its id without units ("bandwidth" for "bandwidth_hz", "corner2.x"), by
+/// its label in the workbench, or, for the position of a platform or target, by "x", "y" or "z". Capitals, blanks and
+/// underscores do not matter. Words without an object are options.
+///
+/// @param value  that is to be set; tells the number "carrier" (Hz) from the kind of carrier of the same name
+[[nodiscard]] NamedField find_named_field(const Scene& scene, std::string_view name, std::string_view value = {});
+
+/// The shortest name of a field that `find_named_field` understands for any value.
+[[nodiscard]] std::string short_name(const std::vector<Field>& fields, const Field& field);
+
+/// What precedes the point in the shortest name of an object's fields: a platform's or radar's name where it has one
+/// that no other object has and that holds neither blanks nor '=', else its kind and number.
+[[nodiscard]] std::string address_of(const Scene& scene, ObjectId id);
+
+/// Sets the field of every one of its objects as `set_field` does; words of the script language are taken for choices,
+/// too ("MATCHED_FILTER").
+/// @returns empty, or why not, in words; the scene is then half changed where several objects are concerned
+[[nodiscard]] std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text);
+
+/// The value as text, of the first object.
+[[nodiscard]] std::string named_field_text(const Scene& scene, const NamedField& named);
+
+}  // namespace sarsim

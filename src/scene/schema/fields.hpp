@@ -1,0 +1,78 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/model/object.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/schema/quantity.hpp"
+
+namespace sarsim {
+
+/// What a field holds, and so how it is edited.
+enum class FieldKind {
+  quantity,  ///< A number with a unit.
+  text,      ///< A name or file name.
+  choice,    ///< One of `choices`.
+  check,     ///< "yes" or "no".
+  platform,  ///< The name of a platform of the scene.
+  radar,     ///< The name of a radar of the scene.
+  function,  ///< A user-defined function; edited by the function editor (scene/edit/function_model.hpp).
+};
+
+/// One field of one kind of object: everything a panel needs to show and edit it.
+struct Field {
+  std::string id;       ///< Member of the scene structure, with ".x", ".deg"... below: "position_m.x", "pulse_width_s".
+  std::string label;    ///< As the thesis's dialogs have it: "Pulse width".
+  std::string group;    ///< "Pulse"; groups appear in the order of their first field.
+  std::string tooltip;  ///< Meaning, formula and limits in a sentence or two.
+  FieldKind kind = FieldKind::quantity;
+  Quantity quantity = Quantity::number;
+  std::vector<std::string> choices;  ///< FieldKind::choice, as shown.
+  bool rare = false;                 ///< Shown a level down.
+};
+
+/// The fields of a kind of object, in the order of the thesis's dialogs (4.2 to 4.5, 4.10).
+[[nodiscard]] const std::vector<Field>& fields_of(ObjectKind kind);
+/// The fields of `$OPTIONS`.
+[[nodiscard]] const std::vector<Field>& option_fields();
+
+/// The field at which a problem is shown: the one that `Problem::subject.field` names, or the first of its components
+/// ("position_m" is shown at "position_m.x"); empty where the problem is about the whole object.
+[[nodiscard]] std::string_view field_of_problem(ObjectKind kind, std::string_view problem_field);
+[[nodiscard]] std::string_view option_field_of_problem(std::string_view problem_field);
+
+/// The functions below throw std::invalid_argument for an id that is none of the object's fields.
+
+/// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
+[[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
+
+/// The value as text: numbers with a unit, the shown name of a choice, "yes"/"no", a name; for functions a summary
+/// ("3 points, cubic" or the file's name).
+[[nodiscard]] std::string field_text(const AnyObject& object, std::string_view id);
+[[nodiscard]] std::string field_text(const RunOptions& options, std::string_view id);
+
+/// Sets a field from what was typed. Choosing another alternative gives the members that become meaningless their
+/// initial values, as the script writer wants it, and a user-defined function that becomes meaningful one point to
+/// begin with. Choices are matched without regard to case, by their whole name or a beginning that only one has. What a
+/// script cannot say is refused; what only `check` judges is taken, so that an object can be half-typed. A function
+/// takes only the text that it shows.
+/// @returns empty, or why not, in words; the object is then unchanged
+[[nodiscard]] std::string set_field(AnyObject& object, std::string_view id, std::string_view text);
+[[nodiscard]] std::string set_field(RunOptions& options, std::string_view id, std::string_view text);
+
+/// A figure that follows from an object: "Wavelength", "5.66 cm", with its formula.
+struct DerivedFigure {
+  std::string label;
+  std::string text;
+  std::string formula;
+};
+/// Derived values of an object: of a radar wavelength, resolutions, unambiguous range and velocity, duty cycle, mean
+/// power, noise; of a target range, delay, radial speed and SNR as each radar sees it at `time_s`, without random
+/// errors; of a simulation its pulses, samples, size and sampling ratio; of a platform where it is and how fast at
+/// `time_s`; of a surface its area and points. Figures that errors of the scene stand in the way of are left out. Never
+/// throws; quick enough for every keystroke, because only the objects concerned are looked at.
+[[nodiscard]] std::vector<DerivedFigure> derived_figures(const Scene& scene, ObjectId id, double time_s);
+
+}  // namespace sarsim

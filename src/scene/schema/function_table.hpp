@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scene/model/object.hpp"
+#include "scene/schema/function_block.hpp"
+#include "scene/schema/quantity.hpp"
+
+/// Which user-defined functions there are, and what is known of each. Internal to function_model.
+namespace sarsim::function_tables {
+
+/// What the editor knows of one function besides its block of the script language.
+struct FunctionKind {
+  ObjectKind object;
+  std::string_view field;
+  std::string_view title;  ///< "Trajectory"; the object's name follows.
+  const FunctionBlock& block;
+  std::string_view x_name;
+  std::array<std::string_view, 3> part_names;
+  std::string_view y_unit;  ///< In the scene, where the script's may be another.
+  Quantity x_quantity = Quantity::number;
+  Quantity y_quantity = Quantity::number;
+  std::array<double, 2> x_range{};
+  std::array<double, 2> y_range{};
+  std::array<double, 2> x_limits{};
+  std::array<double, 2> y_limits{};
+};
+
+/// The function of a field; std::invalid_argument where the object has no such function.
+[[nodiscard]] const FunctionKind& function_kind(ObjectKind object, std::string_view field);
+
+/// The parts and the file name of a function inside an object.
+struct FunctionRef {
+  std::span<SampledFunction> parts;
+  std::string* file;
+};
+[[nodiscard]] FunctionRef function_in(AnyObject& object, std::string_view field);
+struct ConstFunctionRef {
+  std::span<const SampledFunction> parts;
+  const std::string* file;
+};
+[[nodiscard]] ConstFunctionRef function_in(const AnyObject& object, std::string_view field);
+
+}  // namespace sarsim::function_tables

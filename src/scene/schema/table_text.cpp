@@ -1,0 +1,106 @@
+#include "scene/schema/table_text.hpp"
+
+#include <algorithm>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string_view unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') return trimmed(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  cells.reserve(4);
+  for (const char separator : {'\t', ';', ','}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    std::size_t start = 0;
+    for (std::size_t end = line.find(separator); end != std::string_view::npos; end = line.find(separator, start)) {
+      cells.push_back(unquoted(line.substr(start, end - start)));
+      start = end + 1;
+    }
+    cells.push_back(unquoted(line.substr(start)));
+    while (!cells.empty() && cells.back().empty()) cells.pop_back();
+    return cells;
+  }
+  for (std::size_t start = line.find_first_not_of(blanks); start != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
+    cells.push_back(unquoted(line.substr(start, end - start)));
+    start = line.find_first_not_of(blanks, end);
+  }
+  return cells;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+ColumnHeading heading_of(std::string_view cell) {
+  const std::size_t open = cell.find_first_of("[(");
+  if (open == std::string_view::npos) return {lower_case(cell), {}};
+  const std::size_t close = std::min(cell.find_first_of("])", open), cell.size());
+  return {lower_case(trimmed(cell.substr(0, open))), std::string(trimmed(cell.substr(open + 1, close - open - 1)))};
+}
+
+}  // namespace
+
+std::vector<TableLine> table_lines(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  std::vector<TableLine> lines;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find(line_end), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    // The first cells of a spreadsheet's row may be empty: tabs at the beginning count.
+    const std::string_view whole = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.front() == '#' || line.front() == '!') continue;
+    lines.push_back({number, line, cells_of(whole)});
+  }
+  return lines;
+}
+
+std::vector<ColumnHeading> headings_of(const TableLine& line) {
+  std::vector<ColumnHeading> headings;
+  for (const std::string_view cell : line.cells) {
+    const bool unit_alone = !cell.empty() && (cell.front() == '[' || cell.front() == '(');
+    if (unit_alone && !headings.empty() && headings.back().unit.empty())
+      headings.back().unit = heading_of(cell).unit;
+    else
+      headings.push_back(heading_of(cell));
+  }
+  return headings;
+}
+
+bool is_heading(const TableLine& line) {
+  return std::ranges::none_of(line.cells, [](std::string_view cell) {
+    return !cell.empty() && std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+  });
+}
+
+QuantityReading read_cell(std::string_view cell, Quantity quantity, const std::string& column_unit) {
+  if (const auto plain = parse_number(cell)) {
+    if (column_unit.empty()) return {*plain, {}};
+    return read_quantity(std::string(cell) + " " + column_unit, quantity);
+  }
+  return read_quantity(cell, quantity);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,71 @@
+#include "scene/script/field_places.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sarsim {
+
+TEST(FieldPlaces, FindTheFieldThenItsObjectThenNothing) {
+  FieldPlaces places;
+  places.add({"radar", 3, ""}, {"a.scr", 10, 1});
+  places.add({"radar", 3, "prf_hz"}, {"a.scr", 12, 5});
+  EXPECT_EQ(places.find({"radar", 3, "prf_hz"}), (Place{"a.scr", 12, 5}));
+  EXPECT_EQ(places.find({"radar", 3, "power_w"}), (Place{"a.scr", 10, 1}));
+  EXPECT_EQ(places.find({"radar", 2, "prf_hz"}), Place{});
+  EXPECT_EQ(places.find({"target", 3, "prf_hz"}), Place{});
+}
+
+TEST(FieldPlaces, FindTheWholeMemberForAPartOfIt) {
+  FieldPlaces places;
+  places.add({"platform", 0, ""}, {"a.scr", 1, 1});
+  places.add({"platform", 0, "trajectory_m"}, {"a.scr", 2, 1});
+  EXPECT_EQ(places.find({"platform", 0, "trajectory_m.part[2]"}).line, 2U);
+  EXPECT_EQ(places.find({"platform", 0, "trajectory_m[1]"}).line, 2U);
+}
+
+TEST(FieldPlaces, KeepTheFirstPlaceOfAField) {
+  FieldPlaces places;
+  places.add({"surface", 0, "corner_m"}, {"a.scr", 2, 1});
+  places.add({"surface", 0, "corner_m"}, {"a.scr", 3, 1});
+  EXPECT_EQ(places.find({"surface", 0, "corner_m"}).line, 2U);
+}
+
+TEST(FieldPlaces, KeepApartFilesAndTakeObjectsInAnyOrder) {
+  FieldPlaces places;
+  for (const std::size_t index : {5U, 1U, 3U, 1U})
+    places.add({"target", index, "rcs_m2"}, {"file" + std::to_string(index), index, 7});
+  for (const std::size_t index : {1U, 3U, 5U})
+    EXPECT_EQ(places.find({"target", index, "rcs_m2"}), (Place{"file" + std::to_string(index), index, 7}));
+}
+
+TEST(FieldPlaces, ForgetColumnsBeyondAMillionButNotTheLine) {
+  FieldPlaces places;
+  places.add({"target", 0, "rcs_m2"}, {"a.scr", 1, 5'000'000});
+  EXPECT_EQ(places.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 0}));
+}
+
+TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
+  FieldPlaces whole;
+  FieldPlaces first;
+  FieldPlaces later;
+  const auto add = [&](FieldPlaces& part, std::size_t before, const std::string& kind, std::size_t index,
+                       const std::string& field, const Place& place) {
+    part.add({kind, index, field}, place);
+    whole.add({kind, before + index, field}, place);
+  };
+  add(first, 0, "target", 0, "", {"a.scr", 1, 1});
+  add(first, 0, "target", 0, "rcs_m2", {"a.scr", 1, 9});
+  add(first, 0, "radar", 0, "prf_hz", {"a.scr", 2, 1});
+  add(later, 1, "radar", 0, "prf_hz", {"a.scr", 3, 1});
+  add(later, 1, "radar", 1, "power_w", {"b.scr", 4, 5'000'000});
+  add(later, 1, "target", 0, "rcs_m2", {"a.scr", 5, 1});
+  first.append(
+      later, [](std::string_view) { return 1U; }, 0.5);
+  EXPECT_EQ(first.find({"target", 1, "rcs_m2"}), (Place{"a.scr", 5, 1}));
+  EXPECT_EQ(first.find({"radar", 2, "power_w"}), (Place{"b.scr", 4, 0}));
+  EXPECT_EQ(first.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 9}));
+  EXPECT_EQ(first, whole);
+  first.add({"target", 2, "rcs_m2"}, {"a.scr", 6, 1});
+  EXPECT_FALSE(first == whole);
+}
+
+}  // namespace sarsim

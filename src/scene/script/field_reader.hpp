@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/maths/angle.hpp"
+#include "core/maths/vector.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/schema/grammar.hpp"
+#include "scene/script/data_file.hpp"
+#include "scene/script/field_places.hpp"
+#include "scene/script/problem_log.hpp"
+#include "scene/script/tokens.hpp"
+
+namespace sarsim::script {
+
+/// What all objects of one reading share.
+struct Reading {
+  Tokens tokens;
+  ProblemLog log;
+  FieldPlaces places;
+  std::string_view file;
+  const DataFileLoader& loader;
+};
+
+/// Reads the parameters of one command, one call for each, in their order.
+///
+/// Each call reports what is wrong with its parameter and leaves its output as it is where nothing usable was found.
+/// After a mistake that says where the next parameter stands (a bad number), reading goes on; after one that does not
+/// (an unknown keyword, an early end), all further calls do nothing. A keyword in the place of a number means that
+/// numbers are missing: the calls up to the next selection do nothing.
+class FieldReader {
+ public:
+  /// @param command  the token of the command, already taken
+  /// @param kind     `Subject::kind` of the object
+  /// @param index    its position in the scene's list
+  FieldReader(Reading& reading, const Token& command, std::string_view kind, std::size_t index);
+
+  /// Notes where the object itself stands.
+  void note_object();
+  /// The name an object begins with; false where there is none, and then the object cannot be kept.
+  bool leading_name(const Field& field, std::string& name);
+  /// @name One parameter each, in the unit of its field.
+  /// @{
+  void text(const Field& field, std::string& text);
+  void number(const Field& field, double& value);
+  void angle(const Field& field, Angle& value);
+  void decibels(const Field& field, PowerRatio& value);
+  void integer(const Field& field, int& value);
+  void seed(const Field& field, std::uint64_t& value);
+  void vector(const Field& field, Vec3& value);
+  void angles(const Field& field, std::array<Angle, 3>& value);
+  /// @}
+
+  /// A keyword, as the value that it stands for.
+  template <class Value, std::size_t N>
+  void choice(const Field& field, const Alternatives<Value, N>& alternatives, Value& value) {
+    std::array<std::string_view, N> words;
+    for (std::size_t i = 0; i < N; ++i) words[i] = alternatives[i].word;
+    const std::size_t chosen = select(field, words);
+    if (chosen < N) value = alternatives[chosen].value;
+  }
+
+  template <std::size_t N>
+  void function(const Field& field, const FunctionBlock& block, UserFunction<N>& value) {
+    read_block(field, block, value.part, value.file);
+  }
+
+  /// Reports a mistake at the next token and reads nothing further of this object.
+  void structural_error(const Field& field, Complaint complaint);
+  /// Reports a mistake at the next token, passes over `count` values and goes on behind them.
+  void pass_over(const Field& field, std::size_t count, Complaint complaint);
+  void warning(const Token& token, const Field& field, Complaint complaint) {
+    reporter_.warning(token, field.member, std::move(complaint));
+  }
+
+  /// Whether a mistake has left unclear where the next parameter stands.
+  [[nodiscard]] bool broken() const { return failed_; }
+  /// Whether another value follows and reading has not broken off.
+  [[nodiscard]] bool more() const { return !failed_ && reading_.tokens.peek().is_value(); }
+  [[nodiscard]] const Token& peek() const { return reading_.tokens.peek(); }
+  /// For looking further ahead than one token.
+  [[nodiscard]] Tokens tokens() const { return reading_.tokens; }
+
+  /// Ends the object: warns of values that were not asked for and goes on to the next command.
+  void finish();
+
+ private:
+  [[nodiscard]] bool skipping() const { return failed_ || numbers_missing_; }
+  bool value_follows(const Field& field, std::string_view kind);
+  bool number_follows(const Field& field, std::string_view kind);
+  // The common case: a number about which nothing is to be said; false, and nothing is done, for all others.
+  bool plain_number_in(const Field& field, double& value);
+  void number_in(const Field& field, double& value);
+  Token take(const Field& field);
+  void note_place(const Field& field, const Token& token);
+  [[nodiscard]] std::size_t select(const Field& field, std::span<const std::string_view> words);
+  void read_block(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts, std::string& file);
+  void read_inline(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts);
+  void read_file(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts, std::string& file);
+
+  Reading& reading_;
+  Reporter reporter_;
+  Token command_;
+  Token last_;
+  bool failed_ = false;
+  bool numbers_missing_ = false;
+};
+
+}  // namespace sarsim::script

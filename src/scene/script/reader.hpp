@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/script/data_file.hpp"
+#include "scene/script/field_places.hpp"
+
+namespace sarsim {
+
+/// What a script says, what is wrong with it, and where everything stands.
+struct ScriptReading {
+  Scene scene;  ///< Complete where `problems` holds no error; else what could be understood, faulty objects included.
+  Problems problems;
+  FieldPlaces places;
+};
+
+/// How a script is read; nothing here can change what is found.
+struct ReadControl {
+  WorkControl work;
+  /// Scripts are read by all threads in pieces of about so many bytes; shorter ones of scripts that have few of them.
+  std::size_t piece_bytes = std::size_t{1} << 18;
+};
+
+/// Reads a script in any dialect of the language (docs/formats/script.md).
+///
+/// All mistakes of the text are reported, each once with its line and column. Names are kept as typed and resolved by
+/// nobody here; what can only be judged from the whole scene is left to `check`. Takes time linear in the text.
+///
+/// @param file_name  for the places of problems
+/// @param loader     finds data files, called on any of the threads; where empty, FILE is an error
+[[nodiscard]] ScriptReading read_script(std::string_view text, const std::string& file_name,
+                                        const DataFileLoader& loader, const ReadControl& control = {});
+
+/// Reads a script from disk, with its data files. Whatever stands in the way (no such file, a folder, no text, too
+/// large) is a problem of the result; throws only where memory ends, and Interrupted.
+[[nodiscard]] ScriptReading read_script_file(const std::filesystem::path& path, const ReadControl& control = {});
+
+/// Finds data files on disk: in the script's folder first, then in the current one.
+[[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);
+
+/// The file that `disk_loader` finds for a name; empty where there is none.
+[[nodiscard]] std::filesystem::path data_file_on_disk(const std::filesystem::path& script_folder,
+                                                      const std::string& name);
+
+/// The largest script or data file that is read, in bytes.
+inline constexpr std::size_t largest_script_bytes = std::size_t{1} << 30;
+
+/// Fills in the places of problems that a scene check found.
+void locate(Problems& problems, const FieldPlaces& places);
+
+}  // namespace sarsim

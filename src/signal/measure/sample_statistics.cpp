@@ -1,0 +1,40 @@
+#include "signal/measure/sample_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sarsim::cli {
+
+void SampleStatistics::add(std::span<const std::complex<double>> values, std::size_t first_row, std::size_t columns) {
+  double row_sum = 0.0;  // Summed row by row, so that a long file loses no digits.
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (columns > 0 && i % columns == 0) {
+      sum_of_squares += row_sum;
+      row_sum = 0.0;
+    }
+    const std::complex<double> v = values[i];
+    ++samples;
+    if (!std::isfinite(v.real()) || !std::isfinite(v.imag())) {
+      ++not_finite;
+      continue;
+    }
+    if (v == 0.0) ++zeros;
+    lowest = std::min({lowest, v.real(), v.imag()});
+    highest = std::max({highest, v.real(), v.imag()});
+    row_sum += std::norm(v);
+    const double magnitude = std::abs(v);
+    if (magnitude > largest_magnitude) {
+      largest_magnitude = magnitude;
+      largest_row = first_row + i / columns;
+      largest_column = i % columns;
+    }
+  }
+  sum_of_squares += row_sum;
+}
+
+double SampleStatistics::rms() const {
+  const std::uint64_t counted = samples - not_finite;
+  return counted > 0 ? std::sqrt(sum_of_squares / static_cast<double>(counted)) : 0.0;
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,347 @@
+#include "signal/sar/autofocus.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/fft.hpp"
+#include "signal/sar/phase_gradient.hpp"
+
+namespace sarsim {
+
+namespace {
+
+void expect(bool right, const char* what) {
+  if (!right) throw std::invalid_argument(what);
+}
+
+AzimuthColumns columns_of(const FocusedImage& image) {
+  AzimuthColumns columns(image.range.count, image.azimuth.count);
+  for (std::size_t row = 0; row < image.azimuth.count; ++row)
+    for (std::size_t column = 0; column < image.range.count; ++column)
+      columns.column(column)[row] = std::complex<double>(image.values[row * image.range.count + column]);
+  return columns;
+}
+
+void expect_sound(const FocusedImage& image) {
+  expect(image.values.size() == image.azimuth.count * image.range.count,
+         "autofocus: the number of values is not that of the axes");
+  expect(image.azimuth.step_m != 0.0, "autofocus: the rows are not apart");
+}
+
+// Pieces of half overlap whose weights, squared sines, add up to 1 but for the first and the last half piece, which
+// are held at 1.
+struct Piece {
+  long first = 0;
+  double middle_m = 0.0;
+};
+
+double piece_weight(long offset, long length, bool is_first, bool is_last) {
+  if ((is_first && offset < length / 2) || (is_last && offset >= length / 2)) return 1.0;
+  const double sine = std::sin(pi * (static_cast<double>(offset) + 0.5) / static_cast<double>(length));
+  return sine * sine;
+}
+
+// Where along the track the frequencies of an image's pieces were received.
+class Sight {
+ public:
+  Sight(const FocusedImage& image, std::size_t size)
+      : sine_per_step_(0.5 * image.light_speed_mps / image.carrier_hz /
+                       (image.azimuth.step_m * static_cast<double>(size))),
+        centre_(image.azimuth.spectrum_centre_per_m * image.azimuth.step_m * static_cast<double>(size)) {}
+
+  /// Of the image's spectrum, in steps of 1/size.
+  [[nodiscard]] double centre() const { return centre_; }
+  /// How far behind a point at this range the antenna received this frequency of it: R tan a.
+  [[nodiscard]] double behind_m(double frequency, double range_m) const {
+    constexpr double steepest = 0.999;  // as far as focusing goes
+    const double sine = std::clamp(frequency * sine_per_step_, -steepest, steepest);
+    return range_m * sine / std::sqrt(1.0 - sine * sine);
+  }
+  /// The inverse.
+  [[nodiscard]] double frequency(double behind_m, double range_m) const {
+    return behind_m / std::hypot(behind_m, range_m) / sine_per_step_;
+  }
+
+ private:
+  double sine_per_step_;
+  double centre_;
+};
+
+// An image of which each column is displaced, so that rows follow the line of sight of the beam's middle.
+class SkewedImage {
+ public:
+  SkewedImage(const FocusedImage& image, const Sight& sight) : image_(image) {
+    const double middle_m = middle_range_m();
+    for (std::size_t column = 0; column < image.range.count; ++column) {
+      const double farther_m = image.range.at(static_cast<double>(column)) - middle_m;
+      offsets_.push_back(std::lround(sight.behind_m(sight.centre(), farther_m) / image.azimuth.step_m));
+    }
+  }
+
+  [[nodiscard]] double middle_range_m() const { return image_.range.at(static_cast<double>(image_.range.count / 2)); }
+  /// Of a column, in rows.
+  [[nodiscard]] long offset(std::size_t column) const { return offsets_[column]; }
+  /// Of half overlap.
+  [[nodiscard]] std::vector<Piece> pieces(long length) const {
+    std::vector<Piece> pieces;
+    const auto [least, most] = std::ranges::minmax(offsets_);
+    const long end = static_cast<long>(image_.azimuth.count) - least;
+    for (long first = -most;; first += length / 2) {
+      pieces.push_back({first, image_.azimuth.at(static_cast<double>(first) + 0.5 * static_cast<double>(length - 1))});
+      if (first + length >= end) return pieces;
+    }
+  }
+  [[nodiscard]] AzimuthColumns cut_out(const Piece& piece, long length, bool is_first, bool is_last,
+                                       std::size_t size) const {
+    AzimuthColumns columns(image_.range.count, size);
+    for (std::size_t column = 0; column < image_.range.count; ++column)
+      for (long i = 0; i < length; ++i) {
+        const long row = piece.first + i + offset(column);
+        if (row < 0 || row >= static_cast<long>(image_.azimuth.count)) continue;
+        columns.column(column)[static_cast<std::size_t>(i)] =
+            piece_weight(i, length, is_first, is_last) *
+            std::complex<double>(image_.values[static_cast<std::size_t>(row) * image_.range.count + column]);
+      }
+    return columns;
+  }
+
+ private:
+  const FocusedImage& image_;
+  std::vector<long> offsets_;
+};
+
+// Evenly spaced places along the track.
+struct AlongTrack {
+  double first_m = 0.0;
+  double step_m = 1.0;
+  std::size_t count = 0;
+};
+
+// What one piece says about the phase along the track, but for a straight line: cells first, first + 1 ...
+struct PiecePhase {
+  std::size_t first = 0;
+  std::vector<double> phase_rad;
+  double weight = 0.0;
+};
+
+// Phase along the track as the mean of all pieces, each with a straight line added that makes it agree with the others.
+class JoinedPhase {
+ public:
+  explicit JoinedPhase(std::size_t cells) : sum_(cells), weight_(cells) {}
+
+  /// Adds a piece with the line that fits it best to what is there.
+  void add(PiecePhase& piece) {
+    fit(piece);
+    change(piece, 1.0);
+  }
+  /// Fits a piece anew to the others.
+  void refit(PiecePhase& piece) {
+    change(piece, -1.0);
+    add(piece);
+  }
+  /// The means; held or drawn straight where no piece reaches.
+  [[nodiscard]] std::vector<double> mean() const {
+    std::vector<double> phase(sum_.size());
+    std::size_t known = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < phase.size(); ++i) {
+      if (weight_[i] <= 0.0) continue;
+      phase[i] = sum_[i] / weight_[i];
+      for (std::size_t k = any ? known + 1 : 0; k < i; ++k)
+        phase[k] = !any ? phase[i]
+                        : phase[known] + (phase[i] - phase[known]) * static_cast<double>(k - known) /
+                                             static_cast<double>(i - known);
+      known = i;
+      any = true;
+    }
+    for (std::size_t k = known + 1; k < phase.size(); ++k) phase[k] = phase[known];
+    return phase;
+  }
+
+ private:
+  void fit(PiecePhase& piece) const {
+    double n = 0.0, x1 = 0.0, x2 = 0.0, y1 = 0.0, xy = 0.0;
+    const auto size = static_cast<double>(piece.phase_rad.size());
+    for (std::size_t i = 0; i < piece.phase_rad.size(); ++i) {
+      const double w = weight_[piece.first + i];
+      if (w <= 0.0) continue;
+      const double x = static_cast<double>(i) / size;
+      const double y = sum_[piece.first + i] / w - piece.phase_rad[i];
+      n += w;
+      x1 += w * x;
+      x2 += w * x * x;
+      y1 += w * y;
+      xy += w * x * y;
+    }
+    const double spread = n * x2 - x1 * x1;
+    if (!(spread > 1e-9 * n * n)) return;
+    const double slope = (n * xy - x1 * y1) / spread;
+    const double constant = (y1 - slope * x1) / n;
+    for (std::size_t i = 0; i < piece.phase_rad.size(); ++i)
+      piece.phase_rad[i] += constant + slope * static_cast<double>(i) / size;
+  }
+  void change(const PiecePhase& piece, double sign) {
+    for (std::size_t i = 0; i < piece.phase_rad.size(); ++i) {
+      sum_[piece.first + i] += sign * piece.weight * piece.phase_rad[i];
+      weight_[piece.first + i] += sign * piece.weight;
+      // What is left after the last piece was taken away is rounding.
+      if (weight_[piece.first + i] < 1e-9 * piece.weight) sum_[piece.first + i] = weight_[piece.first + i] = 0.0;
+    }
+  }
+
+  std::vector<double> sum_, weight_;
+};
+
+double interpolated(const std::vector<double>& y, double x) {
+  const double held = std::clamp(x, 0.0, static_cast<double>(y.size() - 1));
+  const auto left = std::min(static_cast<std::size_t>(held), y.size() - 2);
+  const double share = held - static_cast<double>(left);
+  return y[left] + share * (y[left + 1] - y[left]);
+}
+
+// The phases of one piece on the cells along the track. The places at mid-range stand for all columns.
+PiecePhase along_track(const GradientResult& found, double middle_m, double range_m, const Sight& sight,
+                       const AlongTrack& track) {
+  PiecePhase piece;
+  if (found.phase_rad.size() < 3) return piece;
+  const auto begin = static_cast<double>(found.first_frequency);
+  const auto along_m = [&](double frequency) { return middle_m - sight.behind_m(frequency, range_m); };
+  const auto [low_m, high_m] =
+      std::minmax({along_m(begin), along_m(begin + static_cast<double>(found.phase_rad.size()) - 1.0)});
+  const double first = std::max(std::ceil((low_m - track.first_m) / track.step_m), 0.0);
+  const double last =
+      std::min(std::floor((high_m - track.first_m) / track.step_m), static_cast<double>(track.count) - 1.0);
+  piece.first = static_cast<std::size_t>(first);
+  piece.weight = found.energy;
+  for (double cell = first; cell <= last; ++cell) {
+    const double s_m = track.first_m + cell * track.step_m;
+    piece.phase_rad.push_back(interpolated(found.phase_rad, sight.frequency(middle_m - s_m, range_m) - begin));
+  }
+  return piece;
+}
+
+// From where the first piece's last frequency may have been received to where the last piece's first one may.
+AlongTrack track_of(const std::vector<Piece>& pieces, double range_m, const Sight& sight, std::size_t size) {
+  const auto whole = static_cast<double>(size);
+  const auto [least_m, most_m] =
+      std::minmax({sight.behind_m(sight.centre() - whole, range_m), sight.behind_m(sight.centre() + whole, range_m)});
+  const auto [low_m, high_m] = std::minmax({pieces.front().middle_m, pieces.back().middle_m});
+  AlongTrack track;
+  track.step_m = std::abs(sight.behind_m(1.0, range_m));
+  track.first_m = low_m - most_m;
+  track.count = static_cast<std::size_t>((high_m - least_m - track.first_m) / track.step_m) + 2;
+  return track;
+}
+
+}  // namespace
+
+double image_entropy(const FocusedImage& image) {
+  double energy = 0.0;
+  for (const auto& value : image.values) energy += std::norm(std::complex<double>(value));
+  if (energy <= 0.0) return 0.0;
+  double entropy = 0.0;
+  for (const auto& value : image.values) {
+    const double share = std::norm(std::complex<double>(value)) / energy;
+    if (share > 0.0) entropy -= share * std::log(share);
+  }
+  return entropy;
+}
+
+AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& options, const WorkControl& control) {
+  expect_sound(image);
+  AutofocusResult result;
+  result.image = image;
+  if (image.values.empty()) return result;
+  const Sight sight(image, image.azimuth.count);
+  const double spacing = 1.0 / (image.azimuth.step_m * static_cast<double>(image.azimuth.count));
+  AzimuthColumns columns = columns_of(image);
+  const GradientResult found =
+      phase_gradient(columns, {sight.centre(), options.band_per_m / std::abs(spacing)}, options, control);
+  columns = columns_of(image);
+  const auto size = static_cast<long>(image.azimuth.count);
+  turn_spectra(columns, control, [&](std::size_t, long frequency) {
+    const auto at = static_cast<std::size_t>(((frequency - found.first_frequency) % size + size) % size);
+    return at < found.phase_rad.size() ? -found.phase_rad[at] : 0.0;
+  });
+  for (std::size_t row = 0; row < image.azimuth.count; ++row)
+    for (std::size_t column = 0; column < image.range.count; ++column)
+      result.image.values[row * image.range.count + column] = std::complex<float>(columns.column(column)[row]);
+  result.round_rad = found.round_rad;
+  result.phase_rad = found.phase_rad;
+  for (std::size_t i = 0; i < found.phase_rad.size(); ++i)
+    result.cycles_per_m.push_back(spacing * static_cast<double>(found.first_frequency + static_cast<long>(i)));
+  if (spacing < 0.0) {
+    std::ranges::reverse(result.phase_rad);
+    std::ranges::reverse(result.cycles_per_m);
+  }
+  return result;
+}
+
+StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_m, const AutofocusOptions& options,
+                                        const WorkControl& control) {
+  expect_sound(image);
+  expect(image.frame.plane == ImagePlane::slant_range, "autofocus: a strip must be an image of slant range");
+  const long length = 2 * static_cast<long>(0.5 * piece_m / std::abs(image.azimuth.step_m));
+  expect(length >= 4, "autofocus: a piece of the strip has fewer than four pixels");
+  StripmapAutofocusResult result;
+  result.image = image;
+  if (image.values.empty()) return result;
+
+  const std::size_t size = good_fft_size(2 * static_cast<std::size_t>(length));
+  const Sight sight(image, size);
+  const SkewedImage skewed(image, sight);
+  const std::vector<Piece> pieces = skewed.pieces(length);
+  const auto is_last = [&](std::size_t i) { return i + 1 == pieces.size(); };
+  const double middle_range_m = skewed.middle_range_m();
+  const SpectrumBand band{sight.centre(),
+                          options.band_per_m * std::abs(image.azimuth.step_m) * static_cast<double>(size)};
+  const AlongTrack track = track_of(pieces, middle_range_m, sight, size);
+  JoinedPhase joined(track.count);
+  std::vector<PiecePhase> phases;
+  std::vector<long> middle_frequency;  // of the aperture: the others count from there
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
+    const GradientResult found = phase_gradient(columns, band, options, control);
+    middle_frequency.push_back(found.phase_rad.empty()
+                                   ? std::lround(sight.centre())
+                                   : found.first_frequency + static_cast<long>(found.phase_rad.size() / 2));
+    phases.push_back(along_track(found, pieces[i].middle_m, middle_range_m, sight, track));
+    joined.add(phases.back());
+  }
+  for (int sweep = 0; sweep < 10; ++sweep)
+    for (PiecePhase& phase : phases) joined.refit(phase);
+  result.phase_rad = joined.mean();
+  remove_line(result.phase_rad);
+  for (std::size_t i = 0; i < result.phase_rad.size(); ++i)
+    result.along_m.push_back(track.first_m + static_cast<double>(i) * track.step_m);
+
+  std::ranges::fill(result.image.values, 0.0F);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
+    turn_spectra(columns, control, [&](std::size_t column, long frequency) {
+      const auto from_middle = static_cast<double>(frequency - middle_frequency[i]);
+      const double unfolded = static_cast<double>(frequency) -
+                              static_cast<double>(size) * std::round(from_middle / static_cast<double>(size));
+      const double along_m = pieces[i].middle_m + static_cast<double>(skewed.offset(column)) * image.azimuth.step_m -
+                             sight.behind_m(unfolded, image.range.at(static_cast<double>(column)));
+      return -interpolated(result.phase_rad, (along_m - track.first_m) / track.step_m);
+    });
+    // What the correction moved beyond the ends of the piece stands in the zeros behind it, or before it at the end.
+    for (long k = -static_cast<long>(size) / 4; k < length + static_cast<long>(size) / 4; ++k) {
+      const auto at = static_cast<std::size_t>(k < 0 ? k + static_cast<long>(size) : k);
+      if (at >= size) continue;
+      for (std::size_t column = 0; column < image.range.count; ++column) {
+        const long row = pieces[i].first + k + skewed.offset(column);
+        if (row < 0 || row >= static_cast<long>(image.azimuth.count)) continue;
+        result.image.values[static_cast<std::size_t>(row) * image.range.count + column] +=
+            std::complex<float>(columns.column(column)[at]);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,237 @@
+#include "signal/sar/back_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/turns.hpp"
+#include "signal/sar/back_projection_kernel.hpp"
+#include "signal/sar/echo_records.hpp"
+#include "signal/sar/reference_track.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Records of the pulses that are projected together; more than one core's cache is no use.
+constexpr std::size_t block_bytes = std::size_t{4} << 20;
+constexpr std::size_t longest_block = 64;
+
+void expect(bool right, const char* what) {
+  if (!right) throw std::invalid_argument(what);
+}
+
+void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options) {
+  expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
+         "back-projection: the number of samples is not pulses times samples of a pulse");
+  expect(echoes.waveform.sample_rate_hz > 0.0, "back-projection: the sampling rate is not above 0");
+  expect(echoes.waveform.light_speed_mps > 0.0, "back-projection: the speed of light is not above 0");
+  expect(echoes.waveform.carrier_hz > 0.0, "back-projection: the carrier is not above 0");
+  expect(!options.range_window || echoes.waveform.bandwidth_hz != 0.0,
+         "back-projection: a range window needs a bandwidth");
+  using Aperture = BackProjectionOptions::Aperture;
+  expect(options.aperture != Aperture::beam || options.beam_rad > 0.0, "back-projection: the beam is not above 0");
+  expect(options.aperture != Aperture::time || options.time_s > 0.0, "back-projection: the time is not above 0");
+  const double heading = norm(options.heading);
+  expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
+  expect(std::abs(options.squint_rad) < 0.5 * pi, "back-projection: the squint is a right angle or more");
+}
+
+ProjectionConstants constants_of(const SarEchoes& echoes, const BackProjectionOptions& options) {
+  const SarWaveform& wave = echoes.waveform;
+  ProjectionConstants constants;
+  constants.carrier_hz = wave.carrier_hz;
+  constants.light_speed_mps = wave.light_speed_mps;
+  constants.first_delay_s = echoes.first_delay_s;
+  constants.records_per_s = static_cast<double>(EchoRecords::factor) * wave.sample_rate_hz;
+  constants.doppler_delay_s2 = wave.bandwidth_hz != 0.0 ? wave.pulse_width_s / wave.bandwidth_hz : 0.0;
+  constants.moving = !options.start_stop;
+  return constants;
+}
+
+ProjectionAperture aperture_of(const BackProjectionOptions& options) {
+  using Aperture = BackProjectionOptions::Aperture;
+  using Kind = ProjectionAperture::Kind;
+  ProjectionAperture aperture;
+  if (options.aperture == Aperture::all) return aperture;
+  aperture.kind = options.aperture == Aperture::beam ? Kind::angle : Kind::time;
+  aperture.heading = options.heading;
+  aperture.squint_rad = options.squint_rad;
+  aperture.extent = options.aperture == Aperture::beam ? options.beam_rad : options.time_s;
+  aperture.uniform = !options.azimuth_window;
+  if (aperture.uniform) return aperture;
+  constexpr std::size_t pieces = ProjectionAperture::pieces;
+  for (std::size_t i = 0; i <= pieces; ++i)
+    aperture.weights.push_back(
+        static_cast<float>(options.azimuth_window(static_cast<double>(i) / static_cast<double>(pieces))));
+  aperture.weights.push_back(aperture.weights.back());
+  return aperture;
+}
+
+// The rectangles a grid is computed in.
+class Tiles {
+ public:
+  explicit Tiles(const PointGrid& grid)
+      : grid_(&grid),
+        across_((grid.columns + ProjectionTile::columns - 1) / ProjectionTile::columns),
+        down_((grid.rows + ProjectionTile::rows - 1) / ProjectionTile::rows) {}
+
+  [[nodiscard]] std::size_t count() const { return across_ * down_; }
+  [[nodiscard]] std::size_t first_row(std::size_t tile) const { return tile / across_ * ProjectionTile::rows; }
+  [[nodiscard]] std::size_t first_column(std::size_t tile) const { return tile % across_ * ProjectionTile::columns; }
+
+  void place(std::size_t index, ProjectionTile& tile) const {
+    tile.used_rows = std::min(ProjectionTile::rows, grid_->rows - first_row(index));
+    tile.used_columns = std::min(ProjectionTile::columns, grid_->columns - first_column(index));
+    tile.row_step_m = grid_->row_step_m;
+    tile.column_step_m = grid_->column_step_m;
+    tile.corner_m = grid_->origin_m + static_cast<double>(first_row(index)) * grid_->row_step_m +
+                    static_cast<double>(first_column(index)) * grid_->column_step_m;
+  }
+
+ private:
+  const PointGrid* grid_;
+  std::size_t across_;
+  std::size_t down_;
+};
+
+// The stretches that the antenna's nearest approach to each tile allows.
+std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, const WorkControl& control) {
+  const double wavelength_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz;
+  std::vector<Stretch> stretches(tiles.count());
+  parallel_ranges(tiles.count(), 16, control, [&](std::size_t begin, std::size_t end) {
+    ProjectionTile tile;
+    for (std::size_t index = begin; index < end; ++index) {
+      tiles.place(index, tile);
+      // Stretches reach to the end of the tile even where it is not used.
+      const Vec3 down = 0.5 * static_cast<double>(ProjectionTile::rows) * tile.row_step_m;
+      const Vec3 right = 0.5 * static_cast<double>(ProjectionTile::columns) * tile.column_step_m;
+      const Vec3 middle = tile.corner_m + down + right;
+      double nearest_m = 1e300;
+      for (const TrackPoint& point : echoes.track) nearest_m = std::min(nearest_m, norm(middle - point.position_m));
+      nearest_m -= norm(down) + norm(right);
+      stretches[index] = stretch_for(nearest_m, norm(tile.column_step_m), wavelength_m);
+    }
+  });
+  return stretches;
+}
+
+// Sums of all points while the pulses are worked through.
+struct Sums {
+  std::vector<std::complex<float>> values;
+  std::vector<float> weights;  // empty where all pulses count
+};
+
+void load(const Sums& sums, const Tiles& tiles, std::size_t index, std::size_t columns, ProjectionTile& tile) {
+  for (std::size_t row = 0; row < tile.used_rows; ++row)
+    for (std::size_t column = 0; column < tile.used_columns; ++column) {
+      const std::size_t from = (tiles.first_row(index) + row) * columns + tiles.first_column(index) + column;
+      const std::size_t to = row * ProjectionTile::columns + column;
+      tile.re[to] = sums.values[from].real();
+      tile.im[to] = sums.values[from].imag();
+      if (!sums.weights.empty()) tile.weight[to] = sums.weights[from];
+    }
+}
+
+void store(const ProjectionTile& tile, const Tiles& tiles, std::size_t index, std::size_t columns, Sums& sums) {
+  for (std::size_t row = 0; row < tile.used_rows; ++row)
+    for (std::size_t column = 0; column < tile.used_columns; ++column) {
+      const std::size_t to = (tiles.first_row(index) + row) * columns + tiles.first_column(index) + column;
+      const std::size_t from = row * ProjectionTile::columns + column;
+      sums.values[to] = {tile.re[from], tile.im[from]};
+      if (!sums.weights.empty()) sums.weights[to] = tile.weight[from];
+    }
+}
+
+void normalize(Sums& sums, std::size_t pulses) {
+  const float share = pulses > 0 ? 1.0F / static_cast<float>(pulses) : 0.0F;
+  for (std::size_t i = 0; i < sums.values.size(); ++i) {
+    if (sums.weights.empty())
+      sums.values[i] *= share;
+    else
+      sums.values[i] = sums.weights[i] != 0.0F ? sums.values[i] / sums.weights[i] : 0.0F;
+  }
+}
+
+}  // namespace
+
+PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range) {
+  PointGrid grid;
+  grid.origin_m = frame.origin_m + azimuth.first_m * frame.along + range.first_m * frame.across;
+  grid.row_step_m = azimuth.step_m * frame.along;
+  grid.column_step_m = range.step_m * frame.across;
+  grid.rows = azimuth.count;
+  grid.columns = range.count;
+  return grid;
+}
+
+std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const PointGrid& grid,
+                                              const BackProjectionOptions& options, const WorkControl& control,
+                                              const ProgressReport& progress) {
+  expect_sound(echoes, options);
+  Sums sums;
+  sums.values.resize(grid.rows * grid.columns);
+  if (options.aperture != BackProjectionOptions::Aperture::all) sums.weights.resize(sums.values.size());
+  if (sums.values.empty() || echoes.volts.empty()) return sums.values;
+
+  const std::size_t pulses = echoes.track.size();
+  const std::size_t pulse_bytes = EchoRecords::factor * EchoRecords::floats * sizeof(float) * echoes.samples;
+  const std::size_t block = std::min(pulses, std::clamp<std::size_t>(block_bytes / pulse_bytes, 4, longest_block));
+  EchoRecords records(echoes, options.range_window, block);
+  ProjectionConstants constants = constants_of(echoes, options);
+  constants.record_count = records.count();
+  const ProjectionAperture aperture = aperture_of(options);
+  const Tiles tiles(grid);
+  const std::vector<Stretch> stretches = stretches_of(tiles, echoes, control);
+
+  std::vector<ProjectionPulse> together;
+  for (std::size_t first = 0; first < pulses; first += block) {
+    const std::size_t count = std::min(block, pulses - first);
+    records.fill(first, count, control);
+    together.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      together.push_back({echoes.track[first + i].position_m, echoes.track[first + i].velocity_mps, records.at(i)});
+    parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
+      const auto tile = std::make_unique<ProjectionTile>();
+      for (std::size_t index = begin; index < end; ++index) {
+        tiles.place(index, *tile);
+        load(sums, tiles, index, grid.columns, *tile);
+        project(together, constants, aperture, stretches[index], *tile);
+        store(*tile, tiles, index, grid.columns, sums);
+      }
+    });
+    if (progress) progress({first + count, pulses, sums.values.size()});
+  }
+  normalize(sums, pulses);
+  return std::move(sums.values);
+}
+
+FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
+                          const ImageAxis& range, const BackProjectionOptions& options, const WorkControl& control,
+                          const ProgressReport& progress) {
+  const PointGrid grid = points_of(frame, azimuth, range);
+  FocusedImage image;
+  image.frame = frame;
+  image.azimuth = azimuth;
+  image.range = range;
+  image.carrier_hz = echoes.waveform.carrier_hz;
+  image.light_speed_mps = echoes.waveform.light_speed_mps;
+  image.values = back_project(echoes, grid, options, control, progress);
+  ReferenceTrack line = fitted_track(echoes.track);
+  if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
+  const double turns_per_m = 2.0 * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t column = 0; column < grid.columns; ++column) {
+        const Vec3 point_m = grid.origin_m + static_cast<double>(row) * grid.row_step_m +
+                             static_cast<double>(column) * grid.column_step_m;
+        const double turns = turns_per_m * distance_from(line, point_m);
+        image.values[row * grid.columns + column] *= std::complex<float>(turned_exactly(-turns));
+      }
+  });
+  return image;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/maths/vector.hpp"
+
+namespace sarsim {
+
+/// What all pulses of a back-projection have in common.
+struct ProjectionConstants {
+  double carrier_hz = 0.0;
+  double light_speed_mps = 0.0;
+  double first_delay_s = 0.0;
+  double records_per_s = 0.0;     ///< EchoRecords::factor times the sampling rate.
+  double doppler_delay_s2 = 0.0;  ///< 1/K: the peak of a chirp of rate K lies fd/K before its delay. 0: it does not.
+  bool moving = true;             ///< Delay 2 d/(c - v), else 2 d/c.
+  std::size_t record_count = 0;   ///< Of a pulse, both zero records included.
+};
+
+/// Where a pulse was sent and how fast the antenna flew.
+struct ProjectionPulse {
+  Vec3 position_m;
+  Vec3 velocity_mps;
+  const float* records = nullptr;  ///< signal/sar/echo_records.hpp.
+};
+
+/// Which pulses a point takes, by a number `place` that runs from -1/2 to 1/2 along the aperture.
+struct ProjectionAperture {
+  /// All pulses; those from whose heading the point lies at some angles; those sent at some times.
+  enum class Kind { all, angle, time } kind = Kind::all;
+  Vec3 heading;             ///< Length 1; 0: that of each pulse's velocity.
+  double squint_rad = 0.0;  ///< Of the middle: ahead of the plane perpendicular to the heading.
+  double extent = 0.0;      ///< angle: rad, time: s.
+  bool uniform = true;      ///< No weight but 0 and 1.
+  static constexpr std::size_t pieces = 512;
+  std::vector<float> weights;  ///< pieces + 1 values from place -1/2 to 1/2 and one more; empty where uniform.
+};
+
+/// A rectangle of points, corner + row * row_step + column * column_step, and their sums.
+struct ProjectionTile {
+  static constexpr std::size_t rows = 32;
+  static constexpr std::size_t columns = 64;
+
+  Vec3 corner_m;
+  Vec3 row_step_m;
+  Vec3 column_step_m;
+  std::size_t used_rows = rows;        ///< The others are not computed.
+  std::size_t used_columns = columns;  ///< The others are computed in part.
+  alignas(64) std::array<float, rows * columns> re{};
+  alignas(64) std::array<float, rows * columns> im{};
+  alignas(64) std::array<float, rows * columns> weight{};  ///< Sum of weights; left alone by Kind::all.
+};
+
+/// How delays vary along a stretch of a row: as a polynomial of degree 3 about its middle, or point by point where
+/// that is not exact enough.
+enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 = 64 };
+
+/// The longest stretch whose neglected term of degree 4, (h s)^4/(8 d^3) for points s apart, h = half the stretch, and
+/// a distance d, turns the phase by less than 1e-5 cycles.
+[[nodiscard]] Stretch stretch_for(double nearest_m, double column_step_m, double wavelength_m);
+
+/// Adds to the tile, for each of its points x and each pulse,
+///
+///     w s(tau(x) - fd/K) exp(+j 2 pi (f tau(x) + fd^2/(2 K))),      fd = -2 v f/c,
+///
+/// s the pulse's echo between records and w its weight. Distances, delays and the reference of every phase are in
+/// double precision at the middle of each stretch; from there a polynomial in float leads on, with whole turns per
+/// point taken out of its linear term: within 1.3e-5 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
+/// choice of the instruction set.
+void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
+             const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile);
+
+}  // namespace sarsim

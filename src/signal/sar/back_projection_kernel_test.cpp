@@ -1,0 +1,154 @@
+#include "signal/sar/back_projection_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "signal/sar/echo_records.hpp"
+#include "signal/sar/sar_test_support.hpp"
+
+namespace sarsim {
+namespace {
+
+constexpr double carrier_hz = 5.3e9;
+constexpr double wavelength_m = exact_light_speed_mps / carrier_hz;
+
+// Records that change slowly, so that only phases matter: one broad echo with a slope, all pulses the same.
+struct Setting {
+  SarEchoes echoes;
+  std::unique_ptr<EchoRecords> records;
+  ProjectionConstants constants;
+  std::vector<ProjectionPulse> pulses;
+};
+
+Setting setting_at(double distance_m) {
+  Setting s;
+  s.echoes = test::thesis_echoes(7, 100.0);
+  s.echoes.waveform.pulse_width_s = 1e-4;
+  s.echoes.samples = 200;
+  s.echoes.first_delay_s = 2.0 * distance_m / exact_light_speed_mps - 100.0 / 60e6;
+  const Vec3 antenna{-0.6 * distance_m, -0.7 * distance_m, std::sqrt(0.15) * distance_m};
+  s.echoes.track = test::straight_flight(antenna, {150.0, -90.0, 5.0}, 100.0, 7);
+  for (std::size_t p = 0; p < 7; ++p)
+    for (std::size_t n = 0; n < 200; ++n) {
+      const double x = (static_cast<double>(n) - 100.0) / 60.0;
+      s.echoes.volts.emplace_back(static_cast<float>(std::exp(-x * x)),
+                                  static_cast<float>(0.3 * std::exp(-2.0 * x * x)));
+    }
+  s.records = std::make_unique<EchoRecords>(s.echoes, WindowFunction{}, 7);
+  s.records->fill(0, 7, {});
+  s.constants = {carrier_hz, exact_light_speed_mps, s.echoes.first_delay_s, 8.0 * 60e6, 1e-4 / 50e6,
+                 true,       s.records->count()};
+  for (std::size_t p = 0; p < 7; ++p)
+    s.pulses.push_back({s.echoes.track[p].position_m, s.echoes.track[p].velocity_mps, s.records->at(p)});
+  return s;
+}
+
+ProjectionTile tile_with(double spacing_m) {
+  ProjectionTile tile;
+  tile.corner_m = {-32.0 * spacing_m, -16.0 * spacing_m, 0.0};
+  tile.column_step_m = {0.8 * spacing_m, 0.6 * spacing_m, 0.0};
+  tile.row_step_m = {-0.6 * spacing_m, 0.8 * spacing_m, 0.0};
+  return tile;
+}
+
+double largest_difference(const ProjectionTile& a, const ProjectionTile& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.re.size(); ++i)
+    largest = std::max(largest, std::hypot(static_cast<double>(a.re[i]) - static_cast<double>(b.re[i]),
+                                           static_cast<double>(a.im[i]) - static_cast<double>(b.im[i])));
+  return largest;
+}
+
+// The same records point by point in double precision.
+TEST(Project, OfEveryStretchIsThatOfSinglePointsOnEveryInstructionSet) {
+  for (const double distance_m : {60.0, 150.0, 400.0, 1000.0, 10e3, 1e6}) {
+    const Setting s = setting_at(distance_m);
+    for (const double spacing_m : {0.03, 0.25, 1.0}) {
+      const Stretch longest = stretch_for(0.97 * distance_m - 36.0 * spacing_m, spacing_m, wavelength_m);
+      ProjectionTile expected = tile_with(spacing_m);
+      project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+      for (const Stretch stretch : {Stretch::of_16, Stretch::of_32, Stretch::of_64}) {
+        if (stretch > longest) continue;
+        test::on_every_instruction_set([&](std::int64_t target) {
+          ProjectionTile got = tile_with(spacing_m);
+          project(s.pulses, s.constants, {}, stretch, got);
+          // 1e-5 cycles of the series, 3e-6 of the floats, at 7 pulses of height 1; records are 1e-3 steep.
+          EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4)
+              << distance_m << " " << spacing_m << " " << static_cast<int>(stretch) << " " << target;
+        });
+      }
+    }
+  }
+}
+
+TEST(Project, WeighsByTheTableAsSinglePointsDoOnEveryInstructionSet) {
+  const Setting s = setting_at(10e3);
+  for (const auto kind : {ProjectionAperture::Kind::angle, ProjectionAperture::Kind::time}) {
+    ProjectionAperture aperture;
+    aperture.kind = kind;
+    const Vec3& v = s.pulses[3].velocity_mps;
+    const Vec3 sight = -s.pulses[3].position_m;
+    aperture.squint_rad = std::asin(dot(sight, v) / (norm(sight) * norm(v)));
+    // The points see the aperture from end to end, and beyond.
+    aperture.extent = kind == ProjectionAperture::Kind::angle ? 0.006 : 0.3;
+    aperture.uniform = false;
+    for (std::size_t i = 0; i <= ProjectionAperture::pieces + 1; ++i)
+      aperture.weights.push_back(i % 2 == 0 ? 0.5F : 1.5F);
+    ProjectionTile expected = tile_with(1.0);
+    project(s.pulses, s.constants, aperture, Stretch::by_point, expected);
+    test::on_every_instruction_set([&](std::int64_t target) {
+      ProjectionTile got = tile_with(1.0);
+      project(s.pulses, s.constants, aperture, Stretch::of_64, got);
+      std::size_t far = 0, reached = 0;
+      for (std::size_t i = 0; i < got.weight.size(); ++i) {
+        // The zigzag rises by 1 in 1/512 of the aperture: places are to be right to a hundredth of that. A point at the
+        // edge of the aperture may fall to either side.
+        if (std::abs(got.weight[i] - expected.weight[i]) > 0.02F) ++far;
+        if (expected.weight[i] > 0.0F) ++reached;
+      }
+      EXPECT_LE(far, 4u) << target;
+      EXPECT_GT(reached, 500u);
+      EXPECT_LT(reached, got.weight.size());
+    });
+  }
+}
+
+TEST(Project, ComputesNoMoreThanIsUsed) {
+  const Setting s = setting_at(10e3);
+  ProjectionTile all = tile_with(1.0), part = tile_with(1.0);
+  project(s.pulses, s.constants, {}, Stretch::of_32, all);
+  part.used_rows = 5;
+  part.used_columns = 35;
+  project(s.pulses, s.constants, {}, Stretch::of_32, part);
+  for (std::size_t row = 0; row < 32; ++row)
+    for (std::size_t column = 0; column < 35; ++column) {
+      const std::size_t i = row * ProjectionTile::columns + column;
+      ASSERT_EQ(part.re[i], row < 5 ? all.re[i] : 0.0F);
+    }
+}
+
+TEST(StretchFor, IsTheLongestWhoseNeglectedTermIsSmall) {
+  const auto neglected_cycles = [](double nearest_m, double step_m, double half) {
+    return 2.0 / wavelength_m * std::pow(half * step_m, 4.0) / (8.0 * std::pow(nearest_m, 3.0));
+  };
+  int seen[4] = {0, 0, 0, 0};
+  for (double nearest_m = 1.0; nearest_m < 1e5; nearest_m *= 1.07)
+    for (const double step_m : {0.02, 0.3, 1.5}) {
+      const auto length = static_cast<std::size_t>(stretch_for(nearest_m, step_m, wavelength_m));
+      if (length > 0) {
+        EXPECT_LT(neglected_cycles(nearest_m, step_m, 0.5 * static_cast<double>(length)), 1e-5);
+        EXPECT_LE(0.5 * static_cast<double>(length) * step_m, 0.1 * nearest_m);
+      }
+      if (length < 64) {
+        const double longer = length == 0 ? 8.0 : static_cast<double>(length);
+        EXPECT_TRUE(neglected_cycles(nearest_m, step_m, longer) >= 1e-5 || longer * step_m > 0.1 * nearest_m);
+      }
+      ++seen[length == 0 ? 0 : length == 16 ? 1 : length == 32 ? 2 : 3];
+    }
+  for (const int times : seen) EXPECT_GT(times, 0);
+  EXPECT_EQ(stretch_for(-5.0, 1.0, wavelength_m), Stretch::by_point);
+}
+
+}  // namespace
+}  // namespace sarsim

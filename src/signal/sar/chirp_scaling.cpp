@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "core/maths/turns.hpp"
+#include "signal/sar/focus_frame.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Raney, Runge, Bamler, Cumming, Wong, "Precision SAR processing using chirp scaling", IEEE Trans. GRS-32, 1994. The
+// echoes come compressed: they are dispersed again, to chirps of a rate K of our choice, in the same multiplication
+// that removes the secondary compression of the middle of the swath. So K is the rate at every Doppler frequency.
+class ChirpScaling : public RowFocuser {
+ public:
+  explicit ChirpScaling(const FocusFrame& frame)
+      : frame_(frame),
+        fft_(frame.range_size),
+        rate_hzps_(std::pow(frame.waveform.bandwidth_hz, 2) / dispersed_time_bandwidth) {}
+
+  void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
+    const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    disperse(row, sine, cosine);
+    fft_.inverse(row);
+    scale(row, cosine);
+    fft_.forward(row);
+    compress(row, cosine);
+    fft_.inverse(row);
+  }
+
+  double azimuth_turns(double range_m, double cosine) const override {
+    const double c = frame_.waveform.light_speed_mps;
+    const double from_reference_m = (range_m - frame_.reference_range_m) / cosine;
+    const double scaling = 2.0 * rate_hzps_ / (c * c) * (1.0 - cosine / frame_.centroid_cosine);
+    return 2.0 * range_m * (cosine - 1.0) / frame_.wavelength_m() - scaling * from_reference_m * from_reference_m;
+  }
+
+ private:
+  void disperse(std::span<std::complex<float>> row, double sine, double cosine) const {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const double hz = frame_.range_hz(k);
+      row[k] = product(row[k], turned(secondary_turns(frame_, hz, sine, cosine) - 0.5 * hz * hz / rate_hzps_));
+    }
+  }
+
+  // Makes the curves of all ranges the same as that of the reference.
+  void scale(std::span<std::complex<float>> row, double cosine) const {
+    const double fs = frame_.waveform.sample_rate_hz;
+    const double half_rate = 0.5 * rate_hzps_ * (frame_.centroid_cosine / cosine - 1.0);
+    const double centre_s = 2.0 * frame_.reference_range_m / (frame_.waveform.light_speed_mps * cosine);
+    // Half the room beyond the samples stands for times before them.
+    const std::size_t wrapped = row.size() - (row.size() - frame_.samples) / 2;
+    for (std::size_t n = 0; n < row.size(); ++n) {
+      const double index = static_cast<double>(n) - (n >= wrapped ? static_cast<double>(row.size()) : 0.0);
+      const double time_s = frame_.first_delay_s + index / fs - centre_s;
+      row[n] = product(row[n], turned(half_rate * time_s * time_s));
+    }
+  }
+
+  // Compresses and moves everything by the curve of the reference. Scaling has changed the band by Dc/D.
+  void compress(std::span<std::complex<float>> row, double cosine) const {
+    const double to_centroid = cosine / frame_.centroid_cosine;
+    const double half_inverse_rate = 0.5 * to_centroid / rate_hzps_;
+    const double shift_s = 2.0 * frame_.reference_range_m / frame_.waveform.light_speed_mps *
+                           (1.0 / cosine - 1.0 / frame_.centroid_cosine);
+    const auto size = static_cast<float>(std::sqrt(to_centroid) / static_cast<double>(row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const double hz = frame_.range_hz(k);
+      row[k] = size * product(row[k], turned(half_inverse_rate * hz * hz + shift_s * hz));
+    }
+  }
+
+  FocusFrame frame_;
+  BasicFft<float> fft_;
+  double rate_hzps_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowFocuser> make_chirp_scaling(const FocusFrame& frame) {
+  return std::make_unique<ChirpScaling>(frame);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,113 @@
+#include "signal/sar/focus_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/sinc_table.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Samples of a range row with what each method needs beyond those recorded.
+std::size_t padded_samples(const FocusFrame& frame) {
+  const double samples = static_cast<double>(frame.samples);
+  switch (frame.options.method) {
+    case FocusMethod::omega_k: return static_cast<std::size_t>(std::ceil(samples * 4.0 / 3.0)) + SincTable::taps;
+    case FocusMethod::chirp_scaling:
+      return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) + SincTable::taps;
+    case FocusMethod::range_doppler: break;
+  }
+  return frame.samples + 2 * SincTable::taps;
+}
+
+void set_range_axis(FocusFrame& frame) {
+  const double c = frame.waveform.light_speed_mps;
+  const double fs = frame.waveform.sample_rate_hz;
+  const double cosine = frame.centroid_cosine;
+  const bool scaled = frame.options.method == FocusMethod::chirp_scaling;
+  frame.range.first_m = 0.5 * c * frame.first_delay_s * cosine;
+  frame.range.step_m = 0.5 * c / fs * (scaled ? cosine : 1.0);
+  const double samples = static_cast<double>(frame.samples);
+  frame.range.count = scaled ? frame.samples : static_cast<std::size_t>(std::ceil(samples * cosine));
+  frame.range.spectrum_centre_per_m = 2.0 * frame.waveform.carrier_hz * (cosine - 1.0) / c;
+  frame.reference_range_m = frame.range.at(0.5 * static_cast<double>(frame.range.count));
+}
+
+// Pulses by which the beam's centre meets a target before (positive: the target lies ahead) its closest approach.
+double lead_pulses(const FocusFrame& frame, double range_m) {
+  const double tangent = frame.sine(frame.options.doppler_centroid_hz) / frame.centroid_cosine;
+  return range_m * tangent / frame.track.speed_mps * frame.prf_hz();
+}
+
+// Pulses over which echoes of a target sweep half the band between two of its images.
+double half_aperture_pulses(const FocusFrame& frame) {
+  const double band_hz = frame.options.doppler_bandwidth_hz > 0.0 ? frame.options.doppler_bandwidth_hz : frame.prf_hz();
+  const double far_m = frame.range.at(static_cast<double>(frame.range.count)) / std::pow(frame.centroid_cosine, 3);
+  const double rate_hzps = 2.0 * std::pow(frame.track.speed_mps, 2) / (frame.wavelength_m() * far_m);
+  return std::min(0.5 * band_hz / rate_hzps * frame.prf_hz(), static_cast<double>(frame.pulses));
+}
+
+void set_azimuth_axis(FocusFrame& frame) {
+  const double near = lead_pulses(frame, frame.range.at(0.0));
+  const double far = lead_pulses(frame, frame.range.at(static_cast<double>(frame.range.count)));
+  const double half_aperture = half_aperture_pulses(frame);
+  // Targets beside the record's ends still have half their aperture in it: their responses are to be seen whole.
+  const double margin = std::min(half_aperture, static_cast<double>(frame.pulses) / 8.0);
+  frame.first_pulse = static_cast<std::ptrdiff_t>(std::floor(std::min(near, far) - margin));
+  frame.azimuth.count = frame.pulses + static_cast<std::size_t>(std::ceil(std::abs(far - near) + 2.0 * margin));
+  frame.azimuth.step_m = frame.track.speed_mps * frame.track.interval_s;
+  frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_pulse));
+  frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
+  frame.azimuth_size = good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
+}
+
+}  // namespace
+
+double FocusFrame::doppler_hz(std::size_t row) const {
+  const double base_hz = static_cast<double>(row) / static_cast<double>(azimuth_size) * prf_hz();
+  const double folds = std::floor((options.doppler_centroid_hz - base_hz) / prf_hz() + 0.5);
+  return base_hz + folds * prf_hz();
+}
+
+double FocusFrame::motion_doppler_hz(double hz) const {
+  return 2.0 * hz * std::pow(track.speed_mps / waveform.light_speed_mps, 2);
+}
+
+double FocusFrame::sine(double doppler_hz) const { return 0.5 * wavelength_m() * doppler_hz / track.speed_mps; }
+
+double FocusFrame::range_hz(std::size_t bin) const {
+  const double step_hz = waveform.sample_rate_hz / static_cast<double>(range_size);
+  const auto number = static_cast<double>(bin);
+  return step_hz * (2 * bin < range_size ? number : number - static_cast<double>(range_size));
+}
+
+FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
+  FocusFrame frame;
+  frame.waveform = echoes.waveform;
+  frame.track = fit_straight(echoes.track);
+  frame.options = options;
+  frame.pulses = echoes.track.size();
+  frame.samples = echoes.samples;
+  frame.first_delay_s = echoes.first_delay_s;
+  const double sine = frame.sine(options.doppler_centroid_hz);
+  frame.centroid_cosine = std::sqrt(1.0 - sine * sine);
+  set_range_axis(frame);
+  set_azimuth_axis(frame);
+  frame.range_size = good_fft_size(padded_samples(frame));
+  return frame;
+}
+
+double dispersed_samples(const SarWaveform& waveform) {
+  return dispersed_time_bandwidth * std::pow(waveform.sample_rate_hz / waveform.bandwidth_hz, 2);
+}
+
+double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine) {
+  // Without the difference of two large numbers: with s = sqrt(...), s - f0 D = (2 f0 f + f^2)/(s + f0 D).
+  const double f0 = frame.waveform.carrier_hz;
+  const double root = std::sqrt(std::max(0.0, (f0 + range_hz) * (f0 + range_hz) - f0 * f0 * sine * sine));
+  const double beyond = (2.0 * f0 + range_hz) * range_hz / (root + f0 * cosine) - range_hz / cosine;
+  return 2.0 * frame.reference_range_m / frame.waveform.light_speed_mps * beyond;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/maths/fft.hpp"
+#include "signal/sar/focusing.hpp"
+#include "signal/sar/sar_track.hpp"
+
+namespace sarsim {
+
+/// What the three methods have in common: sizes, axes and the hyperbola in numbers.
+struct FocusFrame {
+  SarWaveform waveform;
+  StraightTrack track;
+  FocusOptions options;
+  std::size_t pulses = 0;
+  std::size_t samples = 0;
+  double first_delay_s = 0.0;
+
+  std::size_t azimuth_size = 0;    ///< Of the Fourier transforms over pulses.
+  std::size_t range_size = 0;      ///< Of those over samples.
+  std::ptrdiff_t first_pulse = 0;  ///< Pulse, counted like those of the echoes, at which the image begins.
+  ImageAxis azimuth;
+  ImageAxis range;
+  double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
+  double centroid_cosine = 1.0;    ///< D at the Doppler centroid.
+
+  [[nodiscard]] double wavelength_m() const { return waveform.light_speed_mps / waveform.carrier_hz; }
+  [[nodiscard]] double prf_hz() const { return 1.0 / track.interval_s; }
+  /// Doppler frequency of a row of the azimuth spectrum: within half the pulse repetition frequency of the centroid.
+  [[nodiscard]] double doppler_hz(std::size_t row) const;
+  /// What the antenna's own motion between sending and receiving adds to a Doppler frequency at `hz`: 2 hz V^2/c^2.
+  [[nodiscard]] double motion_doppler_hz(double hz) const;
+  /// sin of the angle between the line of sight and the plane across track: wavelength f/(2 V).
+  [[nodiscard]] double sine(double doppler_hz) const;
+  /// Frequency of a bin of a range spectrum, in [-fs/2, fs/2).
+  [[nodiscard]] double range_hz(std::size_t bin) const;
+};
+
+/// @param echoes  at least two pulses of an antenna that moves; std::invalid_argument for fewer
+[[nodiscard]] FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options);
+
+/// What differs between the methods: how a row of the two-dimensional spectrum becomes one of ranges against Doppler
+/// frequency, and what remains to be turned there.
+class RowFocuser {
+ public:
+  RowFocuser() = default;
+  RowFocuser(const RowFocuser&) = delete;
+  RowFocuser& operator=(const RowFocuser&) = delete;
+  virtual ~RowFocuser() = default;
+
+  /// @param doppler_hz   of the row, the antenna's motion between sending and receiving not yet added
+  /// @param[in,out] row  range_size bins; then frame.range.count samples along frame.range and more of no use.
+  ///                     The unscaled transforms leave a factor range_size
+  virtual void focus(double doppler_hz, std::span<std::complex<float>> row) const = 0;
+  /// Turns by which a sample at a closest distance is to be multiplied at each Doppler frequency.
+  /// @param cosine  D
+  [[nodiscard]] virtual double azimuth_turns(double range_m, double cosine) const = 0;
+};
+
+/// The methods (docs/theory/focusing.md). Each keeps what it needs of the frame.
+[[nodiscard]] std::unique_ptr<RowFocuser> make_range_doppler(const FocusFrame& frame);
+[[nodiscard]] std::unique_ptr<RowFocuser> make_chirp_scaling(const FocusFrame& frame);
+[[nodiscard]] std::unique_ptr<RowFocuser> make_omega_k(const FocusFrame& frame);
+
+/// Time-bandwidth product of the chirps that chirp scaling gives compressed echoes back.
+inline constexpr double dispersed_time_bandwidth = 256.0;
+
+/// Samples that such a chirp is long: 256 (fs/B)^2.
+[[nodiscard]] double dispersed_samples(const SarWaveform& waveform);
+
+/// (2 R/c) (sqrt((f0 + f)^2 - (f0 sine)^2) - f0 D - f/D) of a range frequency f, in turns: what remains of the
+/// spectrum's phase beyond its first order in f. Where no wave has both frequencies the root counts as 0.
+[[nodiscard]] double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine);
+
+}  // namespace sarsim

@@ -1,0 +1,371 @@
+#include "signal/sar/focusing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/fft.hpp"
+#include "core/maths/turns.hpp"
+#include "signal/sar/focus_frame.hpp"
+#include "signal/sar/work_matrix.hpp"
+
+namespace sarsim {
+
+namespace {
+
+std::unique_ptr<RowFocuser> make_row_focuser(const FocusFrame& frame) {
+  switch (frame.options.method) {
+    case FocusMethod::range_doppler: return make_range_doppler(frame);
+    case FocusMethod::chirp_scaling: return make_chirp_scaling(frame);
+    case FocusMethod::omega_k: break;
+  }
+  return make_omega_k(frame);
+}
+
+// The weights of pulses: the azimuth window where it is not one over a Doppler band.
+std::vector<float> pulse_weights(const FocusFrame& frame) {
+  std::vector<float> weights(frame.pulses, 1.0F);
+  if (frame.options.doppler_bandwidth_hz > 0.0) return weights;
+  const auto weight = weight_of(frame.options.azimuth_window);
+  const double count = static_cast<double>(frame.pulses);
+  for (std::size_t p = 0; p < frame.pulses; ++p)
+    weights[p] = static_cast<float>(weight((static_cast<double>(p) + 0.5) / count - 0.5));
+  return weights;
+}
+
+// The weights of bins of a range spectrum, with the scale of the transforms over range.
+std::vector<float> range_weights(const FocusFrame& frame) {
+  std::vector<float> weights(frame.range_size, static_cast<float>(1.0 / static_cast<double>(frame.range_size)));
+  if (frame.options.range_window.kind == SarWindow::Kind::rectangular) return weights;
+  const auto weight = weight_of(frame.options.range_window);
+  const double scale = 1.0 / mean_weight(frame.options.range_window);
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    weights[k] *= static_cast<float>(scale * weight(frame.range_hz(k) / std::abs(frame.waveform.bandwidth_hz)));
+  return weights;
+}
+
+// What a row of the azimuth spectrum is multiplied by, apart from what depends on range.
+struct DopplerRow {
+  double cosine = 1.0;  ///< D.
+  float weight = 0.0F;  ///< 0 for frequencies that no direction has.
+};
+
+// Frequencies whose direction is within 2.6 degrees of the track count as those of none: the weight grows beyond all
+// bounds there, and so would the noise of a platform so slow that its pulses sample more than all directions.
+constexpr double most_sine = 0.999;
+
+std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
+  const double band_hz = frame.options.doppler_bandwidth_hz;
+  const auto weight = weight_of(frame.options.azimuth_window);
+  std::vector<DopplerRow> rows(frame.azimuth_size);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double hz = frame.doppler_hz(k);
+    const double sine = frame.sine(hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
+    if (!(std::abs(sine) < most_sine)) continue;
+    rows[k].cosine = std::sqrt(1.0 - sine * sine);
+    const double kept = band_hz > 0.0 ? weight((hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
+    rows[k].weight = static_cast<float>(kept / std::pow(rows[k].cosine, 1.5));
+  }
+  return rows;
+}
+
+// 1/sqrt(rate of the Doppler frequency) of a target at 1 m, without the power of D.
+double unit_chirp(const FocusFrame& frame) { return std::sqrt(0.5 * frame.wavelength_m()) / frame.track.speed_mps; }
+
+// What makes the peak of a target at 1 m the weighted mean of its echoes, times the inverse of the transform's size: by
+// stationary phase the spectrum of echoes a(t) is prf a/sqrt(rate), and df = rate dt.
+double amplitude_scale(const FocusFrame& frame, const std::vector<float>& pulses, const std::vector<DopplerRow>& rows) {
+  const double size = static_cast<double>(frame.azimuth_size);
+  if (frame.options.doppler_bandwidth_hz <= 0.0) {
+    const double aperture_s = std::accumulate(pulses.begin(), pulses.end(), 0.0) * frame.track.interval_s;
+    return unit_chirp(frame) / (size * aperture_s);
+  }
+  double sum = 0.0;
+  for (const DopplerRow& row : rows) sum += static_cast<double>(row.weight) / std::pow(row.cosine, 1.5);
+  return 1.0 / (sum * frame.prf_hz() * unit_chirp(frame));
+}
+
+FocusedImage empty_image(const FocusFrame& frame) {
+  FocusedImage image;
+  image.frame = {.plane = ImagePlane::slant_range,
+                 .origin_m = frame.track.origin_m,
+                 .along = frame.track.along,
+                 .speed_mps = frame.track.speed_mps};
+  image.azimuth = frame.azimuth;
+  image.range = frame.range;
+  image.carrier_hz = frame.waveform.carrier_hz;
+  image.light_speed_mps = frame.waveform.light_speed_mps;
+  return image;
+}
+
+class Focuser {
+ public:
+  Focuser(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control, ProgressReport progress)
+      : echoes_(echoes),
+        frame_(focus_frame(echoes, options)),
+        control_(control),
+        matrix_(frame_.azimuth_size, frame_.range_size, options.memory_bytes, options.scratch_folder),
+        counter_(std::move(progress), (frame_.pulses + frame_.azimuth_size) * frame_.range_size + passes_over_columns(),
+                 frame_.range_size),
+        azimuth_fft_(frame_.azimuth_size) {}
+
+  FocusedRows carry_out() {
+    load();
+    matrix_.each_column(0, frame_.range_size, control_, counter_,
+                        [&](std::size_t, std::span<std::complex<float>> column) { azimuth_fft_.forward(column); });
+    focus_all_rows();
+    focus_all_columns();
+    return result();
+  }
+
+ private:
+  [[nodiscard]] std::size_t passes_over_columns() const {
+    return frame_.azimuth_size * (frame_.range_size + frame_.range.count);
+  }
+
+  // Range spectra of the pulses; the rows beyond them are 0.
+  void load() {
+    const BasicFft<float> fft(frame_.range_size);
+    const std::vector<float> pulses = pulse_weights(frame_);
+    const std::vector<float> bins = range_weights(frame_);
+    const auto load_row = [&](std::size_t p, std::span<std::complex<float>> row) {
+      echoes_.read(p, row.first(frame_.samples));
+      std::fill(row.begin() + static_cast<std::ptrdiff_t>(frame_.samples), row.end(), std::complex<float>());
+      fft.forward(row);
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] *= pulses[p] * bins[k];
+    };
+    matrix_.each_row(0, frame_.pulses, control_, counter_, load_row);
+  }
+
+  void focus_all_rows() {
+    const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
+    const std::vector<DopplerRow> rows = doppler_rows(frame_);
+    const auto focus_row = [&](std::size_t k, std::span<std::complex<float>> row) {
+      if (rows[k].weight != 0.0F) {
+        undo_doppler_in_pulse(frame_.doppler_hz(k), row);
+        focuser->focus(frame_.doppler_hz(k), row);
+      } else {
+        std::ranges::fill(row, std::complex<float>());
+      }
+    };
+    matrix_.each_row(0, frame_.azimuth_size, control_, counter_, focus_row);
+  }
+
+  // A chirp of the rate K that is shifted in frequency has its peak fd/K earlier, turned by -pi fd^2/K.
+  void undo_doppler_in_pulse(double doppler_hz, std::span<std::complex<float>> row) const {
+    constexpr double least_turns = 5e-4;  // over the band
+    const double delay_s = doppler_hz * frame_.waveform.pulse_width_s / frame_.waveform.bandwidth_hz;
+    if (std::abs(delay_s * frame_.waveform.bandwidth_hz) < least_turns) return;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = product(row[k], turned((0.5 * doppler_hz - frame_.range_hz(k)) * delay_s));
+  }
+
+  void focus_all_columns() {
+    const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
+    const std::vector<DopplerRow> rows = doppler_rows(frame_);
+    const double scale = amplitude_scale(frame_, pulse_weights(frame_), rows);
+    const bool band = frame_.options.doppler_bandwidth_hz > 0.0;
+    constexpr double stationary_phase_turns = 0.125;  // of the spectrum of a chirp: pi/4
+    const auto focus_column = [&](std::size_t n, std::span<std::complex<float>> column) {
+      const double range_m = frame_.range.at(static_cast<double>(n));
+      // On the track itself, and before it, there is nothing to be focused.
+      if (!(range_m > 0.0)) {
+        std::ranges::fill(column, std::complex<float>());
+        return;
+      }
+      const double spread = std::sqrt(range_m);
+      const auto size = static_cast<float>(band ? scale / spread : scale * spread);
+      for (std::size_t k = 0; k < column.size(); ++k) {
+        if (rows[k].weight == 0.0F) continue;
+        const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns;
+        column[k] = size * rows[k].weight * product(column[k], turned(turns));
+      }
+      azimuth_fft_.inverse(column);
+    };
+    matrix_.each_column(0, frame_.range.count, control_, counter_, focus_column);
+  }
+
+  FocusedRows result() {
+    FocusedRows focused;
+    focused.image = empty_image(frame_);
+    focused.on_disk = matrix_.on_disk();
+    const auto size = static_cast<std::ptrdiff_t>(frame_.azimuth_size);
+    const std::ptrdiff_t first = (frame_.first_pulse % size + size) % size;
+    const auto matrix = std::make_shared<const WorkMatrix>(std::move(matrix_));
+    focused.read = [matrix, first, size](std::size_t row, std::span<std::complex<float>> out) {
+      const std::ptrdiff_t at = (first + static_cast<std::ptrdiff_t>(row)) % size;
+      matrix->read_row(static_cast<std::size_t>(at), 0, out);
+    };
+    return focused;
+  }
+
+  const EchoRows& echoes_;
+  FocusFrame frame_;
+  WorkControl control_;
+  WorkMatrix matrix_;
+  WorkCounter counter_;
+  BasicFft<float> azimuth_fft_;
+};
+
+Problem error(std::string message, double found, std::string expected, std::string hint = {}) {
+  Problem problem;
+  problem.message = std::move(message);
+  problem.found = fmt::format("{:.6g}", found);
+  problem.expected = std::move(expected);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+void check_options(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
+                   Problems& problems) {
+  const double prf_hz = 1.0 / track.interval_s;
+  if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
+    problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
+                             fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
+  const double most_hz = 2.0 * track.speed_mps * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
+    problems.push_back(error("the Doppler centroid is that of no direction", centroid_hz,
+                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_sine * most_hz),
+                             "check the centroid"));
+}
+
+// What only the methods in the frequency domain mind.
+void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
+                    Problems& problems) {
+  const SarWaveform& waveform = echoes.waveform;
+  const double most_hz = most_sine * 2.0 * track.speed_mps * waveform.carrier_hz / waveform.light_speed_mps;
+  const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
+  if (std::abs(options.doppler_centroid_hz) < most_hz && !(reached_hz < most_hz))
+    problems.push_back(error("the Doppler frequencies of no direction are among those to be focused", reached_hz,
+                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_hz),
+                             "check the centroid, and keep a smaller band"));
+  if (options.method != FocusMethod::chirp_scaling) return;
+  // Rows are not to become many times longer; but short ones may.
+  constexpr double most_times = 8.0;
+  constexpr double short_row = 32768.0;
+  const double dispersed = dispersed_samples(waveform);
+  if (dispersed <= std::max(most_times * static_cast<double>(echoes.samples), short_row)) return;
+  problems.push_back(
+      error("chirp scaling needs rows much longer than those recorded, so much faster is the sampling "
+            "than the bandwidth asks for",
+            dispersed,
+            fmt::format("at most {:.0f} samples more in rows of {}, or {:.0f}", most_times, echoes.samples, short_row),
+            "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
+}
+
+void check_waveform(const SarWaveform& waveform, Problems& problems) {
+  if (!(waveform.carrier_hz > 0.0 && waveform.light_speed_mps > 0.0 && waveform.sample_rate_hz > 0.0))
+    problems.push_back(error("carrier, sampling rate and speed of light must be above 0", waveform.carrier_hz, {}));
+  if (const double band_hz = std::abs(waveform.bandwidth_hz); !(band_hz > 0.0 && band_hz <= waveform.sample_rate_hz))
+    problems.push_back(error("the pulse's bandwidth does not fit the sampling rate", band_hz,
+                             fmt::format("above 0 and at most {:.6g} Hz", waveform.sample_rate_hz),
+                             "sample faster, or use a pulse of a smaller bandwidth"));
+}
+
+void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& problems) {
+  if (track.worst_interval_s > 0.01 * track.interval_s) {
+    problems.push_back(error("the pulses are not evenly spaced, as methods in the frequency domain need them",
+                             track.worst_interval_s, fmt::format("within {:.3g} s", 0.01 * track.interval_s),
+                             "use back projection"));
+    problems.back().subject.field = track_field;
+  }
+  const double limit_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz / 16.0;
+  if (track.worst_position_m <= limit_m) return;
+  Problem problem =
+      error("the antenna leaves the straight line at constant speed that is assumed", track.worst_position_m,
+            fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m),
+            "compensate its motion, or use back projection");
+  problem.severity = Severity::warning;
+  problem.subject.field = track_field;
+  problems.push_back(problem);
+}
+
+// What stands against any method; the track where there is a line to fit to it.
+std::pair<Problems, std::optional<StraightTrack>> common_problems(const EchoRows& echoes, const FocusOptions& options) {
+  Problems problems;
+  check_waveform(echoes.waveform, problems);
+  if (echoes.samples < 1) problems.push_back(error("there are no samples to focus", 0.0, "at least 1"));
+  if (echoes.track.size() < 2) {
+    problems.push_back(error("too few pulses to focus", static_cast<double>(echoes.track.size()), "at least 2"));
+    return {std::move(problems), std::nullopt};
+  }
+  const StraightTrack track = fit_straight(echoes.track);
+  if (!(track.speed_mps > 0.0)) {
+    problems.push_back(error("the antenna does not move", track.speed_mps, "a speed above 0",
+                             "put the radar on a platform that follows a trajectory"));
+    return {std::move(problems), std::nullopt};
+  }
+  if (!has_errors(problems)) check_options(echoes, options, track, problems);
+  return {std::move(problems), track};
+}
+
+}  // namespace
+
+Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
+  auto [problems, track] = common_problems(echoes, options);
+  if (!track) return problems;
+  const bool sound = !has_errors(problems);
+  check_track(echoes, *track, problems);
+  if (sound) check_spectrum(echoes, options, *track, problems);
+  return problems;
+}
+
+Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
+  Problems problems = common_problems(echoes, options).first;
+  if (echoes.samples == 1)
+    problems.push_back(error("back projection interpolates between samples", 1.0, "at least 2 in a row"));
+  return problems;
+}
+
+FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
+  return empty_image(focus_frame(echoes, options));
+}
+
+FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control,
+                       const ProgressReport& progress) {
+  for (const Problem& problem : problems_of_focusing(echoes, options))
+    if (problem.severity == Severity::error) throw std::invalid_argument(to_string(problem));
+  return Focuser(echoes, options, control, progress).carry_out();
+}
+
+FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const WorkControl& control) {
+  const FocusedRows focused = focus_rows(rows_of(echoes), options, control);
+  FocusedImage image = focused.image;
+  image.values.resize(image.azimuth.count * image.range.count);
+  for (std::size_t r = 0; r < image.azimuth.count; ++r)
+    focused.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
+  return image;
+}
+
+double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const WorkControl& control) {
+  constexpr std::size_t grain = 16;
+  const std::size_t steps = echoes.track.size() - 1;
+  std::vector<std::complex<double>> sums((steps + grain - 1) / grain);
+  parallel_ranges(steps, grain, control, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::complex<float>> earlier(echoes.samples);
+    std::vector<std::complex<float>> later(echoes.samples);
+    echoes.read(begin, earlier);
+    for (std::size_t p = begin; p < end; ++p) {
+      echoes.read(p + 1, later);
+      for (std::size_t n = 0; n < later.size(); ++n)
+        sums[begin / grain] += std::complex<double>(later[n]) * std::conj(std::complex<double>(earlier[n]));
+      std::swap(earlier, later);
+    }
+  });
+  const std::complex<double> sum = std::accumulate(sums.begin(), sums.end(), std::complex<double>());
+  const double prf_hz = 1.0 / fit_straight(echoes.track).interval_s;
+  const double base_hz = std::arg(sum) / (2.0 * pi) * prf_hz;
+  return base_hz + std::round((near_hz - base_hz) / prf_hz) * prf_hz;
+}
+
+double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double squint_rad) {
+  return 2.0 * speed_mps * std::sin(squint_rad) * waveform.carrier_hz / waveform.light_speed_mps;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "core/task/progress.hpp"
+#include "signal/sar/sar_echoes.hpp"
+#include "signal/sar/sar_image.hpp"
+#include "signal/sar/sar_window.hpp"
+
+/// Focusing in the frequency domain: straight track, constant speed, evenly spaced pulses (docs/theory/focusing.md).
+namespace sarsim {
+
+enum class FocusMethod {
+  range_doppler,  ///< Interpolates in range; secondary range compression as at the middle of the swath.
+  chirp_scaling,  ///< Multiplies and Fourier transforms only.
+  omega_k,        ///< Exact for every aperture and squint: Stolt's interpolation.
+};
+
+/// How echoes are focused in the frequency domain.
+struct FocusOptions {
+  FocusMethod method = FocusMethod::omega_k;
+  SarWindow range_window{};    ///< Over the pulse's band, the rest of which it sets to 0 unless it is rectangular.
+  SarWindow azimuth_window{};  ///< Over the band that is kept, or, where all of it is, over the pulses.
+  double doppler_centroid_hz = 0.0;        ///< True one: not modulo the pulse repetition frequency.
+  double doppler_bandwidth_hz = 0.0;       ///< Kept about the centroid; 0: all.
+  std::size_t memory_bytes = 0;            ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
+  std::filesystem::path scratch_folder{};  ///< Where; empty: the system's for temporary files.
+};
+
+/// A focused image that need not be in memory.
+struct FocusedRows {
+  FocusedImage image;  ///< Without values.
+  bool on_disk = false;
+  /// Copies a row of the image.
+  std::function<void(std::size_t row, std::span<std::complex<float>> out)> read;
+};
+
+inline constexpr const char* track_field = "track";
+
+/// What stands against focusing these echoes in the frequency domain, all at once: no speed, pulses that are not evenly
+/// spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a track
+/// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape
+/// have the field `track_field`.
+[[nodiscard]] Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
+
+/// What stands against focusing them by back projection: of these the errors that concern neither the track's shape nor
+/// the Fourier transforms, and rows of a single sample.
+[[nodiscard]] Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
+
+/// The axes and the frame of the image that `focus_rows` makes, without values; also of tracks that it refuses, if only
+/// they have two pulses and a speed.
+[[nodiscard]] FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options);
+
+/// Focuses. Rows of the image are pulse positions, columns slant ranges of closest approach; phase and amplitude as
+/// FocusedImage says. The same bytes for any number of threads and any limit of memory.
+///
+/// @throws std::invalid_argument  where `problems_of_focusing` finds an error
+/// @throws Interrupted
+[[nodiscard]] FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control,
+                                     const ProgressReport& progress = {});
+
+/// The same in memory.
+[[nodiscard]] FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const WorkControl& control = {});
+
+/// Doppler centroid of the data, from the mean phase step between pulses (Madsen, IEEE Trans. AES-25, 1989), of all
+/// that differ from `near_hz` by whole pulse repetition frequencies the nearest to it.
+[[nodiscard]] double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz,
+                                                  const WorkControl& control = {});
+
+/// 2 V sin(squint)/wavelength: the Doppler frequency of a beam that looks `squint_rad` ahead of the plane across track.
+[[nodiscard]] double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double squint_rad);
+
+}  // namespace sarsim

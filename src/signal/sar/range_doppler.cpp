@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/sinc_table.hpp"
+#include "core/maths/turns.hpp"
+#include "signal/sar/focus_frame.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Cumming and Wong, "Digital Processing of Synthetic Aperture Radar Data", 2005, chapter 6, with the secondary range
+// compression of the middle of the swath in all its orders.
+class RangeDoppler : public RowFocuser {
+ public:
+  explicit RangeDoppler(const FocusFrame& frame)
+      : frame_(frame),
+        fft_(frame.range_size),
+        table_(std::abs(frame.waveform.bandwidth_hz) / frame.waveform.sample_rate_hz) {}
+
+  void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
+    const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = product(row[k], turned(secondary_turns(frame_, frame_.range_hz(k), sine, cosine)));
+    fft_.inverse(row);
+    straighten(row, cosine);
+  }
+
+  double azimuth_turns(double range_m, double cosine) const override {
+    return 2.0 * range_m * (cosine - 1.0) / frame_.wavelength_m();
+  }
+
+ private:
+  // The target at the closest distance R stands at R/D.
+  void straighten(std::span<std::complex<float>> row, double cosine) const {
+    const double fs = frame_.waveform.sample_rate_hz;
+    const double per_m = 2.0 / (frame_.waveform.light_speed_mps * cosine) * fs;
+    std::vector<std::complex<float>> curved(row.begin(), row.end());
+    for (std::size_t n = 0; n < frame_.range.count; ++n) {
+      const double position = frame_.range.at(static_cast<double>(n)) * per_m - frame_.first_delay_s * fs;
+      row[n] = table_.value(curved, position);
+    }
+  }
+
+  FocusFrame frame_;
+  BasicFft<float> fft_;
+  SincTable table_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowFocuser> make_range_doppler(const FocusFrame& frame) {
+  return std::make_unique<RangeDoppler>(frame);
+}
+
+}  // namespace sarsim

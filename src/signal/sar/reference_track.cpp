@@ -1,0 +1,37 @@
+#include "signal/sar/reference_track.hpp"
+
+namespace sarsim {
+
+ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
+  ReferenceTrack line;
+  if (track.empty()) return line;
+  const double share = 1.0 / static_cast<double>(track.size());
+  // Against the first pulse: sums of small numbers keep their digits.
+  const TrackPoint& first = track.front();
+  double time = 0.0;
+  Vec3 place;
+  for (const TrackPoint& point : track) {
+    time += share * (point.time_s - first.time_s);
+    place = place + share * (point.position_m - first.position_m);
+  }
+  double spread = 0.0;
+  Vec3 moment;
+  for (const TrackPoint& point : track) {
+    const double t = point.time_s - first.time_s - time;
+    spread += t * t;
+    moment = moment + t * (point.position_m - first.position_m - place);
+  }
+  line.time_s = first.time_s + time;
+  line.position_m = first.position_m + place;
+  line.velocity_mps = spread > 0.0 ? (1.0 / spread) * moment : first.velocity_mps;
+  return line;
+}
+
+double distance_from(const ReferenceTrack& track, const Vec3& point_m) {
+  const Vec3 r = point_m - track.position_m;
+  const double speed2 = dot(track.velocity_mps, track.velocity_mps);
+  if (speed2 == 0.0) return norm(r);
+  return norm(r - (dot(r, track.velocity_mps) / speed2) * track.velocity_mps);
+}
+
+}  // namespace sarsim

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/maths/vector.hpp"
+#include "core/task/parallel.hpp"
+#include "core/task/progress.hpp"
+
+namespace sarsim {
+
+/// Where the antenna was when one pulse left it.
+struct TrackPoint {
+  double time_s = 0.0;
+  Vec3 position_m;    ///< World.
+  Vec3 velocity_mps;  ///< World.
+};
+
+/// The waveform and the receiver, as far as focusing needs to know them.
+struct SarWaveform {
+  double carrier_hz = 0.0;
+  double bandwidth_hz = 0.0;   ///< Of the pulse; negative for a chirp that sweeps down.
+  double pulse_width_s = 0.0;  ///< Chirp rate: bandwidth_hz/pulse_width_s. 0: the pulse is no chirp.
+  double sample_rate_hz = 0.0;
+  double light_speed_mps = 0.0;
+};
+
+/// Range-compressed echoes of a train of pulses and the path the antenna took: what every focusing algorithm begins
+/// with. Sample (p, n) is the compressed baseband echo of pulse p at the delay first_delay_s + n/sample_rate_hz; a
+/// target at distance d that recedes with v has its peak at tau = 2 d/(c - v) with the phase -2 pi carrier_hz tau
+/// (docs/theory/echo-model.md); that of a chirp of the rate K, whose Doppler frequency is fd, fd/K earlier, and turned
+/// by -pi fd^2/K more.
+struct SarEchoes {
+  SarWaveform waveform;
+  std::vector<TrackPoint> track;  ///< One for each pulse.
+  std::size_t samples = 0;        ///< Of each pulse.
+  double first_delay_s = 0.0;
+  std::vector<std::complex<float>> volts;  ///< track.size() rows of `samples`.
+};
+
+/// Echoes that need not all be in memory.
+struct EchoRows {
+  SarWaveform waveform;
+  std::vector<TrackPoint> track;  ///< One for each pulse.
+  std::size_t samples = 0;
+  double first_delay_s = 0.0;
+  /// Copies the compressed echo of a pulse; called from many threads at once.
+  std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
+  bool compensated = false;  ///< As if received on the straight line that fits the track.
+};
+
+/// Keeps a reference to the echoes.
+[[nodiscard]] EchoRows rows_of(const SarEchoes& echoes);
+
+/// All rows in memory.
+/// @throw  Interrupted
+[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control = {},
+                                   const ProgressReport& progress = {});
+
+}  // namespace sarsim

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <atomic>
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "core/task/parallel.hpp"
+#include "core/task/progress.hpp"
+
+namespace sarsim {
+
+/// Counts units of work that several threads do and tells about them on the thread that made the counter.
+class WorkCounter {
+ public:
+  /// @param total  in samples; told as rows of `columns` of them
+  WorkCounter(ProgressReport report, std::size_t total, std::size_t columns);
+  /// From any thread.
+  void add(std::size_t done);
+
+ private:
+  ProgressReport report_;
+  std::size_t total_;
+  std::size_t columns_;
+  std::atomic<std::size_t> done_{0};
+  std::thread::id owner_;
+};
+
+/// Where large matrices may be worked on.
+struct WorkSpace {
+  std::size_t memory_bytes = 0;    ///< Beyond it they go to disk; 0: no limit.
+  std::filesystem::path folder{};  ///< On disk; empty: the system's folder for temporary files.
+};
+
+/// A complex matrix that is gone through by rows and by columns in turn, in memory or, where it would need more than it
+/// may, in a file without a name that is gone through piece by piece.
+class WorkMatrix {
+ public:
+  using Value = std::complex<float>;
+
+  /// @param memory_bytes  what it may hold in memory, of the matrix or of pieces, an eighth of it for copies of
+  /// columns;
+  ///                      0: no limit
+  /// @param folder        where the file is made; empty: the system's folder for temporary files.
+  ///                      std::system_error where it cannot be
+  WorkMatrix(std::size_t rows, std::size_t columns, std::size_t memory_bytes, const std::filesystem::path& folder = {});
+  ~WorkMatrix();
+  WorkMatrix(WorkMatrix&&) noexcept;
+  WorkMatrix& operator=(WorkMatrix&&) noexcept;
+
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] bool on_disk() const { return file_ != nullptr; }
+
+  /// Calls body(row number, row) for the rows [first, last), on several threads. Rows begin at multiples of 16 bytes.
+  template <class Body>
+  void each_row(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+                const Body& body);
+  /// Calls body(column number, column) for the columns [first, last); columns are copies that are written back, of up
+  /// to 16 at once on each thread.
+  template <class Body>
+  void each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+                   const Body& body);
+
+  /// Columns that each of some threads copies at once: as many as fit their part of the memory, but one at least.
+  [[nodiscard]] std::size_t columns_at_once(unsigned threads) const;
+
+  /// Copies `out.size()` values of a row, from column `first` on. Not at the same time as `each_row`.
+  void read_row(std::size_t row, std::size_t first, std::span<Value> out) const;
+
+ private:
+  struct File;
+  // Some rows of the matrix and some columns of them: all of it where it is in memory.
+  struct Piece {
+    std::size_t first_row = 0, rows = 0;
+    std::size_t first_column = 0, columns = 0;
+    std::size_t stride = 0;
+    Value* values = nullptr;
+  };
+  [[nodiscard]] std::vector<Piece> row_pieces(std::size_t first, std::size_t last);
+  [[nodiscard]] std::vector<Piece> column_pieces(std::size_t first, std::size_t last);
+  void load(Piece& piece);
+  void store(const Piece& piece);
+
+  std::size_t rows_;
+  std::size_t columns_;
+  std::size_t stride_;  // even, so that every row begins at a multiple of 16 bytes
+  std::size_t memory_bytes_ = 0;
+  std::size_t piece_values_ = 0;
+  std::vector<Value> values_;  // the matrix, or a piece of it
+  std::unique_ptr<File> file_;
+};
+
+// Implementation of the templates.
+
+template <class Body>
+void WorkMatrix::each_row(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+                          const Body& body) {
+  for (Piece& piece : row_pieces(first, last)) {
+    load(piece);
+    parallel_ranges(piece.rows, 4, control, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r)
+        body(piece.first_row + r, std::span(piece.values + r * piece.stride, columns_));
+      counter.add((end - begin) * columns_);
+    });
+    store(piece);
+  }
+}
+
+template <class Body>
+void WorkMatrix::each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+                             const Body& body) {
+  const std::size_t group = columns_at_once(control.threads);
+  const std::size_t length = rows_ + rows_ % 2;
+  for (Piece& piece : column_pieces(first, last)) {
+    load(piece);
+    parallel_ranges(piece.columns, group, control, [&](std::size_t begin, std::size_t end) {
+      std::vector<Value> copies((end - begin) * length);
+      for (std::size_t r = 0; r < rows_; ++r)
+        for (std::size_t c = begin; c < end; ++c) copies[(c - begin) * length + r] = piece.values[r * piece.stride + c];
+      for (std::size_t c = begin; c < end; ++c)
+        body(piece.first_column + c, std::span(copies).subspan((c - begin) * length, rows_));
+      for (std::size_t r = 0; r < rows_; ++r)
+        for (std::size_t c = begin; c < end; ++c) piece.values[r * piece.stride + c] = copies[(c - begin) * length + r];
+      counter.add((end - begin) * rows_);
+    });
+    store(piece);
+  }
+}
+
+}  // namespace sarsim

@@ -1,0 +1,30 @@
+#include "signal/stepped/stepped_limits.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace sarsim {
+
+double SteppedLimits::smear_cells(double speed_mps) const {
+  return std::abs(smear_m_per_mps * speed_mps) / resolution_m;
+}
+
+SteppedLimits limits_of(const SteppedBand& band, double pulse_interval_s) {
+  const SteppedWaveform& w = band.waveform();
+  const double c = w.light_speed_mps;
+  SteppedLimits limits;
+  limits.step_time_s = pulse_interval_s * static_cast<double>(w.pulses_per_step);
+  limits.burst_time_s = limits.step_time_s * static_cast<double>(w.steps - 1);
+  limits.resolution_m = 0.5 * c / band.band_hz();
+  limits.unambiguous_range_m = limits.tolerable_mps = limits.ambiguous_mps = std::numeric_limits<double>::infinity();
+  if (w.subband_hz <= 0.0) limits.seen_m = 0.5 * c * (w.seen_to_s - w.seen_from_s);
+  if (w.steps < 2) return limits;
+  limits.unambiguous_range_m = 0.5 * c / std::abs(w.carrier_step_hz);
+  limits.shift_m_per_mps = band.centre_hz() * limits.step_time_s / w.carrier_step_hz;
+  limits.smear_m_per_mps = 2.0 * limits.burst_time_s;
+  limits.tolerable_mps = 0.25 * limits.resolution_m / limits.burst_time_s;
+  limits.ambiguous_mps = 0.5 * c / (band.centre_hz() * limits.step_time_s);
+  return limits;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "simulate/plan/plan.hpp"
+#include "simulate/plan/simulate_test_scene.hpp"
+
+// Estimates are held against each other: how long a machine takes is another matter on each, and on a busy one.
+
+namespace sarsim {
+namespace {
+
+// Chirps of 300 samples, 20 pulses, `count` targets around 1 km.
+Scene scene_of(int count) {
+  Scene scene = one_target_scene();
+  scene.targets.clear();
+  for (int i = 0; i < count; ++i) scene.targets.push_back(target_on("Earth", {1000.0 + 0.01 * i, 0.0, 0.0}));
+  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.radars[0].bandwidth_hz = 50e6;
+  scene.radars[0].pulse_width_s = 5e-6;
+  scene.simulations[0].sample_rate_hz = 60e6;
+  scene.simulations[0].time_end_s = 0.0195;
+  return scene;
+}
+
+double seconds(const Scene& scene, Engine engine) {
+  return estimated_cost(make_plan(scene, 0, nullptr, engine), 1).seconds_one_thread;
+}
+
+// docs/developer/performance.md: 15 to 35 ns against 0.13 to 0.5 ns for an echo and sample, 10 to 30 ns for an echo.
+TEST(Cost, IsThatOfTheEngineThatWasChosen) {
+  const Scene scene = scene_of(20000);
+  const double reference_s = seconds(scene, Engine::reference);
+  const double direct_s = seconds(scene, Engine::direct);
+  const double spectral_s = seconds(scene, Engine::spectral);
+  EXPECT_GT(reference_s, 50.0 * direct_s);
+  EXPECT_LT(reference_s, 300.0 * direct_s);
+  EXPECT_GT(reference_s, 300.0 * spectral_s);
+  EXPECT_LT(reference_s, 2000.0 * spectral_s);
+  const double echoes = 20000.0 * 20.0;
+  EXPECT_GT(spectral_s, 10e-9 * echoes);
+  EXPECT_LT(spectral_s, 50e-9 * echoes);
+}
+
+TEST(Cost, OfTheAutomaticChoiceIsTheLeast) {
+  for (const int targets : {1, 10, 100, 1000, 10000}) {
+    const Scene scene = scene_of(targets);
+    const double least_s = std::min(seconds(scene, Engine::direct), seconds(scene, Engine::spectral));
+    const double chosen_s = seconds(scene, Engine::automatic);
+    if (make_plan(scene, 0, nullptr, Engine::automatic).engine.engine == Engine::reference) continue;  // no SIMD
+    // Nobody asks for the least where all is cheap.
+    EXPECT_LE(chosen_s, least_s + 20.0 * 20e-6) << targets;
+  }
+}
+
+TEST(Cost, GrowsWithPulsesTargetsAndNoise) {
+  const Scene scene = scene_of(1000);
+  Scene longer = scene;
+  longer.simulations[0].time_end_s = 0.1995;
+  Scene more = scene_of(10000);
+  Scene noisy = scene;
+  noisy.radars[0].noise_temperature_k = 290.0;
+  Scene compressed = scene;
+  compressed.simulations[0].processing = Processing::matched_filter;
+  for (const Engine engine : {Engine::direct, Engine::spectral}) {
+    const double once_s = seconds(scene, engine);
+    EXPECT_NEAR(seconds(longer, engine), 10.0 * once_s, 1e-6 * once_s);
+    EXPECT_GT(seconds(more, engine), 2.0 * once_s);
+    EXPECT_LT(seconds(more, engine), 10.5 * once_s);
+    EXPECT_GT(seconds(noisy, engine), once_s);
+    EXPECT_GT(seconds(compressed, engine), once_s);
+  }
+}
+
+// A surface is looked at from the front, from behind, or from both sides in turn.
+TEST(Cost, LeavesOutBacksOfSurfaces) {
+  Scene scene = scene_of(0);
+  Surface& surface = scene.surfaces.emplace_back();
+  surface.platform = "Earth";
+  surface.corner_m = {Vec3{1000.0, -50.0, 0.0}, Vec3{1000.0, 50.0, 0.0}, Vec3{1000.0, -50.0, 100.0}};
+  const double one_s = seconds(scene, Engine::direct);
+  std::swap(surface.corner_m[1], surface.corner_m[2]);
+  const double other_s = seconds(scene, Engine::direct);
+  EXPECT_GT(std::max(one_s, other_s), 20.0 * std::min(one_s, other_s));
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,53 @@
+#include "simulate/plan/engine.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "simulate/plan/cost_of_pulse.hpp"
+#include "simulate/resolve/simd_level.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::array<std::pair<Engine, std::string_view>, 4> names{{{Engine::automatic, "auto"},
+                                                                    {Engine::reference, "reference"},
+                                                                    {Engine::direct, "direct"},
+                                                                    {Engine::spectral, "spectral"}}};
+
+}  // namespace
+
+std::string_view name_of(Engine engine) {
+  return std::ranges::find(names, engine, &std::pair<Engine, std::string_view>::first)->second;
+}
+
+std::optional<Engine> engine_from_name(std::string_view name) {
+  const auto found = std::ranges::find(names, name, &std::pair<Engine, std::string_view>::second);
+  if (found == names.end()) return std::nullopt;
+  return found->first;
+}
+
+EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
+                           const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses, double tolerance) {
+  if (wanted != Engine::automatic) return {wanted, "asked for"};
+  if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
+  const PulseCost cost(scene, radar, pulse, grid, tolerance);
+  const double direct_ns = cost.direct_ns();
+  // Few echoes of short pulses: not worth asking what the transform would cost.
+  if (direct_ns < 20e3)
+    return {Engine::direct,
+            fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", cost.echoes(), cost.samples())};
+  const SpectralEstimate spectral = cost.spectral(pulses);
+  constexpr std::size_t largest_transform = std::size_t{1} << 27U;
+  const bool direct =
+      spectral.cost.doppler_terms > 20 || spectral.cost.transform_size > largest_transform || direct_ns <= spectral.ns;
+  return {
+      direct ? Engine::direct : Engine::spectral,
+      fmt::format("{:.0f} echoes a pulse of {:.0f} samples cost {} than transforms of {} points with {} Doppler terms",
+                  cost.echoes(), cost.samples(), direct ? "less" : "more", spectral.cost.transform_size,
+                  spectral.cost.doppler_terms)};
+}
+
+}  // namespace sarsim

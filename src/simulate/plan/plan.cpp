@@ -1,0 +1,293 @@
+#include "simulate/plan/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "radar/receiver/noise.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double index_tolerance = 1e-9;
+
+// Two-way time between raw samples; a row of `count` of them fills the window (decision 2).
+double raw_interval_s(const Simulation& simulation, const Conventions& conventions, std::size_t count) {
+  if (simulation.processing == Processing::matched_filter ||
+      conventions.spacing == Conventions::SampleSpacing::sampling_rate)
+    return 1.0 / simulation.sample_rate_hz;
+  const double window_s = 2.0 * (simulation.range_end_m - simulation.range_start_m) / conventions.light_speed_mps;
+  return window_s / static_cast<double>(count);
+}
+
+// What the pulse of a simulation is (decision 7), for samples `interval_s` apart.
+EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, const ResolvedScene& scene,
+                     double interval_s) {
+  EchoPulse pulse;
+  pulse.pulse = radar.pulse;
+  pulse.light_speed_mps = scene.conventions.light_speed_mps;
+  pulse.lead_s = simulation.pulse_position == Simulation::PulsePosition::centre ? 0.5 * radar.pulse.width_s : 0.0;
+  if (scene.options.pulse == PulseDefinition::band_limited) {
+    const bool nominal = simulation.oversampling > 1.0;
+    // A chirp of less than a cycle is no narrower than a pulse without one.
+    const double own_band_hz = std::max(bandwidth_hz(radar.pulse), 1.0 / radar.pulse.width_s);
+    const double half_band_hz = 0.5 * (nominal ? own_band_hz : simulation.sample_rate_hz);
+    const double kept_s = nominal ? simulation.width_factor * radar.pulse.width_s : 0.0;
+    pulse.band_limited.emplace(radar.pulse, half_band_hz, 1.0 / interval_s, kept_s);
+  }
+  return pulse;
+}
+
+double noise_stddev(const ResolvedRadar& radar, const Simulation& simulation, const Conventions& conventions) {
+  const double density = conventions.boltzmann_j_per_k * radar.noise_temperature_k;
+  if (conventions.noise == Conventions::Noise::per_sample) return std::sqrt(0.5 * density * simulation.sample_rate_hz);
+  const bool chirp = radar.pulse.kind == Pulse::Kind::chirp;
+  return std::sqrt(density * (chirp ? bandwidth_hz(radar.pulse) : 1.0 / radar.pulse.width_s));
+}
+
+// Gain at the range of each raw sample, not shifted by the pulse position (decision 14).
+std::vector<double> stc_gains(const Plan& plan) {
+  std::vector<double> gain;
+  if (plan.radar.stc == Radar::Stc::none || plan.scene->conventions.stc != Conventions::Stc::receiver_gain) return gain;
+  gain.resize(plan.raw_grid.count);
+  for (std::size_t i = 0; i < gain.size(); ++i) {
+    const double range_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.time_s(i);
+    gain[i] = plan.radar.stc == Radar::Stc::user ? plan.radar.stc_gain.value(range_m) : range_m * range_m;
+  }
+  return gain;
+}
+
+std::vector<std::size_t> identity_indices(std::size_t count) {
+  std::vector<std::size_t> index(count);
+  for (std::size_t i = 0; i < count; ++i) index[i] = i;
+  return index;
+}
+
+// Ranges of raw samples, given by their index from the start of the window.
+std::vector<double> ranges_m(const Plan& plan, const std::vector<std::size_t>& index) {
+  const double spacing_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.interval_s;
+  std::vector<double> ranges(index.size());
+  for (std::size_t i = 0; i < index.size(); ++i)
+    ranges[i] = plan.simulation.range_start_m + static_cast<double>(index[i]) * spacing_m;
+  return ranges;
+}
+
+// Number of the first raw sample, in intervals after the send time: what its noise is keyed by. Rounding must not put
+// windows that begin halfway between two numbers (CENTRE, an odd number of half samples) on different sides.
+std::int64_t first_sample_number(const SampleGrid& grid) {
+  constexpr double rounding = 1e-6;
+  return static_cast<std::int64_t>(std::floor(grid.first_s / grid.interval_s + 0.5 + rounding));
+}
+
+// Sets the raw grid, the ranges of the columns (of the gates, for profiles) and, for compressed data, the compressor.
+void plan_samples(Plan& plan, std::size_t count) {
+  const Simulation& s = plan.simulation;
+  const Conventions& conventions = plan.scene->conventions;
+  const double two_way_start_s = 2.0 * s.range_start_m / conventions.light_speed_mps;
+  const double interval_s = raw_interval_s(s, conventions, count);
+  if (s.processing != Processing::matched_filter) {
+    plan.raw_grid = {two_way_start_s, interval_s, count};
+    plan.column_range_m = ranges_m(plan, identity_indices(count));
+    return;
+  }
+  const double first_s = two_way_start_s - plan.pulse.lead_s;
+  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  std::vector<std::size_t> index = identity_indices(count);
+  CompressionFilter filter;
+  if (conventions.compression == Conventions::Compression::keeps_peak) {
+    filter = matched_filter(plan.radar.pulse, band_limited, plan.radar.window, s.sample_rate_hz);
+  } else {
+    filter = classic_matched_filter(plan.radar.pulse, plan.radar.window, s.sample_rate_hz);
+    const double ratio = 2.0 * s.sample_rate_hz * (s.range_end_m - s.range_start_m) /
+                         (conventions.light_speed_mps * static_cast<double>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      index[i] = static_cast<std::size_t>(std::floor(static_cast<double>(i) * ratio + index_tolerance));
+  }
+  const std::size_t raw_count = index.back() + filter.taps.size();
+  plan.raw_grid = {first_s, interval_s, raw_count};
+  plan.column_range_m = ranges_m(plan, index);
+  plan.compressor = std::make_shared<RangeCompressor>(std::move(filter), raw_count, std::move(index));
+}
+
+void plan_rows(Plan& plan, std::size_t count) {
+  if (plan.simulation.processing != Processing::srp) {
+    plan.rows = static_cast<std::size_t>(plan.pulses.count());
+    plan.columns = count;
+    return;
+  }
+  const std::int64_t burst = plan.burst_pulses();
+  plan.first_burst = floor_divide(plan.pulses.first + burst - 1, burst);
+  const std::int64_t bursts = std::max<std::int64_t>(0, floor_divide(plan.pulses.last + 1, burst) - plan.first_burst);
+  plan.dropped_pulses = plan.pulses.count() - bursts * burst;
+  plan.rows = static_cast<std::size_t>(bursts);
+  const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
+  plan.columns = count * steps;
+  std::vector<double> gates_m = std::move(plan.column_range_m);
+  const double bin_m =
+      0.5 * plan.scene->conventions.light_speed_mps / (static_cast<double>(steps) * plan.radar.carrier.step_hz());
+  plan.column_range_m.assign(plan.columns, 0.0);
+  for (std::size_t c = 0; c < plan.columns; ++c)
+    plan.column_range_m[c] = gates_m[c / steps] + static_cast<double>(c % steps) * bin_m;
+  plan.profiler =
+      std::make_shared<RangeProfiler>(std::move(gates_m), plan.radar.carrier.steps(), plan.radar.carrier.step_hz(),
+                                      plan.radar.window, plan.scene->conventions.light_speed_mps);
+}
+
+}  // namespace
+
+std::int64_t Plan::first_pulse_of_row(std::size_t row) const {
+  if (simulation.processing == Processing::srp) return (first_burst + static_cast<std::int64_t>(row)) * burst_pulses();
+  return pulses.first + static_cast<std::int64_t>(row);
+}
+
+double sample_count(const Simulation& simulation, double light_speed_mps) {
+  // The guard keeps a window that was computed to hold a half sample from losing it to rounding.
+  return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
+                        light_speed_mps +
+                    0.5 + index_tolerance);
+}
+
+Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved, Engine engine,
+               const StopFlag* stop) {
+  Plan plan;
+  plan.simulation = scene.simulations.at(index);
+  plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene, {1, stop}));
+  const std::size_t radar = find_radar(scene, plan.simulation.radar);
+  if (radar == not_found) throw std::invalid_argument("radar '" + plan.simulation.radar + "' is not defined");
+  plan.radar = resolve_radar(scene, *plan.scene, radar);
+  plan.pulses = plan.radar.repetition.pulses_in(plan.simulation.time_start_s, plan.simulation.time_end_s);
+  const double count = sample_count(plan.simulation, plan.scene->conventions.light_speed_mps);
+  if (!(count >= 1.0) || plan.pulses.count() < 1)
+    throw std::invalid_argument("the window of simulation " + std::to_string(index + 1) + " is empty");
+  if (count > 0x1p40) throw std::invalid_argument(fmt::format("a row of {:g} samples cannot be held", count));
+  const double interval_s = raw_interval_s(plan.simulation, plan.scene->conventions, static_cast<std::size_t>(count));
+  plan.pulse = echo_pulse(plan.radar, plan.simulation, *plan.scene, interval_s);
+  plan_samples(plan, static_cast<std::size_t>(count));
+  plan_rows(plan, static_cast<std::size_t>(count));
+  plan.noise_stddev_v = noise_stddev(plan.radar, plan.simulation, plan.scene->conventions);
+  plan.noise_first_sample = first_sample_number(plan.raw_grid);
+  plan.stc_gain = stc_gains(plan);
+  plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
+                              plan.scene->options.tolerance);
+  if (plan.engine.engine != Engine::reference)
+    plan.points = std::make_shared<const PointGroups>(group_points(*plan.scene, plan.radar, stop));
+  return plan;
+}
+
+Product product_of(const Plan& plan, std::string script) {
+  Product product;
+  product.radar = plan.radar.name;
+  product.processing = plan.simulation.processing;
+  product.rows = plan.rows;
+  product.columns = plan.columns;
+  // The axes are functions so that a long recording costs no memory; they keep the plan's schedule, not the plan.
+  const bool srp = plan.simulation.processing == Processing::srp;
+  const std::int64_t first = plan.first_pulse_of_row(0);
+  const std::int64_t step = srp ? plan.burst_pulses() : 1;
+  const auto pulse_of = [first, step](std::size_t row) { return first + static_cast<std::int64_t>(row) * step; };
+  product.row_time_s = [pulse_of, repetition = plan.radar.repetition](std::size_t row) {
+    return repetition.send_time_s(pulse_of(row));
+  };
+  product.row_carrier_hz = [pulse_of, carrier = plan.radar.carrier](std::size_t row) {
+    return carrier.carrier_hz(pulse_of(row));
+  };
+  product.column_range_m = [ranges = plan.column_range_m](std::size_t column) { return ranges[column]; };
+  product.sample_rate_hz = plan.simulation.sample_rate_hz;
+  product.bits = plan.simulation.bits;
+  product.lsb_v = plan.simulation.lsb_v;
+  product.options = plan.scene->options;
+  product.engine = name_of(plan.engine.engine);
+  product.script = std::move(script);
+  return product;
+}
+
+RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
+  if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
+  if (plan.profiler) scratch_.resize(plan.columns);
+  const double tolerance = plan.scene->options.tolerance;
+  if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
+  if (plan.engine.engine != Engine::spectral) return;
+  RowFilter filter;
+  if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
+  spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
+}
+
+void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  switch (plan.simulation.processing) {
+    case Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
+    case Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
+    case Processing::srp: make_profile(row, out); return;
+  }
+}
+
+void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  raw_.resize(plan.raw_grid.count);
+  if (!plan.filters_spectra()) {
+    make_raw(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+    return;
+  }
+  std::ranges::fill(out, std::complex<double>());
+  if (plan.noise_stddev_v > 0.0) {
+    std::ranges::fill(raw_, std::complex<double>());
+    add_receiver_noise(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+  }
+  geometry_.set_pulse(pulse);
+  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
+  spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
+}
+
+void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  std::ranges::fill(raw, std::complex<double>());
+  geometry_.set_pulse(pulse);
+  add_row(raw);
+  if (plan.noise_stddev_v > 0.0) add_receiver_noise(pulse, raw);
+  for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
+}
+
+void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
+  const Plan& plan = *plan_;
+  const RandomStream stream(plan.scene->options.seed, RandomKind::receiver_noise, name_key(plan.radar.name));
+  add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
+}
+
+// The echoes of the current pulse.
+void RowMaker::add_row(std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  if (plan.engine.engine == Engine::reference) {
+    geometry_.echoes(echoes_);
+    add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+    return;
+  }
+  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
+  if (spectral_)
+    spectral_->add(raw, geometry_.carrier_hz(), echoes_);
+  else
+    direct_->add(raw, geometry_.carrier_hz(), echoes_);
+}
+
+void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
+  const int per_step = plan.radar.carrier.pulses_per_step();
+  const std::size_t gates = plan.raw_grid.count;
+  raw_.resize(gates);
+  std::ranges::fill(scratch_, std::complex<double>());
+  std::int64_t pulse = plan.first_pulse_of_row(row);
+  for (std::size_t n = 0; n < steps; ++n)
+    for (int p = 0; p < per_step; ++p, ++pulse) {
+      make_raw(pulse, raw_);
+      for (std::size_t g = 0; g < gates; ++g) scratch_[n * gates + g] += raw_[g] / static_cast<double>(per_step);
+    }
+  plan.profiler->profile(scratch_, out);
+}
+
+}  // namespace sarsim

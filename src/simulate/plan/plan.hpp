@@ -1,0 +1,115 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/task/progress.hpp"
+#include "core/task/stop.hpp"
+#include "radar/echo/direct_kernel.hpp"
+#include "radar/echo/reference_kernel.hpp"
+#include "radar/echo/spectral_kernel.hpp"
+#include "signal/compress/range_compression.hpp"
+#include "signal/stepped/range_profile.hpp"
+#include "simulate/plan/engine.hpp"
+#include "simulate/plan/point_groups.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
+#include "simulate/plan/sink.hpp"
+#include "simulate/resolve/resolved.hpp"
+
+namespace sarsim {
+
+/// What comes of one `$SIMULATION`: everything decided before the first pulse. A value shared by all threads; made by
+/// `make_plan` from a scene that has passed `check`.
+struct Plan {
+  std::shared_ptr<const ResolvedScene> scene;
+  ResolvedRadar radar;
+  Simulation simulation;
+  EchoPulse pulse;
+  EngineChoice engine;
+  std::shared_ptr<const PointGroups> points;  ///< For the fast engines.
+
+  PulseRange pulses;                ///< All pulses of the window.
+  std::int64_t first_burst = 0;     ///< Synthetic range profiles: bursts [first_burst, first_burst + rows).
+  std::int64_t dropped_pulses = 0;  ///< Pulses of incomplete bursts at either end.
+
+  SampleGrid raw_grid;  ///< Times of the samples that are simulated.
+  std::int64_t noise_first_sample = 0;
+  double noise_stddev_v = 0.0;                        ///< In I and in Q.
+  std::vector<double> stc_gain;                       ///< Per raw sample; empty: 1.
+  std::shared_ptr<const RangeCompressor> compressor;  ///< Processing::matched_filter.
+  std::shared_ptr<const RangeProfiler> profiler;      ///< Processing::srp.
+
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::vector<double> column_range_m;
+
+  [[nodiscard]] std::int64_t burst_pulses() const {
+    return std::int64_t{radar.carrier.steps()} * radar.carrier.pulses_per_step();
+  }
+  /// Whether the matched filter is one more factor of the spectral kernel's spectra. A gain over time (STC) comes
+  /// between echoes and filter and keeps them apart.
+  [[nodiscard]] bool filters_spectra() const {
+    return engine.engine == Engine::spectral && compressor && stc_gain.empty();
+  }
+  /// First (or only) pulse of a product row.
+  [[nodiscard]] std::int64_t first_pulse_of_row(std::size_t row) const;
+};
+
+/// Range samples of a window: floor(2 fs (end - start)/c + 1/2) (decision 2).
+[[nodiscard]] double sample_count(const Simulation& simulation, double light_speed_mps);
+
+/// Decides everything about simulation number `index` of a scene.
+/// @param engine  which kernel to use; automatic decides by cost
+/// @param stop    asked now and then; a requested stop throws Interrupted
+/// @throws std::invalid_argument where the scene would not pass `check`.
+[[nodiscard]] Plan make_plan(const Scene& scene, std::size_t index,
+                             std::shared_ptr<const ResolvedScene> resolved = nullptr, Engine engine = Engine::reference,
+                             const StopFlag* stop = nullptr);
+
+/// The description of a plan's product that goes into its file.
+/// @param script  text of the scene as understood
+[[nodiscard]] Product product_of(const Plan& plan, std::string script);
+
+/// Computes rows of a plan's product, one at a time; each thread has its own.
+class RowMaker {
+ public:
+  /// Keeps a reference to the plan.
+  explicit RowMaker(const Plan& plan);
+
+  /// @param[out] out  plan.columns samples in volts
+  void make_row(std::size_t row, std::span<std::complex<double>> out);
+
+ private:
+  void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
+  void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
+  void make_profile(std::size_t row, std::span<std::complex<double>> out);
+
+  void add_row(std::span<std::complex<double>> raw);
+  void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
+
+  const Plan* plan_;
+  PulseGeometry geometry_;
+  std::optional<DirectKernel> direct_;
+  std::optional<SpectralKernel> spectral_;
+  EchoBatch echoes_;
+  std::vector<std::complex<double>> raw_;
+  std::vector<std::complex<double>> scratch_;
+};
+
+/// Rough cost of a plan, for people who want to know before it runs.
+struct Cost {
+  double echoes = 0.0;        ///< Targets times pulses.
+  double echo_samples = 0.0;  ///< Times samples of a pulse.
+  double samples = 0.0;       ///< Complex samples of the product.
+  double seconds_one_thread = 0.0;
+  double memory_bytes = 0.0;  ///< Resident, for the given number of threads.
+};
+[[nodiscard]] Cost estimated_cost(const Plan& plan, unsigned threads);
+
+}  // namespace sarsim

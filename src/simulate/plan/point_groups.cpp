@@ -1,0 +1,207 @@
+#include "simulate/plan/point_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/maths/random.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+
+namespace sarsim {
+
+namespace {
+
+static_assert(doubtful_amplitude < strongest_echo_v);
+
+// What the points of a group have in common.
+struct GroupKey {
+  std::uint32_t platform = 0;
+  PointArrays::Law law = PointArrays::Law::isotropic;
+  bool level = false;  // random deviations in x or y
+  bool height = false;
+  bool rcs = false;
+  bool pointing = false;
+
+  [[nodiscard]] auto fields() const { return std::tie(platform, law, level, height, rcs, pointing); }
+  friend bool operator<(const GroupKey& a, const GroupKey& b) { return a.fields() < b.fields(); }
+};
+
+PointArrays::Law law_of(ReflectivityLaw law) {
+  switch (law) {
+    case ReflectivityLaw::isotropic: break;
+    case ReflectivityLaw::cosine: return PointArrays::Law::cosine;
+    case ReflectivityLaw::user: return PointArrays::Law::curve;
+  }
+  return PointArrays::Law::isotropic;
+}
+
+GroupKey key_of(const Scatterer& s) {
+  GroupKey key{s.platform, law_of(s.law), false, false, false, false};
+  key.level = s.position_stddev_m.x != 0.0 || s.position_stddev_m.y != 0.0;
+  key.height = s.position_stddev_m.z != 0.0;
+  key.rcs = s.rcs_stddev_m2 != 0.0;
+  key.pointing = s.law != ReflectivityLaw::isotropic && (s.azimuth_stddev_rad != 0.0 || s.elevation_stddev_rad != 0.0);
+  return key;
+}
+
+void add_point(PointArrays& points, const Vec3& at, double rcs_m2, const Vec3& normal) {
+  points.x_m.push_back(at.x);
+  points.y_m.push_back(at.y);
+  points.z_m.push_back(at.z);
+  points.root_rcs_m.push_back(std::sqrt(std::max(0.0, rcs_m2)));
+  if (points.law == PointArrays::Law::isotropic) return;
+  points.normal_x.push_back(normal.x);
+  points.normal_y.push_back(normal.y);
+  points.normal_z.push_back(normal.z);
+}
+
+// The deviations of target number `index` that its group has at all.
+void add_jitter(PointJitter& jitter, const Scatterer& s, const GroupKey& key, std::uint64_t seed, std::size_t index) {
+  const auto stream = [&](RandomKind kind) { return RandomStream(seed, kind, index).key(); };
+  if (key.level) {
+    jitter.x_stddev_m.push_back(s.position_stddev_m.x);
+    jitter.y_stddev_m.push_back(s.position_stddev_m.y);
+  }
+  if (key.height) jitter.z_stddev_m.push_back(s.position_stddev_m.z);
+  if (key.level || key.height) jitter.position_key.push_back(stream(RandomKind::target_position));
+  if (key.rcs) {
+    jitter.rcs_m2.push_back(s.rcs_m2);
+    jitter.rcs_stddev_m2.push_back(s.rcs_stddev_m2);
+    jitter.rcs_key.push_back(stream(RandomKind::target_rcs));
+  }
+  if (key.pointing) {
+    jitter.azimuth_rad.push_back(s.azimuth_rad);
+    jitter.elevation_rad.push_back(s.elevation_rad);
+    jitter.azimuth_stddev_rad.push_back(s.azimuth_stddev_rad);
+    jitter.elevation_stddev_rad.push_back(s.elevation_stddev_rad);
+    jitter.pointing_key.push_back(stream(RandomKind::target_pointing));
+  }
+}
+
+// A gain of x dB is 10^(x/20) on the amplitude: 0.2 dB times the tolerance is 0.023 times it; there are five curves, a
+// target's and two of each antenna.
+double curve_error_db(const ResolvedScene& scene) { return 0.2 * scene.options.tolerance; }
+
+double first_cell(const CurveTables& tables, std::size_t curve) {
+  return static_cast<double>(tables.number[curve]) * static_cast<double>(tables.cells);
+}
+
+CurveTables reflectivity_tables(const ResolvedScene& scene) {
+  std::vector<const Interpolator*> curves;
+  curves.reserve(scene.gain_curves.size());
+  for (const Interpolator& curve : scene.gain_curves) curves.push_back(&curve);
+  return tabulate(curves, curve_error_db(scene));
+}
+
+AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRadar& radar) {
+  AntennaSight antenna;
+  if (scene.conventions.pointing == PointingRule::added_angles) antenna.offsets = AntennaSight::Offsets::world_angles;
+  antenna.roots = scene.conventions.pattern == PatternRule::power;
+  std::vector<const Interpolator*> curves;
+  std::vector<std::size_t> cuts;
+  std::size_t first = 0;
+  for (const AntennaPattern* pattern : {&radar.transmit, &radar.receive}) {
+    if (pattern->kind == AntennaPattern::Kind::sinx) {
+      antenna.cut[first] = 0.44 / pattern->azimuth_beamwidth_rad;
+      antenna.cut[first + 1] = 0.44 / pattern->elevation_beamwidth_rad;
+    } else if (pattern->kind == AntennaPattern::Kind::user) {
+      curves.insert(curves.end(), {&pattern->azimuth_gain_db, &pattern->elevation_gain_db});
+      cuts.insert(cuts.end(), {first, first + 1});
+    }
+    first += 2;
+  }
+  antenna.curves = tabulate(curves, curve_error_db(scene));
+  for (std::size_t i = 0; i < cuts.size(); ++i) antenna.curve_cell[cuts[i]] = first_cell(antenna.curves, i);
+  return antenna;
+}
+
+// Finds the group of a key, or begins it.
+class Grouping {
+ public:
+  explicit Grouping(PointGroups& groups) : groups_(groups) {}
+
+  PointArrays& of(const GroupKey& key) {
+    const auto [place, is_new] = places_.try_emplace(key, groups_.groups.size());
+    if (is_new) {
+      groups_.groups.push_back({key.platform, {}});
+      groups_.groups.back().points.law = key.law;
+    }
+    return groups_.groups[place->second].points;
+  }
+
+ private:
+  PointGroups& groups_;
+  std::map<GroupKey, std::size_t> places_;
+};
+
+void resize(EchoBatch& echoes, std::size_t count) {
+  echoes.delay_s.resize(count);
+  echoes.amplitude_sqrt_w.resize(count);
+  echoes.speed_mps.resize(count);
+}
+
+}  // namespace
+
+PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const StopFlag* stop) {
+  const auto look_at_stop = [stop] {
+    if (stop != nullptr && stop->requested()) throw Interrupted();
+  };
+  PointGroups groups;
+  groups.antenna = antenna_sight(scene, radar);
+  groups.reflectivity = reflectivity_tables(scene);
+  Grouping grouping(groups);
+  for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
+    constexpr std::size_t between_looks = 4096;
+    if (i % between_looks == 0) look_at_stop();
+    const Scatterer& s = scene.scatterers[i];
+    const GroupKey key = key_of(s);
+    PointArrays& points = grouping.of(key);
+    add_point(points, s.position_m, s.rcs_m2, direction(s.azimuth_rad, s.elevation_rad));
+    if (s.law == ReflectivityLaw::user) points.curve_cell.push_back(first_cell(groups.reflectivity, s.gain_curve));
+    add_jitter(points.jitter, s, key, scene.options.seed, i);
+  }
+  for (const ScattererSheet& sheet : scene.sheets) {
+    if (sheet.points_m.empty()) continue;
+    look_at_stop();
+    PointArrays& points = grouping.of({sheet.platform, PointArrays::Law::cosine, false, false, false, false});
+    for (const Vec3& point_m : sheet.points_m) add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
+  }
+  for (const PointGroups::Group& group : groups.groups) groups.count += group.points.size();
+  return groups;
+}
+
+void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
+                 EchoBatch& echoes) {
+  if (!groups.sound()) {
+    geometry.echoes(echoes);
+    return;
+  }
+  resize(echoes, groups.count);
+  const Pointing pointing = geometry.pointing();
+  const Pose& radar = geometry.radar_pose();
+  SightFrame frame;
+  frame.antenna_from_world = pointing.antenna_from_world();
+  frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
+  frame.axis_elevation_rad = pointing.axis_elevation_rad();
+  frame.pulse = geometry.pulse();
+  frame.light_speed_mps = scene.conventions.light_speed_mps;
+  frame.amplitude_scale = geometry.amplitude_scale();
+  frame.spreading = geometry.spreading();
+  std::size_t first = 0;
+  bool possible = true;
+  for (const PointGroups::Group& group : groups.groups) {
+    const Pose& pose = geometry.pose(group.platform);
+    frame.world_from_platform = pose.world_from_platform;
+    frame.world_from_platform_rate = pose.world_from_platform_rate;
+    frame.origin_m = pose.position_world_m - radar.position_world_m;
+    frame.velocity_mps = pose.velocity_world_mps - radar.velocity_world_mps;
+    possible = write_echoes(group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
+    first += group.points.size();
+  }
+  // Where in doubt the plain geometry decides, and says what is wrong with which target.
+  if (!possible) geometry.echoes(echoes);
+}
+
+}  // namespace sarsim

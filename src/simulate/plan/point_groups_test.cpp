@@ -1,0 +1,371 @@
+#include "simulate/plan/point_groups.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include <hwy/targets.h>
+
+#include "simulate/plan/simulate_test_scene.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+
+namespace sarsim {
+namespace {
+
+constexpr std::array methods{Interpolation::linear, Interpolation::cubic, Interpolation::low_pass};
+
+Target directional(Target target, double azimuth_deg, Target::Gain gain = Target::Gain::cosine) {
+  target.reflectivity = Target::Reflectivity::directional;
+  target.azimuth = Angle::from_deg(azimuth_deg);
+  target.gain = gain;
+  return target;
+}
+
+// A reflectivity of one of nine sorts.
+SampledFunction reflectivity_curve(std::size_t sort) {
+  const std::vector<std::vector<Knot>> knots{{{0.0, 0.0}, {90.0, -10.0}, {180.0, -30.0}},
+                                             {{5.0, 3.0}, {40.0, -2.0}, {42.0, -25.0}, {120.0, -20.0}},
+                                             {{0.0, -1.0}, {20.0, 1.0}, {60.0, 0.0}, {100.0, -8.0}, {170.0, -9.0}}};
+  return {methods[sort % 3], knots[sort / 3 % 3]};
+}
+
+// Deviations in one of twelve combinations, none among them.
+Target jittering(Target target, int sort) {
+  if (sort % 2 == 1) target.position_stddev_m = {0.1, sort % 4 == 1 ? 0.2 : 0.0, 0.0};
+  if (sort % 3 == 1) target.position_stddev_m.z = 0.3;
+  if (sort % 4 >= 2) target.rcs_stddev_m2 = 0.7;
+  if (sort % 5 >= 3) target.azimuth_stddev = Angle::from_deg(20.0);
+  if (sort % 5 == 4) target.elevation_stddev = Angle::from_deg(5.0);
+  return target;
+}
+
+// Two platforms, one of which turns and moves, and targets of every sort in no order; surfaces that face the radar.
+Scene mixed_scene() {
+  Scene scene = one_target_scene();
+  scene.platforms.push_back(moving("Ship", {900.0, 400.0, 10.0}, {-20.0, 90.0, 1.0}));
+  scene.platforms.back().rotation = {Angle::from_deg(5), Angle::from_deg(-8), Angle::from_deg(30)};
+  scene.platforms.back().rotation_rate = {Angle::from_deg(20), Angle::from_deg(0), Angle::from_deg(-70)};
+  scene.targets.clear();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> shift(-1.0, 1.0);
+  for (int i = 0; i < 297; ++i) {
+    const Vec3 at{600.0 + 3.0 * (i % 11) + (i % 2 == 0 ? 0.0 : 300.0) + shift(random), 7.0 * (i % 5) - 10.0,
+                  2.0 * (i % 7) + shift(random)};
+    Target target = target_on(i % 13 < 7 ? "Ship" : "Earth", at, 0.5 + i % 4);
+    if (i % 6 == 1) target = directional(target, -90.0 + i % 40);
+    if (i % 5 >= 3) {
+      target = directional(target, 250.0 + i % 60, Target::Gain::user);
+      target.gain_db.part[0] = reflectivity_curve(static_cast<std::size_t>(i / 5));
+    }
+    if (i % 7 >= 4) target = jittering(target, i / 7);
+    scene.targets.push_back(target);
+  }
+  Surface surface;
+  surface.corner_m = {Vec3{1000.0, 10.0, 0.0}, Vec3{1000.0, -10.0, 0.0}, Vec3{1000.0, 0.0, 10.0}};
+  scene.surfaces = {surface, surface};
+  scene.surfaces[1].platform = "Ship";
+  scene.radars[0].prf_hz = 10.0;
+  return scene;
+}
+
+struct Echoes {
+  EchoBatch plain, fast;
+  std::size_t points = 0;
+};
+
+Echoes echoes_of(const ResolvedScene& resolved, const ResolvedRadar& radar, std::int64_t pulse) {
+  PulseGeometry geometry(resolved, radar);
+  geometry.set_pulse(pulse);
+  Echoes echoes;
+  geometry.echoes(echoes.plain);
+  echoes.fast.add(1.0, 1.0, 1.0);  // to be replaced
+  const PointGroups groups = group_points(resolved, radar);
+  echoes.points = groups.count;
+  fast_echoes(groups, resolved, geometry, echoes.fast);
+  return echoes;
+}
+
+Echoes echoes_of(const Scene& scene, std::int64_t pulse) {
+  const ResolvedScene resolved = resolve(scene);
+  return echoes_of(resolved, resolve_radar(scene, resolved, 0), pulse);
+}
+
+struct Echo {
+  double delay_s, amplitude, speed_mps;
+};
+
+// The echoes that are not 0, by their delays: the groups have an order of their own.
+std::vector<Echo> sorted(const EchoBatch& batch) {
+  std::vector<Echo> echoes;
+  for (std::size_t k = 0; k < batch.size(); ++k)
+    if (batch.amplitude_sqrt_w[k] != 0.0)
+      echoes.push_back({batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.speed_mps[k]});
+  std::ranges::sort(echoes, {}, &Echo::delay_s);
+  return echoes;
+}
+
+// Delays of 1e3 m are rounded to 2e-13 m, a few times; amplitudes agree to rounding and the promise of the curves.
+void expect_same(const Echoes& echoes, double tolerance) {
+  EXPECT_EQ(echoes.fast.size(), echoes.points);
+  const std::vector<Echo> plain = sorted(echoes.plain), fast = sorted(echoes.fast);
+  ASSERT_EQ(fast.size(), plain.size());
+  double largest = 0.0;
+  for (const Echo& echo : plain) largest = std::max(largest, std::abs(echo.amplitude));
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    ASSERT_NEAR(fast[k].delay_s, plain[k].delay_s, 2e-15 * plain[k].delay_s) << k;
+    ASSERT_NEAR(fast[k].amplitude, plain[k].amplitude, tolerance / 8.0 * std::abs(plain[k].amplitude) + 1e-12 * largest)
+        << k;
+    ASSERT_NEAR(fast[k].speed_mps, plain[k].speed_mps, 1e-12 * 100.0) << k;
+  }
+}
+
+template <class F>
+void at_every_simd_level(const F& f) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    f();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST(FastEchoes, AreThoseOfPulseGeometry) {
+  at_every_simd_level([] {
+    for (const std::int64_t pulse : {-3, 0, 7}) expect_same(echoes_of(mixed_scene(), pulse), 1e-6);
+  });
+}
+
+TEST(FastEchoes, HaveTheSameRandomDeviationsForEverySeed) {
+  Scene scene = mixed_scene();
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, ~std::uint64_t{0}}) {
+    scene.options.seed = seed;
+    for (const std::int64_t pulse : {-3000, 5}) expect_same(echoes_of(scene, pulse), 1e-6);
+  }
+}
+
+Antenna antenna_of(Antenna::Pattern pattern, Interpolation method) {
+  Antenna antenna;
+  antenna.pattern = pattern;
+  antenna.azimuth_beamwidth = Angle::from_deg(25.0);
+  antenna.gain_db.part[0] = {method, {{0.0, 0.0}, {10.0, -1.0}, {30.0, -20.0}, {60.0, -18.0}, {180.0, -40.0}}};
+  antenna.gain_db.part[1] = {method, {{0.0, 1.0}, {5.0, -3.0}, {10.0, 0.0}, {15.0, -9.0}}};
+  return antenna;
+}
+
+std::vector<Antenna> antennas() {
+  std::vector<Antenna> all{{}, antenna_of(Antenna::Pattern::sinx, {})};
+  for (const Interpolation method : methods) all.push_back(antenna_of(Antenna::Pattern::user, method));
+  return all;
+}
+
+Radar pointed(Radar radar, Radar::Beam beam) {
+  radar.beam = beam;
+  radar.beam_azimuth = Angle::from_deg(80.0);
+  radar.beam_elevation = Angle::from_deg(3.0);
+  radar.beam_rate = Angle::from_deg(-2000.0);
+  radar.spot_world_m = {700.0, 100.0, -30.0};
+  radar.beam_target_world_m.part = {lines({{0.0, 600.0}, {1.0, 700.0}}), lines({{0.0, 20.0}}), lines({{0.0, 9.0}})};
+  return radar;
+}
+
+// The radar flies and turns, so that its own rotation counts; it looks from below the scene.
+Scene flying_scene(Radar::Beam beam, const Antenna& transmit, const Antenna& receive, double tolerance) {
+  Scene scene = mixed_scene();
+  scene.options.tolerance = tolerance;
+  scene.platforms.push_back(moving("Plane", {-50.0, 30.0, -200.0}, {100.0, 40.0, 3.0}));
+  scene.platforms.back().rotation = {Angle::from_deg(4), Angle::from_deg(7), Angle::from_deg(-12)};
+  scene.radars[0] = pointed(scene.radars[0], beam);
+  scene.radars[0].platform = "Plane";
+  scene.radars[0].transmit_antenna = transmit;
+  scene.radars[0].same_antenna = false;
+  scene.radars[0].receive_antenna = receive;
+  return scene;
+}
+
+TEST(FastEchoes, AreTheSameForEveryPairOfAntennasBeamAndRule) {
+  for (const Radar::Beam beam : {Radar::Beam::fixed, Radar::Beam::rotating, Radar::Beam::spot, Radar::Beam::user})
+    for (const Antenna& transmit : antennas())
+      for (const Antenna& receive : antennas())
+        for (const PointingRule pointing : {PointingRule::boresight, PointingRule::added_angles})
+          for (const PatternRule pattern : {PatternRule::amplitude, PatternRule::power}) {
+            const Scene scene = flying_scene(beam, transmit, receive, 1e-6);
+            ResolvedScene resolved = resolve(scene);
+            resolved.conventions.pointing = pointing;
+            resolved.conventions.pattern = pattern;
+            expect_same(echoes_of(resolved, resolve_radar(scene, resolved, 0), 2), 1e-6);
+          }
+}
+
+TEST(FastEchoes, AreTheSameInEveryProfileStcAndToleranceOnEveryInstructionSet) {
+  at_every_simd_level([] {
+    for (const Antenna& antenna : antennas())
+      for (const Profile profile : {Profile::physical, Profile::classic})
+        for (const Radar::Stc stc : {Radar::Stc::none, Radar::Stc::range_law})
+          for (const double tolerance : {1e-3, 1e-10}) {
+            Scene scene = flying_scene(Radar::Beam::fixed, antenna, antenna, tolerance);
+            scene.options.profile = profile;
+            scene.radars[0].stc = stc;
+            scene.radars[0].same_antenna = true;
+            expect_same(echoes_of(scene, 2), tolerance);
+          }
+  });
+}
+
+// Along the axes, at knots of the curves, right above and below, behind, and at right angles to the beam.
+TEST(FastEchoes, AreTheSameInSpecialDirections) {
+  at_every_simd_level([] {
+    for (const Antenna& antenna : antennas())
+      for (const Profile profile : {Profile::physical, Profile::classic})
+        for (const double azimuth_deg : {0.0, 90.0, -90.0, 180.0}) {
+          Scene scene = one_target_scene();
+          scene.options.profile = profile;
+          scene.radars[0].transmit_antenna = antenna;
+          scene.radars[0].beam_azimuth = Angle::from_deg(azimuth_deg);
+          scene.targets.clear();
+          double distance_m = 1000.0;
+          const auto place = [&](const Vec3& way) {
+            Target target = target_on("Earth", distance_m * way);
+            scene.targets.push_back(target);
+            target = directional(target, 180.0 + azimuth_deg, Target::Gain::user);
+            target.gain_db.part[0] = reflectivity_curve(scene.targets.size() % 9);
+            target.position_m = (distance_m + 50.0) * way;
+            scene.targets.push_back(target);
+            distance_m += 100.0;
+          };
+          for (const double sign : {1.0, -1.0})
+            for (const Vec3& way : {Vec3{sign, 0, 0}, Vec3{0, sign, 0}, Vec3{0, 0, sign}}) place(way);
+          for (const double offset_deg : {5.0, 10.0, 15.0, 30.0, 60.0, 120.0})
+            place(direction((azimuth_deg + offset_deg) * pi / 180.0, 5.0 * pi / 180.0));
+          expect_same(echoes_of(scene, 0), 1e-6);
+        }
+  });
+}
+
+TEST(FastEchoes, OfATargetDependOnItsPlaceInTheSceneOnlyByItsRandomNumbers) {
+  Scene scene = one_target_scene();
+  Target target = jittering(target_on("Earth", {900.0, 100.0, 5.0}), 7);
+  scene.targets = {target_on("Earth", {500, 0, 0}), target, target};
+  const Echoes echoes = echoes_of(scene, 4);
+  expect_same(echoes, 1e-6);
+  EXPECT_NE(echoes.plain.delay_s[1], echoes.plain.delay_s[2]);
+}
+
+TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene) {
+  Scene scene = one_target_scene();
+  scene.platforms.push_back(resting("Ship", {}));
+  const Target plain = target_on("Earth", {1000, 0, 0}, 4.0);
+  Target other = directional(plain, 0.0, Target::Gain::user);
+  other.gain_db.part[0] = reflectivity_curve(0);
+  Target moved = plain;
+  moved.position_m.x = 7.0;
+  scene.targets = {plain,
+                   directional(plain, 0.0),
+                   moved,
+                   other,
+                   jittering(plain, 1),
+                   target_on("Ship", {1, 2, 3}, 9.0),
+                   jittering(moved, 1),
+                   other,
+                   jittering(plain, 1)};
+  scene.surfaces.push_back({});
+  const ResolvedScene resolved = resolve(scene);
+  const PointGroups groups = group_points(resolved, resolve_radar(scene, resolved, 0));
+  const struct {
+    PointArrays::Law law;
+    std::size_t points, deviations, curves;
+  } expected[] = {{PointArrays::Law::isotropic, 2, 0, 0},
+                  {PointArrays::Law::cosine, 1 + 100, 0, 0},
+                  {PointArrays::Law::curve, 2, 0, 2},
+                  {PointArrays::Law::isotropic, 3, 3, 0},
+                  {PointArrays::Law::isotropic, 1, 0, 0}};
+  ASSERT_EQ(groups.groups.size(), std::size(expected));
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < groups.groups.size(); ++g) {
+    const PointArrays& points = groups.groups[g].points;
+    EXPECT_EQ(points.law, expected[g].law) << g;
+    EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(expected[g].points), g == 1 ? 30.0 : 0.0) << g;
+    EXPECT_EQ(points.jitter.position_key.size(), expected[g].deviations) << g;
+    EXPECT_EQ(points.curve_cell.size(), expected[g].curves) << g;
+    EXPECT_EQ(points.normal_x.size(), points.law == PointArrays::Law::isotropic ? 0 : points.size()) << g;
+    count += points.size();
+  }
+  EXPECT_EQ(groups.count, count);
+  EXPECT_EQ(groups.groups[0].points.x_m, (std::vector<double>{1000.0, 7.0}));
+  EXPECT_EQ(groups.groups[4].platform, 1u);
+  EXPECT_DOUBLE_EQ(groups.groups[4].points.root_rcs_m[0], 3.0);
+  EXPECT_EQ(groups.reflectivity.count, 1u);
+}
+
+TEST(FastEchoes, OfASurfaceFromBehindAreNothing) {
+  Scene scene = one_target_scene();
+  scene.targets.clear();
+  Surface surface;
+  std::swap(surface.corner_m[0], surface.corner_m[1]);
+  scene.surfaces.push_back(surface);
+  const Echoes echoes = echoes_of(scene, 0);
+  EXPECT_EQ(echoes.plain.size(), 0u);
+  for (const double a : echoes.fast.amplitude_sqrt_w) EXPECT_EQ(a, 0.0);
+}
+
+TEST(FastEchoes, OfASurfaceThroughTheRadarLeaveOutThePointAtTheRadar) {
+  Scene scene = one_target_scene();
+  scene.surfaces.push_back({});
+  ResolvedScene resolved = resolve(scene);
+  resolved.sheets[0].points_m[5] = {};
+  const Echoes echoes = echoes_of(resolved, resolve_radar(scene, resolved, 0), 0);
+  EXPECT_EQ(echoes.fast.delay_s, echoes.plain.delay_s);
+  EXPECT_EQ(echoes.fast.amplitude_sqrt_w, echoes.plain.amplitude_sqrt_w);
+  for (const double a : echoes.fast.amplitude_sqrt_w) EXPECT_TRUE(std::isfinite(a));
+}
+
+// What PulseGeometry::echoes and fast_echoes say about a scene.
+std::array<std::string, 2> complaints(const Scene& scene) {
+  const ResolvedScene resolved = resolve(scene);
+  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  PulseGeometry geometry(resolved, radar);
+  geometry.set_pulse(0);
+  const PointGroups groups = group_points(resolved, radar);
+  EchoBatch echoes;
+  const auto complaint = [&](const auto& compute) -> std::string {
+    try {
+      compute();
+    } catch (const ImpossibleEcho& error) {
+      return to_string(error.problem);
+    }
+    return "";
+  };
+  return {complaint([&] { geometry.echoes(echoes); }),
+          complaint([&] { fast_echoes(groups, resolved, geometry, echoes); })};
+}
+
+TEST(FastEchoes, RefuseWhatPulseGeometryRefusesInTheSameWords) {
+  std::vector<Scene> scenes(5, mixed_scene());
+  scenes[0].targets[20] = scenes[0].targets[11] = target_on("Earth", {});
+  scenes[1].targets[33] = directional(target_on("Earth", {}), 10.0);
+  scenes[2].targets[4].rcs_m2 = 1e300;
+  scenes[3].targets[280].rcs_stddev_m2 = 1e300;
+  scenes[3].targets[280].rcs_m2 = 1e300;
+  scenes[4].platforms[1] = moving("Ship", {900.0, 400.0, 10.0}, {4e8, 0.0, 0.0});
+  for (const Scene& scene : scenes) {
+    const auto [plain, fast] = complaints(scene);
+    EXPECT_NE(plain, "");
+    EXPECT_EQ(fast, plain);
+  }
+  EXPECT_EQ(complaints(mixed_scene()), (std::array<std::string, 2>{}));
+}
+
+TEST(FastEchoes, OfCurvesThatAreNotFiniteAreLookedUpOneByOne) {
+  Scene scene = mixed_scene();
+  Antenna antenna = antenna_of(Antenna::Pattern::user, Interpolation::linear);
+  antenna.gain_db.part[1] = lines({{0.0, 0.0}, {100.0, 0.0}, {170.0, -1e308}, {170.1, -1.7e308}});
+  scene.radars[0].transmit_antenna = antenna;
+  const ResolvedScene resolved = resolve(scene);
+  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  EXPECT_FALSE(group_points(resolved, radar).sound());
+  const Echoes echoes = echoes_of(resolved, radar, 1);
+  EXPECT_EQ(echoes.fast.amplitude_sqrt_w, echoes.plain.amplitude_sqrt_w);
+}
+
+}  // namespace
+}  // namespace sarsim

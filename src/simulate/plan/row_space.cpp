@@ -1,0 +1,28 @@
+#include "simulate/plan/row_space.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace sarsim {
+
+std::shared_ptr<const RangeCompressor> compressor_of(const Plan& plan, const WindowFunction& window,
+                                                     std::size_t raw_samples, std::size_t samples) {
+  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  std::vector<std::size_t> index(samples);
+  std::iota(index.begin(), index.end(), std::size_t{0});
+  CompressionFilter filter = matched_filter(plan.radar.pulse, band_limited, window, 1.0 / plan.raw_grid.interval_s);
+  return std::make_shared<const RangeCompressor>(std::move(filter), raw_samples, std::move(index));
+}
+
+void RowSpace::compress(const RangeCompressor& compressor, std::span<std::complex<float>> out) {
+  compressed.resize(compressor.output_count());
+  scratch.resize(compressor.scratch_size());
+  compressor.compress(raw, compressed, scratch);
+  to_float(compressed, out);
+}
+
+void to_float(std::span<const std::complex<double>> from, std::span<std::complex<float>> to) {
+  for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(from[n]);
+}
+
+}  // namespace sarsim

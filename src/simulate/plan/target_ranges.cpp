@@ -1,0 +1,57 @@
+#include "simulate/plan/target_ranges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulate/plan/pulse_geometry.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::int64_t most_pulses = 17;
+constexpr std::size_t between_looks = 4096;
+
+void look_at(const StopFlag* stop) {
+  if (stop != nullptr && stop->requested()) throw Interrupted();
+}
+
+void include(RangeExtent& extent, double range_m) {
+  if (!std::isfinite(range_m)) return;
+  extent.nearest_m = std::min(extent.nearest_m, range_m);
+  extent.farthest_m = std::max(extent.farthest_m, range_m);
+}
+
+void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseGeometry& geometry,
+                   const StopFlag* stop) {
+  const double half_light_mps = 0.5 * scene.conventions.light_speed_mps;
+  const Pointing pointing = geometry.pointing();
+  for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
+    if (i % between_looks == 0) look_at(stop);
+    include(extent, half_light_mps * geometry.view(i, pointing).delay_s);
+  }
+  for (const ScattererSheet& sheet : scene.sheets) {
+    const Pose& pose = geometry.pose(sheet.platform);
+    for (std::size_t i = 0; i < sheet.points_m.size(); ++i) {
+      if (i % between_looks == 0) look_at(stop);
+      include(extent, norm(world_position_m(pose, sheet.points_m[i]) - geometry.radar_pose().position_world_m));
+    }
+  }
+}
+
+}  // namespace
+
+RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses,
+                          const StopFlag* stop) {
+  RangeExtent extent;
+  PulseGeometry geometry(scene, radar);
+  const std::int64_t looks = std::min(pulses.count(), most_pulses);
+  for (std::int64_t n = 0; n < looks; ++n) {
+    const double share = looks > 1 ? static_cast<double>(n) / static_cast<double>(looks - 1) : 0.0;
+    geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
+    include_pulse(extent, scene, geometry, stop);
+  }
+  return extent;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/maths/interpolator.hpp"
+#include "radar/antenna/beam.hpp"
+#include "radar/antenna/pattern.hpp"
+#include "scene/model/scene.hpp"
+
+namespace sarsim {
+
+/// What a profile means, one named convention at a time (docs/decisions/0001-profiles.md). Kernels take these as
+/// arguments and never hear of a profile.
+struct Conventions {
+  enum class SampleSpacing { sampling_rate, window_fraction };  ///< c/(2 fs), or (end - start)/N for raw data.
+  enum class Compression { keeps_peak, pulse_energy };          ///< Decision 12; docs/theory/compression.md.
+  enum class Noise { per_sample, per_bandwidth };  ///< kT fs in all; sqrt(kTB) in I and in Q (thesis 4.1-4.3).
+  enum class Stc { receiver_gain, no_spreading };  ///< Gain at the sample's range; 1/d^2 left out of the amplitude.
+
+  double light_speed_mps = 0.0;
+  double boltzmann_j_per_k = 0.0;
+  PatternRule pattern = PatternRule::amplitude;
+  PointingRule pointing = PointingRule::boresight;
+  LowPassRule low_pass = LowPassRule::first_knot;
+  SampleSpacing spacing = SampleSpacing::sampling_rate;
+  Compression compression = Compression::keeps_peak;
+  Noise noise = Noise::per_sample;
+  Stc stc = Stc::receiver_gain;
+};
+
+/// What a profile stands for.
+[[nodiscard]] Conventions conventions_of(Profile profile);
+
+}  // namespace sarsim

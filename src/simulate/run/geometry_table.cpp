@@ -1,0 +1,254 @@
+#include "simulate/run/geometry_table.hpp"
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/text/number_text.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
+
+namespace sarsim {
+
+namespace {
+
+using Write = std::function<void(std::string_view)>;
+
+constexpr double deg_per_rad = 180.0 / pi;
+
+// The pulses of a table and where everything stands at each of them.
+class TablePulses {
+ public:
+  TablePulses(const Scene& scene, const GeometryTable& table)
+      : resolved_(resolve(scene)),
+        radar_(resolve_radar(scene, resolved_, radar_index(scene, table))),
+        geometry_(resolved_, radar_),
+        range_(radar_.repetition.pulses_in(table.time_start_s, table.time_end_s)),
+        platforms_(scene.platforms.size()) {}
+
+  [[nodiscard]] PulseRange range() const { return range_; }
+  [[nodiscard]] std::size_t platforms() const { return platforms_; }
+  [[nodiscard]] std::size_t targets() const { return resolved_.scatterers.size(); }
+  [[nodiscard]] const std::string& platform_name(std::size_t i) const { return resolved_.platforms[i].name; }
+  [[nodiscard]] const PulseGeometry& geometry() const { return geometry_; }
+  [[nodiscard]] double light_speed_mps() const { return resolved_.conventions.light_speed_mps; }
+  /// The pose of any platform, also of one that carries nothing.
+  [[nodiscard]] Pose pose(std::size_t i) const {
+    return resolved_.platforms[i].track.at(geometry_.send_time_s(), geometry_.pulse());
+  }
+
+  /// Calls `line` with the geometry set to each pulse in turn.
+  template <class Line>
+  void each(const StopFlag* stop, const Line& line) {
+    for (std::int64_t pulse = range_.first; pulse <= range_.last; ++pulse) {
+      if (stop != nullptr && stop->requested()) throw Interrupted();
+      geometry_.set_pulse(pulse);
+      line();
+    }
+  }
+
+ private:
+  static std::size_t radar_index(const Scene& scene, const GeometryTable& table) {
+    const std::size_t found = find_radar(scene, table.radar);
+    if (found == not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
+    return found;
+  }
+
+  ResolvedScene resolved_;
+  ResolvedRadar radar_;
+  PulseGeometry geometry_;
+  PulseRange range_;
+  std::size_t platforms_;
+};
+
+// Gathers text and passes it on in large pieces, so that a line of a million targets is never held whole.
+class PieceWriter {
+ public:
+  explicit PieceWriter(const Write& write) : write_(write) {}
+
+  template <class... Values>
+  void put(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+    if (text_.size() >= piece) flush();
+  }
+  void flush() {
+    if (!text_.empty()) write_(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t piece = 1U << 16U;
+  const Write& write_;
+  std::string text_;
+};
+
+// --- Text -----------------------------------------------------------------------------------------------------------
+
+constexpr int header_lines = 4;
+
+// Line `line` of a heading over one column: three texts and a rule.
+void put_heading(PieceWriter& out, int line, int width, const std::array<std::string_view, 3>& texts) {
+  if (line < 3)
+    out.put("{:^{}} ", texts[static_cast<std::size_t>(line)], width);
+  else
+    out.put("{:-<{}} ", "", width);
+}
+
+// The same over three columns of 10 that belong to a platform.
+void put_platform_heading(PieceWriter& out, int line, std::string_view what, std::string_view unit,
+                          const std::string& platform) {
+  switch (line) {
+    case 0: out.put("{:^32} ", what); return;
+    case 1: out.put("{:^32} ", fmt::format("({:.20})", platform)); return;
+    case 2:
+      for (const char axis : {'X', 'Y', 'Z'}) out.put("{:^10} ", fmt::format("{} ({})", axis, unit));
+      return;
+    default: out.put("{0:-<10} {0:-<10} {0:-<10} ", ""); return;
+  }
+}
+
+void put_header_line(PieceWriter& out, int line, const TablePulses& pulses, int columns) {
+  put_heading(out, line, 9, {"Pulse", "number", ""});
+  if ((columns & geometry_time) != 0) put_heading(out, line, 12, {"Send time", "", "(s)"});
+  if ((columns & geometry_frequency) != 0) put_heading(out, line, 12, {"Frequency", "", "(GHz)"});
+  for (std::size_t i = 0; i < pulses.platforms(); ++i) {
+    const std::string& name = pulses.platform_name(i);
+    if ((columns & geometry_position) != 0) put_platform_heading(out, line, "Position of platform", "m", name);
+    if ((columns & geometry_velocity) != 0) put_platform_heading(out, line, "Velocity of platform", "m/s", name);
+    if ((columns & geometry_rotation) != 0) put_platform_heading(out, line, "Rotation of platform", "deg", name);
+  }
+  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+    const std::string target = fmt::format("Target {}", i + 1);
+    if ((columns & geometry_delay) != 0) put_heading(out, line, 17, {"Two-way delay", target, "(s)"});
+    if ((columns & geometry_amplitude) != 0) put_heading(out, line, 17, {"Echo amplitude", target, "(V)"});
+    if ((columns & geometry_speed) != 0) put_heading(out, line, 17, {"Radial speed", target, "(m/s)"});
+  }
+  out.put("\n");
+}
+
+// Adding 0 turns -0 into 0.
+void put_number(PieceWriter& out, double value, int width, int digits, char separator) {
+  out.put("{:>{}.{}G}{}", value + 0.0, width, digits, separator);
+}
+
+void put_three(PieceWriter& out, const Vec3& v, char separator) {
+  for (const double value : {v.x, v.y, v.z}) put_number(out, value, 10, 4, separator);
+}
+
+Vec3 rotation_deg(const Pose& pose) {
+  return {deg_per_rad * pose.rotation_rad[0], deg_per_rad * pose.rotation_rad[1], deg_per_rad * pose.rotation_rad[2]};
+}
+
+void put_platforms(PieceWriter& out, const TablePulses& pulses, int columns, char separator) {
+  if ((columns & (geometry_position | geometry_velocity | geometry_rotation)) == 0) return;
+  for (std::size_t i = 0; i < pulses.platforms(); ++i) {
+    const Pose pose = pulses.pose(i);
+    if ((columns & geometry_position) != 0) put_three(out, pose.position_world_m, separator);
+    if ((columns & geometry_velocity) != 0) put_three(out, pose.velocity_world_mps, separator);
+    if ((columns & geometry_rotation) != 0) put_three(out, rotation_deg(pose), separator);
+  }
+}
+
+void put_targets(PieceWriter& out, const TablePulses& pulses, const GeometryTable& table, char separator) {
+  if ((table.columns & (geometry_delay | geometry_amplitude | geometry_speed)) == 0) return;
+  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+    const ScattererView view = pulses.geometry().view(i);
+    const double range_m = 0.5 * pulses.light_speed_mps() * view.delay_s;
+    const bool seen = range_m >= table.range_start_m && range_m <= table.range_end_m;
+    const auto put = [&](int bit, double value, int digits) {
+      if ((table.columns & bit) == 0) return;
+      if (seen)
+        put_number(out, value, 17, digits, separator);
+      else
+        out.put("{:>17}{}", "nan", separator);
+    };
+    put(geometry_delay, view.delay_s, 12);
+    put(geometry_amplitude, std::abs(view.amplitude_sqrt_w), 12);
+    put(geometry_speed, view.speed_mps, 11);
+  }
+}
+
+// --- CSV ------------------------------------------------------------------------------------------------------------
+
+// A name as part of a CSV field: quoted where it would break the line.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void put_csv_header(PieceWriter& out, const TablePulses& pulses) {
+  out.put("pulse,time_s,carrier_hz");
+  for (std::size_t i = 0; i < pulses.platforms(); ++i)
+    for (const char* quantity : {"x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps", "rx_deg", "ry_deg", "rz_deg"})
+      out.put(",{}", csv_field(fmt::format("{} {}", pulses.platform_name(i), quantity)));
+  for (std::size_t i = 0; i < pulses.targets(); ++i)
+    for (const char* quantity : {"distance_m", "delay_s", "radial_speed_mps", "amplitude_v"})
+      out.put(",target {} {}", i + 1, quantity);
+  out.put("\n");
+}
+
+void put_exact(PieceWriter& out, double value) {
+  if (std::isfinite(value))
+    out.put(",{}", format_number(value));
+  else
+    out.put(",{}", value);
+}
+
+void put_exact(PieceWriter& out, const Vec3& v) {
+  for (const double value : {v.x, v.y, v.z}) put_exact(out, value);
+}
+
+void put_csv_line(PieceWriter& out, const TablePulses& pulses) {
+  const PulseGeometry& geometry = pulses.geometry();
+  out.put("{}", geometry.pulse());
+  put_exact(out, geometry.send_time_s());
+  put_exact(out, geometry.carrier_hz());
+  for (std::size_t i = 0; i < pulses.platforms(); ++i) {
+    const Pose pose = pulses.pose(i);
+    put_exact(out, pose.position_world_m);
+    put_exact(out, pose.velocity_world_mps);
+    put_exact(out, rotation_deg(pose));
+  }
+  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+    const ScattererView view = geometry.view(i);
+    for (const double value : {view.distance_m, view.delay_s, view.speed_mps, std::abs(view.amplitude_sqrt_w)})
+      put_exact(out, value);
+  }
+  out.put("\n");
+}
+
+}  // namespace
+
+void write_geometry_text(const Scene& scene, const GeometryTable& table, const Write& write, const StopFlag* stop) {
+  TablePulses pulses(scene, table);
+  if (pulses.range().count() == 0) return;  // As the originals: not even headings.
+  PieceWriter out(write);
+  const char separator = table.separator == GeometryTable::Separator::comma ? ',' : ' ';
+  for (int line = 0; line < header_lines; ++line) put_header_line(out, line, pulses, table.columns);
+  pulses.each(stop, [&] {
+    out.put("{:>9}{}", pulses.geometry().pulse(), separator);
+    if ((table.columns & geometry_time) != 0) put_number(out, pulses.geometry().send_time_s(), 12, 8, separator);
+    if ((table.columns & geometry_frequency) != 0)
+      put_number(out, pulses.geometry().carrier_hz() / 1e9, 12, 8, separator);
+    put_platforms(out, pulses, table.columns, separator);
+    put_targets(out, pulses, table, separator);
+    out.put("\n");
+  });
+  out.flush();
+}
+
+void write_geometry_csv(const Scene& scene, const GeometryTable& table, const Write& write, const StopFlag* stop) {
+  TablePulses pulses(scene, table);
+  PieceWriter out(write);
+  put_csv_header(out, pulses);
+  pulses.each(stop, [&] { put_csv_line(out, pulses); });
+  out.flush();
+}
+
+}  // namespace sarsim

@@ -1,0 +1,219 @@
+#include "simulate/run/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/task/parallel.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Rows that are computed and written together: enough work to hide the hand-over, little enough to keep memory small
+// whatever the recording's length. The last of them come in smaller blocks, so that no thread is without work for long
+// while others finish.
+class Blocks {
+ public:
+  Blocks(RowRange all, std::size_t columns) : begin_(all.first), rows_(all.count) {
+    constexpr std::size_t samples = 1U << 14U;
+    constexpr std::size_t fair_blocks = 128;
+    constexpr std::size_t cut_blocks = 8;
+    const std::size_t most = std::clamp<std::size_t>(rows_ / fair_blocks, 1, 1024);
+    large_ = std::clamp<std::size_t>(samples / std::max<std::size_t>(columns, 1), 1, most);
+    small_ = std::max<std::size_t>(large_ / 8, 1);
+    large_count_ = rows_ / large_ - std::min(rows_ / large_, cut_blocks);
+    count_ = large_count_ + (rows_ - large_count_ * large_ + small_ - 1) / small_;
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] RowRange operator[](std::size_t block) const {
+    if (block < large_count_) return {begin_ + block * large_, large_};
+    const std::size_t first = large_count_ * large_ + (block - large_count_) * small_;
+    return {begin_ + first, std::min(small_, rows_ - first)};
+  }
+
+ private:
+  std::size_t begin_;
+  std::size_t rows_;
+  std::size_t large_ = 1;
+  std::size_t small_ = 1;
+  std::size_t large_count_ = 0;
+  std::size_t count_ = 0;
+};
+
+// No file may hold samples that are no numbers, whatever sum of extremes led to them.
+void expect_finite(std::span<const std::complex<double>> row, std::size_t number) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  bool good = true;
+  for (const std::complex<double>& v : row) good &= std::abs(v.real()) <= largest && std::abs(v.imag()) <= largest;
+  if (!good)
+    throw std::overflow_error(fmt::format("row {} of the recording holds samples that are too large", number + 1));
+}
+
+// What is done with rows: nothing is encoded without an encoder, and nothing converted without an LSB.
+struct Treatment {
+  Recorded recorded;
+  const Sink* encoder = nullptr;
+  double lsb_v = 0.0;
+  const StopFlag* stop = nullptr;
+};
+
+// Each thread's own workshop: from some rows to their bytes, one after the other, so that all that happens to a row
+// happens in a near cache.
+template <class MakeRow>
+class BlockMaker {
+ public:
+  template <class Source>
+  BlockMaker(const Treatment& treatment, const Blocks& blocks, const Source& source)
+      : treatment_(treatment),
+        encoder_(treatment.encoder),
+        blocks_(blocks),
+        make_row_(source()),
+        volts_(treatment.recorded.columns) {
+    if (encoder_ != nullptr && encoder_->wants_counts()) counts_.resize(2 * volts_.size());
+  }
+
+  EncodedRows operator()(std::size_t block) {
+    EncodedRows result;
+    const RowRange rows = result.rows = blocks_[block];
+    for (std::size_t row = rows.first; row < rows.end(); ++row) {
+      if (treatment_.stop != nullptr && treatment_.stop->requested()) throw Interrupted();
+      make_row_(row, volts_);
+      expect_finite(volts_, row);
+      convert(result.tally);
+      if (encoder_ != nullptr) encode(row, result);
+    }
+    return result;
+  }
+
+ private:
+  void convert(ConversionTally& tally) {
+    if (encoder_ != nullptr && treatment_.lsb_v > 0.0) {
+      Converter{treatment_.recorded.bits, treatment_.lsb_v}.convert(volts_, counts_, tally);
+      return;
+    }
+    ConversionTally row;
+    row.maximum_v = largest_magnitude(volts_);
+    if (encoder_ != nullptr) row.zero = static_cast<std::uint64_t>(std::ranges::count(volts_, std::complex<double>()));
+    tally.add(row);
+  }
+
+  void encode(std::size_t row, EncodedRows& result) const {
+    std::vector<std::byte> bytes = encoder_->encode({row, 1, volts_.size(), volts_, counts_});
+    if (result.rows.count == 1) {
+      result.bytes = std::move(bytes);
+      return;
+    }
+    if (row == result.rows.first) result.bytes.reserve(result.rows.count * (bytes.size() + bytes.size() / 16));
+    result.bytes.insert(result.bytes.end(), bytes.begin(), bytes.end());
+  }
+
+  const Treatment& treatment_;
+  const Sink* encoder_;
+  const Blocks& blocks_;
+  MakeRow make_row_;
+  std::vector<std::complex<double>> volts_;
+  std::vector<std::int64_t> counts_;
+};
+
+// @param source  () -> callable(row, volts), called once on each thread
+template <class Source, class Consume>
+void run_blocks(const Treatment& treatment, RowRange rows, const RunControl& control, const Source& source,
+                const Consume& consume) {
+  const std::size_t columns = treatment.recorded.columns;
+  const Blocks blocks(rows, columns);
+  ordered_parallel<EncodedRows>(
+      blocks.count(), thread_count(control.threads),
+      [&] { return BlockMaker<decltype(source())>(treatment, blocks, source); },
+      [&](std::size_t, EncodedRows&& block) {
+        consume(block);
+        if (control.progress) control.progress({block.rows.end() - rows.first, rows.count, columns});
+      },
+      control.stop);
+}
+
+// The rows of a plan, computed.
+class PlanRows {
+ public:
+  explicit PlanRows(const Plan& plan) : rows_(plan) {}
+  void operator()(std::size_t row, std::span<std::complex<double>> volts) { rows_.make_row(row, volts); }
+
+ private:
+  RowMaker rows_;
+};
+
+Recorded recorded_of(const Plan& plan) { return {plan.rows, plan.columns, plan.simulation.bits}; }
+
+// All rows, through a sink; how long it took is for the report.
+template <class Source>
+RunReport run_all(const Treatment& treatment, Sink& sink, const RunControl& control, const Source& source) {
+  const auto begin = std::chrono::steady_clock::now();
+  ConversionTally tally;
+  run_blocks(treatment, {0, treatment.recorded.rows}, control, source, [&](const EncodedRows& block) {
+    sink.append(block.bytes, block.rows.first, block.rows.count);
+    tally.add(block.tally);
+  });
+  RunReport report = report_of(treatment.recorded, treatment.lsb_v, tally);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sink.finish(report);
+  return report;
+}
+
+}  // namespace
+
+double resolved_lsb_v(const Plan& plan, const RunControl& control) {
+  if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
+  double maximum_v = 0.0;
+  run_blocks(
+      {recorded_of(plan), nullptr, 0.0, control.stop}, {0, plan.rows}, control, [&] { return PlanRows(plan); },
+      [&](const EncodedRows& block) { maximum_v = std::max(maximum_v, block.tally.maximum_v); });
+  return lsb_of_maximum_v(maximum_v, plan.simulation.bits);
+}
+
+double lsb_of_maximum_v(double maximum_v, int bits) {
+  return maximum_v > 0.0 ? maximum_v / full_scale_count(bits) : 1.0;
+}
+
+void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder, const RunControl& control,
+              const std::function<void(const EncodedRows&)>& take) {
+  run_blocks(
+      {recorded_of(plan), &encoder, lsb_v, control.stop}, rows, control, [&] { return PlanRows(plan); }, take);
+}
+
+RunReport report_of(const Recorded& recorded, double lsb_v, const ConversionTally& tally) {
+  const double full_scale = full_scale_count(recorded.bits);
+  RunReport report;
+  report.rows = recorded.rows;
+  report.columns = recorded.columns;
+  report.maximum_v = tally.maximum_v;
+  report.best_lsb_v = tally.maximum_v / full_scale;
+  report.lsb_v = lsb_v > 0.0 ? lsb_v : report.best_lsb_v;
+  report.range_used = report.lsb_v > 0.0 ? tally.maximum_v / (report.lsb_v * full_scale) : 0.0;
+  report.saturated = tally.saturated;
+  report.zero = tally.zero;
+  return report;
+}
+
+RunReport run(const Plan& plan, double lsb_v, Sink& sink, const RunControl& control) {
+  return run_all({recorded_of(plan), &sink, lsb_v, control.stop}, sink, control, [&] { return PlanRows(plan); });
+}
+
+RunReport run_stored(const Recorded& recorded, const std::function<RowReader()>& make_reader, double lsb_v, Sink& sink,
+                     const RunControl& control) {
+  return run_all({recorded, &sink, lsb_v, control.stop}, sink, control, make_reader);
+}
+
+Recording record(const Plan& plan, const RunControl& control) {
+  Recording recording;
+  MemorySink sink(recording);
+  run(plan, 0.0, sink, control);
+  return recording;
+}
+
+}  // namespace sarsim

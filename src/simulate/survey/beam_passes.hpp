@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "simulate/plan/plan.hpp"
+
+namespace sarsim {
+
+/// Whether the azimuth of a beam changes by itself (ROTATING, not at rest).
+[[nodiscard]] bool turns(const Beam& beam);
+
+/// Numbers of the pulses at which a beam that turns points nearest to the targets in azimuth: up to five passes of
+/// each, at times spread over the recording. An even choice of pulses would pass a narrow beam by.
+/// @param plan  of a radar whose beam turns
+/// @param most  how many pulses at most: of all targets the first pass before the second of any
+/// @return in no order, perhaps some more than once; none for targets that the beam does not meet in the recording
+[[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most);
+
+}  // namespace sarsim

@@ -1,0 +1,94 @@
+#include "simulate/survey/derived.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radar/echo/reference_kernel.hpp"
+#include "radar/receiver/converter.hpp"
+#include "radar/waveform/pulse_shape.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Mean of |pulse|^2 over the pulse width; midpoints, so that edges and chips count with their length.
+double mean_square(const Pulse& pulse) {
+  constexpr int points = 4096;
+  double sum = 0.0;
+  for (int i = 0; i < points; ++i) sum += std::norm(pulse.value((i + 0.5) / points * pulse.width_s));
+  return sum / points;
+}
+
+double largest_in_window_v(const EchoSurvey& survey) {
+  double largest = 0.0;
+  for (const TargetSurvey& target : survey.targets)
+    if (target.in_window) largest = std::max(largest, target.largest_amplitude_v);
+  return largest;
+}
+
+double largest_stc_gain(const Plan& plan) {
+  double largest = plan.stc_gain.empty() ? 1.0 : 0.0;
+  for (const double gain : plan.stc_gain) largest = std::max(largest, std::abs(gain));
+  return largest;
+}
+
+}  // namespace
+
+RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, const Conventions& conventions) {
+  const double c = conventions.light_speed_mps;
+  RadarFigures f;
+  f.lowest_carrier_hz = radar.carrier.lowest_hz();
+  f.highest_carrier_hz = radar.carrier.highest_hz();
+  f.longest_wavelength_m = c / f.lowest_carrier_hz;
+  f.shortest_wavelength_m = c / f.highest_carrier_hz;
+  f.bandwidth_hz = bandwidth_hz(radar.pulse);
+  const bool shaped = radar.pulse.kind == Pulse::Kind::user;
+  f.range_resolution_m = 0.5 * c * (shaped ? half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz);
+  if (radar.carrier.steps() > 1)
+    f.synthetic_range_resolution_m = 0.5 * c / (radar.carrier.steps() * std::abs(radar.carrier.step_hz()));
+  f.pulse_length_m = c * radar.pulse.width_s;
+  f.time_bandwidth = f.bandwidth_hz * radar.pulse.width_s;
+  f.shortest_pri_s = radar.repetition.shortest_interval_s();
+  f.mean_prf_hz = 1.0 / radar.repetition.mean_interval_s();
+  f.unambiguous_range_m = 0.5 * c * f.shortest_pri_s;
+  f.unambiguous_speed_mps = 0.25 * f.shortest_wavelength_m * f.mean_prf_hz;
+  f.duty_cycle = radar.pulse.width_s * f.mean_prf_hz;
+  f.mean_power_w = peak_power_w * f.duty_cycle * mean_square(radar.pulse);
+  f.noise_density_w_per_hz = conventions.boltzmann_j_per_k * radar.noise_temperature_k;
+  f.noise_power_w = f.noise_density_w_per_hz * f.bandwidth_hz;
+  return f;
+}
+
+double processing_gain(const Plan& plan) {
+  if (!plan.compressor) return 1.0;
+  EchoPulse pulse = plan.pulse;
+  pulse.lead_s = 0.0;
+  std::vector<std::complex<double>> raw(plan.raw_grid.count);
+  // A lone echo that begins at the first sample, or as much earlier as a band-limited pulse has a tail before its edge.
+  SampleGrid grid{0.0, plan.raw_grid.interval_s, plan.raw_grid.count};
+  const double tail_intervals = std::ceil(-std::min(0.0, pulse.first_s()) / grid.interval_s);
+  EchoBatch echo;
+  echo.add(tail_intervals * grid.interval_s, 1.0, 0.0);
+  add_echoes(raw, grid, pulse, 0.0, echo);
+  std::vector<std::complex<double>> out(plan.compressor->output_count());
+  std::vector<std::complex<double>> scratch(plan.compressor->scratch_size());
+  plan.compressor->compress(raw, out, scratch);
+  return largest_magnitude(out);
+}
+
+SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey) {
+  const double c = plan.scene->conventions.light_speed_mps;
+  SimulationFigures f;
+  f.first_delay_s = 2.0 * plan.column_range_m.front() / c;
+  f.last_delay_s = 2.0 * plan.column_range_m.back() / c;
+  if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
+  f.sampling_ratio = plan.simulation.sample_rate_hz / bandwidth_hz(plan.radar.pulse);
+  f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;
+  const double gain = processing_gain(plan) * largest_stc_gain(plan);
+  f.largest_echo_v = gain * largest_in_window_v(survey);
+  f.largest_sum_v = gain * (survey.largest_sum_v + 3.0 * std::sqrt(2.0) * plan.noise_stddev_v);
+  f.suggested_lsb_v = f.largest_sum_v / full_scale_count(plan.simulation.bits);
+  return f;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,236 @@
+#include "simulate/survey/survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/maths/window.hpp"
+#include "core/text/number_text.hpp"
+#include "radar/receiver/converter.hpp"
+#include "simulate/survey/beam_passes.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Collects the problems of one simulation.
+class Surveyor {
+ public:
+  // @param impossible  targets that have been reported
+  Surveyor(const Scene& scene, std::size_t index, Problems& problems, std::set<std::size_t>& impossible)
+      : scene_(scene),
+        index_(index),
+        simulation_(scene.simulations[index]),
+        problems_(problems),
+        impossible_(impossible) {}
+
+  void look(const std::shared_ptr<const ResolvedScene>& resolved, const WorkControl& control) {
+    const Plan plan = make_plan(scene_, index_, resolved);
+    check_weights(plan);
+    if (plan.profiler && !check_bursts(plan)) return;
+    const EchoSurvey survey = survey_echoes(plan, control);
+    scope_ = survey.all_pulses
+                 ? ""
+                 : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
+    if (!check_echoes(survey, plan)) return;
+    check_surfaces(survey, plan);
+    check_window(survey, plan);
+    check_doppler(survey, plan);
+    check_lsb(survey, plan);
+    check_ambiguity(survey, plan);
+  }
+
+ private:
+  void add(Severity severity, const char* field, std::string message, std::string found, std::string expected,
+           std::string hint) {
+    problems_.push_back({severity,
+                         std::move(message),
+                         std::move(found),
+                         std::move(expected),
+                         std::move(hint),
+                         {},
+                         {"simulation", index_, field},
+                         1});
+  }
+
+  struct Weights {
+    double sum = 0.0;
+    double magnitudes = 0.0;
+    std::size_t count = 0;
+
+    void add(double weight) {
+      sum += weight;
+      magnitudes += std::abs(weight);
+      ++count;
+    }
+  };
+
+  // Of the radar's window over the steps of a burst, or over the samples of a pulse times their power.
+  [[nodiscard]] Weights weights_of(const Plan& plan) const {
+    Weights weights;
+    if (plan.profiler) {
+      const std::size_t steps = plan.profiler->steps();
+      for (std::size_t n = 0; n < steps; ++n)
+        weights.add(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
+    } else if (plan.compressor) {
+      const Pulse& pulse = plan.radar.pulse;
+      const double samples = pulse.width_s * simulation_.sample_rate_hz;
+      for (std::size_t k = 0; k == 0 || static_cast<double>(k) < samples - 1e-9; ++k) {
+        const double t_s = static_cast<double>(k) / simulation_.sample_rate_hz;
+        weights.add(plan.radar.window(t_s / pulse.width_s) *
+                    std::norm(pulse.value(t_s, 1e-9 / simulation_.sample_rate_hz)));
+      }
+    }
+    return weights;
+  }
+
+  // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples; one that is negative
+  // for a half leaves no peak to keep.
+  void check_weights(const Plan& plan) {
+    const Weights weights = weights_of(plan);
+    if (weights.count == 0 || !weights_cancel(weights.sum, weights.magnitudes)) return;
+    if (weights.magnitudes == 0.0)
+      add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
+          fmt::format("{} samples", weights.count), "a window that is above 0 somewhere",
+          plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
+    else
+      add(Severity::warning, "radar", "the radar's window function cancels: its weights, with their signs, sum to 0",
+          "", "weights that leave a target its peak",
+          "the peak is 0 where the target stands, and nothing scales what is left; take another window");
+  }
+
+  bool check_bursts(const Plan& plan) {
+    if (plan.rows == 0) {
+      add(Severity::error, "time_end_s", "the window holds no complete burst of stepped frequencies",
+          fmt::format("{} pulses", plan.pulses.count()),
+          fmt::format("at least {} from the start of a burst", plan.burst_pulses()),
+          "lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times pulses per "
+          "step");
+      return false;
+    }
+    if (plan.dropped_pulses > 0)
+      add(Severity::note, "time_end_s",
+          fmt::format("{} pulses of incomplete bursts at the ends of the window are left out", plan.dropped_pulses), "",
+          "", "");
+    return true;
+  }
+
+  // Echoes that no recording can hold. A target is reported once, whatever else looks at it.
+  bool check_echoes(const EchoSurvey& survey, const Plan& plan) {
+    for (const std::size_t i : survey.totals.impossible) {
+      if (!impossible_.insert(i).second) continue;
+      problems_.push_back(problem_of_echo("target", i, plan.radar.name, extremes_of(survey.targets[i]),
+                                          plan.scene->conventions.light_speed_mps));
+    }
+    return survey.totals.impossible.empty();
+  }
+
+  void check_surfaces(const EchoSurvey& survey, const Plan& plan) {
+    for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
+      if (!survey.surface_faces_radar[i] && !plan.scene->sheets[i].points_m.empty())
+        problems_.push_back({Severity::warning,
+                             "the surface shows its back to the radar and gives no echo" + scope_,
+                             "",
+                             "a front, where (corner 2 - corner 1) x (corner 3 - corner 1) points, towards the radar",
+                             "exchange its second and third corner",
+                             {},
+                             {"surface", i, "corner_m"},
+                             1});
+  }
+
+  void check_window(const EchoSurvey& survey, const Plan& plan) {
+    if (survey.targets.empty()) {
+      if (plan.scene->sheets.empty())
+        add(Severity::warning, "",
+            "the scene has no target: the recording will hold " +
+                std::string(plan.noise_stddev_v > 0 ? "noise only" : "zeros only"),
+            "", "", "add a $TARGET");
+      return;
+    }
+    if (survey.totals.any_in_window || !plan.scene->sheets.empty()) return;
+    const double nearest = survey.totals.nearest_m;
+    const double farthest = survey.totals.farthest_m;
+    const double reach_m = 0.5 * plan.scene->conventions.light_speed_mps * (plan.pulse.last_s() - plan.pulse.first_s());
+    add(Severity::warning, "range_start_m",
+        "no echo falls into the slant range window: the recording will be empty" + scope_,
+        fmt::format("{} to {} m", format_number(simulation_.range_start_m), format_number(simulation_.range_end_m)),
+        fmt::format("a window that touches the echoes from {:.6g} to {:.6g} m", nearest, farthest + reach_m),
+        fmt::format("set the slant range window to about {:.0f} ... {:.0f} m", std::floor(nearest),
+                    std::ceil(farthest + reach_m)));
+  }
+
+  void check_doppler(const EchoSurvey& survey, const Plan& plan) {
+    // Nobody makes an image along the track of what a turning beam sees.
+    if (turns(plan.radar.beam) || plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
+    const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
+    const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
+    if (!(band_hz > prf_hz)) return;
+    add(Severity::warning, "radar",
+        "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_,
+        fmt::format("PRF {}", with_prefix(prf_hz, "Hz", 4)), fmt::format("at least {}", with_prefix(band_hz, "Hz", 4)),
+        fmt::format("targets away from the centre appear as ghosts {} apart after focusing; raise the PRF, shorten the "
+                    "azimuth window or narrow the beam",
+                    with_prefix(prf_hz, "Hz", 4)));
+  }
+
+  void check_lsb(const EchoSurvey& survey, const Plan& plan) {
+    const bool counts = simulation_.format != FileFormat::hdf5 && simulation_.format != FileFormat::npy;
+    const bool classic_compressed =
+        plan.compressor && plan.scene->conventions.compression == Conventions::Compression::pulse_energy;
+    if (!counts || classic_compressed || simulation_.lsb_v <= 0.0 || survey.targets.empty() || plan.stc_gain.size() > 0)
+      return;
+    const double strongest = survey.totals.strongest_v + 3.0 * plan.noise_stddev_v;
+    if (strongest <= 0.0) return;
+    // Echoes that meet each other may add up to this.
+    const double most_v = std::max(survey.largest_sum_v, strongest);
+    const double full_v = simulation_.lsb_v * full_scale_count(simulation_.bits);
+    const auto millivolts = [](double v) { return format_number(v, 3) + " mV"; };
+    const auto rounded = [](double v) { return fmt::format("{:.6g} mV", v * 1e3); };
+    if (strongest > 1.01 * full_v)
+      add(Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
+          "set it to 0 to have it estimated from the data");
+    else if (most_v < 0.5 * full_v)
+      add(Severity::warning, "lsb_v",
+          fmt::format("the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
+                      100.0 * most_v / full_v) +
+              scope_,
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
+          "set it to 0 to have it estimated from the data");
+  }
+
+  void check_ambiguity(const EchoSurvey& survey, const Plan& plan) {
+    if (survey.totals.late == 0) return;
+    add(Severity::warning, "radar",
+        fmt::format("echoes of {} of {} targets arrive after the next pulse has left; a row holds the echoes of its "
+                    "own pulse only",
+                    survey.totals.late, survey.targets.size()) +
+            scope_,
+        fmt::format("range {:.6g} m", survey.totals.latest_m),
+        fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(plan)),
+        "lower the PRF if a real receiver is meant");
+  }
+
+  const Scene& scene_;
+  std::size_t index_;
+  const Simulation& simulation_;
+  Problems& problems_;
+  std::set<std::size_t>& impossible_;
+  std::string scope_;
+};
+
+}  // namespace
+
+Problems survey(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved, const WorkControl& control) {
+  Problems problems;
+  if (scene.simulations.empty()) return problems;
+  if (!resolved) resolved = std::make_shared<const ResolvedScene>(resolve(scene, control));
+  std::set<std::size_t> impossible;
+  for (std::size_t i = 0; i < scene.simulations.size(); ++i)
+    Surveyor(scene, i, problems, impossible).look(resolved, control);
+  return problems;
+}
+
+}  // namespace sarsim

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "scene/model/scene.hpp"
+#include "simulate/plan/plan.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+
+namespace sarsim {
+
+/// What the sampled pulses of a simulation say about one target.
+struct TargetSurvey {
+  double nearest_m = 0.0;  ///< One-way range of its delay, c tau/2.
+  double farthest_m = 0.0;
+  double lowest_doppler_hz = 0.0;  ///< -2 v f/c: positive approaching.
+  double highest_doppler_hz = 0.0;
+  double largest_amplitude_v = 0.0;
+  double largest_speed_mps = 0.0;  ///< Radial, without its sign.
+  double snr = 0.0;        ///< P Tp/(k T) at the largest amplitude, per pulse after a matched filter; 0 without noise.
+  bool in_window = false;  ///< Some sampled echo touches the window.
+
+  friend bool operator==(const TargetSurvey&, const TargetSurvey&) = default;
+};
+
+/// What all targets of a survey have in common.
+struct SurveyTotals {
+  bool any_in_window = false;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  double farthest_m = -std::numeric_limits<double>::infinity();
+  double strongest_v = 0.0;             ///< Of the targets in the window.
+  std::size_t late = 0;                 ///< Targets in the window that lie beyond the unambiguous range.
+  double latest_m = 0.0;                ///< The farthest of them.
+  std::vector<std::size_t> impossible;  ///< Targets whose echo cannot be computed, in order.
+
+  friend bool operator==(const SurveyTotals&, const SurveyTotals&) = default;
+};
+
+/// A quick look at the echoes of a simulation: at most 64 of its pulses (3 where there are very many targets), all
+/// targets, and up to five passes of a rotating beam over each target. An estimate: what happens between the sampled
+/// pulses is not seen.
+struct EchoSurvey {
+  std::size_t pulses_sampled = 0;
+  bool all_pulses = false;  ///< Every pulse was looked at.
+  std::vector<TargetSurvey> targets;
+  SurveyTotals totals;
+  double lowest_doppler_hz = 0.0;  ///< Over the echoes that touch the window.
+  double highest_doppler_hz = 0.0;
+  std::vector<bool> surface_faces_radar;  ///< Per surface: it shows its front in some sampled pulse.
+  double largest_sum_v =
+      0.0;  ///< Largest over the pulses of the sum of the amplitudes in the window: a bound for raw data.
+};
+
+/// Farthest one-way range whose echo arrives before the next pulse leaves, at the shortest interval.
+[[nodiscard]] double unambiguous_range_m(const Plan& plan);
+
+/// What decides whether the echo of a target can be computed.
+[[nodiscard]] EchoExtremes extremes_of(const TargetSurvey& target);
+
+/// Looks at the echoes of a plan; the outcome is the same for any number of threads. A requested stop throws
+/// Interrupted.
+[[nodiscard]] EchoSurvey survey_echoes(const Plan& plan, const WorkControl& control = {});
+
+/// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
+/// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
+/// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
+/// back, a window function without weight. The scene must have passed `check`.
+/// @param resolved  what `resolve` gives for the scene; made where it is missing and needed
+[[nodiscard]] Problems survey(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
+                              const WorkControl& control = {});
+
+}  // namespace sarsim

@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/survey.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr std::size_t most_pulses = 64;      // decisions: "at most 64 pulses x all targets, labelled as an estimate"
+constexpr std::size_t most_views = 400'000;  // targets times pulses: a look takes some hundredths of a second
+constexpr double closest_m = 1e-9;           // a target nearer than this stands on the radar
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Targets that one thread looks at together, and pulses of which all poses are kept at once. They decide the order in
+// which amplitudes are summed.
+constexpr std::size_t range_targets = 2048;
+constexpr std::size_t most_poses = 100'000;
+
+std::size_t batch_pulses(std::size_t platforms) {
+  return std::clamp<std::size_t>(most_poses / std::max<std::size_t>(platforms, 1), 1, most_pulses);
+}
+
+// Pulse numbers to look at: all, or an even choice that includes the first and the last.
+std::vector<std::int64_t> sampled_pulses(const PulseRange& range, std::size_t targets) {
+  std::vector<std::int64_t> pulses;
+  const std::int64_t count = range.count();
+  const std::size_t affordable =
+      std::clamp<std::size_t>(most_views / std::max<std::size_t>(targets, 1), 3, most_pulses);
+  const std::int64_t looks = std::min<std::int64_t>(count, static_cast<std::int64_t>(affordable));
+  for (std::int64_t i = 0; i < looks; ++i) {
+    const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
+    pulses.push_back(range.first + std::llround(share * static_cast<double>(count - 1)));
+  }
+  return pulses;
+}
+
+// Pulse numbers to look at: an even choice and, of a rotating beam, those that meet the targets; as they were sent.
+std::vector<std::int64_t> pulses_to_look_at(const Plan& plan) {
+  const std::size_t targets = plan.scene->scatterers.size();
+  std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses, targets);
+  const bool all = static_cast<std::int64_t>(pulses.size()) == plan.pulses.count();
+  if (all || targets == 0 || !turns(plan.radar.beam)) return pulses;
+  const std::size_t views = most_views / targets;
+  const std::size_t poses = most_poses / std::max<std::size_t>(plan.scene->platforms.size(), 1);
+  const std::size_t most = std::min(views, poses);
+  if (most <= pulses.size()) return pulses;
+  std::ranges::copy(pulses_on_targets(plan, most - pulses.size()), std::back_inserter(pulses));
+  std::ranges::sort(pulses);
+  const auto doubles = std::ranges::unique(pulses);
+  pulses.erase(doubles.begin(), doubles.end());
+  return pulses;
+}
+
+// A plane shows the same side to the radar at all of its points.
+bool faces_radar(const ScattererSheet& sheet, const PulseGeometry& geometry) {
+  if (sheet.points_m.empty()) return false;
+  const Pose& pose = geometry.pose(sheet.platform);
+  const Vec3 look_world_m = world_position_m(pose, sheet.points_m.front()) - geometry.radar_pose().position_world_m;
+  return dot(pose.world_from_platform * sheet.normal_platform, look_world_m) < 0.0;
+}
+
+void take_in(TargetSurvey& target, const ScattererView& view, double range_m, double doppler_hz, bool in_window) {
+  target.nearest_m = std::min(target.nearest_m, range_m);
+  target.farthest_m = std::max(target.farthest_m, range_m);
+  target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, doppler_hz);
+  target.highest_doppler_hz = std::max(target.highest_doppler_hz, doppler_hz);
+  target.largest_amplitude_v = std::max(target.largest_amplitude_v, std::abs(view.amplitude_sqrt_w));
+  target.largest_speed_mps = std::max(target.largest_speed_mps, std::abs(view.speed_mps));
+  target.in_window = target.in_window || in_window;
+}
+
+void take_in(SurveyTotals& totals, std::size_t index, const TargetSurvey& target, double light_speed_mps,
+             double unambiguous_m) {
+  totals.nearest_m = std::min(totals.nearest_m, target.nearest_m);
+  totals.farthest_m = std::max(totals.farthest_m, target.farthest_m);
+  if (!possible_echo(extremes_of(target), light_speed_mps)) totals.impossible.push_back(index);
+  if (!target.in_window) return;
+  totals.any_in_window = true;
+  totals.strongest_v = std::max(totals.strongest_v, target.largest_amplitude_v);
+  if (!(target.farthest_m > unambiguous_m)) return;
+  ++totals.late;
+  totals.latest_m = std::max(totals.latest_m, target.farthest_m);
+}
+
+void take_in(SurveyTotals& totals, const SurveyTotals& more) {
+  totals.nearest_m = std::min(totals.nearest_m, more.nearest_m);
+  totals.farthest_m = std::max(totals.farthest_m, more.farthest_m);
+  totals.any_in_window = totals.any_in_window || more.any_in_window;
+  totals.strongest_v = std::max(totals.strongest_v, more.strongest_v);
+  totals.late += more.late;
+  totals.latest_m = std::max(totals.latest_m, more.latest_m);
+  totals.impossible.insert(totals.impossible.end(), more.impossible.begin(), more.impossible.end());
+}
+
+// Looks at the echoes of one plan, ranges of targets on several threads.
+class Look {
+ public:
+  Look(const Plan& plan, const WorkControl& control)
+      : plan_(plan), control_(control), light_mps_(plan.scene->conventions.light_speed_mps) {
+    survey_.surface_faces_radar.assign(plan.scene->sheets.size(), false);
+    reserve_touched(survey_.targets, plan.scene->scatterers.size(), control);
+    survey_.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false});
+  }
+
+  EchoSurvey survey() {
+    const std::vector<std::int64_t> pulses = pulses_to_look_at(plan_);
+    survey_.pulses_sampled = pulses.size();
+    survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan_.pulses.count();
+    if (survey_.targets.size() * pulses.size() <= most_views) looks_.resize(survey_.targets.size() * pulses.size());
+    const std::size_t batch = std::min(pulses.size(), batch_pulses(plan_.scene->platforms.size()));
+    std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
+    for (std::size_t first = 0; first < pulses.size(); first += batch) {
+      const std::size_t count = std::min(batch, pulses.size() - first);
+      parallel_ranges(count, 1, control_,
+                      [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
+      look_at_pulses(std::span(geometries).first(count), first);
+    }
+    add_up();
+    take_band();
+    return std::move(survey_);
+  }
+
+ private:
+  template <class Body>
+  void over_targets(const Body& body) const {
+    parallel_ranges(survey_.targets.size(), range_targets, control_, body);
+  }
+  [[nodiscard]] std::size_t ranges() const { return (survey_.targets.size() + range_targets - 1) / range_targets; }
+
+  // @param first  the number of the first of them among the sampled pulses
+  void look_at_pulses(std::span<const PulseGeometry> geometries, std::size_t first) {
+    for (const PulseGeometry& geometry : geometries)
+      for (std::size_t i = 0; i < plan_.scene->sheets.size(); ++i)
+        if (faces_radar(plan_.scene->sheets[i], geometry)) survey_.surface_faces_radar[i] = true;
+    std::vector<double> sum_v(ranges() * geometries.size());
+    over_targets([&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = 0; p < geometries.size(); ++p)
+        sum_v[begin / range_targets * geometries.size() + p] = look_at_targets(geometries[p], first + p, begin, end);
+    });
+    for (std::size_t p = 0; p < geometries.size(); ++p) {
+      double sum = 0.0;
+      for (std::size_t r = 0; r < ranges(); ++r) sum += sum_v[r * geometries.size() + p];
+      survey_.largest_sum_v = std::max(survey_.largest_sum_v, sum);
+    }
+  }
+
+  // Returns the sum of the amplitudes in the window.
+  double look_at_targets(const PulseGeometry& geometry, std::size_t pulse, std::size_t begin, std::size_t end) {
+    const Pointing pointing = geometry.pointing();
+    double sum_v = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const ScattererView view = geometry.view(i, pointing);
+      const bool in_window = touches_window(view.delay_s);
+      if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
+      const double doppler_hz = -2.0 * view.speed_mps * geometry.carrier_hz() / light_mps_;
+      take_in(survey_.targets[i], view, 0.5 * light_mps_ * view.delay_s, doppler_hz, in_window);
+      if (!looks_.empty()) looks_[pulse * survey_.targets.size() + i] = {doppler_hz, std::abs(view.amplitude_sqrt_w)};
+    }
+    return sum_v;
+  }
+
+  // Well inside and well outside the window need no counting of samples.
+  [[nodiscard]] bool touches_window(double delay_s) const {
+    const SampleGrid& grid = plan_.raw_grid;
+    const double margin_s = 2.0 * grid.interval_s;
+    const double begin_s = delay_s + plan_.pulse.first_s();
+    const double end_s = delay_s + plan_.pulse.last_s();
+    const double window_end_s = grid.time_s(grid.count);
+    if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
+    if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
+      return true;
+    const SampleSpan touched = touched_samples(plan_.pulse, grid, delay_s);
+    return touched.begin < touched.end;
+  }
+
+  void add_up() {
+    const double noise_j = plan_.scene->conventions.boltzmann_j_per_k * plan_.radar.noise_temperature_k;
+    const double unambiguous_m = unambiguous_range_m(plan_);
+    std::vector<SurveyTotals> totals(ranges());
+    over_targets([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        TargetSurvey& t = survey_.targets[i];
+        if (noise_j > 0.0) t.snr = t.largest_amplitude_v * t.largest_amplitude_v * plan_.radar.pulse.width_s / noise_j;
+        take_in(totals[begin / range_targets], i, t, light_mps_, unambiguous_m);
+      }
+    });
+    for (const SurveyTotals& more : totals) take_in(survey_.totals, more);
+  }
+
+  struct Band {
+    double lowest_hz = infinity;
+    double highest_hz = -infinity;
+
+    void take_in(double low_hz, double high_hz) {
+      lowest_hz = std::min(lowest_hz, low_hz);
+      highest_hz = std::max(highest_hz, high_hz);
+    }
+  };
+
+  // The Doppler band of the echoes that matter: those in the window and within 40 dB of the strongest one, while they
+  // are within 20 dB of their own strongest, that is while the beam rests on them. Of very many targets, always.
+  void take_band() {
+    std::vector<Band> bands(ranges());
+    over_targets([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const TargetSurvey& t = survey_.targets[i];
+        if (!t.in_window || t.largest_amplitude_v < 0.01 * survey_.totals.strongest_v) continue;
+        take_in_looks(bands[begin / range_targets], i);
+      }
+    });
+    Band all;
+    for (const Band& band : bands) all.take_in(band.lowest_hz, band.highest_hz);
+    if (all.lowest_hz > all.highest_hz) return;
+    survey_.lowest_doppler_hz = all.lowest_hz;
+    survey_.highest_doppler_hz = all.highest_hz;
+  }
+
+  void take_in_looks(Band& band, std::size_t target) const {
+    const TargetSurvey& t = survey_.targets[target];
+    if (looks_.empty()) band.take_in(t.lowest_doppler_hz, t.highest_doppler_hz);
+    for (std::size_t at = target; at < looks_.size(); at += survey_.targets.size())
+      if (looks_[at].amplitude >= 0.1 * t.largest_amplitude_v)
+        band.take_in(looks_[at].doppler_hz, looks_[at].doppler_hz);
+  }
+
+  struct OneLook {
+    double doppler_hz = 0.0;
+    double amplitude = 0.0;
+  };
+
+  const Plan& plan_;
+  const WorkControl& control_;
+  double light_mps_;
+  EchoSurvey survey_;
+  std::vector<OneLook> looks_;  // all targets of the first pulse, of the second ...; none where they are too many
+};
+
+}  // namespace
+
+double unambiguous_range_m(const Plan& plan) {
+  return 0.5 * plan.scene->conventions.light_speed_mps * plan.radar.repetition.shortest_interval_s();
+}
+
+EchoExtremes extremes_of(const TargetSurvey& target) {
+  return {target.nearest_m > closest_m ? target.nearest_m : 0.0, target.largest_speed_mps, target.largest_amplitude_v};
+}
+
+EchoSurvey survey_echoes(const Plan& plan, const WorkControl& control) { return Look(plan, control).survey(); }
+
+}  // namespace sarsim

@@ -1,0 +1,246 @@
+#include "workflow/focus/sar_ghosts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ranges>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "workflow/focus/sar_looks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// The middle of some looks by their amplitudes.
+struct Middle {
+  double amplitude = 0.0;
+  double moment = 0.0;
+
+  void add(double index, double weight) {
+    amplitude += weight;
+    moment += weight * index;
+  }
+  [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(std::llround(moment / amplitude)); }
+};
+
+// The Doppler frequencies that hold the echoes' amplitudes but for `share` of them at either end.
+std::pair<double, double> extent_of(std::span<const SarLook> seen, double share) {
+  std::vector<std::pair<double, double>> parts;  // frequency, amplitude
+  double all = 0.0;
+  for (const SarLook& look : seen) {
+    parts.emplace_back(look.doppler_hz, look.amplitude);
+    all += look.amplitude;
+  }
+  std::ranges::sort(parts);
+  const auto end_of = [&](const auto& from_the_end) {
+    double sum = 0.0;
+    for (const auto& [doppler_hz, amplitude] : from_the_end)
+      if ((sum += amplitude) > share * all) return doppler_hz;
+    return 0.0;
+  };
+  return {end_of(parts), end_of(parts | std::views::reverse)};
+}
+
+SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const SarLook> seen) {
+  SarTarget target;
+  target.target = number;
+  Middle middle;
+  double strongest = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    middle.add(static_cast<double>(i), seen[i].amplitude);
+    strongest = std::max(strongest, seen[i].amplitude);
+  }
+  if (!(middle.amplitude > 0.0)) return target;
+  target.amplitude = middle.amplitude / static_cast<double>(seen.size());
+  target.place = looks.place(seen[middle.index()], seen[middle.index()].doppler_hz);
+  target.lowest_doppler_hz = INFINITY;
+  target.highest_doppler_hz = -INFINITY;
+  constexpr double unseen = 0.0005;
+  std::tie(target.least_doppler_hz, target.most_doppler_hz) = extent_of(seen, unseen);
+  constexpr double rounding = 1e-6;
+  for (const SarLook& look : seen) {
+    if (look.amplitude < 0.1 * strongest) continue;
+    target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, look.doppler_hz);
+    target.highest_doppler_hz = std::max(target.highest_doppler_hz, look.doppler_hz);
+    target.in_swath = target.in_swath && look.share > 0.0;
+    target.whole = target.whole && look.share > 1.0 - rounding;
+  }
+  return target;
+}
+
+// The looks at a target that fold alike.
+struct Fold {
+  Middle middle;
+  ImagePlace least{INFINITY, INFINITY};
+  ImagePlace most{-INFINITY, -INFINITY};
+};
+
+// Of the looks whose Doppler frequencies are kept.
+void add_ghosts(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen, const DopplerBand& kept,
+                std::vector<SarGhost>& ghosts) {
+  constexpr double smallest_share = 0.01;
+  const double prf_hz = 1.0 / looks.track().interval_s;
+  std::map<int, Fold> fold_of;
+  double all = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    all += seen[i].amplitude;
+    const int folds = static_cast<int>(std::lround((seen[i].doppler_hz - kept.centroid_hz) / prf_hz));
+    if (folds == 0) continue;
+    const double folded_hz = seen[i].doppler_hz - folds * prf_hz;
+    if (kept.width_hz > 0.0 && std::abs(folded_hz - kept.centroid_hz) > 0.5 * kept.width_hz) continue;
+    Fold& fold = fold_of[folds];
+    const ImagePlace place = looks.place(seen[i], folded_hz);
+    fold.middle.add(static_cast<double>(i), seen[i].amplitude);
+    fold.least = {std::min(fold.least.azimuth_m, place.azimuth_m), std::min(fold.least.range_m, place.range_m)};
+    fold.most = {std::max(fold.most.azimuth_m, place.azimuth_m), std::max(fold.most.range_m, place.range_m)};
+  }
+  for (const auto& [folds, fold] : fold_of) {
+    if (!(fold.middle.amplitude > smallest_share * all)) continue;
+    const SarLook& look = seen[fold.middle.index()];
+    ghosts.push_back({.target = target,
+                      .folds = folds,
+                      .place = looks.place(look, look.doppler_hz - folds * prf_hz),
+                      .azimuth_m = fold.most.azimuth_m - fold.least.azimuth_m,
+                      .range_m = fold.most.range_m - fold.least.range_m,
+                      .share = fold.middle.amplitude / all});
+  }
+}
+
+std::vector<SarGhost> in_order(const std::vector<std::vector<SarGhost>>& ghosts_of) {
+  std::vector<SarGhost> all;
+  for (const std::vector<SarGhost>& ghosts : ghosts_of) all.insert(all.end(), ghosts.begin(), ghosts.end());
+  return all;
+}
+
+// "1, 2, 3 and 5 more"
+std::string target_list(const std::vector<std::size_t>& targets) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(targets.size(), most); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(targets[i] + 1);
+  if (targets.size() > most) text += fmt::format(" and {} more", targets.size() - most);
+  return text;
+}
+
+void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, Problems& problems) {
+  if (ghosts.empty()) return;
+  std::vector<std::size_t> wrapped;
+  double nearest_m = INFINITY;
+  double farthest_m = -INFINITY;
+  double largest = 0.0;
+  for (const SarGhost& ghost : ghosts) {
+    if (wrapped.empty() || wrapped.back() != ghost.target) wrapped.push_back(ghost.target);
+    nearest_m = std::min(nearest_m, ghost.place.azimuth_m);
+    farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
+    largest = std::max(largest, ghost.share);
+  }
+  problems.push_back(problem_of(
+      Severity::warning,
+      fmt::format(
+          "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
+          "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to {:.0f} "
+          "m",
+          wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
+          nearest_m, farthest_m),
+      {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
+}
+
+void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) {
+  std::vector<std::size_t> outside;
+  for (const SarTarget& target : targets)
+    if (target.amplitude > 0.0 && !target.in_swath) outside.push_back(target.target);
+  if (outside.empty()) return;
+  problems.push_back(
+      problem_of(Severity::warning,
+                 fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
+                             "are weaker and wider, or missing",
+                             outside.size(), targets.size(), target_list(outside)),
+                 {}, {}, "record a wider window of ranges"));
+}
+
+void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& problems) {
+  std::vector<std::size_t> cut;
+  for (const SarTarget& target : targets)
+    if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.push_back(target.target);
+  if (cut.empty()) return;
+  problems.push_back(problem_of(
+      Severity::warning,
+      fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
+                  "only the beginning of their echoes: their images are weaker, and wider in range",
+                  cut.size(), targets.size(), target_list(cut)),
+      {}, {}, "record farther, by half of c times the pulse width, or focus the script"));
+}
+
+// The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
+void remark_on_beam(const Plan& plan, const SarLooks& looks, const DopplerBand& kept, Problems& problems) {
+  if (plan.radar.transmit.kind != AntennaPattern::Kind::sinx) return;
+  const double wavelength_m =
+      plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(plan.pulses.first);
+  const double half_width = 0.5 * std::min(plan.radar.transmit.azimuth_beamwidth_rad, 3.1);
+  const double band_hz = 4.0 * looks.track().speed_mps / wavelength_m * std::sin(half_width);
+  const double prf_hz = 1.0 / looks.track().interval_s;
+  // What is beyond the kept band wraps around into it only from one repetition frequency away.
+  const double kept_hz = kept.width_hz > 0.0 ? std::min(kept.width_hz, prf_hz) : prf_hz;
+  if (band_hz <= 2.0 * prf_hz - kept_hz) return;
+  problems.push_back(
+      problem_of(Severity::note,
+                 fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
+                             "that the pulses sample: points off its middle may wrap around",
+                             band_hz, prf_hz),
+                 {}, {}, {}));
+}
+
+void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
+  const double ratio = waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
+  if (ratio < 1.0 || ratio >= 1.1) return;
+  problems.push_back(
+      problem_of(Severity::warning,
+                 fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "
+                             "leaves errors of some per cent",
+                             ratio),
+                 {}, {}, "sample at 1.2 times the bandwidth or more"));
+}
+
+}  // namespace
+
+std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes, const WorkControl& control) {
+  const SarLooks looks(plan, echoes);
+  std::vector<SarTarget> targets(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) { targets[t] = target_of(looks, t, seen); });
+  return targets;
+}
+
+std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                 const WorkControl& control) {
+  const SarLooks looks(plan, echoes);
+  std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
+  looks.each(control,
+             [&](std::size_t t, std::span<const SarLook> seen) { add_ghosts(looks, t, seen, kept, ghosts_of[t]); });
+  return in_order(ghosts_of);
+}
+
+Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept, const WorkControl& control) {
+  constexpr std::size_t most_targets = 4096;
+  Problems problems;
+  remark_on_sampling(echoes.waveform, problems);
+  if (plan.scene->scatterers.size() > most_targets) return problems;
+  const SarLooks looks(plan, echoes);
+  std::vector<SarTarget> targets(looks.targets());
+  std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    targets[t] = target_of(looks, t, seen);
+    add_ghosts(looks, t, seen, kept, ghosts_of[t]);
+  });
+  remark_on_wrapping(looks, in_order(ghosts_of), problems);
+  remark_on_swath(targets, problems);
+  remark_on_cut_echoes(targets, problems);
+  remark_on_beam(plan, looks, kept, problems);
+  return problems;
+}
+
+}  // namespace sarsim

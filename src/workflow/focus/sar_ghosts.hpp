@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "signal/sar/focusing.hpp"
+#include "simulate/plan/plan.hpp"
+
+namespace sarsim {
+
+/// The Doppler frequencies that focusing keeps.
+struct DopplerBand {
+  double centroid_hz = 0.0;
+  double width_hz = 0.0;  ///< 0: all that the pulses sample.
+};
+
+/// A false image of a target: what of its echoes has Doppler frequencies beyond half the pulse repetition frequency
+/// from the centroid is taken for another frequency, and focused elsewhere.
+struct SarGhost {
+  std::size_t target = 0;  ///< Position in the scene's list, from 0.
+  int folds = 0;           ///< Whole pulse repetition frequencies that its Doppler frequencies lie too high.
+  ImagePlace place{};      ///< Its middle.
+  double azimuth_m =
+      0.0;  ///< Over which it is smeared, since neither its curve nor its Doppler rate is the one assumed.
+  double range_m = 0.0;
+  double share = 0.0;  ///< Of the target's echoes that it is made of: of the image's energy at the target.
+};
+
+/// Where a target's image is to be found and what it looks like.
+struct SarTarget {
+  std::size_t target = 0;
+  ImagePlace place;                ///< From distance and Doppler: a moving target R u/v beside where it is.
+  double amplitude = 0.0;          ///< Mean of its whole echoes over all pulses, volts.
+  double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
+  double highest_doppler_hz = 0.0;
+  double least_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
+                                  ///< the amplitude: sidelobes of the antenna count.
+  double most_doppler_hz = 0.0;
+  bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
+  bool whole = true;     ///< And not so near to the end of a raw recording that the rest of its echo is missing.
+};
+
+/// All targets, as the geometry has them.
+/// @param echoes  their waveform, track and window; no rows are read
+/// @throw  Interrupted
+[[nodiscard]] std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes,
+                                                 const WorkControl& control = {});
+
+/// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
+/// less is kept than the pulses sample, only what folds into it is there.
+/// @throw  Interrupted
+[[nodiscard]] std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                               const WorkControl& control = {});
+
+/// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
+/// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
+/// the pulses sample, ranges sampled more coarsely than the band allows. Of more than 4096 targets nothing is said.
+/// @throw  Interrupted
+[[nodiscard]] Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
+                                      const WorkControl& control = {});
+
+}  // namespace sarsim

@@ -1,0 +1,151 @@
+#include "workflow/focus/sar_ghosts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "workflow/focus/sar_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+TEST(SarTargets, AreWhereAndAsStrongAsTheImageShowsThem) {
+  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}}));
+  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const PointResponse response = focused_point(rows, target.place);
+  EXPECT_NEAR(response.place.azimuth_m, target.place.azimuth_m, 0.015);
+  EXPECT_NEAR(response.place.range_m, target.place.range_m, 0.03);
+  EXPECT_NEAR(response.amplitude, target.amplitude, 0.01 * target.amplitude);
+  EXPECT_TRUE(target.in_swath);
+}
+
+TEST(SarTargets, AreDisplacedWhereTheyMove) {
+  Scene scene = sar_scene(600.0, {});
+  scene.platforms.push_back(moving("Car", {0.0, 10.0, 0.0}, {2.0, 0.0, 0.0}));
+  scene.targets.push_back(target_on("Car", {}));
+  const auto [plan, rows] = sar_recording(scene);
+  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const double recession = 2.0 * 10000.0 / std::hypot(10000.0, 2000.0);
+  EXPECT_NEAR(target.place.azimuth_m, 10.0 - std::hypot(10000.0, 2000.0) * recession / 200.0, 0.5);
+  const PointResponse response = focused_point(rows, target.place);
+  EXPECT_NEAR(response.place.azimuth_m, target.place.azimuth_m, 0.1);
+}
+
+TEST(SarTargets, AreOutOfTheSwathWhereTheirEchoesLeaveIt) {
+  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{400.0, 0.0, 0.0}, {}}, 0.1));
+  const std::vector<SarTarget> targets = sar_targets(*plan, rows);
+  EXPECT_FALSE(targets[0].in_swath);
+  EXPECT_TRUE(targets[1].in_swath);
+}
+
+TEST(SarGhosts, AreNoneWhereThePulsesSampleEverything) {
+  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 190.0, 0.0}, {0.0, -190.0, 0.0}}));
+  EXPECT_TRUE(sar_ghosts(*plan, rows, {}).empty());
+}
+
+// Of an image, within some distance of a place.
+double energy(const FocusedImage& image, const ImagePlace& place, double azimuth_m, double range_m) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < image.azimuth.count; ++r)
+    for (std::size_t c = 0; c < image.range.count; ++c) {
+      const bool near = std::abs(image.azimuth.at(static_cast<double>(r)) - place.azimuth_m) < azimuth_m &&
+                        std::abs(image.range.at(static_cast<double>(c)) - place.range_m) < range_m;
+      if (near) sum += std::norm(std::complex<double>(image.values[r * image.range.count + c]));
+    }
+  return sum;
+}
+
+TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
+  // At 300 Hz a point 205 m ahead of the middle reaches 281 Hz: above 150 Hz it wraps around.
+  const auto [plan, rows] = sar_recording(sar_scene(300.0, {{0.0, 205.0, 0.0}}));
+  const std::vector<SarGhost> ghosts = sar_ghosts(*plan, rows, {});
+  ASSERT_EQ(ghosts.size(), 1U);
+  EXPECT_EQ(ghosts[0].folds, 1);
+  EXPECT_NEAR(ghosts[0].place.azimuth_m, 205.0 - 300.0 * 0.056565 * 10198.0 / 400.0, 1.0);
+  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const SarEchoes echoes = sar_echoes(rows, {.threads = 2});
+  const FocusedImage image = focus(echoes, {.method = FocusMethod::chirp_scaling}, {.threads = 2});
+  ASSERT_LT(image.azimuth.first_m, ghosts[0].place.azimuth_m);
+  const double ghost = energy(image, ghosts[0].place, 0.5 * ghosts[0].azimuth_m + 8.0, 0.5 * ghosts[0].range_m + 8.0);
+  const double truth = energy(image, target.place, 12.0, 12.0);
+  EXPECT_NEAR(ghost / (ghost + truth), ghosts[0].share, 0.03);
+}
+
+std::string remarks(const Scene& scene, const DopplerBand& kept = {}) {
+  const auto [plan, rows] = sar_recording(scene);
+  std::string text;
+  for (const Problem& problem : remarks_on_sar(*plan, rows, kept)) text += to_string(problem) + "\n";
+  return text;
+}
+
+TEST(RemarksOnSar, AreNoneForASoundScene) { EXPECT_EQ(remarks(sar_scene(600.0, {{}})), ""); }
+
+TEST(RemarksOnSar, NameTheTargetsThatWrapAround) {
+  const std::string text = remarks(sar_scene(300.0, {{0.0, 150.0, 0.0}, {}, {0.0, -150.0, 0.0}}));
+  EXPECT_NE(text.find("echoes of 2 of 3 targets (1, 3)"), std::string::npos) << text;
+  EXPECT_NE(text.find("ghosts"), std::string::npos) << text;
+}
+
+TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
+  Scene scene = sar_scene(300.0, {{}, {400.0, 0.0, 0.0}}, 0.1);
+  scene.radars[0].transmit_antenna.pattern = Antenna::Pattern::sinx;
+  scene.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(30.0);
+  scene.radars[0].beam_azimuth = Angle::from_deg(90.0);
+  const std::string text = remarks(scene);
+  EXPECT_NE(text.find("1 of 2 targets (2) leave the recorded ranges"), std::string::npos) << text;
+  EXPECT_NE(text.find("Doppler band of 3661 Hz"), std::string::npos) << text;
+}
+
+TEST(RemarksOnSar, AreSilencedByABandIntoWhichNothingFolds) {
+  // From 50 to 250 m behind it: 35 to 173 Hz, of which 300 pulses a second fold those above 150 Hz to -150 ... -127 Hz.
+  const Scene scene = sar_scene(300.0, {{0.0, 150.0, 0.0}}, 0.5);
+  EXPECT_NE(remarks(scene), "");
+  EXPECT_NE(remarks(scene, {.width_hz = 280.0}), "");
+  EXPECT_EQ(remarks(scene, {.width_hz = 240.0}), "");
+}
+
+TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
+  // 40 m before the end of the window, of which the last 120 m can be compressed in part alone.
+  const Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
+  const auto plan = shared_plan(scene);
+  const EchoRows recorded = sar_rows_of_recording(plan, [](std::size_t, std::span<std::complex<double>>) {});
+  const std::vector<SarTarget> targets = sar_targets(*plan, recorded);
+  EXPECT_TRUE(targets[0].in_swath);
+  EXPECT_FALSE(targets[0].whole);
+  EXPECT_TRUE(targets[1].whole);
+  const Problems problems = remarks_on_sar(*plan, recorded, {});
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
+      << problems[0].message;
+  EXPECT_EQ(remarks(scene), "");
+}
+
+TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 4.0 * i, 0.0});
+  const auto [plan, rows] = sar_recording(sar_scene(300.0, points, 0.3));
+  const std::vector<SarTarget> one = sar_targets(*plan, rows, {.threads = 1});
+  const std::vector<SarTarget> three = sar_targets(*plan, rows, {.threads = 3});
+  ASSERT_EQ(one.size(), 50U);
+  for (std::size_t t = 0; t < one.size(); ++t) {
+    EXPECT_EQ(one[t].target, t);
+    EXPECT_EQ(one[t].amplitude, three[t].amplitude);
+    EXPECT_EQ(one[t].place.azimuth_m, three[t].place.azimuth_m);
+  }
+  const auto ghosts = sar_ghosts(*plan, rows, {}, {.threads = 1});
+  const auto same = sar_ghosts(*plan, rows, {}, {.threads = 3});
+  ASSERT_EQ(ghosts.size(), same.size());
+  ASSERT_FALSE(ghosts.empty());
+  for (std::size_t i = 0; i < ghosts.size(); ++i) EXPECT_EQ(ghosts[i].share, same[i].share);
+}
+
+TEST(SarTargets, EndWhenAskedTo) {
+  const auto [plan, rows] = sar_recording(sar_scene(300.0, {{}}, 0.3));
+  StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), Interrupted);
+  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, {.threads = 2, .stop = &stop}), Interrupted);
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,98 @@
+#include "workflow/focus/sar_looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "simulate/survey/derived.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Looks at a target: all of these for so many targets, then as many in all, but no fewer than the least.
+constexpr std::size_t most_looks = 2048;
+constexpr std::size_t looks_for_targets = 4096;
+constexpr std::size_t least_looks = 65;
+
+std::size_t step_of(std::size_t pulses, std::size_t targets) {
+  const std::size_t affordable = most_looks * looks_for_targets / std::max(targets, looks_for_targets);
+  const std::size_t looks = std::max(affordable, least_looks);
+  return (pulses + looks - 1) / looks;
+}
+
+// Targets that are looked at together. Each pulse means a pose of every platform: with many of them it should serve
+// many targets.
+std::size_t targets_at_once(std::size_t platforms) { return std::clamp<std::size_t>(platforms, 8, 128); }
+
+double peak_gain_of(const Plan& plan) {
+  const bool keeps_peak = plan.scene->conventions.compression == Conventions::Compression::keeps_peak;
+  return keeps_peak ? 1.0 : processing_gain(plan);
+}
+
+}  // namespace
+
+SarLooks::SarLooks(const Plan& plan, const EchoRows& echoes, const WindowFunction& weight)
+    : plan_(plan),
+      track_(fit_straight(echoes.track)),
+      gain_(
+          plan, echoes.samples, weight ? weight : [](double) { return 1.0; }),
+      peak_gain_(peak_gain_of(plan)),
+      pulses_(echoes.track.size()),
+      step_(step_of(echoes.track.size(), plan.scene->scatterers.size())),
+      compensated_(echoes.compensated) {}
+
+void SarLooks::each(const WorkControl& control,
+                    const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const {
+  const std::size_t looks = count();
+  parallel_ranges(targets(), targets_at_once(plan_.scene->platforms.size()), control,
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<SarLook> seen((end - begin) * looks);
+                    PulseGeometry geometry(*plan_.scene, plan_.radar);
+                    for (std::size_t i = 0; i < looks; ++i) {
+                      geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
+                      const Pointing pointing = geometry.pointing();
+                      for (std::size_t t = begin; t < end; ++t)
+                        seen[(t - begin) * looks + i] = look_at(t, pulse(i), geometry, pointing);
+                    }
+                    for (std::size_t t = begin; t < end; ++t)
+                      body(t, std::span<const SarLook>(seen).subspan((t - begin) * looks, looks));
+                  });
+}
+
+SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const PulseGeometry& geometry,
+                          const Pointing& pointing) const {
+  const double per_speed = 2.0 * geometry.carrier_hz() / plan_.scene->conventions.light_speed_mps;
+  const ScattererView view = geometry.view(target, pointing);
+  const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
+                     .distance_m = view.distance_m,
+                     .doppler_hz = -per_speed * view.speed_mps,
+                     .delay_s = view.delay_s,
+                     .amplitude = std::abs(view.amplitude_sqrt_w * gain_.gain(view.delay_s)) * peak_gain_,
+                     .share = gain_.share(view.delay_s)};
+  if (!compensated_) return look;
+  const Scatterer& scatterer = plan_.scene->scatterers[target];
+  return from_line(look, geometry.radar_pose(), geometry.pose(scatterer.platform), scatterer.position_m);
+}
+
+SarLook SarLooks::from_line(SarLook look, const Pose& radar, const Pose& platform, const Vec3& point_m) const {
+  const double along_m = dot(radar.position_world_m - track_.origin_m, track_.along);
+  const Vec3 sight_m = world_position_m(platform, point_m) - (track_.origin_m + along_m * track_.along);
+  const Vec3 velocity_mps = world_velocity_mps(platform, point_m) - track_.speed_mps * track_.along;
+  const double light_speed = plan_.scene->conventions.light_speed_mps;
+  look.time_s = along_m / track_.speed_mps;
+  look.distance_m = norm(sight_m);
+  look.doppler_hz = -2.0 * plan_.radar.carrier.carrier_hz(plan_.pulses.first) / light_speed *
+                    dot(sight_m, velocity_mps) / look.distance_m;
+  look.delay_s = 2.0 * look.distance_m / light_speed;
+  return look;
+}
+
+ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
+  const double light_speed = plan_.scene->conventions.light_speed_mps;
+  const double per_hz = light_speed / plan_.radar.carrier.carrier_hz(plan_.pulses.first) / (2.0 * track_.speed_mps);
+  const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
+  return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
+}
+
+}  // namespace sarsim

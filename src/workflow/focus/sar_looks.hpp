@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "core/task/parallel.hpp"
+#include "signal/sar/focusing.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "simulate/plan/plan.hpp"
+#include "workflow/focus/recorded_gain.hpp"
+
+namespace sarsim {
+
+/// One pulse's sight of one target, as focusing takes it: from where the antenna was, or, where its motion is
+/// compensated, from the nearest point of the straight line.
+struct SarLook {
+  double time_s = 0.0;  ///< From the track's middle.
+  double distance_m = 0.0;
+  double doppler_hz = 0.0;
+  double delay_s = 0.0;
+  double amplitude = 0.0;  ///< Of the whole compressed echo, volts.
+  double share = 0.0;      ///< Of it that is recorded, 0 to 1.
+};
+
+/// The pulses of a plan as looks at each of its targets; of more than 2048 pulses, some that are evenly spaced, of more
+/// than 4096 targets fewer still, but 65 at least. They are computed when they are asked for, a few targets at a time.
+class SarLooks {
+ public:
+  /// Keeps a reference to the plan.
+  /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
+  /// @param weight  of the compressing filter over the pulse; even where there is none
+  SarLooks(const Plan& plan, const EchoRows& echoes, const WindowFunction& weight = {});
+
+  [[nodiscard]] std::size_t targets() const { return plan_.scene->scatterers.size(); }
+  /// Looks at each target.
+  [[nodiscard]] std::size_t count() const { return (pulses_ + step_ - 1) / step_; }
+  [[nodiscard]] const StraightTrack& track() const { return track_; }
+  /// Pulse of the echoes that look number i is at.
+  [[nodiscard]] std::size_t pulse(std::size_t i) const { return i * step_; }
+
+  /// Calls `body` with each target, counted from 0, and `count()` looks at it, from many threads at once.
+  /// @throw  Interrupted
+  void each(const WorkControl& control,
+            const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const;
+
+  /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
+  [[nodiscard]] ImagePlace place(const SarLook& look, double doppler_hz) const;
+
+ private:
+  [[nodiscard]] SarLook look_at(std::size_t target, std::size_t pulse, const PulseGeometry& geometry,
+                                const Pointing& pointing) const;
+  [[nodiscard]] SarLook from_line(SarLook look, const Pose& radar, const Pose& platform, const Vec3& point_m) const;
+
+  const Plan& plan_;
+  StraightTrack track_;
+  RecordedGain gain_;
+  double peak_gain_ = 1.0;
+  std::size_t pulses_ = 0;
+  std::size_t step_ = 1;
+  bool compensated_ = false;
+};
+
+}  // namespace sarsim

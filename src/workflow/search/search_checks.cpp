@@ -1,0 +1,319 @@
+#include "workflow/search/search_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/text/number_text.hpp"
+#include "signal/search/canceller.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
+#include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/survey.hpp"
+#include "workflow/focus/recorded_gain.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// Whether all pulses of a plan follow each other at the same interval.
+bool evenly_spaced(const Plan& plan) {
+  const Repetition& repetition = plan.radar.repetition;
+  return std::abs(repetition.shortest_interval_s() - repetition.mean_interval_s()) <
+         1e-9 * repetition.mean_interval_s();
+}
+
+// Reaches to either side, as they are given: ranges, and Doppler rows where there are some.
+std::string cells_text(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+  const auto both = [](std::size_t along_columns, std::size_t along_rows) {
+    return along_rows == 0 ? fmt::format("{}", along_columns) : fmt::format("{}:{}", along_columns, along_rows);
+  };
+  const auto beyond = [](std::size_t reach, std::size_t guard) { return reach - std::min(reach, guard); };
+  return fmt::format(
+      "--train {} --guard {} in a map of {} x {}",
+      both(beyond(cfar.reference_columns, cfar.guard_columns), beyond(cfar.reference_rows, cfar.guard_rows)),
+      both(cfar.guard_columns, cfar.guard_rows), rows, columns);
+}
+
+// Collects the remarks on one plan.
+class Remarks {
+ public:
+  Remarks(const Plan& plan, const SearchOptions& options, const WorkControl& control)
+      : plan_(plan),
+        options_(options),
+        survey_(survey_echoes(plan, control)),
+        prf_hz_(1.0 / plan.radar.repetition.mean_interval_s()),
+        wavelength_m_(plan.scene->conventions.light_speed_mps / plan.radar.carrier.highest_hz()) {}
+
+  Problems all() {
+    if (options_.pulses > 1) {
+      doppler();
+      range_walk();
+    }
+    if (options_.canceller > 0) blind_speeds();
+    window();
+    cut_echoes();
+    dwell();
+    unseen_end();
+    still_beam();
+    if (options_.detect) detector();
+    return std::move(problems_);
+  }
+
+ private:
+  void warn(std::string message, std::string found, std::string expected, std::string hint) {
+    problems_.push_back(
+        problem_of(Severity::warning, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+  }
+
+  [[nodiscard]] double speed_of(double doppler_hz) const { return 0.5 * wavelength_m_ * doppler_hz; }
+
+  // Of the Doppler frequencies that a target shows, the one farthest from 0.
+  static double extreme_hz(const TargetSurvey& target) {
+    return std::abs(target.lowest_doppler_hz) > std::abs(target.highest_doppler_hz) ? target.lowest_doppler_hz
+                                                                                    : target.highest_doppler_hz;
+  }
+
+  void doppler() {
+    std::size_t count = 0;
+    double most_hz = 0.0;
+    for (const TargetSurvey& target : survey_.targets) {
+      if (!target.in_window || std::abs(extreme_hz(target)) <= 0.5 * prf_hz_) continue;
+      ++count;
+      if (std::abs(extreme_hz(target)) > std::abs(most_hz)) most_hz = extreme_hz(target);
+    }
+    if (count == 0) return;
+    warn(fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
+                     survey_.targets.size()),
+         fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)), with_prefix(std::abs(most_hz), "Hz", 4)),
+         fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
+         fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
+                     with_prefix(2.0 * std::abs(most_hz), "Hz", 4)));
+  }
+
+  void range_walk() {
+    const double time_s = static_cast<double>(options_.recorded_pulses()) / prf_hz_;
+    const double cell_m = 0.5 * plan_.scene->conventions.light_speed_mps / bandwidth_hz(plan_.radar.pulse);
+    double most_mps = 0.0;
+    for (const TargetSurvey& target : survey_.targets)
+      if (target.in_window) most_mps = std::max(most_mps, target.largest_speed_mps);
+    if (most_mps * time_s <= cell_m) return;
+    warn(
+        "targets move through more than a cell of range in an interval: their responses smear",
+        fmt::format("{:.4g} m at {:.4g} m/s", most_mps * time_s, most_mps),
+        fmt::format("at most {:.4g} m, c/(2 B)", cell_m),
+        fmt::format("take intervals of at most {:.0f} pulses", std::max(1.0, std::floor(cell_m / most_mps * prf_hz_))));
+  }
+
+  // Far from 0, where nothing rests.
+  void blind_speeds() {
+    constexpr double blind = 0.1;
+    const double mean_gain = canceller_noise_gain(options_.canceller);
+    std::size_t count = 0;
+    std::size_t first = 0;
+    double first_hz = 0.0;
+    for (std::size_t t = survey_.targets.size(); t-- > 0;) {
+      const TargetSurvey& target = survey_.targets[t];
+      const double doppler_hz = 0.5 * (target.lowest_doppler_hz + target.highest_doppler_hz);
+      if (!target.in_window || std::abs(doppler_hz) < 0.5 * prf_hz_) continue;
+      if (canceller_gain(options_.canceller, doppler_hz, prf_hz_) > blind * mean_gain) continue;
+      ++count;
+      first = t + 1;
+      first_hz = doppler_hz;
+    }
+    if (count == 0) return;
+    const double gain = canceller_gain(options_.canceller, first_hz, prf_hz_) / mean_gain;
+    warn(count == 1
+             ? fmt::format("target {} moves near a blind speed of the canceller", first)
+             : fmt::format("{} targets move near blind speeds of the canceller, target {} the first", count, first),
+         fmt::format("{:.4g} m/s, where it lets pass {:.0f} dB", std::abs(speed_of(first_hz)),
+                     10.0 * std::log10(std::max(gain, 1e-30))),
+         fmt::format("speeds away from multiples of {:.4g} m/s, lambda PRF/2", speed_of(prf_hz_)),
+         "change the PRF or the carrier");
+  }
+
+  void window() {
+    const double most_m = unambiguous_range_m(plan_);
+    if (plan_.simulation.range_end_m <= most_m) return;
+    warn(
+        "the recorded ranges reach beyond the unambiguous range: a real receiver would show those echoes with the next "
+        "pulse, nearer",
+        fmt::format("{:.6g} m", plan_.simulation.range_end_m), fmt::format("at most {:.6g} m, c PRI/2", most_m),
+        "lower the PRF, or record less far");
+  }
+
+  // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
+  void cut_echoes() {
+    if (plan_.simulation.processing != Processing::raw) return;
+    const double half_c_mps = 0.5 * plan_.scene->conventions.light_speed_mps;
+    const double whole_m = half_c_mps * RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s();
+    const double last_m = half_c_mps * (plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s);
+    std::size_t count = 0;
+    double farthest_m = 0.0;
+    for (const TargetSurvey& target : survey_.targets) {
+      if (!target.in_window || target.nearest_m > last_m || target.farthest_m <= whole_m) continue;
+      ++count;
+      farthest_m = std::max(farthest_m, target.farthest_m);
+    }
+    if (count == 0) return;
+    warn(fmt::format(
+             "{} of {} targets lie within a pulse's length of the end of the raw recording, which holds only the "
+             "beginning of their echoes: they show weaker",
+             count, survey_.targets.size()),
+         fmt::format("{:.6g} m", farthest_m), fmt::format("at most {:.6g} m", whole_m),
+         "record farther, by half of c times the pulse width, or take the script");
+  }
+
+  void dwell() {
+    const double width_rad = beam_width_rad(plan_);
+    if (plan_.radar.beam.kind != Beam::Kind::rotating || width_rad <= 0.0) return;
+    const double turn_rad =
+        std::abs(plan_.radar.beam.rate_rad_per_s) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
+    if (turn_rad <= width_rad) return;
+    const auto degrees = [](double rad) { return rad * 180.0 / pi; };
+    const double pulses = width_rad / std::abs(plan_.radar.beam.rate_rad_per_s) * prf_hz_;
+    warn("the beam turns farther in an interval than it is wide: targets are lit in a part of it only",
+         fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
+         fmt::format("at most {:.3g} degrees", degrees(width_rad)),
+         pulses >= 2.0 ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
+                       : std::string("turn more slowly or raise the PRF"));
+  }
+
+  // The picture of a single turn stays black where its last pulses make no interval. Of several turns another one shows
+  // it.
+  void unseen_end() {
+    const auto pulses = static_cast<std::size_t>(plan_.pulses.count());
+    const std::size_t intervals = interval_count(options_, pulses);
+    if (!turns(plan_.radar.beam) || intervals == 0) return;
+    const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
+    const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / pi;
+    const double unseen_deg =
+        std::min(turn_deg * static_cast<double>(pulses - taken), 360.0 - turn_deg * static_cast<double>(taken));
+    constexpr double rounding_deg = 1e-6;
+    if (unseen_deg < rounding_deg) return;
+    problems_.push_back(
+        problem_of(Severity::note,
+                   fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
+                               pulses - taken, pulses, unseen_deg),
+                   "", "",
+                   fmt::format("take intervals of another number of pulses, or record {} more",
+                               taken + options_.step_pulses() - pulses)));
+  }
+
+  // Of single pulses nothing is left but the beam's azimuth and the range.
+  void still_beam() {
+    if (options_.recorded_pulses() > 1 || beam_turns(plan_)) return;
+    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    geometry.set_pulse(plan_.pulses.first);
+    const double azimuth_deg = azimuth_rad(geometry.pointing().axis_world()) * 180.0 / pi;
+    warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
+         fmt::format("a beam that points to {:.3g} degrees all the time",
+                     azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
+         "a ROTATING beam",
+         "targets outside the beam are not held against detections; give intervals of pulses with --interval, or take "
+         "sarsim doppler");
+  }
+
+  void detector() {
+    if (plan_.noise_stddev_v == 0.0)
+      warn("the radar has no noise: detections are held against sidelobes and rounding errors", "0 K",
+           "a noise temperature above 0", "give the receiver its temperature, 290 K for instance");
+    if (options_.canceller > 0 && options_.cfar.reference_rows > 0)
+      warn("after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead",
+           fmt::format("{} rows", options_.cfar.reference_rows), "reference cells in the same row",
+           "leave out the second number of --train");
+    const double pulse_cells = 1.0 / (bandwidth_hz(plan_.radar.pulse) * plan_.raw_grid.interval_s);
+    if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
+      warn("a response is wider than the guard cells: a target hides itself",
+           fmt::format("{} guard cells to either side", options_.cfar.guard_columns),
+           fmt::format("at least {:.0f}, the samples of a range cell", std::ceil(pulse_cells)),
+           "give more with --guard");
+  }
+
+  const Plan& plan_;
+  const SearchOptions& options_;
+  EchoSurvey survey_;
+  double prf_hz_;
+  double wavelength_m_;
+  Problems problems_;
+};
+
+}  // namespace
+
+Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
+  Problems problems;
+  const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
+    problems.push_back(
+        problem_of(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+  };
+  if (plan.simulation.processing == Processing::srp)
+    refuse("synthetic range profiles hold no pulses", "SRP", "RAW or MATCHED_FILTER processing",
+           "take another simulation with --simulation");
+  const bool trains = options.recorded_pulses() > 1;
+  if (trains && !evenly_spaced(plan))
+    refuse("the pulses are not evenly spaced: Doppler frequencies and cancellers need even ones", "", "one PRF",
+           "use CONSTANT repetition, or --interval 1 without a canceller");
+  if (trains && plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
+    refuse("the carrier changes from pulse to pulse: their phases cannot be compared",
+           fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
+           "one carrier", "use CARRIER SINGLE, or --interval 1 without a canceller");
+  const auto pulses = static_cast<std::size_t>(plan.pulses.count());
+  if (plan.simulation.processing != Processing::srp && options.recorded_pulses() > pulses)
+    refuse("an interval takes more pulses than there are", fmt::format("{}", options.recorded_pulses()),
+           fmt::format("at most {}", pulses), "give --interval less, or record for longer");
+  if (options.frequencies > 0 && options.frequencies < options.pulses)
+    refuse("a map has fewer Doppler frequencies than an interval has pulses", fmt::format("{}", options.frequencies),
+           fmt::format("at least {}", options.pulses), "give --frequencies more");
+  if (options.pulses == 1 && options.frequencies > 1)
+    refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
+           "give --interval more, or leave out --frequencies");
+  if (options.detect && !has_reference_cells(options.cfar, options.rows(), plan.columns))
+    refuse("no reference cells are left outside the guard", cells_text(options.cfar, options.rows(), plan.columns),
+           "more cells to train on than to guard, and a guard smaller than the map",
+           "give --train more, or --guard less");
+  return problems;
+}
+
+Problems remarks_on_search(const Plan& plan, const SearchOptions& options, const WorkControl& control) {
+  return Remarks(plan, options, control).all();
+}
+
+double beam_width_rad(const Plan& plan) {
+  const auto width = [](const AntennaPattern& pattern) {
+    return pattern.kind == AntennaPattern::Kind::sinx ? pattern.azimuth_beamwidth_rad : 0.0;
+  };
+  const double transmit = width(plan.radar.transmit);
+  const double receive = width(plan.radar.receive);
+  if (transmit > 0.0 && receive > 0.0) return std::min(transmit, receive);
+  return std::max(transmit, receive);
+}
+
+bool beam_turns(const Plan& plan) {
+  constexpr int looks = 16;
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  double first_rad = 0.0;
+  for (int look = 0; look <= looks; ++look) {
+    // Unevenly far apart, so that no turn fits between all of them.
+    const double share = static_cast<double>(look * look) / (looks * looks);
+    geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
+    const double here_rad = azimuth_rad(geometry.pointing().axis_world());
+    if (look == 0) first_rad = here_rad;
+    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * pi)) > seen_width_rad(plan)) return true;
+  }
+  return false;
+}
+
+double seen_width_rad(const Plan& plan) {
+  const double width_rad = beam_width_rad(plan);
+  return width_rad > 0.0 ? width_rad : pi / 180.0;
+}
+
+std::size_t dwell_pulses(const Plan& plan) {
+  const double rate = std::abs(plan.radar.beam.rate_rad_per_s);
+  if (plan.radar.beam.kind != Beam::Kind::rotating || rate == 0.0) return 1;
+  const double pulses = 0.5 * beam_width_rad(plan) / rate / plan.radar.repetition.mean_interval_s();
+  return static_cast<std::size_t>(std::clamp(std::floor(pulses + 1e-9), 1.0, 64.0));
+}
+
+}  // namespace sarsim

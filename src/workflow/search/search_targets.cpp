@@ -1,0 +1,273 @@
+#include "workflow/search/search_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "core/maths/constants.hpp"
+#include "signal/search/canceller.hpp"
+#include "signal/search/steady_target.hpp"
+#include "workflow/search/search_checks.hpp"
+
+namespace sarsim {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The ratio at which a steady target is found in half of all cases.
+double even_snr(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+  double low = 0.0;
+  double high = 1.0;
+  while (high < 1e5 && steady_probability(cfar, rows, columns, high) < 0.5) high *= 2.0;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (steady_probability(cfar, rows, columns, middle) < 0.5 ? low : high) = middle;
+  }
+  return high;
+}
+
+// Within half a period of 0.
+double folded(double value, double period) { return value - period * std::floor(value / period + 0.5); }
+
+std::size_t nearest_index(const std::vector<double>& ascending, double value) {
+  const auto after = std::ranges::lower_bound(ascending, value);
+  if (after == ascending.begin()) return 0;
+  if (after == ascending.end()) return ascending.size() - 1;
+  const auto index = static_cast<std::size_t>(after - ascending.begin());
+  return value - ascending[index - 1] < ascending[index] - value ? index - 1 : index;
+}
+
+// Pulses that one look stands for: an odd number, which has a middle. A canceller takes what changes from one pulse to
+// the next and needs each of them.
+std::size_t pulses_of_look(const SearchOptions& options) {
+  constexpr std::size_t most_looks = 64;
+  if (options.canceller > 0) return 1;
+  return (options.recorded_pulses() + most_looks - 1) / most_looks | 1U;
+}
+
+}  // namespace
+
+double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
+  constexpr std::size_t most_ordered = 4096;
+  const std::size_t all = reference_cells(cfar, rows, columns);
+  if (all == 0) return 0.0;
+  const double worth = std::round(cfar.independence * static_cast<double>(all));
+  std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
+  if (cfar.kind == CfarOptions::Kind::cell_averaging)
+    return std::min(1.0, cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr));
+  cells = std::min(cells, most_ordered);
+  const std::size_t rank = cfar_rank(cells, cfar.rank_share);
+  const double factor = ordered_statistic_factor(cells, rank, cfar.false_alarm);
+  return std::min(1.0, ordered_statistic_steady_probability(cells, rank, factor, snr));
+}
+
+std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller, std::size_t rows) {
+  const std::vector<double> differences = canceller_weights(canceller);
+  std::vector<double> products(differences.size());
+  for (std::size_t m = 0; m < products.size(); ++m)
+    for (std::size_t n = 0; n + m < weights.size(); ++n) products[m] += weights[n] * weights[n + m];
+  std::vector<double> gains(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double cycles = (static_cast<double>(row) - static_cast<double>(rows / 2)) / static_cast<double>(rows);
+    for (std::size_t k = 0; k < differences.size(); ++k)
+      for (std::size_t l = 0; l < differences.size(); ++l) {
+        const std::size_t apart = k > l ? k - l : l - k;
+        gains[row] += differences[k] * differences[l] * products[apart] *
+                      std::cos(2.0 * pi * cycles * static_cast<double>(apart));
+      }
+  }
+  return gains;
+}
+
+SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options)
+    : rows_(rows),
+      options_(options),
+      geometry_(*rows.plan->scene, rows.plan->radar),
+      gain_(*rows.plan, rows.samples(), rows.plan->radar.window),
+      weights_(pulse_weights(coherent_interval(options))),
+      differences_(canceller_weights(options.canceller)),
+      pulses_v_(options.pulses),
+      look_pulses_(pulses_of_look(options)),
+      looks_((options.recorded_pulses() + look_pulses_ - 1) / look_pulses_),
+      prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
+  const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
+  cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
+  noise_w_ = noise_gains(weights_, options.canceller, options.rows());
+  for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
+  if (options.detect && rows.noise_w > 0.0)
+    certain_snr_ = even_snr(detector_of(rows, options), options.rows(), rows.samples());
+  if (options.recorded_pulses() == 1 && !beam_turns(*rows.plan)) still_beam_rad_ = seen_width_rad(*rows.plan);
+  targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
+  for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
+}
+
+// Some targets at a time, which bounds what is held of a long interval.
+std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
+  constexpr std::size_t most_held = std::size_t{1} << 18;
+  const std::size_t at_once = std::max<std::size_t>(1, most_held / looks_);
+  std::vector<TargetSight> sights(targets_.size());
+  for (std::size_t first = 0; first < sights.size(); first += at_once) {
+    const std::span<TargetSight> some = std::span(sights).subspan(first, std::min(at_once, sights.size() - first));
+    look(interval, first, some);
+    for (std::size_t t = 0; t < some.size(); ++t)
+      place(interval, std::span<const double>(amplitudes_v_).subspan(t * looks_, looks_), some[t]);
+  }
+  return sights;
+}
+
+// Where the targets from `first` on are in the interval, and the amplitudes of their echoes, look by look.
+void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights) {
+  const ResolvedScene& scene = *rows_.plan->scene;
+  const double light_speed_mps = scene.conventions.light_speed_mps;
+  const std::size_t pulses = options_.recorded_pulses();
+  amplitudes_v_.resize(sights.size() * looks_);
+  for (std::size_t look = 0; look < looks_; ++look) {
+    const std::size_t begin = look * look_pulses_;
+    const std::size_t length = std::min(look_pulses_, pulses - begin);
+    const std::size_t pulse = begin + length / 2;
+    const double share = static_cast<double>(length) / static_cast<double>(pulses);
+    geometry_.set_pulse(rows_.number(interval.first_pulse + pulse));
+    const Pointing pointing = geometry_.pointing();
+    for (std::size_t t = 0; t < sights.size(); ++t) {
+      const ScattererView view = geometry_.view(first + t, pointing);
+      TargetSight& sight = sights[t];
+      sight.range_m += share * 0.5 * light_speed_mps * view.delay_s;
+      sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / light_speed_mps;
+      amplitudes_v_[t * looks_ + look] =
+          rows_.peak_gain * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
+      if (look != looks_ / 2) continue;
+      const Scatterer& scatterer = scene.scatterers[first + t];
+      sight.azimuth_rad = azimuth_rad(world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
+                                      geometry_.radar_pose().position_world_m);
+    }
+  }
+}
+
+// The cell, and what of the echoes' amplitudes and of the noise comes there.
+void SearchTargets::place(const SearchInterval& interval, std::span<const double> amplitudes_v, TargetSight& sight) {
+  sight.interval = interval.number;
+  sight.time_s = interval.time_s;
+  // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
+  const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
+  if (rate != 0.0) sight.range_m -= 0.5 * rows_.plan->scene->conventions.light_speed_mps * sight.doppler_hz / rate;
+  const double step_m = rows_.samples() > 1 ? rows_.range_m[1] - rows_.range_m[0] : cell_m_;
+  sight.in_window =
+      sight.range_m > rows_.range_m.front() - 0.5 * step_m && sight.range_m < rows_.range_m.back() + 0.5 * step_m;
+  sight.column = nearest_index(rows_.range_m, sight.range_m);
+  take_pulses(amplitudes_v, sight.doppler_hz);
+  if (options_.pulses > 1)
+    take_strongest_row(interval, sight);
+  else
+    sight.amplitude_v = response(sight.doppler_hz, 0.0);
+  if (!(sight.amplitude_v > 0.0)) return;
+  const double delay_s = 2.0 * rows_.range_m[sight.column] / rows_.plan->scene->conventions.light_speed_mps;
+  const double noise_w = noise_w_[sight.row] * gain_.noise(delay_s);
+  sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
+}
+
+// The echoes of one target behind the canceller, but for the turn of the Doppler frequency from one output to the next.
+void SearchTargets::take_pulses(std::span<const double> amplitudes_v, double doppler_hz) {
+  const std::complex<double> step = std::polar(1.0, 2.0 * pi * doppler_hz / prf_hz_);
+  for (std::size_t p = 0; p < pulses_v_.size(); ++p) {
+    std::complex<double> sum;
+    // Horner's rule: equal echoes of a resting target leave exactly nothing.
+    for (std::size_t k = differences_.size(); k-- > 0;) {
+      sum = sum * step + differences_[k] * amplitudes_v[(p + k) / look_pulses_];
+    }
+    pulses_v_[p] = sum;
+  }
+}
+
+// That of the Doppler frequency; behind a canceller, which takes away its middle, one beside it may be higher.
+void SearchTargets::take_strongest_row(const SearchInterval& interval, TargetSight& sight) const {
+  constexpr double rounding = 1e-9;
+  sight.seen_doppler_hz = folded(sight.doppler_hz, prf_hz_);
+  const auto rows = static_cast<std::ptrdiff_t>(options_.rows());
+  const auto middle = static_cast<std::ptrdiff_t>(
+      std::round((sight.seen_doppler_hz - interval.map.first_doppler_hz) / interval.map.doppler_step_hz));
+  const auto take = [&](std::ptrdiff_t wanted) {
+    const auto row = static_cast<std::size_t>(((wanted % rows) + rows) % rows);
+    const double amplitude_v = response(sight.doppler_hz, interval.map.doppler_hz(row));
+    if (wanted != middle && !(amplitude_v > (1.0 + rounding) * sight.amplitude_v)) return;
+    sight.row = row;
+    sight.amplitude_v = amplitude_v;
+  };
+  take(middle);
+  if (options_.canceller == 0) return;
+  const auto reach = rows / static_cast<std::ptrdiff_t>(options_.pulses);
+  for (std::ptrdiff_t away = 1; away <= reach; ++away) {
+    take(middle - away);
+    take(middle + away);
+  }
+}
+
+// Of the pulses that were taken, summed for one Doppler frequency, to another one.
+double SearchTargets::response(double doppler_hz, double cell_hz) const {
+  const std::complex<double> step = std::polar(1.0, 2.0 * pi * (doppler_hz - cell_hz) / prf_hz_);
+  std::complex<double> sum;
+  for (std::size_t p = weights_.size(); p-- > 0;) sum = sum * step + weights_[p] * pulses_v_[p];
+  return std::abs(sum);
+}
+
+// Of a detection from a target, in cells; no number where that is too far.
+double SearchTargets::distance(const SearchDetection& detection, const TargetSight& sight) const {
+  constexpr double reach = 1.5;
+  const double ranges = std::abs(detection.range_m - sight.range_m) / cell_m_;
+  double dopplers = 0.0;
+  if (options_.pulses > 1)
+    dopplers = std::abs(folded(detection.doppler_hz - sight.seen_doppler_hz, prf_hz_)) *
+               static_cast<double>(options_.pulses) / prf_hz_;
+  return ranges <= reach && dopplers <= reach ? std::hypot(ranges, dopplers) : infinity;
+}
+
+// Single pulses of a beam that does not turn tell targets apart by range alone: one in another direction is not what
+// was detected where the beam points.
+bool SearchTargets::beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const {
+  constexpr double reach = 1.5;
+  if (still_beam_rad_ == 0.0) return false;
+  const double away_rad = std::remainder(sight.azimuth_rad - azimuth_rad(interval.beam_world), 2.0 * pi);
+  return std::abs(away_rad) > reach * still_beam_rad_;
+}
+
+std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
+  std::vector<std::optional<std::size_t>> of(interval.detections.size());
+  std::vector<double> nearest(interval.detections.size(), infinity);
+  const std::vector<TargetSight> seen_now = sights(interval);
+  for (TargetFinding& finding : targets_) {
+    const TargetSight& seen = seen_now[finding.target];
+    if (!seen.in_window) continue;
+    if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
+    if (!(seen.amplitude_v > 0.0) || beside_still_beam(interval, seen)) continue;
+    if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
+    for (std::size_t d = 0; d < of.size(); ++d) {
+      const double away = distance(interval.detections[d], seen);
+      if (!(away < nearest[d])) continue;
+      nearest[d] = away;
+      of[d] = finding.target;
+    }
+  }
+  for (TargetFinding& finding : targets_) {
+    bool found = false;
+    for (std::size_t d = 0; d < of.size(); ++d) {
+      if (of[d] != finding.target) continue;
+      found = true;
+      const SearchDetection& detection = interval.detections[d];
+      if (!finding.best || detection.magnitude_v > finding.best->magnitude_v) finding.best = detection;
+    }
+    if (found) ++finding.found;
+  }
+  return of;
+}
+
+std::vector<TargetFinding> SearchTargets::findings() const {
+  std::vector<TargetFinding> findings = targets_;
+  const CfarOptions cfar = detector_of(rows_, options_);
+  for (TargetFinding& finding : findings)
+    if (certain_snr_ > 0.0 && finding.sight.in_window)
+      finding.probability = steady_probability(cfar, options_.rows(), rows_.samples(), finding.sight.snr);
+  return findings;
+}
+
+}  // namespace sarsim

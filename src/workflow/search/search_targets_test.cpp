@@ -1,0 +1,370 @@
+#include "workflow/search/search_targets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
+
+#include "signal/search/canceller.hpp"
+#include "signal/search/steady_target.hpp"
+#include "workflow/search/search_test_scene.hpp"
+
+namespace sarsim {
+namespace {
+
+const double wavelength_m = exact_light_speed_mps / 10e9;
+
+std::vector<TargetFinding> findings_of(const PulseRows& rows, const SearchOptions& options) {
+  SearchTargets targets(rows, options);
+  for (const SearchInterval& interval : intervals_of(rows, options)) (void)targets.take(interval);
+  return targets.findings();
+}
+
+TEST(SearchTargets, KnowTheCellAndTheHeightOfATarget) {
+  for (const double speed_mps : {0.0, -12.4, 16.7, 95.0})
+    for (const std::size_t canceller : {0u, 1u, 2u})
+      for (const std::size_t frequencies : {0u, 150u}) {
+        if (speed_mps == 0.0 && canceller > 0) continue;
+        SearchOptions options;
+        options.pulses = 64;
+        options.canceller = canceller;
+        options.frequencies = frequencies;
+        options.window.kind = SarWindow::Kind::hamming;
+        const PulseRows rows = pulse_rows_of(pulse_scene(speed_mps, 66));
+        const TargetFinding finding = findings_of(rows, options).at(0);
+        ASSERT_TRUE(finding.best) << speed_mps << " " << canceller;
+        EXPECT_EQ(finding.best->row, finding.sight.row) << speed_mps;
+        EXPECT_EQ(finding.best->column, finding.sight.column) << speed_mps;
+        EXPECT_NEAR(finding.sight.doppler_hz, -2.0 * speed_mps / wavelength_m, 0.1);
+        EXPECT_NEAR(finding.best->doppler_hz, finding.sight.seen_doppler_hz, 1.0);
+        EXPECT_NEAR(finding.best->range_m, finding.sight.range_m, 0.5);
+        // A range cell's edge takes up to 1 dB of a Hamming-weighted chirp at 1.25 samples a cell.
+        EXPECT_LE(finding.best->magnitude_v, 1.001 * finding.sight.amplitude_v);
+        EXPECT_GE(finding.best->magnitude_v, 0.88 * finding.sight.amplitude_v);
+        EXPECT_TRUE(std::isinf(finding.sight.snr));
+        EXPECT_FALSE(finding.probability);
+        EXPECT_EQ(finding.found, 1u);
+      }
+}
+
+TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
+  Scene scene = noise_scene(2000, 100);
+  // A target that is no more than a place to look at.
+  scene.platforms.push_back(moving("Car", {0.0, 20e3, 0.0}, {0.0, -10.0, 0.0}));
+  scene.targets.push_back(target_on("Car", {}, 1e-9));
+  const PulseRows rows = pulse_rows_of(scene);
+  for (const std::size_t canceller : {0u, 2u}) {
+    SearchOptions options;
+    options.pulses = 16;
+    options.canceller = canceller;
+    options.window.kind = SarWindow::Kind::hamming;
+    const TargetFinding finding = findings_of(rows, options).at(0);
+    const double noise_w = finding.sight.amplitude_v * finding.sight.amplitude_v / finding.sight.snr;
+    double power = 0.0;
+    double count = 0.0;
+    for (const SearchInterval& interval : intervals_of(rows, options))
+      for (std::size_t n = 0; n < 100; ++n) {
+        power += static_cast<double>(std::norm(interval.map.values[finding.sight.row * 100 + n]));
+        count += 1.0;
+      }
+    EXPECT_NEAR(power / count / noise_w, 1.0, 5.0 / std::sqrt(count)) << canceller;
+  }
+}
+
+// A beam of 2 degrees that turns by 0.03 degrees from pulse to pulse over a strong target that rests. It is met in
+// pulse 203; its echo is one sample, the next one behind it.
+Scene swept_scene() {
+  Scene scene = noise_scene(400, 60);
+  const double range_m = scene.simulations[0].range_start_m + 29.7 * 0.5 * exact_light_speed_mps / 1e6;
+  const double bearing_rad = 6.1 * pi / 180.0;
+  scene.targets.push_back(
+      target_on("Earth", {range_m * std::sin(bearing_rad), range_m * std::cos(bearing_rad), 0.0}, 1e3));
+  Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
+  radar.beam = Radar::Beam::rotating;
+  radar.beam_rate = Angle::from_deg(120.0);
+  radar.noise_temperature_k = 0.0;
+  return scene;
+}
+
+// What the turning beam changes from pulse to pulse passes the cancellers, in the middle row or beside it: 0.2 % of the
+// largest, which is 0.02 dB. Of intervals of 70 pulses every third is looked at.
+TEST(SearchTargets, KnowWhatATurningBeamMakesOfATargetThatRests) {
+  const PulseRows rows = pulse_rows_of(swept_scene());
+  for (const std::size_t canceller : {0u, 1u, 2u})
+    for (const std::size_t pulses : {7u, 33u, 70u}) {
+      SearchOptions options;
+      options.pulses = pulses;
+      options.canceller = canceller;
+      options.frequencies = pulses == 7 ? 16 : 0;
+      double largest_v = 0.0;
+      std::vector<std::pair<double, double>> expected_and_there;
+      for (const SearchInterval& interval : intervals_of(rows, options)) {
+        SearchTargets targets(rows, options);
+        (void)targets.take(interval);
+        const TargetSight sight = targets.findings().at(0).sight;
+        const double there_v =
+            static_cast<double>(std::abs(interval.map.values.at(sight.row * interval.map.samples + sight.column)));
+        largest_v = std::max(largest_v, there_v);
+        expected_and_there.emplace_back(sight.amplitude_v, there_v);
+      }
+      EXPECT_GT(largest_v, 0.0);
+      for (const auto& [expected_v, there_v] : expected_and_there)
+        EXPECT_NEAR(expected_v, there_v, 2e-3 * largest_v) << canceller << " " << pulses;
+    }
+}
+
+// Where the canceller leaves as much of the rising as of the falling echo, the middle row is empty.
+TEST(SearchTargets, ExpectWhatPassesACancellerInItsStrongestRow) {
+  const PulseRows rows = pulse_rows_of(swept_scene());
+  SearchOptions options;
+  options.pulses = 33;
+  options.canceller = 1;
+  options.step = 1;
+  options.detect = false;
+  std::size_t beside = 0;
+  for (const SearchInterval& interval : intervals_of(rows, options)) {
+    if (interval.number < 160 || interval.number > 200) continue;
+    SearchTargets targets(rows, options);
+    (void)targets.take(interval);
+    const TargetSight sight = targets.findings().at(0).sight;
+    const auto height_v = [&](std::size_t row) {
+      return static_cast<double>(std::abs(interval.map.values.at(row * interval.map.samples + sight.column)));
+    };
+    // Row 16 is that of resting targets.
+    for (const std::size_t row : {15u, 16u, 17u}) EXPECT_LE(height_v(row), 1.02 * height_v(sight.row)) << row;
+    if (sight.row != 16) ++beside;
+  }
+  EXPECT_GT(beside, 0u);
+  EXPECT_LT(beside, 41u);
+}
+
+TEST(SearchTargets, AreFoundBehindACancellerWhereTheyAreExpected) {
+  Scene scene = swept_scene();
+  // 63 dB in a pulse; a hundredth of the amplitude passes.
+  scene.radars[0].noise_temperature_k = 290.0;
+  const double echo_v = equation_amplitude(15e3 + 4452.0, 1.0, wavelength_m);
+  scene.targets[0].rcs_m2 = 2e6 * 290.0 * boltzmann_j_per_k * 1e6 / (echo_v * echo_v);
+  const PulseRows rows = pulse_rows_of(scene);
+  SearchOptions options;
+  options.pulses = 33;
+  options.canceller = 1;
+  const TargetFinding finding = findings_of(rows, options).at(0);
+  ASSERT_TRUE(finding.best);
+  ASSERT_TRUE(finding.probability);
+  EXPECT_GT(finding.sight.snr, 1e3);
+  EXPECT_GT(*finding.probability, 0.99);
+  EXPECT_GE(finding.expected, 3u);
+  EXPECT_GE(finding.found + 2, finding.expected);
+  EXPECT_LE(finding.found, finding.expected + 3);
+  // 33 dB of noise and more leave 10 %.
+  EXPECT_NEAR(finding.best->magnitude_v / finding.sight.amplitude_v, 1.0, 0.1);
+}
+
+TEST(SearchTargets, PredictHowOftenTheyAreFound) {
+  constexpr int pulses = 4000;
+  Scene scene = noise_scene(pulses, 60);
+  const double step_m = 0.5 * exact_light_speed_mps / 1e6;
+  const double range_m = scene.simulations[0].range_start_m + 29.5 * step_m;
+  scene.targets.push_back(target_on("Earth", {0.0, range_m, 0.0}, 1e3));
+  const double echo_v = equation_amplitude(range_m, 1e3, wavelength_m);
+  scene.radars[0].noise_temperature_k = echo_v * echo_v / (9.0 * boltzmann_j_per_k * 1e6);
+  SearchOptions options;
+  options.cfar.false_alarm = 1e-4;
+  options.all_cells = true;
+  const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_NEAR(finding.sight.snr, 9.0, 1e-6);
+  const double wanted = cell_averaging_steady_probability(28, cell_averaging_factor(28, 1e-4), 9.0);
+  ASSERT_TRUE(finding.probability);
+  EXPECT_NEAR(*finding.probability, wanted, 1e-9);
+  EXPECT_EQ(finding.expected, wanted >= 0.5 ? std::size_t{pulses} : 0u);
+  // Detections in the cells beside it count as its own, too: false alarms, at most two cells' worth.
+  EXPECT_NEAR(static_cast<double>(finding.found) / pulses, wanted, 5.0 * std::sqrt(wanted * (1.0 - wanted) / pulses));
+}
+
+TEST(SearchTargets, GiveEachDetectionToTheNearest) {
+  Scene scene = pulse_scene(10.0, 64);
+  scene.targets.push_back(target_on("Earth", {0.0, 5150.0, 0.0}, 2.0));
+  SearchOptions options;
+  options.pulses = 64;
+  options.window.kind = SarWindow::Kind::hamming;
+  options.cfar.false_alarm = 1e-9;
+  const PulseRows rows = pulse_rows_of(scene);
+  SearchTargets targets(rows, options);
+  const SearchInterval interval = intervals_of(rows, options).at(0);
+  const auto of = targets.take(interval);
+  ASSERT_EQ(of.size(), interval.detections.size());
+  for (std::size_t d = 0; d < of.size(); ++d) {
+    const SearchDetection& detection = interval.detections[d];
+    const bool car = std::abs(detection.range_m - 5000.0) < 22.5 && std::abs(detection.speed_mps - 10.0) < 1.4;
+    const bool house = std::abs(detection.range_m - 5150.0) < 22.5 && std::abs(detection.speed_mps) < 1.4;
+    const auto wanted = car ? std::optional<std::size_t>(0) : house ? std::optional<std::size_t>(1) : std::nullopt;
+    EXPECT_EQ(of[d], wanted) << detection.range_m << " " << detection.speed_mps;
+  }
+  const auto findings = targets.findings();
+  EXPECT_EQ(findings.at(0).found, 1u);
+  EXPECT_EQ(findings.at(1).found, 1u);
+}
+
+// An isotropic antenna that points to +y sees a target in +x as well, but says nothing of where it is.
+TEST(SearchTargets, OfABeamThatDoesNotTurnAreInItsDirection) {
+  SearchOptions options;
+  options.cfar.false_alarm = 1e-9;
+  for (const bool aside : {false, true}) {
+    Scene scene = pulse_scene(0.0, 4);
+    scene.targets = {target_on("Earth", aside ? Vec3{5000.0, 0.0, 0.0} : Vec3{0.0, 5000.0, 0.0})};
+    const PulseRows rows = pulse_rows_of(scene);
+    SearchTargets targets(rows, options);
+    for (const SearchInterval& interval : intervals_of(rows, options)) {
+      EXPECT_FALSE(interval.detections.empty());
+      for (const auto& of : targets.take(interval)) EXPECT_EQ(of.has_value() && aside, false);
+    }
+    EXPECT_EQ(targets.findings().at(0).found, aside ? 0u : 4u);
+  }
+  // Trains of pulses tell targets apart by their speeds as well.
+  options.pulses = 4;
+  Scene scene = pulse_scene(0.0, 4);
+  scene.targets = {target_on("Earth", {5000.0, 0.0, 0.0})};
+  EXPECT_EQ(findings_of(pulse_rows_of(scene), options).at(0).found, 1u);
+}
+
+TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
+  Scene scene = pulse_scene(0.0, 64);
+  scene.targets[0].position_m.y = 3000.0;
+  SearchOptions options;
+  options.pulses = 64;
+  const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_EQ(finding.sight.amplitude_v, 0.0);
+  EXPECT_EQ(finding.found, 0u);
+  EXPECT_FALSE(finding.best);
+}
+
+// Rows of what a run of the scene would record.
+PulseRows recorded_rows(const Scene& scene) {
+  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
+  const auto recording = std::make_shared<const Recording>(record(*plan));
+  return pulse_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
+    std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
+  });
+}
+
+TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
+  // A pulse of 1499 m, of which 749.5 m fit between target and the end of the window: by symmetry half of the weights.
+  Scene scene = pulse_scene(0.0, 64);
+  scene.radars[0].noise_temperature_k = 290.0;
+  SearchOptions options;
+  options.pulses = 64;
+  scene.simulations[0].range_end_m = 7000.0;
+  const TargetSight whole = findings_of(recorded_rows(scene), options).at(0).sight;
+  scene.simulations[0].range_end_m = 5749.5;
+  const TargetSight half = findings_of(recorded_rows(scene), options).at(0).sight;
+  EXPECT_NEAR(half.amplitude_v / whole.amplitude_v, 0.5, 0.02);
+  EXPECT_NEAR(half.snr / whole.snr, 0.5, 0.03);
+}
+
+TEST(SearchTargets, GrowWithTheReceiversGainOverTimeAsNoiseDoes) {
+  Scene scene = pulse_scene(0.0, 64);
+  scene.targets[0].rcs_m2 = 1e6;
+  scene.radars[0].noise_temperature_k = 290.0;
+  SearchOptions options;
+  options.pulses = 64;
+  const TargetFinding plain = findings_of(pulse_rows_of(scene), options).at(0);
+  scene.radars[0].stc = Radar::Stc::user;
+  scene.radars[0].stc_gain.part = {lines({{0.0, 7.0}, {20000.0, 7.0}})};
+  const TargetFinding loud = findings_of(pulse_rows_of(scene), options).at(0);
+  EXPECT_NEAR(loud.sight.amplitude_v / plain.sight.amplitude_v, 7.0, 1e-9);
+  EXPECT_NEAR(loud.sight.snr / plain.sight.snr, 1.0, 1e-9);
+  ASSERT_TRUE(plain.best && loud.best);
+  EXPECT_NEAR(loud.best->magnitude_v / plain.best->magnitude_v, 7.0, 1e-5);
+}
+
+TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
+  // A long pulse of little bandwidth: 240 m/s shift its peak by 16 kHz/(1 MHz/100 us) = 1.6 us, 240 m.
+  for (const double bandwidth_hz : {1e6, -1e6}) {
+    Scene scene = pulse_scene(-240.0, 64);
+    scene.radars[0].bandwidth_hz = bandwidth_hz;
+    scene.radars[0].pulse_width_s = 100e-6;
+    scene.simulations[0].range_start_m = 3000.0;
+    scene.simulations[0].range_end_m = 7000.0;
+    scene.simulations[0].sample_rate_hz = 2e6;
+    SearchOptions options;
+    options.pulses = 32;
+    options.cfar.guard_columns = 4;
+    const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
+    const double shift_m = finding.sight.range_m - (5000.0 - 240.0 * finding.sight.time_s);
+    EXPECT_NEAR(shift_m, bandwidth_hz > 0.0 ? -240.0 : 240.0, 2.0);
+    ASSERT_TRUE(finding.best);
+    EXPECT_NEAR(finding.best->range_m, finding.sight.range_m, 15.0);
+  }
+}
+
+TEST(SteadyProbability, IsThatOfTheDetectorChosen) {
+  CfarOptions cfar;
+  cfar.reference_columns = 10;
+  const double ca = steady_probability(cfar, 8, 100, 20.0);
+  EXPECT_EQ(ca, cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-6), 20.0));
+  cfar.kind = CfarOptions::Kind::ordered_statistic;
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
+            ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-6), 20.0));
+  EXPECT_LT(steady_probability(cfar, 8, 100, 20.0), ca);
+  cfar.independence = 0.5;
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
+            ordered_statistic_steady_probability(8, 6, ordered_statistic_factor(8, 6, 1e-6), 20.0));
+  cfar.reference_columns = cfar.guard_columns;
+  EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0), 0.0);
+}
+
+TEST(SteadyProbability, CountsNoReferenceBeyondTheMap) {
+  CfarOptions cfar;
+  cfar.reference_columns = 50;
+  EXPECT_EQ(steady_probability(cfar, 8, 11, 20.0),
+            cell_averaging_steady_probability(6, cell_averaging_factor(6, 1e-6), 20.0));
+}
+
+// Each pulse is multiplied with the sum of the differences that it is part of.
+TEST(NoiseGains, AreTheSumOfTheSquaresOfWhatThePulsesAreMultipliedWith) {
+  const std::vector<double> weights{0.3, 1.0, 0.8, -0.2, 0.5};
+  for (const std::size_t canceller : {0u, 1u, 2u}) {
+    const std::vector<double> differences = canceller_weights(canceller);
+    for (const std::size_t rows : {1u, 6u, 7u}) {
+      const std::vector<double> gains = noise_gains(weights, canceller, rows);
+      ASSERT_EQ(gains.size(), rows);
+      for (std::size_t row = 0; row < rows; ++row) {
+        const double cycles = (static_cast<double>(row) - static_cast<double>(rows / 2)) / static_cast<double>(rows);
+        std::vector<std::complex<double>> filter(weights.size() + canceller);
+        for (std::size_t p = 0; p < weights.size(); ++p)
+          for (std::size_t k = 0; k < differences.size(); ++k)
+            filter[p + k] += weights[p] * differences[k] * std::polar(1.0, -2.0 * pi * cycles * static_cast<double>(p));
+        double power = 0.0;
+        for (const std::complex<double>& f : filter) power += std::norm(f);
+        EXPECT_NEAR(gains[row], power, 1e-12) << canceller << " " << rows << " " << row;
+      }
+    }
+  }
+}
+
+TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {
+  const PulseRows rows = pulse_rows_of(pulse_scene(0.0, 64));
+  SearchOptions options;
+  options.pulses = 64;
+  // Hamming's weights, which are worth 1/1.36 of the band in noise, squared in power: about half of the samples.
+  const double alone = detector_of(rows, options).independence;
+  EXPECT_GT(alone, 0.35);
+  EXPECT_LT(alone, 0.6);
+  options.cfar.reference_rows = 2;
+  EXPECT_NEAR(detector_of(rows, options).independence, alone, 1e-3);
+  // Twice as many rows as pulses are worth half as much.
+  options.frequencies = 128;
+  EXPECT_NEAR(detector_of(rows, options).independence, 0.5 * alone, 2e-3);
+  options.frequencies = 0;
+  options.window.kind = SarWindow::Kind::hann;
+  // Neighbours of Hann's rows are correlated by 2/3, the next by 1/6.
+  EXPECT_NEAR(detector_of(rows, options).independence, alone / (1.0 + 8.0 / 9.0 + 2.0 / 36.0), 3e-3);
+}
+
+}  // namespace
+}  // namespace sarsim

@@ -1,0 +1,148 @@
+#include "workflow/stepped/stepped_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/task/worker_pool.hpp"
+#include "signal/sar/work_matrix.hpp"
+
+namespace sarsim {
+
+namespace {
+
+// One frequency has no profile but that of its pulse.
+bool one_sample_each(const Plan& plan) {
+  return plan.radar.pulse.kind == Pulse::Kind::mono && plan.radar.carrier.steps() > 1;
+}
+
+CompressionFilter plain_filter(const Plan& plan) {
+  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  return matched_filter(
+      plan.radar.pulse, band_limited, [](double) { return 1.0; }, 1.0 / plan.raw_grid.interval_s);
+}
+
+// The filter's answer to a resting echo of amplitude 1: y[i] = sum over k of taps[k] p[i + k]. The plain filter is the
+// conjugate pulse over its energy, and 1 over the sum of its squares is that energy.
+void set_response(SteppedWaveform& w, const CompressionFilter& plain, const CompressionFilter& used) {
+  double squares = 0.0;
+  for (const auto& tap : plain.taps) squares += std::norm(tap);
+  const auto length = static_cast<std::ptrdiff_t>(plain.taps.size());
+  const auto taps = static_cast<std::ptrdiff_t>(used.taps.size());
+  w.response.resize(static_cast<std::size_t>(length + taps - 1));
+  w.response_zero = static_cast<std::size_t>(taps - 1);
+  for (std::ptrdiff_t i = 0; i < length + taps - 1; ++i) {
+    std::complex<double> sum;
+    for (std::ptrdiff_t k = 0; k < taps; ++k) {
+      const std::ptrdiff_t n = i - (taps - 1) + k;
+      if (n < 0 || n >= length) continue;
+      sum += used.taps[static_cast<std::size_t>(k)] * std::conj(plain.taps[static_cast<std::size_t>(n)]);
+    }
+    w.response[static_cast<std::size_t>(i)] = sum / squares;
+  }
+}
+
+// @param compressed  the rows that are read hold compressed echoes
+SteppedWaveform waveform_of(const Plan& plan, bool compressed) {
+  const CarrierPlan& carrier = plan.radar.carrier;
+  const Pulse& pulse = plan.radar.pulse;
+  SteppedWaveform w;
+  w.first_carrier_hz = carrier.carrier_hz(carrier.steps() > 1 ? 0 : plan.pulses.first);
+  w.carrier_step_hz = carrier.steps() > 1 ? carrier.step_hz() : 0.0;
+  w.steps = static_cast<std::size_t>(carrier.steps());
+  w.pulses_per_step = static_cast<std::size_t>(carrier.pulses_per_step());
+  w.pulse_width_s = pulse.width_s;
+  w.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
+  w.light_speed_mps = plan.scene->conventions.light_speed_mps;
+  w.first_sample_s = plan.raw_grid.first_s;
+  w.samples = plan.columns;
+  const double lead_s = plan.pulse.lead_s;
+  if (one_sample_each(plan)) {
+    w.first_sample_s += compressed ? lead_s : 0.0;
+    // A compressed monochrome echo is a triangle about its delay; half of it counts as seen.
+    w.seen_from_s = compressed ? -0.5 * pulse.width_s : -lead_s;
+    w.seen_to_s = w.seen_from_s + pulse.width_s;
+    return w;
+  }
+  w.first_sample_s += lead_s;
+  w.subband_hz = bandwidth_hz(pulse);
+  w.sweep_rate_hz_per_s = pulse.sweep_rate_hz_per_s();
+  const CompressionFilter plain = plain_filter(plan);
+  set_response(w, plain, compressed ? plan.compressor->filter() : plain);
+  if (!compressed) w.filter = plain.taps;
+  return w;
+}
+
+SteppedRows rows_without_reader(std::shared_ptr<const Plan> plan, bool compressed) {
+  SteppedRows rows;
+  rows.plan = std::move(plan);
+  rows.band = std::make_shared<const SteppedBand>(waveform_of(*rows.plan, compressed));
+  const std::int64_t burst = rows.plan->burst_pulses();
+  const PulseRange& pulses = rows.plan->pulses;
+  const std::int64_t first = floor_divide(pulses.first + burst - 1, burst);
+  const std::int64_t bursts = std::max<std::int64_t>(0, floor_divide(pulses.last + 1, burst) - first);
+  rows.first_pulse = first * burst;
+  rows.bursts = static_cast<std::size_t>(bursts);
+  rows.dropped_pulses = pulses.count() - bursts * burst;
+  rows.from_m = rows.plan->simulation.range_start_m;
+  rows.to_m = rows.plan->simulation.range_end_m;
+  return rows;
+}
+
+}  // namespace
+
+Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan) {
+  Simulation recorded = simulation;
+  recorded.processing = Processing::raw;
+  const double interval_s = 1.0 / simulation.sample_rate_hz;
+  const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
+  const double sample_m = 0.5 * plan.scene->conventions.light_speed_mps * interval_s;
+  recorded.range_end_m += sample_m * (std::ceil(last_s / interval_s) + 1.0);
+  // The echo of a target at CENTRE begins half a pulse before its range.
+  recorded.range_start_m -= sample_m * std::ceil(plan.pulse.lead_s / interval_s);
+  return recorded;
+}
+
+SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window) {
+  SteppedRows rows = rows_without_reader(plan, false);
+  rows.from_m = window.simulation.range_start_m;
+  rows.to_m = window.simulation.range_end_m;
+  const auto makers = std::make_shared<WorkerPool<RowMaker>>([plan] { return std::make_unique<RowMaker>(*plan); });
+  const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
+  rows.read = [plan, makers, skipped](std::size_t pulse, std::span<std::complex<double>> out) {
+    makers->lend([&](RowMaker& maker) { maker.make_row(skipped + pulse, out); });
+  };
+  return rows;
+}
+
+SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read) {
+  SteppedRows rows = rows_without_reader(plan, plan->simulation.processing == Processing::matched_filter);
+  const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
+  rows.read = [skipped, read = std::move(read)](std::size_t pulse, std::span<std::complex<double>> out) {
+    read(skipped + pulse, out);
+  };
+  return rows;
+}
+
+BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count, const WorkControl& control,
+                        const ProgressReport& progress) {
+  constexpr std::size_t grain = 8;
+  const std::size_t per_burst = rows.band->waveform().burst_pulses();
+  const std::size_t pulses = count * per_burst;
+  const std::size_t size = rows.band->values_per_pulse();
+  BurstEchoes echoes;
+  echoes.values.resize(pulses * size);
+  for (std::size_t p = 0; p < pulses; ++p) echoes.time_s.push_back(rows.pulse_time_s(first * per_burst + p));
+  WorkCounter counter(progress, pulses * rows.plan->columns, rows.plan->columns);
+  parallel_ranges(pulses, grain, control, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::complex<double>> row(rows.plan->columns);
+    for (std::size_t p = begin; p < end; ++p) {
+      rows.read(first * per_burst + p, row);
+      rows.band->place(p % per_burst, row, std::span(echoes.values).subspan(p * size, size));
+    }
+    counter.add((end - begin) * row.size());
+  });
+  return echoes;
+}
+
+}  // namespace sarsim

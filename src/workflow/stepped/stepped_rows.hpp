@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "signal/sar/sar_echoes.hpp"
+#include "signal/stepped/isar.hpp"
+#include "signal/stepped/profile_maker.hpp"
+#include "signal/stepped/stepped_band.hpp"
+#include "signal/stepped/velocity_search.hpp"
+#include "simulate/plan/plan.hpp"
+#include "workflow/focus/sar_rows.hpp"
+
+/// From simulations of stepped carriers and their recordings to what range profiles and images of turning targets are
+/// made from (docs/theory/stepped-frequency.md).
+namespace sarsim {
+
+/// Whole bursts of a recording, read or computed when they are asked for.
+struct SteppedRows {
+  std::shared_ptr<const Plan> plan;
+  std::shared_ptr<const SteppedBand> band;
+  std::int64_t first_pulse = 0;     ///< Of the first whole burst: its number in the schedule.
+  std::size_t bursts = 0;           ///< Whole ones.
+  std::int64_t dropped_pulses = 0;  ///< Of incomplete bursts at either end.
+  double from_m = 0.0;              ///< Ranges that the script's window asks for.
+  double to_m = 0.0;
+  /// Copies the row of a pulse, counted from first_pulse, as SteppedBand::place takes it; from many threads at once.
+  std::function<void(std::size_t pulse, std::span<std::complex<double>> out)> read;
+
+  [[nodiscard]] double pulse_time_s(std::size_t pulse) const {
+    return plan->radar.repetition.send_time_s(first_pulse + static_cast<std::int64_t>(pulse));
+  }
+};
+
+/// What is to be made of the bursts.
+enum class SteppedUse {
+  profiles,  ///< Needs two frequency steps or more.
+  isar,      ///< Takes a single carrier, too, where the pulse is modulated.
+};
+
+/// What keeps a simulation from being used, all at once (errors): a carrier that does not step evenly, no whole burst,
+/// profiles instead of echoes, samples that the classic profile places unevenly.
+/// @param recorded  a file holds the echoes, which therefore must not be profiles already
+[[nodiscard]] Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded);
+
+/// What makes profiles ambiguous, lost or blurred (warnings): steps wider than the pulse's band, gates that leave out
+/// echoes, targets that fold onto each other, and of profiles targets whose speed shifts and smears them.
+/// @param speed_mps  that is compensated; nothing: none
+[[nodiscard]] Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps);
+
+/// The simulation as it is wanted recorded: raw, longer by a pulse at its end and, for CENTRE, by half a pulse, in
+/// whole samples, at its start. The sampling frequency stays the script's.
+[[nodiscard]] Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan);
+
+/// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
+/// @param window  the plan of the script's own window
+[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window);
+
+/// Rows of a recording, raw or compressed, that a plan describes.
+[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read);
+
+/// Reads bursts [first, first + count), their pulses placed in the band.
+[[nodiscard]] BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
+                                      const WorkControl& control, const ProgressReport& progress = {});
+
+/// Of many targets so many are held against profiles and images.
+inline constexpr std::size_t most_held_targets = 1000;
+
+/// Where a target is in the middle of a burst, and how strong.
+struct BurstTruth {
+  std::size_t target = 0;  ///< Position in the scene's list, from 0.
+  double range_m = 0.0;    ///< c/2 times its delay.
+  double speed_mps = 0.0;
+  double amplitude = 0.0;  ///< Mean over the pulses of the burst, volts, with the receiver's gain over time (STC).
+};
+
+/// The targets of the scene at a burst.
+[[nodiscard]] std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burst);
+
+/// Two-way power of the strongest target's echo in the middle of each burst.
+[[nodiscard]] std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& control);
+
+/// The fastest speed that a search for the sharpest profiles can look through, to either side of 0
+/// (signal/stepped/velocity_search.hpp).
+[[nodiscard]] double fastest_searched_mps(const SteppedRows& rows);
+
+/// Mean radial speed of targets and surfaces, weighted by the power of their echoes, over some bursts.
+[[nodiscard]] double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count);
+
+/// The platform that carries the strongest targets (by cross-section), the radar's own left out; nothing where there
+/// are no others.
+[[nodiscard]] std::optional<std::size_t> platform_of_targets(const Plan& plan);
+
+/// The antenna in the frame of a platform, pulse by pulse of some bursts.
+[[nodiscard]] std::vector<TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform,
+                                                         std::size_t first, std::size_t count);
+
+}  // namespace sarsim

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "workflow/verify/groups.hpp"
+#include "workflow/verify/scenes.hpp"
+#include "workflow/verify/textbook.hpp"
+
+namespace sarsim::verify {
+
+namespace {
+
+using Row = std::vector<std::complex<double>>;
+
+// Targets on a platform that passes and turns, seen by a chirp.
+Scene busy_scene(std::size_t targets, PulseDefinition pulse, double tolerance) {
+  Scene scene = radar_at_origin();
+  scene.options.pulse = pulse;
+  scene.options.tolerance = tolerance;
+  Radar& radar = scene.radars[0];
+  radar.pulse = Radar::Pulse::chirp;
+  radar.bandwidth_hz = 50e6;
+  radar.pulse_width_s = 4e-6;
+  Platform& ship = add_mover(scene, "Ship", {3000.0, 0.0, 0.0}, {12.0, 60.0, 0.0});
+  ship.rotation_rate[2] = Angle::from_deg(5.0);
+  for (std::size_t i = 0; i < targets; ++i) {
+    const auto place = static_cast<double>(i);
+    add_target(scene, {std::fmod(7.31 * place, 400.0), std::fmod(3.17 * place, 120.0), std::fmod(place, 9.0)},
+               0.5 + std::fmod(0.11 * place, 2.0), "Ship");
+  }
+  set_window(scene, 2900.0, 4200.0, 75e6);
+  set_pulses(scene, 0, 7);
+  return scene;
+}
+
+// Root of the sum of |a|^2 over the echoes of a row that touch it.
+double strength_v(const Plan& plan, std::size_t row) {
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  geometry.set_pulse(plan.first_pulse_of_row(row));
+  EchoBatch echoes;
+  geometry.echoes(echoes);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < echoes.size(); ++k) {
+    const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
+    if (on.begin < on.end) squares += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
+  }
+  return std::sqrt(squares);
+}
+
+// The largest over the pulses of |s - s_ref|/sqrt(sum |a|^2 |p|^2): what --tolerance promises.
+double relative_error(const Scene& scene, Engine engine) {
+  const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
+  const Plan fast = make_plan(scene, 0, resolved, engine);
+  const Plan plain = make_plan(scene, 0, resolved, Engine::reference);
+  RowMaker fast_rows(fast);
+  RowMaker plain_rows(plain);
+  Row a(fast.columns);
+  Row b(plain.columns);
+  double worst = 0.0;
+  for (std::size_t row = 0; row < plain.rows; ++row) {
+    fast_rows.make_row(row, a);
+    plain_rows.make_row(row, b);
+    double error = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) error += std::norm(a[i] - b[i]);
+    const double samples = plain.pulse.pulse.width_s / plain.raw_grid.interval_s;
+    worst = std::max(worst, std::sqrt(error / samples) / strength_v(plain, row));
+  }
+  return worst;
+}
+
+void measure_accuracy(Record& record) {
+  const std::size_t targets = record.quick() ? 60 : 400;
+  std::vector<double> tolerances{1e-3, 1e-6, 1e-9};
+  if (!record.quick()) tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+  Chart chart{{}, "Errors of the fast engines", "--tolerance", "relative error", {}, true, true};
+  Curve allowed{"allowed", tolerances, tolerances, false};
+  for (const PulseDefinition pulse : {PulseDefinition::ideal, PulseDefinition::band_limited})
+    for (const Engine engine : {Engine::direct, Engine::spectral}) {
+      const std::string name =
+          fmt::format("{}, {} pulses", name_of(engine), pulse == PulseDefinition::ideal ? "ideal" : "band-limited");
+      Curve curve{name, {}, {}, true};
+      for (const double tolerance : tolerances) {
+        const double error = relative_error(busy_scene(targets, pulse, tolerance), engine);
+        curve.x.push_back(tolerance);
+        curve.y.push_back(std::max(error, 1e-17));
+        record.at_most(fmt::format("Error of {} at {:g}", name, tolerance), "", tolerance, error,
+                       "the plain sum in double precision");
+      }
+      chart.curves.push_back(std::move(curve));
+    }
+  chart.curves.push_back(std::move(allowed));
+  record.chart(std::move(chart));
+}
+
+void measure_textbook(Record& record) {
+  const Scene scene = busy_scene(40, PulseDefinition::ideal, 1e-6);
+  const Plan plan = make_plan(scene, 0);
+  RowMaker rows(plan);
+  Row got(plan.columns);
+  rows.make_row(3, got);
+  PulseGeometry geometry(*plan.scene, plan.radar);
+  geometry.set_pulse(plan.first_pulse_of_row(3));
+  EchoBatch echoes;
+  geometry.echoes(echoes);
+  Row expected(plan.columns);
+  add_textbook_echoes(expected, plan.raw_grid, plan.pulse, geometry.carrier_hz(), echoes);
+  double error = 0.0;
+  double power = 0.0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    error += std::norm(got[i] - expected[i]);
+    power += std::norm(expected[i]);
+  }
+  record.at_most("Plain sum against a textbook's listing", "", 1e-9, std::sqrt(error / power),
+                 "one sine and one cosine for each echo and sample");
+}
+
+Scene noisy_scene() {
+  Scene scene = busy_scene(50, PulseDefinition::ideal, 1e-6);
+  scene.radars[0].noise_temperature_k = 300.0;
+  for (Target& target : scene.targets) target.rcs_stddev_m2 = 0.1;
+  scene.platforms.back().position_stddev_m = {0.01, 0.01, 0.01};
+  set_pulses(scene, 0, 63);
+  return scene;
+}
+
+double differing(const Row& a, const Row& b) {
+  double count = a.size() == b.size() ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) count += a[i] == b[i] ? 0.0 : 1.0;
+  return count;
+}
+
+void measure_repeatability(Record& record) {
+  const Scene scene = noisy_scene();
+  const auto recorded_by = [&](unsigned threads) {
+    RunControl control;
+    control.threads = threads;
+    control.stop = record.rules().stop;
+    return sarsim::record(make_plan(scene, 0, nullptr, Engine::automatic), control).samples;
+  };
+  const Row alone = recorded_by(1);
+  record.near("Samples that differ between 1 and 4 threads", "", 0.0, differing(alone, recorded_by(4)), 0.0,
+              "same input, same bytes");
+  Scene later = scene;
+  set_pulses(later, 20, 29);
+  const Row part = sarsim::record(make_plan(later, 0, nullptr, Engine::automatic)).samples;
+  const std::size_t columns = part.size() / 10;
+  const Row same(alone.begin() + static_cast<std::ptrdiff_t>(20 * columns),
+                 alone.begin() + static_cast<std::ptrdiff_t>(30 * columns));
+  record.near("Samples that differ when ten pulses are recorded alone", "", 0.0, differing(part, same), 0.0,
+              "noise belongs to pulse and sample");
+}
+
+}  // namespace
+
+void measure_engines(Record& record) {
+  measure_textbook(record);
+  measure_accuracy(record);
+  measure_repeatability(record);
+}
+
+}  // namespace sarsim::verify

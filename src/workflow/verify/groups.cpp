@@ -1,0 +1,28 @@
+#include "workflow/verify/groups.hpp"
+
+#include "workflow/verify/thesis_numbers.hpp"
+
+namespace sarsim::verify {
+
+Record verify_all(const Rules& rules) {
+  Record record(rules);
+  record.group("Closed forms", measure_closed_forms);
+  record.group("Numbers of the thesis", measure_thesis);
+  record.group("Engines", measure_engines);
+  record.group("Statistics", measure_statistics);
+  record.group("Focusing", measure_focusing);
+  if (!rules.quick) record.group("Speed", measure_speed);
+  return record;
+}
+
+void measure_thesis(Record& record) {
+  for (const ThesisNumber& number : thesis_numbers())
+    for (const Profile profile : {Profile::classic, Profile::physical}) {
+      const bool classic = profile == Profile::classic;
+      record.near(number.what + (classic ? ", classic" : ", physical"), number.unit,
+                  classic ? number.classic : number.physical, number.value(profile), number.tolerance,
+                  "docs/theory/thesis-numbers.md");
+    }
+}
+
+}  // namespace sarsim::verify

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "workflow/verify/record.hpp"
+
+/// What `sarsim verify` measures, one function for each group. All work on scenes that are made here.
+namespace sarsim::verify {
+
+/// Radar equation, phase, Doppler, pulses and their compression, antenna, converter: each against its formula.
+void measure_closed_forms(Record& record);
+
+/// The numbers that the thesis prints, in both profiles.
+void measure_thesis(Record& record);
+
+/// The fast engines against the plain sum in double precision, and recordings against themselves with other threads
+/// and windows.
+void measure_engines(Record& record);
+
+/// Moments, spectrum and independence of noise and jitter, within five standard deviations of what they must be.
+void measure_statistics(Record& record);
+
+/// A point focused to an image by synthetic aperture: place, phase, amplitude, widths and side lobes.
+void measure_focusing(Record& record);
+
+/// The time of the engines against that of a textbook's loop on one thread.
+void measure_speed(Record& record);
+
+/// All of them in this order; without speed where the rules say quick.
+[[nodiscard]] Record verify_all(const Rules& rules);
+
+}  // namespace sarsim::verify
