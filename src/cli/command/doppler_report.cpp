@@ -7,6 +7,7 @@
 
 #include "cli/shell/report.hpp"
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::cli {
@@ -21,8 +22,6 @@ double bearing_deg(double azimuth_rad) {
   return azimuth < 0.0 ? azimuth + 360.0 : azimuth;
 }
 
-double decibels(double power_ratio) { return 10.0 * std::log10(power_ratio); }
-
 void add_field(std::string& line, std::optional<double> value) {
   line += ',';
   if (value && std::isfinite(*value)) append_number(line, *value);
@@ -34,7 +33,7 @@ void write_sight(JsonWriter& json, const TargetFinding& finding, bool doppler) {
   json.member("azimuth_deg", bearing_deg(sight.azimuth_rad)).member("range_m", sight.range_m);
   if (doppler) json.member("doppler_hz", sight.doppler_hz).member("seen_doppler_hz", sight.seen_doppler_hz);
   json.member("row", sight.row).member("column", sight.column).member("amplitude_v", sight.amplitude_v);
-  json.member("snr_db", decibels(sight.snr)).key("probability");
+  json.member("snr_db", power_db(sight.snr)).key("probability");
   finding.probability ? json.value(*finding.probability) : json.null();
   json.end_object();
 }
@@ -44,12 +43,12 @@ void write_detection(JsonWriter& json, const SearchDetection& detection, bool do
   json.member("azimuth_deg", bearing_deg(detection.azimuth_rad)).member("range_m", detection.range_m);
   if (doppler) json.member("doppler_hz", detection.doppler_hz).member("speed_mps", detection.speed_mps);
   json.member("row", detection.row).member("column", detection.column);
-  json.member("magnitude_v", detection.magnitude_v).member("snr_db", decibels(detection.snr));
+  json.member("magnitude_v", detection.magnitude_v).member("snr_db", power_db(detection.snr));
   json.member("threshold_v", detection.threshold_v).end_object();
 }
 
 std::string decibel_text(double ratio) {
-  return std::isfinite(ratio) && ratio > 0.0 ? fmt::format("{:.1f} dB", decibels(ratio)) : std::string("-");
+  return std::isfinite(ratio) && ratio > 0.0 ? fmt::format("{:.1f} dB", power_db(ratio)) : std::string("-");
 }
 
 std::string finding_text(const TargetFinding& finding, bool doppler) {
@@ -94,7 +93,7 @@ void DetectionTable::append(const SearchDetection& d, std::optional<std::size_t>
   add_field(line, doppler_ ? std::optional(d.doppler_hz) : std::nullopt);
   add_field(line, doppler_ ? std::optional(d.speed_mps) : std::nullopt);
   add_field(line, d.magnitude_v);
-  add_field(line, decibels(d.snr));
+  add_field(line, power_db(d.snr));
   add_field(line, d.threshold_v);
   line += ',';
   if (target) line += std::to_string(*target + 1);

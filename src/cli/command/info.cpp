@@ -46,7 +46,7 @@ bool begins_like_script(const std::string& path) {
   return false;
 }
 
-bool is_script(const std::string& path) {
+bool holds_script(const std::string& path) {
   const std::filesystem::path name(path);
   if (equal_ignoring_case(name.extension().string(), ".scr")) return true;
   const auto format = format_from_path(name);
@@ -92,7 +92,7 @@ void expect_used(const InfoArguments& arguments, bool script) {
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   if (!arguments.plan && (arguments.workers || arguments.threads))
     throw BadInput("info: --workers and --threads belong to --plan", "add --plan");
-  const bool script = is_script(arguments.path);
+  const bool script = holds_script(arguments.path);
   if (arguments.plan && !script)
     throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
                    "leave --plan out to see what the file holds");

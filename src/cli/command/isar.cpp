@@ -18,6 +18,7 @@
 #include "cli/shell/window_option.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/stepped/isar_scene.hpp"
 
@@ -57,8 +58,6 @@ struct IsarArguments {
 const char* word_of(Algorithm algorithm) {
   return algorithm == Algorithm::range_doppler ? "isar-range-doppler" : "isar-back-projection";
 }
-
-double decibels(double ratio) { return 20.0 * std::log10(ratio); }
 
 // One run of the command, from its input to the files of its images.
 class IsarRun {
@@ -242,7 +241,7 @@ class IsarRun {
         text += fmt::format(" {:>11.3f} {:>11.3f} {:>10.3f} {:>10.3f} {:>9.2f}\n",
                             point.found->place.azimuth_m - point.expected.azimuth_m,
                             point.found->place.range_m - point.expected.range_m, point.found->azimuth.width,
-                            point.found->range.width, decibels(point.found->amplitude / point.amplitude));
+                            point.found->range.width, amplitude_db(point.found->amplitude / point.amplitude));
       else
         text += "  no peak\n";
     }
@@ -283,7 +282,7 @@ class IsarRun {
         json.member("range_error_m", point.found->place.range_m - point.expected.range_m);
         json.member("cross_range_width_m", point.found->azimuth.width)
             .member("range_width_m", point.found->range.width);
-        json.member("amplitude_error_db", decibels(point.found->amplitude / point.amplitude)).end_object();
+        json.member("amplitude_error_db", amplitude_db(point.found->amplitude / point.amplitude)).end_object();
       } else {
         json.null();
       }

@@ -17,6 +17,7 @@
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "signal/measure/image_quality.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
@@ -47,25 +48,25 @@ struct Measured {
   PointCuts cuts;  // where pictures of them are wanted
 };
 
-struct OpenedImage {
+struct MeasuredImage {
   EnviImage file;
   FocusedImage image;
   ImageOrigin origin;
 };
 
-OpenedImage opened_image(const std::string& path) {
+MeasuredImage opened_image(const std::string& path) {
   if (!fs::exists(path)) throw BadInput(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
   auto [file, problems] = EnviImage::open(path);
   if (!file) throw BadInput(std::move(problems));
   if (file->header().pixel != EnviHeader::Pixel::complex_float)
     throw BadInput(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
-  OpenedImage opened{std::move(*file), {}, {}};
+  MeasuredImage opened{std::move(*file), {}, {}};
   read_header(opened.file.header(), envi_header_of(path).string(), opened.image, opened.origin);
   return opened;
 }
 
 // What was focused, as the header says, unless the command line says otherwise.
-RecordingArguments input_of(const MeasureArguments& arguments, const OpenedImage& opened, Streams& streams) {
+RecordingArguments input_of(const MeasureArguments& arguments, const MeasuredImage& opened, Streams& streams) {
   const ImageOrigin& origin = opened.origin;
   RecordingArguments input = arguments.input;
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
@@ -84,8 +85,6 @@ void expect_folder(const std::string& cuts) {
 double phase_error(const Measured& target) {
   return std::remainder(target.found->phase_rad - target.theory.phase_rad, 2.0 * pi);
 }
-
-double decibels(double ratio) { return 20.0 * std::log10(ratio); }
 
 std::string figures_row(const std::optional<ResponseFigures>& theory, const ResponseFigures& found) {
   const auto against = [](double value, std::optional<double> reference, int digits) {
@@ -106,10 +105,10 @@ std::string text_of(const Measured& target) {
   if (!(theory.amplitude > 0.0)) return text + ": no echoes\n";
   if (!target.found) return text + ": not found\n";
   const PointResponse& found = *target.found;
-  text +=
-      fmt::format("; found {:+.4f} m, {:+.4f} m away; amplitude {:.4g} V ({:+.2f} dB), phase {:.3f} rad ({:+.3f})\n",
-                  found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m,
-                  found.amplitude, decibels(found.amplitude / theory.amplitude), found.phase_rad, phase_error(target));
+  text += fmt::format(
+      "; found {:+.4f} m, {:+.4f} m away; amplitude {:.4g} V ({:+.2f} dB), phase {:.3f} rad ({:+.3f})\n",
+      found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m, found.amplitude,
+      amplitude_db(found.amplitude / theory.amplitude), found.phase_rad, phase_error(target));
   text += fmt::format("  {:<8}{}\n", "azimuth", figures_row(theory.azimuth, found.azimuth));
   text += fmt::format("  {:<8}{}\n", "range", figures_row(theory.range, found.range));
   return text;
@@ -145,7 +144,7 @@ void write_json(JsonWriter& json, const Measured& target) {
   json.end_object();
   json.member("azimuth_error_m", found.place.azimuth_m - theory.place.azimuth_m);
   json.member("range_error_m", found.place.range_m - theory.place.range_m);
-  json.member("amplitude_error_db", decibels(found.amplitude / theory.amplitude));
+  json.member("amplitude_error_db", amplitude_db(found.amplitude / theory.amplitude));
   json.member("phase_error_rad", phase_error(target)).end_object();
 }
 
@@ -177,7 +176,8 @@ void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFram
   theory.range->null *= farther.range_m - place.range_m;
 }
 
-std::vector<TargetTheory> theories_of(const OpenedImage& opened, const FocusInput& input, const WorkControl& control) {
+std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
+                                      const WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
   EchoRows echoes = input.echoes;
   echoes.compensated = time_domain || opened.origin.motion != "none";
@@ -214,7 +214,7 @@ void expect_free_pictures(const MeasureArguments& arguments, const std::vector<T
                      "name another folder, or --force");
 }
 
-std::vector<Measured> measured_targets(const OpenedImage& opened, const FocusInput& input,
+std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusInput& input,
                                        const MeasureArguments& arguments, const WorkControl& control) {
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   expect_free_pictures(arguments, theories);
@@ -255,7 +255,7 @@ void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& t
 ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
   if (arguments.search_m && !(*arguments.search_m > 0.0)) throw BadInput("--search must be above 0");
   const WorkControl control{thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
-  const OpenedImage opened = opened_image(arguments.image);
+  const MeasuredImage opened = opened_image(arguments.image);
   expect_folder(arguments.cuts);
   const FocusInput input = open_focus_input(input_of(arguments, opened, streams), control);
   const std::vector<Measured> targets = measured_targets(opened, input, arguments, control);

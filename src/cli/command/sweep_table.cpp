@@ -30,7 +30,7 @@ std::string product_name(const SweepFrame& frame, const SweepRow& row) {
 // A recording that was discarded has no size.
 bool is_sized(const SweepRow& row) { return row.table || row.written; }
 
-std::string heading(const SweepFrame& frame) {
+std::string heading_line(const SweepFrame& frame) {
   std::string line = "variation";
   for (const SweepAxis& axis : frame.sweep->axes())
     line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
@@ -105,7 +105,7 @@ void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
 }  // namespace
 
 std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows) {
-  std::string text = heading(frame);
+  std::string text = heading_line(frame);
   for (const SweepRow& row : rows) text += line_of(frame, row);
   return text;
 }

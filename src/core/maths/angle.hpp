@@ -12,10 +12,10 @@ class Angle {
  public:
   constexpr Angle() = default;
   static constexpr Angle from_deg(double degrees) { return Angle(degrees); }
-  static constexpr Angle from_rad(double radians) { return Angle(radians * (180.0 / pi)); }
+  static constexpr Angle from_rad(double radians) { return Angle(radians * deg_per_rad); }
 
   [[nodiscard]] constexpr double deg() const { return degrees_; }
-  [[nodiscard]] constexpr double rad() const { return degrees_ * (pi / 180.0); }
+  [[nodiscard]] constexpr double rad() const { return degrees_ * rad_per_deg; }
 
   friend constexpr bool operator==(const Angle&, const Angle&) = default;
 

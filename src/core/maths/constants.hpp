@@ -18,4 +18,8 @@ inline constexpr double classic_boltzmann_j_per_k = 1.38e-23;
 
 inline constexpr double pi = std::numbers::pi;
 
+/// Degrees of one radian and radians of one degree.
+inline constexpr double deg_per_rad = 180.0 / pi;
+inline constexpr double rad_per_deg = pi / 180.0;
+
 }  // namespace sarsim

@@ -10,13 +10,11 @@
 
 #include <fmt/format.h>
 
+#include "core/text/letters.hpp"
+
 namespace sarsim {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // Splits a decimal literal into the part before the exponent and the exponent's value.
 struct Literal {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/text/letters.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -15,7 +17,6 @@ constexpr int word_score = 8;        // at the beginning of a word
 constexpr int beginning_score = 1;   // of the whole text, in addition
 constexpr int whole_text_score = 4;  // nothing is left over
 
-char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_word_part(char c) {
   return (c >= 'a' && c <= 'z') || is_upper(c) || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80U;

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "core/maths/rounding.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim {
 
 namespace {
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 // Colours that do not mislead: a middle for signed numbers, no end for angles.
 ColourMap map_for(ColourMapKind kind) {

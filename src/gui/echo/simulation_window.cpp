@@ -21,6 +21,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/echo/echo_controls.hpp"
 #include "gui/echo/radar_view_window.hpp"
 #include "picture/echo/echo_figure.hpp"
@@ -36,8 +37,6 @@ namespace {
 
 constexpr int progress_steps = 1000;
 constexpr int progress_after_ms = 300;
-
-QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 const Radar* radar_of(const Scene& scene, const EchoWindow& window) {
   const auto found = std::ranges::find(scene.radars, window.recording.radar, &Radar::name);

@@ -10,6 +10,8 @@
 #include <exception>
 #include <utility>
 
+#include "gui/common/text.hpp"
+
 namespace sarsim {
 
 namespace {
@@ -22,8 +24,6 @@ std::filesystem::path recovery_folder() {
   return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
          "recovery";
 }
-
-QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 QString name_of_document(const std::filesystem::path& path) {
   return path.empty() ? DocumentKeeper::tr("a scene that was never saved") : text_of(path);

@@ -2,6 +2,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "gui/common/text.hpp"
 #include "gui/frame/document_keeper.hpp"
 
 // The dialogs in which a document keeper asks.
@@ -9,8 +10,6 @@
 namespace sarsim {
 
 namespace {
-
-QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 QString script_filter() { return DocumentKeeper::tr("Sarsim scripts (*.scr *.SCR);;All files (*)"); }
 

@@ -14,6 +14,7 @@
 
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
 
@@ -24,10 +25,6 @@ namespace {
 constexpr int watch_ms = 500;
 constexpr int overview_ms = 200;
 constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the whole image
-
-QString text_of(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 // How a file is read is part of what an overview of it is.
 std::optional<OverviewCache> cache_for(const ImageSource& source, const ImageHints& hints,

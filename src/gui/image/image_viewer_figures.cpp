@@ -14,6 +14,7 @@
 #include "gui/common/export_question.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "raster/format/image_export.hpp"
 #include "scene/schema/quantity.hpp"
@@ -29,8 +30,6 @@ QString number_text(double value, const QString& unit = {}) {
   const QString text = QString::number(value, 'g', 6);
   return unit.isEmpty() ? text : text + " " + unit;
 }
-
-QString text_of(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
 SampleQuantity measured(DisplayQuantity quantity) {
   switch (quantity) {

@@ -17,6 +17,7 @@
 #include <complex>
 #include <thread>
 
+#include "gui/common/form_rows.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/image/image_part.hpp"
 #include "picture/image/envi_layout.hpp"
@@ -43,11 +44,6 @@ namespace {
 constexpr int preview_side = 256;
 constexpr int preview_after_ms = 150;
 constexpr std::size_t most_bits = 64;
-
-void show_row(QFormLayout* form, QWidget* field, bool shown) {
-  field->setVisible(shown);
-  if (QWidget* label = form->labelForField(field)) label->setVisible(shown);
-}
 
 std::size_t whole_number(const QLineEdit* edit) { return edit->text().trimmed().toULongLong(); }
 

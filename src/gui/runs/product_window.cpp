@@ -32,7 +32,7 @@ namespace sarsim {
 namespace {
 
 // A command of sarsim that makes something to look at, and its most important choice.
-struct Product {
+struct ProductKind {
   const char* command;
   const char* title;
   const char* option;
@@ -40,31 +40,31 @@ struct Product {
   std::array<const char*, 4> values;
 };
 
-constexpr std::array products{Product{"focus",
-                                      QT_TRANSLATE_NOOP("Product", "Focused image (synthetic aperture)"),
-                                      "--algorithm",
-                                      QT_TRANSLATE_NOOP("Product", "Algorithm"),
-                                      {"omega-k", "range-doppler", "chirp-scaling", "back-projection"}},
-                              Product{"profiles",
-                                      QT_TRANSLATE_NOOP("Product", "Range profiles of stepped frequencies"),
-                                      "--set",
-                                      QT_TRANSLATE_NOOP("Product", "A profile for"),
-                                      {"bursts", "scans", "encounter", nullptr}},
-                              Product{"isar",
-                                      QT_TRANSLATE_NOOP("Product", "Image of a turning target"),
-                                      "--algorithm",
-                                      QT_TRANSLATE_NOOP("Product", "Algorithm"),
-                                      {"range-doppler", "back-projection", nullptr, nullptr}},
-                              Product{"doppler",
-                                      QT_TRANSLATE_NOOP("Product", "Range-Doppler maps"),
-                                      "--canceller",
-                                      QT_TRANSLATE_NOOP("Product", "Canceller"),
-                                      {"none", "two", "three", nullptr}},
-                              Product{"search",
-                                      QT_TRANSLATE_NOOP("Product", "Search picture (PPI)"),
-                                      "--canceller",
-                                      QT_TRANSLATE_NOOP("Product", "Canceller"),
-                                      {"none", "two", "three", nullptr}}};
+constexpr std::array products{ProductKind{"focus",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Focused image (synthetic aperture)"),
+                                          "--algorithm",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Algorithm"),
+                                          {"omega-k", "range-doppler", "chirp-scaling", "back-projection"}},
+                              ProductKind{"profiles",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Range profiles of stepped frequencies"),
+                                          "--set",
+                                          QT_TRANSLATE_NOOP("ProductKind", "A profile for"),
+                                          {"bursts", "scans", "encounter", nullptr}},
+                              ProductKind{"isar",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Image of a turning target"),
+                                          "--algorithm",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Algorithm"),
+                                          {"range-doppler", "back-projection", nullptr, nullptr}},
+                              ProductKind{"doppler",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Range-Doppler maps"),
+                                          "--canceller",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Canceller"),
+                                          {"none", "two", "three", nullptr}},
+                              ProductKind{"search",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Search picture (PPI)"),
+                                          "--canceller",
+                                          QT_TRANSLATE_NOOP("ProductKind", "Canceller"),
+                                          {"none", "two", "three", nullptr}}};
 constexpr std::array weightings{"rectangular", "hamming", "hann", "kaiser", "taylor"};
 constexpr int patience_ms = 3000;
 
@@ -121,8 +121,9 @@ ProductWindow::~ProductWindow() {
 }
 
 void ProductWindow::make_controls(QFormLayout* form) {
-  product_ = named(new QComboBox(this), "products_kind", tr("Product"), tr("What is made from the echoes"));
-  for (const Product& product : products) product_->addItem(QCoreApplication::translate("Product", product.title));
+  product_ = named(new QComboBox(this), "products_kind", tr("ProductKind"), tr("What is made from the echoes"));
+  for (const ProductKind& product : products)
+    product_->addItem(QCoreApplication::translate("ProductKind", product.title));
   simulation_ = named(new QComboBox(this), "products_simulation", tr("Simulation"), tr("Whose echoes are used"));
   choice_ = named(new QComboBox(this), "products_choice", tr("Choice"), {});
   choice_title_ = new QLabel(this);
@@ -136,7 +137,7 @@ void ProductWindow::make_controls(QFormLayout* form) {
   command_ =
       named(new QLineEdit(this), "products_command", tr("Command"), tr("Does the same from a terminal or a script"));
   command_->setReadOnly(true);
-  form->addRow(tr("&Product"), product_);
+  form->addRow(tr("&ProductKind"), product_);
   form->addRow(tr("&Simulation"), simulation_);
   form->addRow(choice_title_, choice_);
   form->addRow(tr("&Window"), weighting_);
@@ -175,8 +176,8 @@ void ProductWindow::show_simulations() {
 }
 
 void ProductWindow::show_choices() {
-  const Product& product = products[static_cast<std::size_t>(product_->currentIndex())];
-  choice_title_->setText(QCoreApplication::translate("Product", product.option_title));
+  const ProductKind& product = products[static_cast<std::size_t>(product_->currentIndex())];
+  choice_title_->setText(QCoreApplication::translate("ProductKind", product.option_title));
   {
     const QSignalBlocker quiet(choice_);
     choice_->clear();
@@ -188,7 +189,7 @@ void ProductWindow::show_choices() {
 }
 
 QStringList ProductWindow::arguments(const QString& script, const QString& out) const {
-  const Product& product = products[static_cast<std::size_t>(product_->currentIndex())];
+  const ProductKind& product = products[static_cast<std::size_t>(product_->currentIndex())];
   QStringList words{product.command, script};
   if (simulation_->currentIndex() > 0) words << "--simulation" << QString::number(simulation_->currentIndex() + 1);
   words << product.option << choice_->currentText() << "--window" << weighting_->currentText();

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-QString text_of(double bytes) { return QString::fromStdString(bytes_text(bytes)); }
+QString size_text(double bytes) { return QString::fromStdString(bytes_text(bytes)); }
 
 // The scene with this recording alone: problems of others are of no interest.
 Scene with_only(const Scene& scene, std::size_t simulation) {
@@ -57,7 +57,8 @@ void expect_room(const fs::path& file, double bytes) {
   throw std::runtime_error(
       RunJob::tr(
           "The disk of '%1' has not enough room: %2 are needed, %3 are free. Make room or choose another folder.")
-          .arg(QString::fromStdString(folder.string()), text_of(bytes), text_of(static_cast<double>(space.available)))
+          .arg(QString::fromStdString(folder.string()), size_text(bytes),
+               size_text(static_cast<double>(space.available)))
           .toStdString());
 }
 
@@ -176,7 +177,7 @@ QStringList summary_lines(const RunSummary& summary) {
                .arg(QString::fromStdString(summary.file.string()))
                .arg(run.rows)
                .arg(run.columns)
-               .arg(text_of(summary.bytes), QString::fromStdString(duration_text(summary.seconds)));
+               .arg(size_text(summary.bytes), QString::fromStdString(duration_text(summary.seconds)));
   lines += RunJob::tr("Largest magnitude %1, %2 of the converter's range")
                .arg(millivolts(run.maximum_v), percent(run.range_used));
   if (summary.counts || given)
@@ -201,8 +202,8 @@ QString estimate_text(const RunEstimate& estimate) {
   return RunJob::tr("%1 x %2 samples, %3, %4, %5 of memory, %6 engine")
       .arg(estimate.rows)
       .arg(estimate.columns)
-      .arg(text_of(estimate.bytes), QString::fromStdString(about_duration_text(estimate.seconds)),
-           text_of(estimate.memory_bytes), estimate.engine);
+      .arg(size_text(estimate.bytes), QString::fromStdString(about_duration_text(estimate.seconds)),
+           size_text(estimate.memory_bytes), estimate.engine);
 }
 
 fs::path run_file(const Scene& scene, std::size_t simulation, const fs::path& folder) {

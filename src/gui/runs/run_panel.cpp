@@ -10,6 +10,7 @@
 
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim {
 
@@ -17,7 +18,6 @@ namespace {
 
 // More than this is worth a question before it is taken.
 constexpr double modest_memory_bytes = 2e9;
-constexpr int bar_steps = 1000;
 
 QLabel* selectable_label(const char* name, QWidget* parent) {
   auto* label = new QLabel(parent);

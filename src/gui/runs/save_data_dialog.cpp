@@ -20,6 +20,7 @@
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/schema/quantity.hpp"
 
@@ -31,8 +32,6 @@ namespace {
 
 constexpr std::array formats{FileFormat::binary,  FileFormat::ascii, FileFormat::csv,
                              FileFormat::bracket, FileFormat::npy,   FileFormat::hdf5};
-
-QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 // For people, who do not count nanometres; what is saved is exact.
 QString span_text(double from, double to, const char* unit) {

@@ -13,12 +13,12 @@
 
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim {
 
 namespace {
 
-constexpr int bar_steps = 1000;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 QString state_word(SaveState state) {

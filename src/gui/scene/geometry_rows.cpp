@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 
 namespace sarsim {
 
 namespace {
-
-constexpr double deg_per_rad = 180.0 / pi;
 
 std::size_t radar_of(const Scene& scene, const GeometryTable& table) {
   const std::size_t found = find_radar(scene, table.radar);
@@ -24,12 +23,6 @@ std::size_t radar_of(const Scene& scene, const GeometryTable& table) {
 }
 
 void add(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 }  // namespace
 

@@ -22,6 +22,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/common/field_editor.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/scene/geometry_model.hpp"
 #include "gui/scene/geometry_view.hpp"
 #include "scene/edit/edit.hpp"
@@ -33,7 +34,6 @@ namespace {
 
 constexpr int recompute_ms = 80;
 constexpr std::size_t targets_at_first = 50;
-constexpr int bar_steps = 1000;
 
 GeometryTable table_at_first(const Session& session) {
   GeometryTable table;

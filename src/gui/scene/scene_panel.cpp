@@ -131,7 +131,7 @@ void ScenePanel::show_marks() {
 }
 
 void ScenePanel::show_camera() {
-  const auto degrees = [](double rad) { return qRound(rad * (180.0 / pi)); };
+  const auto degrees = [](double rad) { return qRound(rad * deg_per_rad); };
   direction_->setText(tr("Azimuth %1°  Elevation %2°")
                           .arg(degrees(scene_->camera().azimuth_rad))
                           .arg(degrees(scene_->camera().elevation_rad)));

@@ -46,7 +46,7 @@ double value_of(DisplayQuantity quantity, std::complex<double> sample, double re
     case DisplayQuantity::real: return sample.real();
     case DisplayQuantity::imaginary: return sample.imag();
     case DisplayQuantity::magnitude: return std::abs(sample);
-    case DisplayQuantity::phase: return std::arg(sample) * (180.0 / pi);
+    case DisplayQuantity::phase: return std::arg(sample) * deg_per_rad;
     case DisplayQuantity::decibels: break;
   }
   const double magnitude = std::abs(sample);

@@ -31,7 +31,7 @@ double quick_phase_deg(std::complex<double> v) {
   if (!(std::max(a, b) > 0.0)) return 0.0;
   double angle = a >= b ? short_arc_tangent(b / a) : 0.5 * pi - short_arc_tangent(a / b);
   if (v.real() < 0.0) angle = pi - angle;
-  return (v.imag() < 0.0 ? -angle : angle) * (180.0 / pi);
+  return (v.imag() < 0.0 ? -angle : angle) * deg_per_rad;
 }
 
 // Finds levels of samples; for decibels by comparing powers, so that no logarithm is taken for each.

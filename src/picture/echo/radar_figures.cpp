@@ -18,7 +18,7 @@ namespace sarsim {
 namespace {
 
 constexpr std::size_t most_samples = std::size_t{1} << 25;
-double in_degrees(double radians) { return radians * (180.0 / pi); }
+double in_degrees(double radians) { return radians * deg_per_rad; }
 
 FigureAxis range_axis(const EchoBlock& block) {
   FigureAxis axis = axis_along("Slant range", "m", block.range_m);
@@ -69,7 +69,7 @@ std::vector<double> levels_of(const RangeDoppler& map, double reference) {
   return level_db;
 }
 
-std::size_t nearest_row(const Plan& plan, double time_s) {
+std::size_t row_sent_nearest(const Plan& plan, double time_s) {
   const auto time_of = [&](std::size_t row) { return plan.radar.repetition.send_time_s(plan.first_pulse_of_row(row)); };
   std::size_t low = 0;
   std::size_t high = plan.rows;
@@ -101,7 +101,7 @@ std::string_view title_of(RadarView view) {
 RadarViewPlace place_of(const Plan& plan, const RadarViewChoice& choice) {
   RadarViewPlace place;
   if (plan.rows == 0) return place;
-  place.row = nearest_row(plan, choice.time_s);
+  place.row = row_sent_nearest(plan, choice.time_s);
   const auto distance = [&](double range_m) { return std::abs(range_m - choice.range_m); };
   const auto nearest = std::ranges::min_element(plan.column_range_m, {}, distance);
   place.column = static_cast<std::size_t>(nearest - plan.column_range_m.begin());

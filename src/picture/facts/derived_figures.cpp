@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/derived_parts.hpp"
 #include "radar/target/surface.hpp"
@@ -14,8 +15,6 @@ namespace sarsim {
 namespace derived {
 
 namespace {
-
-constexpr double deg_per_rad = 180.0 / pi;
 
 double rounded(double value) { return parse_number(fmt::format("{:.4g}", value)).value_or(value); }
 

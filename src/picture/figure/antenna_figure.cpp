@@ -17,7 +17,6 @@ namespace sarsim {
 namespace {
 
 constexpr std::size_t points = 1441;  // an eighth of a degree from -90 to 90
-constexpr double rad_per_deg = pi / 180.0;
 
 // One way through an antenna: voltage factor against the offset in one plane.
 struct Cut {

@@ -89,7 +89,7 @@ Samples read_peaks(const ImageSource& source, const Extent& across, const Extent
 }
 
 // The values of a picture and what they are measured by.
-struct Shown {
+struct ShownSamples {
   Samples samples;
   SampleStatistics statistics;
   double zero_db_v = 1.0;
@@ -100,8 +100,8 @@ struct Shown {
   }
 };
 
-Shown shown(Samples samples, const Extent& across, const Extent& up, const ImageLook& look) {
-  Shown out{std::move(samples), {}, 1.0, {}};
+ShownSamples shown(Samples samples, const Extent& across, const Extent& up, const ImageLook& look) {
+  ShownSamples out{std::move(samples), {}, 1.0, {}};
   out.statistics = statistics_of(out.samples);
   if (look.limits.percentile < 100.0)
     out.statistics.percentile_v = magnitude_percentile(
@@ -125,8 +125,8 @@ std::string largest_text(double largest, const std::string& unit, bool counts) {
   return fmt::format("Highest magnitude: {:.6g}{}", largest, counts ? " counts" : "");
 }
 
-void add_pixels(FigurePanel& panel, const Shown& seen, const Extent& across, const Extent& up, const ImageLook& look,
-                const std::string& volts) {
+void add_pixels(FigurePanel& panel, const ShownSamples& seen, const Extent& across, const Extent& up,
+                const ImageLook& look, const std::string& volts) {
   const std::vector<Rgb> colours = colour_table(look.map, look.sliders, look.inverted);
   const bool cyclic = kind_for(look.quantity) == ColourMapKind::cyclic;
   FigureImage& image = panel.image.emplace();
@@ -164,7 +164,7 @@ void turn_upright(FigurePanel& panel) {
 
 // How far a curve reaches from its base for a value, as a share of the distance to the next: positive and negative
 // together take three quarters of it, decibels nine tenths from their lower limit on.
-std::function<double(double)> reach_of(const Shown& seen, DisplayQuantity quantity) {
+std::function<double(double)> reach_of(const ShownSamples& seen, DisplayQuantity quantity) {
   if (quantity == DisplayQuantity::decibels)
     return [limits = seen.limits](double value) {
       return 0.9 * (std::max(value, limits.low) - limits.low) / (limits.high - limits.low);
@@ -173,8 +173,8 @@ std::function<double(double)> reach_of(const Shown& seen, DisplayQuantity quanti
   return [largest](double value) { return std::isfinite(value) && largest > 0.0 ? 0.375 * value / largest : 0.0; };
 }
 
-void add_curves(FigurePanel& panel, const Shown& seen, const Extent& across, const Extent& up, const Places& columns,
-                const Places& rows, const ImageLook& look) {
+void add_curves(FigurePanel& panel, const ShownSamples& seen, const Extent& across, const Extent& up,
+                const Places& columns, const Places& rows, const ImageLook& look) {
   const auto reach = reach_of(seen, look.quantity);
   const bool per_row = look.draw_as == DrawAs::curves_per_pulse;
   const double spacing =
@@ -210,8 +210,8 @@ Figure image_figure(const ImageSource& source, const ImageLook& wanted, const Pl
   const Extent up =
       extent_of(look.first_row, look.rows, source.rows(), per_row ? curves_in(size.height_px) : size.height_px, "rows");
   const bool peaks = look.pixel_rule == PixelRule::peak && !per_row && !per_column;
-  const Shown seen = shown(peaks ? read_peaks(source, across, up, control) : read_subset(source, across, up, control),
-                           across, up, look);
+  const ShownSamples seen = shown(
+      peaks ? read_peaks(source, across, up, control) : read_subset(source, across, up, control), across, up, look);
 
   Figure figure;
   const std::string unit = unit_for(source, look);

@@ -20,7 +20,7 @@ using Complex = std::complex<double>;
 
 constexpr std::size_t chip = 32;
 constexpr std::size_t finer = 16;
-constexpr std::size_t cut = 128;
+constexpr std::size_t cut_samples = 128;
 constexpr double null_widths = 10.0;
 
 // Samples of a plane around a place, 0 outside and for what is not a number.
@@ -33,13 +33,13 @@ struct Patch {
   [[nodiscard]] const Complex& at(std::size_t row, std::size_t col) const { return samples[row * cols + col]; }
 };
 
-struct Extent {
+struct CutExtent {
   std::size_t first = 0;  // In the plane.
   std::size_t count = 0;
   std::size_t skipped = 0;  // Of the patch, before the plane begins.
 };
 
-Extent extent_of(std::size_t centre, std::size_t count, std::size_t size) {
+CutExtent extent_of(std::size_t centre, std::size_t count, std::size_t size) {
   const std::size_t half = count / 2;
   const std::size_t skipped = half > centre ? half - centre : 0;
   const std::size_t first = centre - (half - skipped);
@@ -49,8 +49,8 @@ Extent extent_of(std::size_t centre, std::size_t count, std::size_t size) {
 // Sample (row, column) of the plane is sample (rows / 2, cols / 2) of the patch.
 Patch patch_of(const SamplePlane& plane, std::size_t row, std::size_t column, std::size_t rows, std::size_t cols) {
   Patch patch{rows, cols, std::vector<Complex>(rows * cols)};
-  const Extent down = extent_of(row, rows, plane.rows);
-  const Extent across = extent_of(column, cols, plane.columns);
+  const CutExtent down = extent_of(row, rows, plane.rows);
+  const CutExtent across = extent_of(column, cols, plane.columns);
   const ImageWindow window{down.first, down.count, across.first, across.count};
   std::vector<std::complex<float>> read(window.samples());
   plane.read(window, read);
@@ -188,7 +188,7 @@ std::optional<double> half_power(const Cut& line, int step) {
   const auto at = [&](std::size_t i) {
     return line.power[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(line.peak) + step * static_cast<int>(i))];
   };
-  const std::size_t most = cut / 2 * finer - 2 * finer;
+  const std::size_t most = cut_samples / 2 * finer - 2 * finer;
   for (std::size_t i = 1; i < most; ++i)
     if (at(i) <= half) return static_cast<double>(i - 1) + (at(i - 1) - half) / (at(i - 1) - at(i));
   return std::nullopt;
@@ -199,7 +199,7 @@ std::optional<std::size_t> first_minimum(const Cut& line, int step) {
   const auto at = [&](std::size_t i) {
     return line.power[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(line.peak) + step * static_cast<int>(i))];
   };
-  const std::size_t most = cut / 2 * finer - 2 * finer;
+  const std::size_t most = cut_samples / 2 * finer - 2 * finer;
   for (std::size_t i = 1; i + 1 < most; ++i)
     if (at(i) < 0.5 * at(0) && at(i) <= at(i + 1)) return i;
   return std::nullopt;
@@ -214,7 +214,7 @@ std::optional<CutReading> measure(const Cut& line) {
   CutReading reading;
   reading.width = (*left_half + *right_half) / finer;
   reading.null = 0.5 * static_cast<double>(*left + *right) / finer;
-  const double edge = cut / 2.0 - 2.0;  // What is nearer to the ends is spoilt by the cut itself.
+  const double edge = cut_samples / 2.0 - 2.0;  // What is nearer to the ends is spoilt by the cut itself.
   reading.reach = std::min(null_widths * reading.null, edge);
   const auto reach = static_cast<std::ptrdiff_t>(std::lround(reading.reach * finer));
   double inside = 0.0;
@@ -272,19 +272,19 @@ std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::si
   reading.row = static_cast<double>(peak_row) + off_row;
   reading.column = static_cast<double>(peak_col) + off_col;
 
-  Patch wide = patch_of(plane, peak_row, peak_col, chip, cut);
-  Patch tall = patch_of(plane, peak_row, peak_col, cut, chip);
+  Patch wide = patch_of(plane, peak_row, peak_col, chip, cut_samples);
+  Patch tall = patch_of(plane, peak_row, peak_col, cut_samples, chip);
   remove(centroid, wide);
   remove(centroid, tall);
-  std::vector<Complex> along_row(cut);
-  std::vector<Complex> along_column(cut);
+  std::vector<Complex> along_row(cut_samples);
+  std::vector<Complex> along_column(cut_samples);
   for (std::size_t i = 0; i < chip; ++i)
-    for (std::size_t k = 0; k < cut; ++k) {
+    for (std::size_t k = 0; k < cut_samples; ++k) {
       along_row[k] += down[i] * wide.at(i, k);
       along_column[k] += across[i] * tall.at(k, i);
     }
-  const auto row_cut = measure(cut_of(along_row, cut / 2.0 + off_col));
-  const auto column_cut = measure(cut_of(along_column, cut / 2.0 + off_row));
+  const auto row_cut = measure(cut_of(along_row, cut_samples / 2.0 + off_col));
+  const auto column_cut = measure(cut_of(along_column, cut_samples / 2.0 + off_row));
   if (!row_cut || !column_cut)
     return no_point("the response has no main lobe with a minimum on both sides", peak_row, peak_col,
                     "choose a point that stands by itself");

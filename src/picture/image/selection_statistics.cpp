@@ -10,7 +10,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t samples_at_once = std::size_t{1} << 18;
+constexpr std::size_t samples_per_step = std::size_t{1} << 18;
 constexpr std::size_t half_bins = 1024;
 constexpr double lowest_decibels = -900.0;  // Of the smallest float that is not 0.
 constexpr double highest_decibels = 800.0;  // Above the largest.
@@ -213,8 +213,8 @@ struct Parts {
 
   explicit Parts(const ImageWindow& whole) : window(whole) {
     if (whole.samples() == 0) return;
-    cols = std::min(whole.cols, samples_at_once);
-    rows = std::max<std::size_t>(1, samples_at_once / cols);
+    cols = std::min(whole.cols, samples_per_step);
+    rows = std::max<std::size_t>(1, samples_per_step / cols);
     across = (whole.cols - 1) / cols + 1;
     down = (whole.rows - 1) / rows + 1;
   }

@@ -10,7 +10,6 @@ namespace sarsim {
 
 namespace {
 
-constexpr double rad_per_deg = pi / 180.0;
 constexpr double nearest_part = 1e-3;   // of the viewer's distance: nothing is drawn nearer than that
 constexpr double fitted_part = 0.4;     // of the picture on either side of its middle
 constexpr double nearest_fitted = 0.5;  // of the viewer's distance: no fitted point comes nearer

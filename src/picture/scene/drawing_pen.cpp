@@ -7,8 +7,8 @@ namespace sarsim {
 
 namespace {
 
-constexpr double margin_px = 64.0;     // about the picture, of the screen
-constexpr double nearest_part = 1e-2;  // of the viewer's distance
+constexpr double margin_px = 64.0;            // about the picture, of the screen
+constexpr double nearest_stroke_part = 1e-2;  // of the viewer's distance
 
 struct Frame {
   double left, top, right, bottom;
@@ -78,7 +78,7 @@ Pen::Pen(const Camera& camera, const DrawingOptions& options, Drawing& drawing)
       options_(options),
       drawing_(drawing),
       picture_from_world_(camera.picture_from_world()),
-      nearest_depth_m_(-(1.0 - nearest_part) * camera.viewer_distance_m()) {}
+      nearest_depth_m_(-(1.0 - nearest_stroke_part) * camera.viewer_distance_m()) {}
 
 Vec3 Pen::in_picture_axes(const Vec3& world_m) const { return picture_from_world_ * (world_m - camera_.focus_world_m); }
 

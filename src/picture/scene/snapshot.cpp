@@ -19,7 +19,7 @@ constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass functi
 constexpr int trail_steps = 48;
 constexpr std::size_t most_trail_knots = 256;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 Vec3 finite_or_zero(const Vec3& v) { return {finite_or_zero(v.x), finite_or_zero(v.y), finite_or_zero(v.z)}; }
 Angle finite_or_zero(Angle angle) { return std::isfinite(angle.deg()) ? angle : Angle{}; }
@@ -201,7 +201,7 @@ std::vector<Vec3> trail_of(const Path& path, double time_s, double length_s) {
   }
   for (const double at_s : times_s) {
     const Vec3 point = path.at(at_s);
-    if (finite(point)) trail.push_back(point);
+    if (is_finite(point)) trail.push_back(point);
   }
   return trail;
 }
@@ -291,11 +291,11 @@ void SnapshotMaker::Prepared::add_targets(const Scene& scene, PlatformFinder& pl
   targets.reserve(scene.targets.size());
   for (std::size_t i = 0; i < scene.targets.size(); ++i) {
     const auto& target = scene.targets[i];
-    if (!finite(target.position_m)) continue;
+    if (!is_finite(target.position_m)) continue;
     Vec3 normal;
     if (target.reflectivity == sarsim::Target::Reflectivity::directional)
       normal = direction(target.azimuth.rad(), target.elevation.rad());
-    const bool directional = normal != Vec3{} && finite(normal);
+    const bool directional = normal != Vec3{} && is_finite(normal);
     targets.push_back({i, platform_of(target.platform), target.position_m, directional ? normal : Vec3{}, directional});
   }
 }
@@ -304,7 +304,7 @@ void SnapshotMaker::Prepared::add_surfaces(const Scene& scene, PlatformFinder& p
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const auto& surface = scene.surfaces[i];
     const std::array<Vec3, 3>& c = surface.corner_m;
-    if (!std::ranges::all_of(c, finite)) continue;
+    if (!std::ranges::all_of(c, is_finite)) continue;
     const Vec3 across = cross(c[1] - c[0], c[2] - c[0]);
     const double length = norm(across);
     const Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : Vec3{};
@@ -329,7 +329,7 @@ std::vector<SnapshotMaker::Prepared::Frame> SnapshotMaker::Prepared::frames_at(d
   for (const ResolvedPlatform& platform : resolved.platforms) {
     Frame frame{platform.track.at(time_s, pulse), false};
     frame.usable =
-        finite(frame.pose.position_world_m) && std::ranges::all_of(frame.pose.world_from_platform.row, finite);
+        is_finite(frame.pose.position_world_m) && std::ranges::all_of(frame.pose.world_from_platform.row, is_finite);
     frames.push_back(frame);
   }
   return frames;
@@ -386,7 +386,7 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
     shown.name = radar.name;
     shown.position_world_m = pose.position_world_m;
     shown.axis_world = pointing.axis_world();
-    if (!finite(shown.axis_world)) continue;
+    if (!is_finite(shown.axis_world)) continue;
     // Offsets of the rule of added angles are angles of the world: its antenna is level.
     const double azimuth = azimuth_rad(shown.axis_world);
     shown.across_world = resolved.conventions.pointing == PointingRule::boresight

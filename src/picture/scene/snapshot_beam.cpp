@@ -9,7 +9,6 @@ namespace sarsim {
 
 namespace {
 
-constexpr double deg_per_rad = 180.0 / pi;
 constexpr int lobe_rows = 25;
 constexpr int lobe_columns = 49;
 constexpr double lobe_widths = 3.0;  // the lobe is drawn so far off the axis, in half-power widths

@@ -12,7 +12,6 @@ namespace sarsim {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double rad_per_deg = pi / 180.0;
 
 AntennaPattern sinx(double azimuth_deg, double elevation_deg) {
   AntennaPattern pattern;

@@ -13,7 +13,6 @@ namespace sarsim {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double rad_per_deg = pi / 180.0;
 
 Interpolator constant(double value) { return Interpolator(SampledFunction{Interpolation::linear, {{0.0, value}}}); }
 

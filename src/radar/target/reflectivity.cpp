@@ -17,7 +17,7 @@ double reflectivity(ReflectivityLaw law, const Interpolator& gain_db, double inc
   switch (law) {
     case ReflectivityLaw::isotropic: return 1.0;
     case ReflectivityLaw::cosine: return std::max(0.0, std::cos(incidence_rad));
-    case ReflectivityLaw::user: return std::pow(10.0, gain_db.value(incidence_rad * (180.0 / pi)) / 10.0);
+    case ReflectivityLaw::user: return std::pow(10.0, gain_db.value(incidence_rad * deg_per_rad) / 10.0);
   }
   return 1.0;
 }

@@ -7,8 +7,8 @@ namespace sarsim {
 
 namespace {
 
-constexpr double edge_tolerance = 1e-9;  // of an interval (decision 19)
-constexpr double largest_pulse = 9e15;   // pulse numbers stay exact in double
+constexpr double window_tolerance = 1e-9;  // of an interval (decision 19)
+constexpr double largest_pulse = 9e15;     // pulse numbers stay exact in double
 
 std::int64_t to_pulse(double number) {
   return static_cast<std::int64_t>(std::clamp(number, -largest_pulse, largest_pulse));
@@ -57,9 +57,9 @@ std::int64_t Repetition::first_at_or_after(double time_s) const {
 
 PulseRange Repetition::pulses_in(double start_s, double end_s) const {
   if (start_in_cycle_s_.empty())
-    return {to_pulse(std::ceil(start_s * prf_hz_ - edge_tolerance)),
-            to_pulse(std::floor(end_s * prf_hz_ + edge_tolerance))};
-  const double tolerance_s = edge_tolerance * shortest_s_;
+    return {to_pulse(std::ceil(start_s * prf_hz_ - window_tolerance)),
+            to_pulse(std::floor(end_s * prf_hz_ + window_tolerance))};
+  const double tolerance_s = window_tolerance * shortest_s_;
   const std::int64_t first = first_at_or_after(start_s - tolerance_s);
   std::int64_t beyond = first_at_or_after(end_s + tolerance_s);
   if (send_time_s(beyond) <= end_s + tolerance_s) ++beyond;

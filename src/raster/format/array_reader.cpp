@@ -15,8 +15,6 @@ namespace sarsim {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
-constexpr std::uint64_t longest_npy_header = std::uint64_t{1} << 20;  // Far above any header of numbers.
-
 // How one component (I or Q) is stored.
 struct ElementType {
   std::string_view name;  // As NumPy names it.
@@ -158,27 +156,6 @@ Problem wrong_type(const std::string& name, const NpyHeader& header) {
   return file_problem(name, "the array's type is not one of samples", header.type, type_names());
 }
 
-std::string text_of(const std::vector<std::uint64_t>& shape) {
-  std::string text;
-  for (const std::uint64_t size : shape) text += fmt::format("{}{}", text.empty() ? "" : ", ", size);
-  return "(" + text + ")";
-}
-
-std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file) {
-  std::vector<std::byte> bytes(static_cast<std::size_t>(std::min<std::uint64_t>(file.size(), 12)));
-  bytes.resize(file.read_at(0, bytes));
-  const std::uint64_t size = npy_header_size(bytes);
-  if (size > longest_npy_header) {
-    Problem problem;
-    problem.message = "the header of the NumPy file is too long";
-    problem.found = fmt::format("{} bytes", size);
-    return problem;
-  }
-  bytes.resize(static_cast<std::size_t>(std::min(file.size(), size)));
-  bytes.resize(file.read_at(0, bytes));
-  return parse_npy_header(bytes);
-}
-
 Problems rows_problem(const std::string& name, std::uint64_t rows, const SampleFileHints& hints) {
   if (hints.rows == 0 || hints.rows == rows) return {};
   return {file_problem(name, "the file has another number of rows", fmt::format("{}", rows),
@@ -232,14 +209,14 @@ OpenedReader open_npy(InputFile file, const SampleFileHints& hints) {
   const auto bytes = shape ? checked_product(shape->rows, shape->columns, 2 * type->bytes) : std::nullopt;
   if (!bytes || *bytes == 0)
     return {nullptr,
-            {file_problem(name, "the array's shape is not one of samples", text_of(header.shape),
+            {file_problem(name, "the array's shape is not one of samples", shape_text(header.shape),
                           type->pair ? "(rows, columns)" : "(rows, columns, 2)")}};
   const std::uint64_t present = file.size() - std::min<std::uint64_t>(file.size(), header.data_offset);
   if (present < *bytes)
-    return {
-        nullptr,
-        {file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
-                      fmt::format("{} bytes for the shape {}", *bytes, text_of(header.shape)), "the file is cut off")}};
+    return {nullptr,
+            {file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
+                          fmt::format("{} bytes for the shape {}", *bytes, shape_text(header.shape)),
+                          "the file is cut off")}};
   OpenedReader result{nullptr, rows_problem(name, shape->rows, hints)};
   if (has_errors(result.problems)) return result;
   if (present > *bytes)

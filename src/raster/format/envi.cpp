@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/format/sample_reader.hpp"
@@ -20,20 +21,6 @@
 namespace sarsim {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return result;
-}
 
 std::string harmless(std::string text) {
   for (char& c : text) {
@@ -57,7 +44,7 @@ Fields fields_of(std::string_view text) {
       continue;
     }
     if (equals == std::string_view::npos) break;
-    const std::string name = lower(trimmed(text.substr(0, equals)));
+    const std::string name = lower_case(trimmed(text.substr(0, equals)));
     text = text.substr(equals + 1);
     const std::size_t brace = text.find_first_not_of(" \t");
     const bool braced = brace != std::string_view::npos && text[brace] == '{';

@@ -14,8 +14,6 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::uint64_t longest_npy_header = std::uint64_t{1} << 20;  // Far above any header of numbers.
-
 // Rows of samples of a fixed size.
 class GridImage : public ImageSource {
  public:
@@ -154,23 +152,6 @@ constexpr std::array<NpyType, 13> npy_types{{
     {"u8", 8, false, true, raw_decoder<std::uint64_t>},
 }};
 
-std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file) {
-  std::vector<std::byte> bytes(12);
-  bytes.resize(file.read_at(0, bytes));
-  const std::uint64_t size = npy_header_size(bytes);
-  if (size > longest_npy_header)
-    return file_problem({}, "the header of the NumPy file is too long", fmt::format("{} bytes", size));
-  bytes.resize(static_cast<std::size_t>(size));
-  bytes.resize(file.read_at(0, bytes));
-  return parse_npy_header(bytes);
-}
-
-std::string text_of(const std::vector<std::uint64_t>& shape) {
-  std::string text;
-  for (const std::uint64_t size : shape) text += fmt::format("{}{}", text.empty() ? "" : ", ", size);
-  return "(" + text + ")";
-}
-
 // What an array is as an image.
 struct NpyPlane {
   std::uint64_t rows = 1;
@@ -214,7 +195,8 @@ Problem shape_problem(const std::string& name, const NpyHeader& header) {
   return file_problem(name,
                       header.fortran_order ? "the array's shape cannot be shown in Fortran order"
                                            : "the array's shape is not one of an image",
-                      text_of(header.shape), "(rows, columns), (rows, columns, 2) for I and Q, or 3 bytes for colours");
+                      shape_text(header.shape),
+                      "(rows, columns), (rows, columns, 2) for I and Q, or 3 bytes for colours");
 }
 
 OpenedImage make_npy(InputFile file, const NpyHeader& header, const NpyType& type, const NpyPlane& plane,
@@ -237,14 +219,15 @@ OpenedImage make_npy(InputFile file, const NpyHeader& header, const NpyType& typ
   const auto whole = checked_product(plane.rows, plane.columns, grid.sample_bytes);
   if (!whole || grid.row_bytes() > present || (header.fortran_order && *whole > present))
     return refused(file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
-                                fmt::format("{} of {} bytes each", text_of(header.shape), type.bytes),
+                                fmt::format("{} of {} bytes each", shape_text(header.shape), type.bytes),
                                 "the file is cut off"));
   Problems problems;
   if (present < *whole)
-    problems.push_back(with_severity(
-        file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
-                     fmt::format("{} bytes for the shape {}", *whole, text_of(header.shape)), "what is there is shown"),
-        Severity::warning));
+    problems.push_back(
+        with_severity(file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
+                                   fmt::format("{} bytes for the shape {}", *whole, shape_text(header.shape)),
+                                   "what is there is shown"),
+                      Severity::warning));
   if (present > *whole)
     problems.push_back(with_severity(
         file_problem(name, "what follows the array is not read", fmt::format("{} bytes more", present - *whole)),

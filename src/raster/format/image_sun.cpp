@@ -14,7 +14,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{48} << 10;  // A multiple of 8 pixels of any depth.
+constexpr std::size_t sun_chunk_bytes = std::size_t{48} << 10;  // A multiple of 8 pixels of any depth.
 
 using RunIndex = RowIndex<SunRunDecoder::State>;
 
@@ -111,8 +111,8 @@ class SunImage final : public ImageSource {
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint64_t row_offset = header().data_offset() + window.row(i) * header().row_bytes();
       std::size_t next = 0;
-      for (std::uint64_t at = range.first; at < range.last; at += chunk_bytes) {
-        buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(chunk_bytes, range.last - at)));
+      for (std::uint64_t at = range.first; at < range.last; at += sun_chunk_bytes) {
+        buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(sun_chunk_bytes, range.last - at)));
         file_.read_all_at(row_offset + at, buffer);
         put_chunk(window, i, at, buffer, next, put);
       }
@@ -130,8 +130,8 @@ class SunImage final : public ImageSource {
       for (; i < end && (window.row_step == 1 || index_.before(window.row(i)).first == row); ++i) {
         skip(decoder, (window.row(i) - at_row) * header().row_bytes() + range.first);
         std::size_t next = 0;
-        for (std::uint64_t at = range.first; at < range.last; at += chunk_bytes) {
-          buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(chunk_bytes, range.last - at)));
+        for (std::uint64_t at = range.first; at < range.last; at += sun_chunk_bytes) {
+          buffer.resize(static_cast<std::size_t>(std::min<std::uint64_t>(sun_chunk_bytes, range.last - at)));
           if (decoder.take(buffer) < buffer.size()) fail();
           put_chunk(window, i, at, buffer, next, put);
         }

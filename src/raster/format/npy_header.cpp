@@ -165,4 +165,26 @@ std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> byt
   return header;
 }
 
+std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file) {
+  constexpr std::uint64_t longest = std::uint64_t{1} << 20;  // Far above any header of numbers.
+  std::vector<std::byte> bytes(12);
+  bytes.resize(file.read_at(0, bytes));
+  const std::uint64_t size = npy_header_size(bytes);
+  if (size > longest) {
+    Problem problem;
+    problem.message = "the header of the NumPy file is too long";
+    problem.found = fmt::format("{} bytes", size);
+    return problem;
+  }
+  bytes.resize(static_cast<std::size_t>(size));
+  bytes.resize(file.read_at(0, bytes));
+  return parse_npy_header(bytes);
+}
+
+std::string shape_text(const std::vector<std::uint64_t>& shape) {
+  std::string text;
+  for (const std::uint64_t size : shape) text += fmt::format("{}{}", text.empty() ? "" : ", ", size);
+  return "(" + text + ")";
+}
+
 }  // namespace sarsim

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/os/input_file.hpp"
 #include "core/report/problem.hpp"
 
 namespace sarsim {
@@ -30,5 +31,11 @@ struct NpyHeader {
 
 /// Reads a header of version 1.0, 2.0 or 3.0 from the beginning of a file.
 [[nodiscard]] std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> bytes);
+
+/// Reads the header of a file; a problem, without a place, where it is none or longer than 1 MiB.
+[[nodiscard]] std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file);
+
+/// A shape as NumPy prints it, nearly: "(620, 512)", "(512)", "()".
+[[nodiscard]] std::string shape_text(const std::vector<std::uint64_t>& shape);
 
 }  // namespace sarsim

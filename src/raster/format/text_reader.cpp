@@ -14,7 +14,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_listed_rows = 10;
+constexpr std::size_t most_reported_rows = 10;
 constexpr std::uint64_t index_spacing = 256;  // Bytes between remembered rows, so that the index stays small.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -86,7 +86,7 @@ void note_value(TextSurvey& survey, const TextNumber& number) {
 }
 
 void list_uneven(TextSurvey& survey, const TextRow& row, bool last) {
-  if (survey.problems.size() < most_listed_rows)
+  if (survey.problems.size() < most_reported_rows)
     survey.problems.push_back(uneven_row(row, survey.rows, survey.values, last));
 }
 

@@ -8,7 +8,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
+constexpr std::size_t scanner_buffer_bytes = std::size_t{1} << 16;
 
 bool is_white(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool ends_token(int c) { return c == TextScanner::end || is_white(c) || c == ',' || c == '(' || c == ')'; }
@@ -28,7 +28,7 @@ bool read_whole(std::string_view text, TextNumber& number) {
 }  // namespace
 
 TextScanner::TextScanner(const InputFile& file, std::uint64_t offset, std::size_t line)
-    : file_(file), buffer_(buffer_bytes), base_(offset), line_start_(offset), line_(line) {}
+    : file_(file), buffer_(scanner_buffer_bytes), base_(offset), line_start_(offset), line_(line) {}
 
 bool TextScanner::fill() {
   base_ += next_;

@@ -4,18 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim {
 
 namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
 
 // Either may be a prefix of the other, as the original programs compared (script format, strings).
 bool share_prefix(std::string_view a, std::string_view b) {

@@ -14,7 +14,7 @@ namespace sarsim {
 
 namespace {
 
-constexpr std::size_t most_problems = 100;  // more would only say the same again
+constexpr std::size_t most_line_problems = 100;  // more would only say the same again
 constexpr std::size_t quantities = 4;
 
 struct ColumnKind {
@@ -149,7 +149,7 @@ class Importer {
   }
 
   void add(Problem problem) {
-    if (import_.problems.size() < most_problems)
+    if (import_.problems.size() < most_line_problems)
       import_.problems.push_back(std::move(problem));
     else
       ++unsaid_;

@@ -6,24 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
 
 namespace sarsim::field_tables {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string clipped(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
-}
 
 bool begins_with(std::string_view text, std::string_view beginning) {
   return beginning.size() <= text.size() && equal_ignoring_case(text.substr(0, beginning.size()), beginning);

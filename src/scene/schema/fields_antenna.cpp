@@ -5,8 +5,6 @@ namespace sarsim::field_tables {
 
 namespace {
 
-namespace grammar = script::radar_grammar;
-
 // One of a radar's two antennas, and when it is used.
 struct AntennaFields {
   std::string id;
@@ -48,16 +46,16 @@ void add_direction(FieldTable<Radar>& table) {
   table.choice("beam", "Antenna direction", &Radar::beam, {"Fixed", "Constant rotation", "Spot mode", "User-defined"},
                "Fixed to the platform, turning about its vertical, held on a point of the world, or on a moving one.");
   table.where([](const Radar& r) { return r.beam == Radar::Beam::fixed || r.beam == Radar::Beam::rotating; });
-  table.number(grammar::beam_elevation, "Beam elevation", Quantity::angle, &Radar::beam_elevation,
+  table.number(script::radar_grammar::beam_elevation, "Beam elevation", Quantity::angle, &Radar::beam_elevation,
                "Above the platform's x-y plane.");
   table.where(is(Radar::Beam::fixed));
-  table.number(grammar::beam_azimuth, "Beam azimuth", Quantity::angle, &Radar::beam_azimuth,
+  table.number(script::radar_grammar::beam_azimuth, "Beam azimuth", Quantity::angle, &Radar::beam_azimuth,
                "From the platform's +y axis clockwise towards +x.");
   table.where(is(Radar::Beam::rotating));
-  table.number(grammar::beam_rate, "Rotation speed", Quantity::angle_rate, &Radar::beam_rate,
+  table.number(script::radar_grammar::beam_rate, "Rotation speed", Quantity::angle_rate, &Radar::beam_rate,
                "The azimuth is speed times time.");
   table.where(is(Radar::Beam::spot));
-  table.vector(grammar::spot, "coordinate of the spot", Quantity::length, &Radar::spot_world_m,
+  table.vector(script::radar_grammar::spot, "coordinate of the spot", Quantity::length, &Radar::spot_world_m,
                "World point at which the beam is held.");
   table.where(is(Radar::Beam::user));
   table.function("beam_target_world_m", "Point looked at", &Radar::beam_target_world_m,
@@ -69,7 +67,7 @@ void add_receiver(FieldTable<Radar>& table) {
   table.choice("window", "Window", &Radar::window, {"Rectangular", "Hanning", "Bartlett", "Hamming", "User-defined"},
                "Weights the matched filter: lower range side lobes for a wider main lobe.");
   table.where([](const Radar& r) { return r.window == Radar::Window::hanning; });
-  table.number(grammar::hanning_pedestal, "Hanning constant", Quantity::number, &Radar::hanning_pedestal,
+  table.number(script::radar_grammar::hanning_pedestal, "Hanning constant", Quantity::number, &Radar::hanning_pedestal,
                "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends.");
   table.where([](const Radar& r) { return r.window == Radar::Window::user; });
   table.function("window_gain", "Window definition", &Radar::window_gain,
@@ -89,11 +87,11 @@ void add_receiver(FieldTable<Radar>& table) {
 void add_antenna_fields(FieldTable<Radar>& table) {
   table.group("Transmitter antenna");
   add_antenna(table, {"transmit_antenna", &Radar::transmit_antenna, [](const Radar&) { return true; },
-                      grammar::transmit_elevation, grammar::transmit_azimuth});
+                      script::radar_grammar::transmit_elevation, script::radar_grammar::transmit_azimuth});
   table.always().group("Receiver antenna");
   table.check("same_antenna", "Same as transmitter", &Radar::same_antenna, "Receive with the transmit antenna.");
   add_antenna(table, {"receive_antenna", &Radar::receive_antenna, [](const Radar& r) { return !r.same_antenna; },
-                      grammar::receive_elevation, grammar::receive_azimuth});
+                      script::radar_grammar::receive_elevation, script::radar_grammar::receive_azimuth});
   add_direction(table);
   add_receiver(table);
 }

@@ -5,8 +5,6 @@ namespace sarsim::field_tables {
 
 namespace {
 
-namespace grammar = script::platform_grammar;
-
 bool stationary(const Platform& p) { return p.path == Platform::Path::stationary; }
 bool moving(const Platform& p) { return p.path == Platform::Path::trajectory; }
 
@@ -15,7 +13,7 @@ void add_position(FieldTable<Platform>& table) {
   table.choice("path", "Position", &Platform::path, {"Stationary", "Trajectory"},
                "Whether the platform stays where it is or follows a path.");
   table.where(stationary);
-  table.vector(grammar::position, "coordinate", Quantity::length, &Platform::position_m,
+  table.vector(script::platform_grammar::position, "coordinate", Quantity::length, &Platform::position_m,
                "Place of the platform's origin in world coordinates.");
   table.where(moving);
   table.function("trajectory_m", "Trajectory", &Platform::trajectory_m,
@@ -27,7 +25,7 @@ void add_rotation(FieldTable<Platform>& table) {
   table.choice("rotation_kind", "Rotation", &Platform::rotation_kind, {"Fixed", "User-defined"},
                "Whether the rotation is given by angles or by functions of time. A rate is added to either.");
   table.where([](const Platform& p) { return p.rotation_kind == Platform::Rotation::constant; });
-  table.vector(grammar::rotation, "rotation", Quantity::angle, &Platform::rotation,
+  table.vector(script::platform_grammar::rotation, "rotation", Quantity::angle, &Platform::rotation,
                "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z.");
   table.where([](const Platform& p) { return p.rotation_kind == Platform::Rotation::user; });
   table.function("rotation_deg", "Rotation against time", &Platform::rotation_deg,
@@ -38,7 +36,7 @@ void add_rotation(FieldTable<Platform>& table) {
       "Turns the platform so that its x axis points along the velocity; the y axis stays parallel to the world's "
       "x-y plane.");
   table.always();
-  table.vector(grammar::rotation_rate, "rotation rate", Quantity::angle_rate, &Platform::rotation_rate,
+  table.vector(script::platform_grammar::rotation_rate, "rotation rate", Quantity::angle_rate, &Platform::rotation_rate,
                "Added to the rotation as rate times time.");
 }
 
@@ -47,7 +45,8 @@ void add_motion_errors(FieldTable<Platform>& table) {
   table.choice("position_error", "Position errors", &Platform::position_error, {"Standard deviation", "User-defined"},
                "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.");
   table.where([](const Platform& p) { return p.position_error == Platform::MotionError::gaussian; });
-  table.vector(grammar::position_stddev, "position std. deviation", Quantity::length, &Platform::position_stddev_m,
+  table.vector(script::platform_grammar::position_stddev, "position std. deviation", Quantity::length,
+               &Platform::position_stddev_m,
                "Standard deviation of the Gaussian error of each pulse's position; 0 for none.");
   table.where([](const Platform& p) { return p.position_error == Platform::MotionError::envelope; });
   table.function("position_envelope", "Position error envelope", &Platform::position_envelope,
@@ -56,7 +55,8 @@ void add_motion_errors(FieldTable<Platform>& table) {
   table.choice("rotation_error", "Rotation errors", &Platform::rotation_error, {"Standard deviation", "User-defined"},
                "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.");
   table.where([](const Platform& p) { return p.rotation_error == Platform::MotionError::gaussian; });
-  table.vector(grammar::rotation_stddev, "rotation std. deviation", Quantity::angle, &Platform::rotation_stddev,
+  table.vector(script::platform_grammar::rotation_stddev, "rotation std. deviation", Quantity::angle,
+               &Platform::rotation_stddev,
                "Standard deviation of the Gaussian error of each pulse's rotation; 0 for none.");
   table.where([](const Platform& p) { return p.rotation_error == Platform::MotionError::envelope; });
   table.function("rotation_envelope", "Rotation error envelope", &Platform::rotation_envelope,
@@ -66,7 +66,7 @@ void add_motion_errors(FieldTable<Platform>& table) {
 double first_value(const SampledFunction& function) { return function.knots.empty() ? 0.0 : function.knots.front().y; }
 
 // The platform stays where it was, and as it was turned, at the beginning of what is now given otherwise.
-void begin(const Platform& before, Platform& after) {
+void begin_platform(const Platform& before, Platform& after) {
   if (moving(after)) {
     begin_constant(after.trajectory_m.part[0], before.position_m.x);
     begin_constant(after.trajectory_m.part[1], before.position_m.y);
@@ -90,12 +90,12 @@ const FieldTable<Platform>& platform_table() {
     FieldTable<Platform> table;
     table.group("Platform");
     table.name(
-        grammar::name, FieldKind::text, "Platform name", &Platform::name,
+        script::platform_grammar::name, FieldKind::text, "Platform name", &Platform::name,
         "Targets, surfaces and radars refer to the platform by this name; capital and small letters are the same.");
     add_position(table);
     add_rotation(table);
     add_motion_errors(table);
-    table.on_switch(begin);
+    table.on_switch(begin_platform);
     return table;
   }();
   return made;

@@ -5,8 +5,6 @@ namespace sarsim::field_tables {
 
 namespace {
 
-namespace grammar = script::radar_grammar;
-
 const std::vector<std::string> barker_lengths{"2", "3", "4", "5", "7", "11", "13"};
 
 template <auto Member, auto... Values>
@@ -19,7 +17,7 @@ void add_pulse(FieldTable<Radar>& table) {
   table.choice("pulse", "Pulse type", &Radar::pulse, {"Monochrome", "Chirp", "User-defined", "Barker"},
                "Modulation within the pulse: none, a linear sweep, given I and Q, or a Barker phase code.");
   table.where(is<&Radar::pulse, Radar::Pulse::chirp>);
-  table.number(grammar::bandwidth, "Chirp bandwidth", Quantity::frequency, &Radar::bandwidth_hz,
+  table.number(script::radar_grammar::bandwidth, "Chirp bandwidth", Quantity::frequency, &Radar::bandwidth_hz,
                "Swept over the pulse width; negative sweeps down. Range resolution is c/(2 B).");
   table.where(is<&Radar::pulse, Radar::Pulse::user>);
   table.function("pulse_iq", "Pulse definition", &Radar::pulse_iq,
@@ -28,7 +26,7 @@ void add_pulse(FieldTable<Radar>& table) {
   table.choice("barker_code", "Barker code length", &Radar::barker_code, barker_lengths,
                "Chips of the phase code; the range resolution is that of one chip.");
   table.always();
-  table.number(grammar::pulse_width, "Pulse width", Quantity::time, &Radar::pulse_width_s,
+  table.number(script::radar_grammar::pulse_width, "Pulse width", Quantity::time, &Radar::pulse_width_s,
                "From edge to edge, Tp. It is c Tp/2 long on the range axis.");
 }
 
@@ -37,8 +35,10 @@ void add_envelope(FieldTable<Radar>& table) {
   table.choice("envelope", "Envelope", &Radar::envelope, {"Rectangular", "Linear", "User-defined"},
                "Amplitude over the pulse: constant, with straight rise and fall, or given.");
   table.where(is<&Radar::envelope, Radar::Envelope::linear>);
-  table.number(grammar::rise, "Rise time", Quantity::time, &Radar::rise_s, "From nothing to the full amplitude.");
-  table.number(grammar::fall, "Fall time", Quantity::time, &Radar::fall_s, "From the full amplitude to nothing.");
+  table.number(script::radar_grammar::rise, "Rise time", Quantity::time, &Radar::rise_s,
+               "From nothing to the full amplitude.");
+  table.number(script::radar_grammar::fall, "Fall time", Quantity::time, &Radar::fall_s,
+               "From the full amplitude to nothing.");
   table.where(is<&Radar::envelope, Radar::Envelope::user>);
   table.function("envelope_gain", "Envelope definition", &Radar::envelope_gain,
                  "Amplitude against the fraction of the pulse width, 0 to 1.");
@@ -50,7 +50,7 @@ void add_repetition(FieldTable<Radar>& table) {
   table.choice("repetition", "Pulse repetition", &Radar::repetition, {"Constant", "User-defined"},
                "Evenly spaced pulses, or a list of intervals that begins again at its end. Pulse 0 leaves at time 0.");
   table.where(is<&Radar::repetition, Radar::Repetition::constant>);
-  table.number(grammar::prf, "Pulse repetition frequency", Quantity::frequency, &Radar::prf_hz,
+  table.number(script::radar_grammar::prf, "Pulse repetition frequency", Quantity::frequency, &Radar::prf_hz,
                "Unambiguous range is c/(2 PRF), unambiguous speed lambda PRF/4 either way.");
   table.where(is<&Radar::repetition, Radar::Repetition::user>);
   table.function("pri_s", "Repetition intervals", &Radar::pri_s, "Time from each pulse to the next, in turn.");
@@ -63,14 +63,14 @@ void add_carrier(FieldTable<Radar>& table) {
   table.choice("carrier", "Centre frequency", &Radar::carrier, {"Single", "Stepped", "User-defined"},
                "One carrier, steps from pulse to pulse, or a list that begins again at its end.");
   table.where(is<&Radar::carrier, Radar::Carrier::single, Radar::Carrier::stepped>);
-  table.number(grammar::carrier_single, "Frequency", Quantity::frequency, &Radar::carrier_hz,
+  table.number(script::radar_grammar::carrier_single, "Frequency", Quantity::frequency, &Radar::carrier_hz,
                "Carrier; the first one of stepped carriers. Wavelength is c/f.");
   table.where(stepped);
-  table.number(grammar::carrier_step, "Frequency step", Quantity::frequency, &Radar::carrier_step_hz,
+  table.number(script::radar_grammar::carrier_step, "Frequency step", Quantity::frequency, &Radar::carrier_step_hz,
                "From one frequency to the next. N steps resolve c/(2 N step) in range.");
-  table.number(grammar::carrier_steps, "Number of steps", Quantity::count, &Radar::carrier_steps,
+  table.number(script::radar_grammar::carrier_steps, "Number of steps", Quantity::count, &Radar::carrier_steps,
                "Frequencies of a burst.");
-  table.number(grammar::pulses_per_step, "Pulses per frequency", Quantity::count, &Radar::pulses_per_step,
+  table.number(script::radar_grammar::pulses_per_step, "Pulses per frequency", Quantity::count, &Radar::pulses_per_step,
                "Pulses sent at each frequency before the next step.");
   table.where(is<&Radar::carrier, Radar::Carrier::user>);
   table.function("carrier_list_hz", "Frequency list", &Radar::carrier_list_hz, "Carrier of each pulse, in turn.");
@@ -79,15 +79,16 @@ void add_carrier(FieldTable<Radar>& table) {
 
 void add_power(FieldTable<Radar>& table) {
   table.group("Power");
-  table.number(grammar::power, "Power output", Quantity::power, &Radar::power_w, "Transmitted peak power.");
-  table.number(grammar::losses, "System losses", Quantity::ratio_db, &Radar::losses,
+  table.number(script::radar_grammar::power, "Power output", Quantity::power, &Radar::power_w,
+               "Transmitted peak power.");
+  table.number(script::radar_grammar::losses, "System losses", Quantity::ratio_db, &Radar::losses,
                "Total of the losses; received power is divided by it.");
-  table.number(grammar::noise_temperature, "Noise temperature", Quantity::temperature, &Radar::noise_temperature_k,
-               "Of the receiver: noise power is k T B. 0 for no noise.");
+  table.number(script::radar_grammar::noise_temperature, "Noise temperature", Quantity::temperature,
+               &Radar::noise_temperature_k, "Of the receiver: noise power is k T B. 0 for no noise.");
   table.rare();
-  table.number(grammar::transmit_gain, "Transmitter gain", Quantity::ratio_db, &Radar::transmit_gain,
+  table.number(script::radar_grammar::transmit_gain, "Transmitter gain", Quantity::ratio_db, &Radar::transmit_gain,
                "Gain at the middle of the transmitted beam, on top of the antenna's pattern.");
-  table.number(grammar::receive_gain, "Receiver gain", Quantity::ratio_db, &Radar::receive_gain,
+  table.number(script::radar_grammar::receive_gain, "Receiver gain", Quantity::ratio_db, &Radar::receive_gain,
                "Gain at the middle of the received beam, on top of the antenna's pattern.");
   table.rare(false);
 }
@@ -111,7 +112,7 @@ void begin_antenna(Antenna& antenna) {
   for (SampledFunction& cut : antenna.gain_db.part) begin_constant(cut, 0.0);
 }
 
-void begin(const Radar& before, Radar& after) {
+void begin_radar(const Radar& before, Radar& after) {
   begin_lists(before, after);
   if (after.pulse == Radar::Pulse::user && after.pulse_iq.part[0].knots.empty()) {
     begin_constant(after.pulse_iq.part[0], 1.0);
@@ -136,9 +137,9 @@ const FieldTable<Radar>& radar_table() {
     FieldTable<Radar> table;
     table.group("Radar");
     table.name(
-        grammar::name, FieldKind::text, "Radar name", &Radar::name,
+        script::radar_grammar::name, FieldKind::text, "Radar name", &Radar::name,
         "Simulations and geometry tables refer to the radar by this name; capital and small letters are the same.");
-    table.name(grammar::platform, FieldKind::platform, "Platform name", &Radar::platform,
+    table.name(script::radar_grammar::platform, FieldKind::platform, "Platform name", &Radar::platform,
                "The radar stands at the origin of this platform.");
     add_pulse(table);
     add_envelope(table);
@@ -146,7 +147,7 @@ const FieldTable<Radar>& radar_table() {
     add_carrier(table);
     add_power(table);
     add_antenna_fields(table);
-    table.on_switch(begin);
+    table.on_switch(begin_radar);
     return table;
   }();
   return made;

@@ -50,7 +50,7 @@ void add_reflectivity(FieldTable<Target>& table) {
                  "Reflectivity in dB against the incidence angle, 0 to 180 degrees.");
 }
 
-void begin(const Target&, Target& after) {
+void begin_target(const Target&, Target& after) {
   if (user_gain(after)) begin_constant(after.gain_db.part[0], 0.0);
 }
 
@@ -61,7 +61,7 @@ const FieldTable<Target>& target_table() {
     FieldTable<Target> table;
     add_place(table);
     add_reflectivity(table);
-    table.on_switch(begin);
+    table.on_switch(begin_target);
     return table;
   }();
   return made;

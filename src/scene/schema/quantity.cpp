@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim {
@@ -35,8 +36,6 @@ constexpr Unit scaled(std::string_view name, double factor, bool prefixed = fals
 constexpr Unit decibel(std::string_view name, double offset) {
   return {name, Unit::Law::decibel, 0, offset, false, false};
 }
-
-constexpr double deg_per_rad = 180.0 / pi;
 
 constexpr Unit length_units[] = {
     decimal("m", 0, false),         decimal("nm", -9), decimal("um", -6),    decimal("mm", -3),
@@ -131,15 +130,6 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 // Length of the number at the beginning of a text: sign, digits with a point, exponent; 0 where there is none.
 std::size_t number_length(std::string_view text) {
   std::size_t i = 0;
@@ -167,7 +157,7 @@ std::string quoted(std::string_view text) {
   return fmt::format("'{}...'", text.substr(0, end));
 }
 
-QuantityReading failed(std::string failure) { return {std::nullopt, std::move(failure)}; }
+QuantityReading no_quantity(std::string failure) { return {std::nullopt, std::move(failure)}; }
 
 // A unit of which only the prefix is in the other case is another unit: mHz is not MHz.
 bool other_prefix(std::string_view typed, const Unit& unit) {
@@ -242,7 +232,8 @@ QuantityReading read_factor(std::string_view typed, std::string_view text) {
   const std::string_view number = trimmed(typed.substr(1));
   const auto factor = number_length(number) == number.size() ? parse_number(number) : std::nullopt;
   if (!factor || *factor <= 0.0)
-    return failed(fmt::format("{} is no ratio; a factor is written as x100, with a number above zero", quoted(text)));
+    return no_quantity(
+        fmt::format("{} is no ratio; a factor is written as x100, with a number above zero", quoted(text)));
   return {10.0 * std::log10(*factor), {}};
 }
 
@@ -284,7 +275,7 @@ QuantityReading read_quantity(std::string_view text, Quantity quantity, std::str
   if (quantity == Quantity::ratio_db && !typed.empty() && (typed.front() == 'x' || typed.front() == 'X'))
     return read_factor(typed, text);
   const std::size_t length = number_length(typed);
-  if (length == 0) return failed(no_number(text, typed, quantity));
+  if (length == 0) return no_quantity(no_number(text, typed, quantity));
   const std::string_view number = typed.substr(0, length);
   const std::string_view rest = trimmed(typed.substr(length));
 
@@ -292,15 +283,15 @@ QuantityReading read_quantity(std::string_view text, Quantity quantity, std::str
   if (rest.empty()) {
     unit = &unit_named(quantity, bare_unit);
   } else {
-    if (std::string why = broken_number(text, typed, rest); !why.empty()) return failed(std::move(why));
+    if (std::string why = broken_number(text, typed, rest); !why.empty()) return no_quantity(std::move(why));
     UnitSearch search = find_unit(rest, quantity, text);
-    if (search.unit == nullptr) return failed(std::move(search.failure));
+    if (search.unit == nullptr) return no_quantity(std::move(search.failure));
     unit = search.unit;
   }
   const auto value = converted(number, *unit);
-  if (!value) return failed(fmt::format("{} is too large for a number", quoted(text)));
+  if (!value) return no_quantity(fmt::format("{} is too large for a number", quoted(text)));
   if (quantity == Quantity::count && *value != std::floor(*value))
-    return failed(fmt::format("{} is no whole number; try {}", quoted(text), format_number(std::round(*value))));
+    return no_quantity(fmt::format("{} is no whole number; try {}", quoted(text), format_number(std::round(*value))));
   return {*value, {}};
 }
 

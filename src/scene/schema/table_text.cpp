@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim {
@@ -9,12 +10,6 @@ namespace sarsim {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::string_view unquoted(std::string_view cell) {
   cell = trimmed(cell);
@@ -42,13 +37,6 @@ std::vector<std::string_view> cells_of(std::string_view line) {
     start = line.find_first_not_of(blanks, end);
   }
   return cells;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
 }
 
 ColumnHeading heading_of(std::string_view cell) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/rounding.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim {
@@ -17,21 +18,7 @@ namespace {
 // A step counts as reaching the end of its range where it misses it by less than this part of itself.
 constexpr double rounding = 1e-9;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-ValueList failed(std::string failure) { return {{}, std::move(failure)}; }
-
-std::string clipped(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
-}
+ValueList no_values(std::string failure) { return {{}, std::move(failure)}; }
 
 // Length of the decimal number at the beginning of a text.
 std::size_t number_length(std::string_view text) {
@@ -101,8 +88,8 @@ class Reader {
 
   ValueList read(std::string_view text) {
     const auto items = split(text);
-    if (!items) return failed(fmt::format("'{}' has a quotation mark without its partner", clipped(text)));
-    if (items->size() == 1 && items->front().empty()) return failed("no value follows the '='");
+    if (!items) return no_values(fmt::format("'{}' has a quotation mark without its partner", clipped(text)));
+    if (items->size() == 1 && items->front().empty()) return no_values("no value follows the '='");
     const bool numbers = field_.kind == FieldKind::quantity;
     if (numbers) unit_ = list_unit(items->back());
     for (const std::string& item : *items) {
@@ -113,7 +100,7 @@ class Reader {
         failure = add(item);
       else
         failure = add_numbers(item);
-      if (!failure.empty()) return failed(std::move(failure));
+      if (!failure.empty()) return no_values(std::move(failure));
     }
     return {std::move(texts_), {}};
   }

@@ -7,15 +7,12 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 #include "signal/sar/phase_gradient.hpp"
 
 namespace sarsim {
 
 namespace {
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
 
 AzimuthColumns columns_of(const FocusedImage& image) {
   AzimuthColumns columns(image.range.count, image.azimuth.count);

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/turns.hpp"
+#include "core/report/expect.hpp"
 #include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/reference_track.hpp"
@@ -18,10 +19,6 @@ namespace {
 // Records of the pulses that are projected together; more than one core's cache is no use.
 constexpr std::size_t block_bytes = std::size_t{4} << 20;
 constexpr std::size_t longest_block = 64;
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
 
 void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options) {
   expect(echoes.volts.size() == echoes.track.size() * echoes.samples,

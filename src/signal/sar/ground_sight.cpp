@@ -5,16 +5,11 @@
 #include <stdexcept>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim {
 
-namespace {
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 GroundSight::GroundSight(const ReferenceTrack& reference, const Vec3& scene_m, double squint_rad)
     : squint_sine_(std::sin(squint_rad)),

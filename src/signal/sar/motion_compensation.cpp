@@ -10,18 +10,15 @@
 #include "core/maths/sinc.hpp"
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "signal/sar/ground_sight.hpp"
 
 namespace sarsim {
 
 namespace {
 
-constexpr std::size_t guard_samples =
+constexpr std::size_t shift_guard_samples =
     32;  // zeros beyond the largest shift, between the end of a pulse and its beginning
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
 
 // 2 d/(c - v), v the speed at which the point recedes.
 double delay_of(const Vec3& point_m, const Vec3& antenna_m, const Vec3& velocity_mps, double light_speed_mps) {
@@ -140,7 +137,7 @@ class Compensator {
       : echoes_(echoes),
         how_(how),
         sight_(how.reference, how.scene_m, how.squint_rad),
-        fft_(good_fft_size(echoes.samples + largest_shift() + guard_samples)) {}
+        fft_(good_fft_size(echoes.samples + largest_shift() + shift_guard_samples)) {}
 
   /// In place.
   void compensate(std::size_t pulse, std::span<std::complex<float>> samples) const {
@@ -149,7 +146,7 @@ class Compensator {
     const double common_s = shift.late_s(sight_.range_m());
     std::vector<std::complex<double>> row(fft_.size());
     // Beyond its own length a pulse is moved out of its window.
-    if (std::abs(common_s) * wave.sample_rate_hz < static_cast<double>(samples.size() + guard_samples)) {
+    if (std::abs(common_s) * wave.sample_rate_hz < static_cast<double>(samples.size() + shift_guard_samples)) {
       std::ranges::copy(samples, row.begin());
       advance(row, fft_, common_s * wave.sample_rate_hz);
     }
@@ -175,7 +172,7 @@ class Compensator {
     for (std::size_t p = 0; p < echoes_.track.size(); ++p)
       most = std::max(most, std::abs(shift_of(p).late_s(sight_.range_m())));
     const double samples = std::ceil(most * echoes_.waveform.sample_rate_hz);
-    return static_cast<std::size_t>(std::min(samples, static_cast<double>(echoes_.samples + guard_samples)));
+    return static_cast<std::size_t>(std::min(samples, static_cast<double>(echoes_.samples + shift_guard_samples)));
   }
   [[nodiscard]] PulseShift shift_of(std::size_t pulse) const {
     return {sight_, echoes_.track[pulse], how_.reference, echoes_.waveform.light_speed_mps};

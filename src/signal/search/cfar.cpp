@@ -8,14 +8,11 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim {
 
 namespace {
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
 
 struct Range {
   std::size_t begin, end;

@@ -5,16 +5,11 @@
 #include <stdexcept>
 
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim {
 
-namespace {
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<double> pulse_weights(const CoherentInterval& interval) {
   std::vector<double> weights(interval.pulses, 1.0);

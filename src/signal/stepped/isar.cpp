@@ -7,14 +7,11 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim {
 
 namespace {
-
-void expect(bool right, const char* what) {
-  if (!right) throw std::invalid_argument(what);
-}
 
 // Delay of the target's centre, at the origin of its frame.
 double centre_delay_s(const TrackPoint& from, double light_speed_mps) {

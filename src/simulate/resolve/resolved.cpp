@@ -16,8 +16,6 @@ namespace sarsim {
 
 namespace {
 
-constexpr double rad_per_deg = pi / 180.0;
-
 std::array<Interpolator, 3> three(const UserFunction<3>& function, LowPassRule rule, double scale = 1.0) {
   return {Interpolator(function.part[0], rule, scale), Interpolator(function.part[1], rule, scale),
           Interpolator(function.part[2], rule, scale)};

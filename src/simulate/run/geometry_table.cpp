@@ -18,8 +18,6 @@ namespace {
 
 using Write = std::function<void(std::string_view)>;
 
-constexpr double deg_per_rad = 180.0 / pi;
-
 // The pulses of a table and where everything stands at each of them.
 class TablePulses {
  public:

@@ -15,7 +15,6 @@ namespace sarsim::verify {
 
 namespace {
 
-constexpr double degrees_per_rad = 180.0 / pi;
 constexpr double carrier_hz = 1e9;
 constexpr double wavelength_m = exact_light_speed_mps / carrier_hz;
 
@@ -42,15 +41,15 @@ void measure_radar_equation(Record& record) {
   record.near("Amplitude of 4 m2 over that of 1 m2", "", 2.0,
               std::abs(echo_of({1000.0, 0.0, 0.0}, 4.0)) / std::abs(echo_of({1000.0, 0.0, 0.0})), 1e-12, "sqrt(sigma)");
   const double turns = std::remainder(2.0 * 1000.0 / wavelength_m, 1.0);
-  record.near("Phase of a target at 1 km", "deg", -360.0 * turns,
-              degrees_per_rad * std::arg(echo_of({1000.0, 0.0, 0.0})), 1e-6, "-2 pi f 2 d/c");
+  record.near("Phase of a target at 1 km", "deg", -360.0 * turns, deg_per_rad * std::arg(echo_of({1000.0, 0.0, 0.0})),
+              1e-6, "-2 pi f 2 d/c");
   double worst_rad = 0.0;
   for (int i = 1; i <= 20; ++i) {
     const double range_m = 1000.0 + 0.37 * i;
     const double expected_rad = -2.0 * pi * std::remainder(2.0 * range_m / wavelength_m, 1.0);
     worst_rad = std::max(worst_rad, std::abs(wrapped_rad(std::arg(echo_of({range_m, 0.0, 0.0})) - expected_rad)));
   }
-  record.at_most("Largest error of the phase at 20 ranges", "deg", 1e-6, degrees_per_rad * worst_rad,
+  record.at_most("Largest error of the phase at 20 ranges", "deg", 1e-6, deg_per_rad * worst_rad,
                  "delays are never rounded to samples");
 }
 
@@ -68,8 +67,8 @@ void measure_doppler(Record& record) {
   const double later_s = 2.0 * speed_mps / ((exact_light_speed_mps - speed_mps) * 1000.0);
   const double shift_hz = 2.0 * speed_mps * carrier_hz / exact_light_speed_mps;
   const double expected_rad = wrapped_rad(-2.0 * pi * (carrier_hz - shift_hz) * later_s);
-  record.near("Phase step of 50 m/s at 1 GHz and 1 kHz", "deg", degrees_per_rad * expected_rad,
-              degrees_per_rad * wrapped_rad(std::arg(samples[1]) - std::arg(samples[0])), 1e-5,
+  record.near("Phase step of 50 m/s at 1 GHz and 1 kHz", "deg", deg_per_rad * expected_rad,
+              deg_per_rad * wrapped_rad(std::arg(samples[1]) - std::arg(samples[0])), 1e-5,
               "-2 pi f 2 v/((c - v) PRF), Doppler within the pulse");
 }
 
@@ -79,10 +78,10 @@ void measure_antenna(Record& record) {
   radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
   radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(10.0);
   radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(10.0);
-  const double offset_rad = 5.0 / degrees_per_rad;
+  const double offset_rad = 5.0 / deg_per_rad;
   add_target(scene, {1000.0 * std::sin(offset_rad), 1000.0 * std::cos(offset_rad), 0.0});
   set_window(scene, 1100.0, 1200.0, 4e6);
-  const double x = 0.88 * pi * std::sin(offset_rad) / (10.0 / degrees_per_rad);
+  const double x = 0.88 * pi * std::sin(offset_rad) / (10.0 / deg_per_rad);
   record.near("Two-way gain of a sin(x)/x beam half a width off", "dB", 40.0 * std::log10(std::sin(x) / x),
               20.0 * std::log10(std::abs(recorded(scene).samples.front()) / amplitude_v(1000.0)), 1e-9,
               "x = 0.88 pi sin(offset)/width, one way");

@@ -16,7 +16,7 @@ namespace sarsim::verify {
 
 namespace {
 
-constexpr double carrier_hz = 5.3e9;
+constexpr double focusing_carrier_hz = 5.3e9;
 constexpr double prf_hz = 600.0;
 constexpr Vec3 target_m{3.0, -31.0, 0.0};
 
@@ -30,7 +30,7 @@ Scene strip() {
   radar.bandwidth_hz = 100e6;
   radar.pulse_width_s = 800e-9;
   radar.prf_hz = prf_hz;
-  radar.carrier_hz = carrier_hz;
+  radar.carrier_hz = focusing_carrier_hz;
   add_target(scene, target_m);
   set_window(scene, 10098.0, 10298.0, 150e6);
   scene.simulations[0].time_start_s = -1.0;
@@ -73,7 +73,7 @@ void measure_method(Record& record, const Echoes& echoes, FocusMethod method, co
   record.near(name + ": range of the target", "m", closest_m, found->place.range_m, 0.03, "closest approach");
   record.near(name + ": azimuth of the target", "m", place.azimuth_m, found->place.azimuth_m, 0.02,
               "where the track passes it");
-  const double expected_rad = wrapped_rad(-4.0 * pi * carrier_hz * closest_m / exact_light_speed_mps);
+  const double expected_rad = wrapped_rad(-4.0 * pi * focusing_carrier_hz * closest_m / exact_light_speed_mps);
   record.near(name + ": error of the phase", "rad", 0.0, wrapped_rad(found->phase_rad - expected_rad), 0.01,
               "-4 pi f R0/c");
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, options).at(0);

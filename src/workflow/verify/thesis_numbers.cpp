@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "radar/receiver/converter.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/run/run.hpp"
@@ -17,14 +19,10 @@ namespace {
 
 using Samples = std::vector<std::complex<double>>;
 
-constexpr double degrees_per_rad = 180.0 / pi;
-
 double largest_v(const Scene& scene) { return recorded(scene).report.maximum_v; }
 
 // Angle of the strongest sample, in degrees within (-180, 180].
-double phase_deg(const Samples& samples) { return degrees_per_rad * std::arg(samples[peak_index(samples)]); }
-
-double level_db(double ratio) { return 20.0 * std::log10(ratio); }
+double phase_deg(const Samples& samples) { return deg_per_rad * std::arg(samples[peak_index(samples)]); }
 
 // ---- Chapter 3 and 4 ------------------------------------------------------------------------------------------
 
@@ -223,7 +221,7 @@ double side_lobe_a4_db(Profile profile) {
   while (std::norm(passage[i + 1]) < std::norm(passage[i])) ++i;
   double side = 0.0;
   for (; i < passage.size(); ++i) side = std::max(side, std::abs(passage[i]));
-  return level_db(side / peak);
+  return amplitude_db(side / peak);
 }
 
 // Width at half amplitude of the compressed echo: of the triangle with base c Tp it is c Tp/2.
@@ -318,7 +316,7 @@ void add_appendix(std::vector<ThesisNumber>& numbers) {
 
 // What both profiles give, derived from the formulas of docs/theory/echo-model.md; docs/theory/thesis-numbers.md says
 // what the thesis prints. Bound by a test to that page.
-struct Row {
+struct Derivation {
   const char* name;
   const char* what;
   const char* unit;
@@ -326,7 +324,7 @@ struct Row {
   double physical;
   double tolerance;
 };
-constexpr Row rows[] = {
+constexpr Derivation rows[] = {
     {"Chapter3Power", "Chapter 3: received power, 3 m2 at 3 km", "W", 1.677445e-15, 1.677444e-15, 1e-21},
     {"Chapter3Magnitude", "Chapter 3: amplitude", "mV", 4.09566e-5, 4.09566e-5, 1e-10},
     {"Section44SignalPower", "4.4: received power", "W", 4.529100e-14, 4.529099e-14, 1e-20},
@@ -365,7 +363,7 @@ constexpr Row rows[] = {
 };
 
 ThesisNumber completed(ThesisNumber number) {
-  const auto* const row = std::ranges::find_if(rows, [&](const Row& r) { return number.name == r.name; });
+  const auto* const row = std::ranges::find_if(rows, [&](const Derivation& r) { return number.name == r.name; });
   if (row == std::end(rows)) throw std::logic_error("no value is expected of " + number.name);
   number.what = row->what;
   number.unit = row->unit;
