@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t layout_bytes = 16;
 
-sarsim::RawLayout layout_from(const std::uint8_t* bytes) {
-  sarsim::RawLayout layout;
-  layout.number = static_cast<sarsim::RawNumber>(bytes[0] % 8);
-  layout.value = static_cast<sarsim::ImageValue>(bytes[1] % 5);
+sarsim::raster::RawLayout layout_from(const std::uint8_t* bytes) {
+  sarsim::raster::RawLayout layout;
+  layout.number = static_cast<sarsim::raster::RawNumber>(bytes[0] % 8);
+  layout.value = static_cast<sarsim::raster::ImageValue>(bytes[1] % 5);
   layout.big_endian = (bytes[2] & 1U) != 0;
   layout.q_first = (bytes[2] & 2U) != 0;
   layout.header_bytes = bytes[3];
@@ -30,17 +30,17 @@ sarsim::RawLayout layout_from(const std::uint8_t* bytes) {
   return layout;
 }
 
-void read_as(const std::string& path, const sarsim::RawLayout& layout, bool must_open) {
-  sarsim::ImageHints hints;
+void read_as(const std::string& path, const sarsim::raster::RawLayout& layout, bool must_open) {
+  sarsim::raster::ImageHints hints;
   hints.raw = layout;
-  const sarsim::OpenedImage opened = sarsim::ImageSource::open(path, hints);
-  if ((opened.source != nullptr) == sarsim::has_errors(opened.problems))
+  const sarsim::raster::OpenedImage opened = sarsim::raster::ImageSource::open(path, hints);
+  if ((opened.source != nullptr) == sarsim::core::has_errors(opened.problems))
     throw std::logic_error("a source without errors or errors without a source are promised");
   if (!opened.source) {
     if (must_open) throw std::logic_error("a layout was guessed that the file cannot have");
     return;
   }
-  const sarsim::ImageSource& source = *opened.source;
+  const sarsim::raster::ImageSource& source = *opened.source;
   if (source.rows() == 0) throw std::logic_error("an empty image was opened");
   std::vector<std::complex<float>> samples(source.rows() * source.columns());
   source.read_window({0, source.rows(), 0, source.columns()}, samples);
@@ -52,11 +52,11 @@ void read_as(const std::string& path, const sarsim::RawLayout& layout, bool must
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size <= layout_bytes) return 0;
-  const sarsim::MemoryFile file(data + layout_bytes, size - layout_bytes);
+  const sarsim::raster::MemoryFile file(data + layout_bytes, size - layout_bytes);
   read_as(file.path(), layout_from(data), false);
   if ((data[2] & 16U) == 0) return 0;
-  const auto guesses = sarsim::guess_raw_layout(file.path());
-  for (const sarsim::RawGuess& guess : std::get<std::vector<sarsim::RawGuess>>(guesses))
+  const auto guesses = sarsim::raster::guess_raw_layout(file.path());
+  for (const sarsim::raster::RawGuess& guess : std::get<std::vector<sarsim::raster::RawGuess>>(guesses))
     read_as(file.path(), guess.layout, true);
   return 0;
 }

@@ -10,13 +10,14 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  for (const sarsim::FunctionBlock* block : sarsim::function_blocks::all) {
-    const sarsim::DataFileReading reading = sarsim::read_data_file(text, "fuzz.dat", *block);
+  for (const sarsim::scene::FunctionBlock* block : sarsim::scene::function_blocks::all) {
+    const sarsim::scene::DataFileReading reading = sarsim::scene::read_data_file(text, "fuzz.dat", *block);
     if (reading.functions.size() != block->count) std::abort();
-    if (sarsim::has_errors(reading.problems)) continue;
-    std::vector<sarsim::SampledFunction> functions(block->count);
+    if (sarsim::core::has_errors(reading.problems)) continue;
+    std::vector<sarsim::core::SampledFunction> functions(block->count);
     for (std::size_t i = 0; i < block->count; ++i) functions[i].knots = reading.functions[i];
-    const auto again = sarsim::read_data_file(sarsim::write_data_file(functions, *block), "again.dat", *block);
+    const auto again =
+        sarsim::scene::read_data_file(sarsim::scene::write_data_file(functions, *block), "again.dat", *block);
     if (!again.problems.empty() || again.functions != reading.functions) std::abort();
   }
   return 0;

@@ -20,19 +20,19 @@ std::string sealed_anew(const std::string& text) {
   std::string all;
   for (std::string line; std::getline(lines, line);) {
     line = line.substr(0, line.rfind(" #"));
-    all += fmt::format("{} #{:016x}\n", line, sarsim::checksum_of(line));
+    all += fmt::format("{} #{:016x}\n", line, sarsim::core::checksum_of(line));
   }
   return all;
 }
 
 void read_and_write(const std::string& text) {
-  const auto read = sarsim::parse_journal("fuzz.journal", text);
-  const auto* journal = std::get_if<sarsim::Journal>(&read);
+  const auto read = sarsim::raster::parse_journal("fuzz.journal", text);
+  const auto* journal = std::get_if<sarsim::raster::Journal>(&read);
   if (journal == nullptr) return;
-  std::string again = sarsim::text_of(journal->head);
-  for (const sarsim::Claim& claim : journal->claims) again += sarsim::text_of(claim);
-  const auto reread = sarsim::parse_journal("fuzz.journal", again);
-  const auto* same = std::get_if<sarsim::Journal>(&reread);
+  std::string again = sarsim::raster::text_of(journal->head);
+  for (const sarsim::raster::Claim& claim : journal->claims) again += sarsim::raster::text_of(claim);
+  const auto reread = sarsim::raster::parse_journal("fuzz.journal", again);
+  const auto* same = std::get_if<sarsim::raster::Journal>(&reread);
   if (same == nullptr || same->claims.size() != journal->claims.size() ||
       same->head.identity.size() != journal->head.identity.size() || journal->bytes > text.size())
     std::abort();

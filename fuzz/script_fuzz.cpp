@@ -11,11 +11,11 @@
 
 namespace {
 
-bool same(const sarsim::Problem& a, const sarsim::Problem& b) {
-  return a.subject == b.subject && a.place == b.place && to_string(a) == to_string(b);
+bool same(const sarsim::core::Problem& a, const sarsim::core::Problem& b) {
+  return a.subject == b.subject && a.place == b.place && sarsim::core::to_string(a) == sarsim::core::to_string(b);
 }
 
-bool same(const sarsim::ScriptReading& a, const sarsim::ScriptReading& b) {
+bool same(const sarsim::scene::ScriptReading& a, const sarsim::scene::ScriptReading& b) {
   if (!(a.scene == b.scene) || !(a.places == b.places) || a.problems.size() != b.problems.size()) return false;
   for (std::size_t i = 0; i < a.problems.size(); ++i)
     if (!same(a.problems[i], b.problems[i])) return false;
@@ -26,10 +26,11 @@ bool same(const sarsim::ScriptReading& a, const sarsim::ScriptReading& b) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const sarsim::ScriptReading reading = sarsim::read_script(text, "fuzz.scr", {});
-  if (!same(reading, sarsim::read_script(text, "fuzz.scr", {}, {{}, 1}))) std::abort();
-  if (sarsim::has_errors(reading.problems)) return 0;
-  const sarsim::ScriptReading again = sarsim::read_script(sarsim::write_script(reading.scene), "again.scr", {});
-  if (sarsim::has_errors(again.problems) || !(again.scene == reading.scene)) std::abort();
+  const sarsim::scene::ScriptReading reading = sarsim::scene::read_script(text, "fuzz.scr", {});
+  if (!same(reading, sarsim::scene::read_script(text, "fuzz.scr", {}, {{}, 1}))) std::abort();
+  if (sarsim::core::has_errors(reading.problems)) return 0;
+  const sarsim::scene::ScriptReading again =
+      sarsim::scene::read_script(sarsim::scene::write_script(reading.scene), "again.scr", {});
+  if (sarsim::core::has_errors(again.problems) || !(again.scene == reading.scene)) std::abort();
   return 0;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_pixels = std::size_t{1} << 20;
 
-void read_through(const sarsim::ImageSource& source) {
+void read_through(const sarsim::raster::ImageSource& source) {
   const std::size_t columns = std::min(source.columns(), most_pixels);
   const std::size_t rows = std::min(source.rows(), most_pixels / columns);
   std::vector<std::complex<float>> samples(rows * columns);
@@ -22,8 +22,8 @@ void read_through(const sarsim::ImageSource& source) {
   if (rows == source.rows() && columns == source.columns() &&
       !std::equal(last.begin(), last.end(), samples.end() - static_cast<std::ptrdiff_t>(columns)))
     throw std::logic_error("a row that is read twice differs");
-  if (source.info().value != sarsim::ImageValue::rgb) return;
-  std::vector<sarsim::Rgb> colours((columns + 2) / 3);
+  if (source.info().value != sarsim::raster::ImageValue::rgb) return;
+  std::vector<sarsim::raster::Rgb> colours((columns + 2) / 3);
   source.read_rgb({source.rows() - 1, 1, 0, colours.size(), 1, 3}, colours);
 }
 
@@ -34,9 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < sizeof magic) return 0;
   std::vector<std::uint8_t> bytes(data, data + size);
   std::memcpy(bytes.data(), magic, sizeof magic);
-  const sarsim::MemoryFile file(bytes.data(), bytes.size());
-  const sarsim::OpenedImage opened = sarsim::ImageSource::open(file.path());
-  if ((opened.source != nullptr) == sarsim::has_errors(opened.problems))
+  const sarsim::raster::MemoryFile file(bytes.data(), bytes.size());
+  const sarsim::raster::OpenedImage opened = sarsim::raster::ImageSource::open(file.path());
+  if ((opened.source != nullptr) == sarsim::core::has_errors(opened.problems))
     throw std::logic_error("a source without errors or errors without a source are promised");
   if (!opened.source) return 0;
   opened.source->wait_until_indexed(nullptr);

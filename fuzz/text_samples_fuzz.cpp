@@ -5,14 +5,15 @@
 #include "raster/format/sample_file_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using sarsim::FileFormat;
+  using sarsim::scene::FileFormat;
   if (size == 0) return 0;
-  constexpr std::array formats{FileFormat::ascii, FileFormat::csv, FileFormat::bracket};
+  constexpr std::array formats{sarsim::scene::FileFormat::ascii, sarsim::scene::FileFormat::csv,
+                               sarsim::scene::FileFormat::bracket};
   const unsigned choice = data[0];
-  sarsim::SampleFileHints hints;
+  sarsim::raster::SampleFileHints hints;
   if (choice % 4 < 3) hints.format = formats[choice % 4];
   hints.columns = choice / 4 % 4;
   hints.bits = choice / 16 % 2 == 1 ? 8 : 0;
-  sarsim::probe_sample_file(data + 1, size - 1, hints);
+  sarsim::raster::probe_sample_file(data + 1, size - 1, hints);
   return 0;
 }

@@ -15,7 +15,7 @@
 namespace sarsim {
 namespace {
 
-using test::CutFigures;
+using signal::test::CutFigures;
 
 constexpr double prf_hz = 600.0;
 constexpr double carrier_hz = 5.3e9;
@@ -24,12 +24,12 @@ constexpr double speed_mps = 200.0;
 const double range_m = std::hypot(10e3, 2e3);
 
 // The aircraft of thesis chapter 7 on a line, or wavering about it, that looks ahead by `squint_rad` to the origin.
-Platform aircraft(double squint_rad, double wavering_m) {
-  Platform platform;
+scene::Platform aircraft(double squint_rad, double wavering_m) {
+  scene::Platform platform;
   platform.name = "Aircraft";
-  platform.path = Platform::Path::trajectory;
+  platform.path = scene::Platform::Path::trajectory;
   const double start_m = -range_m * std::tan(squint_rad);
-  for (SampledFunction& axis : platform.trajectory_m.part) axis.method = Interpolation::cubic;
+  for (core::SampledFunction& axis : platform.trajectory_m.part) axis.method = core::Interpolation::cubic;
   for (double t = -1.5; t <= 1.5001; t += 0.05) {
     platform.trajectory_m.part[0].knots.push_back({t, start_m + speed_mps * t + 0.3 * wavering_m * std::sin(3.0 * t)});
     platform.trajectory_m.part[1].knots.push_back({t, -10e3 + wavering_m * std::sin(4.0 * t)});
@@ -45,12 +45,12 @@ struct Flight {
 };
 
 // A point of 1 m2 at `point_m`, recorded for two seconds.
-SarEchoes recorded_echoes(const Flight& flight, const Vec3& point_m) {
-  Scene scene = test::radar_at_origin();
+signal::SarEchoes recorded_echoes(const Flight& flight, const core::Vec3& point_m) {
+  scene::Scene scene = test::radar_at_origin();
   scene.platforms.push_back(aircraft(flight.squint_rad, flight.wavering_m));
-  Radar& radar = scene.radars[0];
+  scene::Radar& radar = scene.radars[0];
   radar.platform = "Aircraft";
-  radar.pulse = Radar::Pulse::chirp;
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 50e6;
   radar.pulse_width_s = flight.pulse_width_s;
   radar.prf_hz = prf_hz;
@@ -59,54 +59,54 @@ SarEchoes recorded_echoes(const Flight& flight, const Vec3& point_m) {
   const double middle_m = range_m / std::cos(flight.squint_rad);
   test::set_window(scene, middle_m - 400.0, middle_m + 400.0, rate_hz);
   test::set_pulses(scene, -600, 600);
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Recording recording = test::recorded(scene);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Recording recording = test::recorded(scene);
 
-  SarEchoes echoes;
-  echoes.waveform = {carrier_hz, radar.bandwidth_hz, radar.pulse_width_s, rate_hz, exact_light_speed_mps};
+  signal::SarEchoes echoes;
+  echoes.waveform = {carrier_hz, radar.bandwidth_hz, radar.pulse_width_s, rate_hz, core::exact_light_speed_mps};
   echoes.samples = recording.report.columns;
-  echoes.first_delay_s = 2.0 * (middle_m - 400.0) / exact_light_speed_mps;
+  echoes.first_delay_s = 2.0 * (middle_m - 400.0) / core::exact_light_speed_mps;
   // Every echo over the amplitude that the radar equation gives one from the middle.
-  const double wavelength_m = exact_light_speed_mps / carrier_hz;
-  const double amplitude = std::sqrt(1000.0) * wavelength_m / (std::pow(4.0 * pi, 1.5) * middle_m * middle_m);
+  const double wavelength_m = core::exact_light_speed_mps / carrier_hz;
+  const double amplitude = std::sqrt(1000.0) * wavelength_m / (std::pow(4.0 * core::pi, 1.5) * middle_m * middle_m);
   for (const auto& sample : recording.samples) echoes.volts.push_back(std::complex<float>(sample / amplitude));
   const auto& path = scene.platforms.back().trajectory_m.part;
-  const Interpolator x(path[0]), y(path[1]), z(path[2]);
+  const core::Interpolator x(path[0]), y(path[1]), z(path[2]);
   for (int p = -600; p <= 600; ++p) {
     const double t = p / prf_hz;
-    const Jet jx = x.jet(t), jy = y.jet(t), jz = z.jet(t);
+    const core::Jet jx = x.jet(t), jy = y.jet(t), jz = z.jet(t);
     echoes.track.push_back({t, {jx.value, jy.value, jz.value}, {jx.slope, jy.slope, jz.slope}});
   }
   return echoes;
 }
 
-CutFigures cut(const SarEchoes& echoes, const Vec3& point_m, const Vec3& direction, double null_m,
+CutFigures cut(const signal::SarEchoes& echoes, const core::Vec3& point_m, const core::Vec3& direction, double null_m,
                std::complex<double>& peak) {
-  const Vec3 step = null_m / 50.0 * direction;
-  const auto values = back_project(echoes, {point_m - 520.0 * step, {}, step, 1, 1041}, {}, {2, nullptr});
+  const core::Vec3 step = null_m / 50.0 * direction;
+  const auto values = signal::back_project(echoes, {point_m - 520.0 * step, {}, step, 1, 1041}, {}, {2, nullptr});
   peak = values[520];
-  return test::measure_cut({values.begin(), values.end()}, 50.0);
+  return signal::test::measure_cut({values.begin(), values.end()}, 50.0);
 }
 
 void expect_focused(const Flight& flight) {
-  const Vec3 point_m{4.3, 7.1, 0.0};
-  const SarEchoes echoes = recorded_echoes(flight, point_m);
-  const ReferenceTrack line = fitted_track(echoes.track);
-  const Vec3 sight = point_m - line.position_m;
-  const Vec3 range_axis = (1.0 / norm(sight)) * sight;
-  Vec3 azimuth_axis = line.velocity_mps - dot(line.velocity_mps, range_axis) * range_axis;
-  azimuth_axis = (1.0 / norm(azimuth_axis)) * azimuth_axis;
+  const core::Vec3 point_m{4.3, 7.1, 0.0};
+  const signal::SarEchoes echoes = recorded_echoes(flight, point_m);
+  const signal::ReferenceTrack line = signal::fitted_track(echoes.track);
+  const core::Vec3 sight = point_m - line.position_m;
+  const core::Vec3 range_axis = (1.0 / core::norm(sight)) * sight;
+  core::Vec3 azimuth_axis = line.velocity_mps - core::dot(line.velocity_mps, range_axis) * range_axis;
+  azimuth_axis = (1.0 / core::norm(azimuth_axis)) * azimuth_axis;
   std::complex<double> peak;
 
-  const double range_null_m = 0.5 * exact_light_speed_mps / 50e6;
+  const double range_null_m = 0.5 * core::exact_light_speed_mps / 50e6;
   const CutFigures range = cut(echoes, point_m, range_axis, range_null_m, peak);
   // The autocorrelation of a chirp of 80 cycles (Cook and Bernfeld 1967): -13.42 dB, 0.8844/B.
   EXPECT_NEAR(range.peak, 520.0, 1.0);
   EXPECT_NEAR(range.width, 0.8844 * 50.0, 0.01 * 44.2);
   EXPECT_NEAR(range.pslr_db, -13.42, 0.2);
 
-  const double azimuth_null_m = exact_light_speed_mps / carrier_hz * norm(sight) /
-                                (2.0 * 1201.0 / prf_hz * norm(line.velocity_mps) * std::cos(flight.squint_rad));
+  const double azimuth_null_m = core::exact_light_speed_mps / carrier_hz * core::norm(sight) /
+                                (2.0 * 1201.0 / prf_hz * core::norm(line.velocity_mps) * std::cos(flight.squint_rad));
   const CutFigures azimuth = cut(echoes, point_m, azimuth_axis, azimuth_null_m, peak);
   EXPECT_NEAR(azimuth.peak, 520.0, 1.0);
   EXPECT_NEAR(azimuth.width, 0.8859 * 50.0, 0.01 * 44.3);
@@ -124,16 +124,16 @@ void expect_focused(const Flight& flight) {
 
 TEST(SimulatedPoint, IsFocusedToItsClosedFormAtBroadside) { expect_focused({}); }
 
-TEST(SimulatedPoint, IsFocusedToItsClosedFormUnderASquintOfTwentyDegrees) { expect_focused({20.0 * pi / 180.0}); }
+TEST(SimulatedPoint, IsFocusedToItsClosedFormUnderASquintOfTwentyDegrees) { expect_focused({20.0 * core::pi / 180.0}); }
 
 TEST(SimulatedPoint, IsFocusedFromAWaveringTrackAsFromAStraightOne) { expect_focused({0.0, 1.0}); }
 
 TEST(SimulatedPoint, IsRestoredByMotionCompensation) {
-  const SarEchoes ideal = recorded_echoes({}, {});
-  const SarEchoes wavering = recorded_echoes({0.0, 0.7}, {});
-  MotionCompensation how;
-  how.reference = fitted_track(ideal.track);
-  const SarEchoes compensated = compensate_motion(wavering, how, {2, nullptr});
+  const signal::SarEchoes ideal = recorded_echoes({}, {});
+  const signal::SarEchoes wavering = recorded_echoes({0.0, 0.7}, {});
+  signal::MotionCompensation how;
+  how.reference = signal::fitted_track(ideal.track);
+  const signal::SarEchoes compensated = signal::compensate_motion(wavering, how, {2, nullptr});
   std::complex<double> peak, want_peak;
   const double null_m = 0.72;
   const CutFigures want = cut(ideal, {}, {1.0, 0.0, 0.0}, null_m, want_peak);
@@ -144,30 +144,30 @@ TEST(SimulatedPoint, IsRestoredByMotionCompensation) {
   EXPECT_NEAR(got.pslr_db, want.pslr_db, 0.2);
   EXPECT_NEAR(got.height, want.height, 0.01);
   EXPECT_NEAR(std::arg(peak), 0.0, 0.02);
-  SarEchoes untold = wavering;
+  signal::SarEchoes untold = wavering;
   untold.track = ideal.track;
   EXPECT_LT(cut(untold, {}, {1.0, 0.0, 0.0}, null_m, peak).height, 0.5);
 }
 
 // The track is believed straight; what it really was shows in the phases of the image.
 TEST(SimulatedPoint, IsSharpenedByAutofocus) {
-  const SarEchoes ideal = recorded_echoes({}, {});
-  SarEchoes wavering = recorded_echoes({0.0, 0.01}, {});
+  const signal::SarEchoes ideal = recorded_echoes({}, {});
+  signal::SarEchoes wavering = recorded_echoes({0.0, 0.01}, {});
   wavering.track = ideal.track;
-  ImageFrame frame;
+  signal::ImageFrame frame;
   frame.origin_m = {0.0, -10e3, 2e3};
-  frame.across = (1.0 / range_m) * Vec3{0.0, 10e3, -2e3};
-  const ImageAxis azimuth{-60.0, 0.5, 241}, range{range_m - 6.0, 1.5, 9};
-  const FocusedImage sharp = back_project(ideal, frame, azimuth, range, {}, {2, nullptr});
-  const FocusedImage blurred = back_project(wavering, frame, azimuth, range, {}, {2, nullptr});
+  frame.across = (1.0 / range_m) * core::Vec3{0.0, 10e3, -2e3};
+  const signal::ImageAxis azimuth{-60.0, 0.5, 241}, range{range_m - 6.0, 1.5, 9};
+  const signal::FocusedImage sharp = signal::back_project(ideal, frame, azimuth, range, {}, {2, nullptr});
+  const signal::FocusedImage blurred = signal::back_project(wavering, frame, azimuth, range, {}, {2, nullptr});
   // A point alone: nothing else disturbs a wide window.
-  AutofocusOptions options;
+  signal::AutofocusOptions options;
   options.least_window = 31;
-  const AutofocusResult result = autofocus(blurred, options, {2, nullptr});
-  std::printf("entropy %.4f sharp, %.4f blurred, %.4f corrected\n", image_entropy(sharp), image_entropy(blurred),
-              image_entropy(result.image));
-  EXPECT_GT(image_entropy(blurred), 1.1 * image_entropy(sharp));
-  EXPECT_NEAR(image_entropy(result.image), image_entropy(sharp), 0.02 * image_entropy(sharp));
+  const signal::AutofocusResult result = signal::autofocus(blurred, options, {2, nullptr});
+  std::printf("entropy %.4f sharp, %.4f blurred, %.4f corrected\n", signal::image_entropy(sharp),
+              signal::image_entropy(blurred), signal::image_entropy(result.image));
+  EXPECT_GT(signal::image_entropy(blurred), 1.1 * signal::image_entropy(sharp));
+  EXPECT_NEAR(signal::image_entropy(result.image), signal::image_entropy(sharp), 0.02 * signal::image_entropy(sharp));
 }
 
 }  // namespace

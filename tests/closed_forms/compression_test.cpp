@@ -15,9 +15,9 @@ using test::Response;
 constexpr double bandwidth_hz = 50e6;
 constexpr double fine = 64.0;  // samples per 1/B
 
-Scene chirp(double time_bandwidth) {
-  Scene scene = test::radar_at_origin();
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+scene::Scene chirp(double time_bandwidth) {
+  scene::Scene scene = test::radar_at_origin();
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = bandwidth_hz;
   scene.radars[0].pulse_width_s = time_bandwidth / bandwidth_hz;
   scene.simulations[0].sample_rate_hz = fine * bandwidth_hz;
@@ -27,7 +27,7 @@ Scene chirp(double time_bandwidth) {
 // Autocorrelation of a chirp of rectangular envelope: sin(pi B s (1 - |s|/Tp))/(pi B s) (Cook and Bernfeld 1967).
 double chirp_autocorrelation(double lag_s, double width_s) {
   if (lag_s == 0.0) return 1.0;
-  const double x = pi * bandwidth_hz * lag_s;
+  const double x = core::pi * bandwidth_hz * lag_s;
   return std::abs(std::sin(x * (1.0 - std::abs(lag_s) / width_s)) / x);
 }
 
@@ -41,7 +41,7 @@ TEST(CompressedChirp, IsTheAutocorrelationSampleBySample) {
     // The sum over N samples differs from the integral by (pi B s/N)^2/6 of a lobe of height 1/(pi B s), and the lags
     // to the left overlap by one sample less: 1/N.
     const double samples = fine * time_bandwidth;
-    EXPECT_LT(worst, 1.0 / samples + pi * 8.0 / (6.0 * samples * samples)) << time_bandwidth;
+    EXPECT_LT(worst, 1.0 / samples + core::pi * 8.0 / (6.0 * samples * samples)) << time_bandwidth;
   }
 }
 
@@ -67,31 +67,31 @@ TEST(CompressedChirp, KeepsAmplitudeAndPhaseOfTheRawEcho) {
   // Also a down chirp, an envelope and a window on top.
   for (const double sweep_hz : {bandwidth_hz, -bandwidth_hz})
     for (const bool shaped : {false, true}) {
-      Scene scene = chirp(100.0);
+      scene::Scene scene = chirp(100.0);
       scene.radars[0].bandwidth_hz = sweep_hz;
       if (shaped) {
-        scene.radars[0].envelope = Radar::Envelope::linear;
+        scene.radars[0].envelope = scene::Radar::Envelope::linear;
         scene.radars[0].rise_s = 0.2e-6;
         scene.radars[0].fall_s = 0.5e-6;
-        scene.radars[0].window = Radar::Window::hamming;
+        scene.radars[0].window = scene::Radar::Window::hamming;
       }
-      const double range_m = 1000.0 + 100.0 * exact_light_speed_mps / (2.0 * fine * bandwidth_hz);
+      const double range_m = 1000.0 + 100.0 * core::exact_light_speed_mps / (2.0 * fine * bandwidth_hz);
       test::add_target(scene, {range_m, 0.0, 0.0});
-      test::set_window(scene, 1000.0, 1000.0 + 200.0 * exact_light_speed_mps / (2.0 * fine * bandwidth_hz),
+      test::set_window(scene, 1000.0, 1000.0 + 200.0 * core::exact_light_speed_mps / (2.0 * fine * bandwidth_hz),
                        fine * bandwidth_hz);
-      scene.simulations[0].processing = Processing::matched_filter;
+      scene.simulations[0].processing = scene::Processing::matched_filter;
       const auto samples = test::recorded(scene).samples;
-      const double wavelength_m = exact_light_speed_mps / 1e9;
+      const double wavelength_m = core::exact_light_speed_mps / 1e9;
       const std::complex<double> expected =
-          std::polar(std::sqrt(1000.0) * wavelength_m / (std::pow(4.0 * pi, 1.5) * range_m * range_m),
-                     -4.0 * pi * std::remainder(range_m / wavelength_m, 0.5));
+          std::polar(std::sqrt(1000.0) * wavelength_m / (std::pow(4.0 * core::pi, 1.5) * range_m * range_m),
+                     -4.0 * core::pi * std::remainder(range_m / wavelength_m, 0.5));
       EXPECT_LT(std::abs(samples[100] - expected), 1e-8 * std::abs(expected)) << sweep_hz << shaped;
       EXPECT_EQ(test::peak_index(samples), 100u);
     }
 }
 
 TEST(CompressedMonochrome, IsATriangleWithABaseOfTwicePulseWidth) {
-  Scene scene = test::radar_at_origin();
+  scene::Scene scene = test::radar_at_origin();
   scene.radars[0].pulse_width_s = 1e-6;
   scene.simulations[0].sample_rate_hz = 200e6;
   const Response r = test::point_response(scene, 300);
@@ -102,8 +102,8 @@ TEST(CompressedMonochrome, IsATriangleWithABaseOfTwicePulseWidth) {
 }
 
 TEST(CompressedBarker13, HasSideLobesOfOneThirteenth) {
-  Scene scene = test::radar_at_origin();
-  scene.radars[0].pulse = Radar::Pulse::barker;
+  scene::Scene scene = test::radar_at_origin();
+  scene.radars[0].pulse = scene::Radar::Pulse::barker;
   scene.radars[0].barker_code = 6;
   scene.radars[0].pulse_width_s = 1.3e-6;
   scene.simulations[0].sample_rate_hz = 100e6;  // ten samples a chip
@@ -119,8 +119,8 @@ TEST(CompressedBarker13, HasSideLobesOfOneThirteenth) {
 TEST(Resolution, IsTheHalfPowerWidthTimesHalfTheSpeedOfLight) {
   // 0.443 c/B: two targets that far apart in quadrature show a dip, at half of it they do not.
   const Response r = test::point_response(chirp(1000.0), 8 * 64);
-  const double width_m = 0.5 * exact_light_speed_mps * test::half_power_width_s(r);
-  EXPECT_NEAR(width_m, 0.443 * exact_light_speed_mps / bandwidth_hz, 0.001 * width_m);
+  const double width_m = 0.5 * core::exact_light_speed_mps * test::half_power_width_s(r);
+  EXPECT_NEAR(width_m, 0.443 * core::exact_light_speed_mps / bandwidth_hz, 0.001 * width_m);
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ double excess_db(const std::vector<std::complex<double>>& volts, int bits, doubl
 
 TEST(Converter, OfBBitsKeepsTheQuantisationNoiseSixDecibelsPerBitBelowAFullScaleSine) {
   // A long chirp: I and Q pass through all phases of full-scale sines.
-  Scene scene = test::radar_at_origin();
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene::Scene scene = test::radar_at_origin();
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].pulse_width_s = 500e-6;
   test::add_target(scene, {1000.0, 0.0, 0.0});
-  test::set_window(scene, 1000.0, 1000.0 + 0.5 * exact_light_speed_mps * 499e-6, 120e6);
-  const Recording recording = test::recorded(scene);
+  test::set_window(scene, 1000.0, 1000.0 + 0.5 * core::exact_light_speed_mps * 499e-6, 120e6);
+  const simulate::Recording recording = test::recorded(scene);
   const double amplitude_v = recording.report.maximum_v;
   for (const int bits : {6, 8, 10, 12, 16}) {
     // A sine dwells at its ends; where these lie between two counts matters at few bits. The rule is the mean over
@@ -41,7 +41,7 @@ TEST(Converter, OfBBitsKeepsTheQuantisationNoiseSixDecibelsPerBitBelowAFullScale
     double mean_db = 0.0;
     for (int i = 0; i < amplitudes; ++i)
       mean_db += excess_db(recording.samples, bits, amplitude_v,
-                           amplitude_v / (full_scale_count(bits) - (i + 0.5) / amplitudes)) /
+                           amplitude_v / (radar::full_scale_count(bits) - (i + 0.5) / amplitudes)) /
                  amplitudes;
     std::printf("%2d bits: %+.4f dB from 6.02 b + 1.76 dB, %zu samples\n", bits, mean_db, recording.samples.size());
     // The mean square of N = 60 000 pairs of uniform errors is known to sqrt(2/5)/sqrt(N): 5 sigma are 0.056 dB.
@@ -50,12 +50,12 @@ TEST(Converter, OfBBitsKeepsTheQuantisationNoiseSixDecibelsPerBitBelowAFullScale
 }
 
 TEST(Converter, FindsTheBestLsbFromTheLargestMagnitude) {
-  Scene scene = test::radar_at_origin();
+  scene::Scene scene = test::radar_at_origin();
   test::add_target(scene, {1000.0, 0.0, 0.0});
   scene.simulations[0].bits = 12;
-  const Plan plan = make_plan(scene, 0);
-  const Recording recording = test::recorded(scene);
-  EXPECT_DOUBLE_EQ(resolved_lsb_v(plan, {}), recording.report.maximum_v / 2047.0);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
+  const simulate::Recording recording = test::recorded(scene);
+  EXPECT_DOUBLE_EQ(simulate::resolved_lsb_v(plan, {}), recording.report.maximum_v / 2047.0);
 }
 
 }  // namespace

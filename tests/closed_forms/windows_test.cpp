@@ -12,10 +12,10 @@ namespace {
 
 constexpr double bandwidth_hz = 50e6;
 
-Scene long_chirp(Radar::Window window) {
-  Scene scene = test::radar_at_origin();
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::chirp;
+scene::Scene long_chirp(scene::Radar::Window window) {
+  scene::Scene scene = test::radar_at_origin();
+  scene::Radar& radar = scene.radars[0];
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = bandwidth_hz;
   radar.pulse_width_s = 20000.0 / bandwidth_hz;
   radar.window = window;
@@ -28,17 +28,17 @@ Scene long_chirp(Radar::Window window) {
 // the side lobe (s about 4.5/B) 0.08 4.5/20000/0.54 = 3e-5 of the peak, 0.04 dB of a lobe at -42.7 dB. Of the other two
 // windows the ends count less.
 struct Weighting {
-  Radar::Window window;
+  scene::Radar::Window window;
   double side_lobe_db;
   double width;  // times B
   double peak_loss_db;
 };
 
 TEST(Windows, HaveTheTextbooksSideLobesAndWidths) {
-  for (const Weighting& w :
-       {Weighting{Radar::Window::rectangular, -13.26, 0.886, 0.0},
-        Weighting{Radar::Window::hanning, -31.47, 1.441, 0.0}, Weighting{Radar::Window::hamming, -42.68, 1.303, 0.0},
-        Weighting{Radar::Window::bartlett, -26.52, 1.276, 0.0}}) {
+  for (const Weighting& w : {Weighting{scene::Radar::Window::rectangular, -13.26, 0.886, 0.0},
+                             Weighting{scene::Radar::Window::hanning, -31.47, 1.441, 0.0},
+                             Weighting{scene::Radar::Window::hamming, -42.68, 1.303, 0.0},
+                             Weighting{scene::Radar::Window::bartlett, -26.52, 1.276, 0.0}}) {
     const test::Response r = test::point_response(long_chirp(w.window), 8 * 32);
     const double side_db = test::side_lobe_db(r);
     const double width = test::half_power_width_s(r) * bandwidth_hz;

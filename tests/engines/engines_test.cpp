@@ -14,16 +14,18 @@
 namespace sarsim {
 namespace {
 
-Scene scene_of(const std::string& script) {
-  const ScriptReading reading = read_script(script, "test.scr", {});
-  EXPECT_FALSE(has_errors(reading.problems)) << (reading.problems.empty() ? "" : to_string(reading.problems.front()));
+scene::Scene scene_of(const std::string& script) {
+  const scene::ScriptReading reading = scene::read_script(script, "test.scr", {});
+  EXPECT_FALSE(core::has_errors(reading.problems))
+      << (reading.problems.empty() ? "" : core::to_string(reading.problems.front()));
   return reading.scene;
 }
 
-std::vector<std::complex<double>> samples_with(const Scene& scene, Engine engine, unsigned threads = 0) {
-  RunControl control;
+std::vector<std::complex<double>> samples_with(const scene::Scene& scene, simulate::Engine engine,
+                                               unsigned threads = 0) {
+  simulate::RunControl control;
   control.threads = threads;
-  return record(make_plan(scene, 0, nullptr, engine), control).samples;
+  return simulate::record(simulate::make_plan(scene, 0, nullptr, engine), control).samples;
 }
 
 // Largest deviation of two recordings over the largest magnitude. The promise is for the error's energy in a pulse; a
@@ -78,11 +80,11 @@ TEST(Engines, AgreeOnScenesWithEverything) {
     for (const char* stc : {"NO_STC", "APPLY_STC 1OVERR4"})
       for (const char* processing : {"RAW", "MATCHED_FILTER"})
         for (const char* options : {"", "$OPTIONS PROFILE CLASSIC", "$OPTIONS PULSE BAND_LIMITED"}) {
-          const Scene scene = scene_of(busy_scene(antenna, stc, processing, options));
-          const auto expected = samples_with(scene, Engine::reference);
-          EXPECT_LT(deviation(samples_with(scene, Engine::direct), expected), bound)
+          const scene::Scene scene = scene_of(busy_scene(antenna, stc, processing, options));
+          const auto expected = samples_with(scene, simulate::Engine::reference);
+          EXPECT_LT(deviation(samples_with(scene, simulate::Engine::direct), expected), bound)
               << antenna << stc << processing << options;
-          EXPECT_LT(deviation(samples_with(scene, Engine::spectral), expected), bound)
+          EXPECT_LT(deviation(samples_with(scene, simulate::Engine::spectral), expected), bound)
               << antenna << stc << processing << options;
         }
 }
@@ -90,25 +92,25 @@ TEST(Engines, AgreeOnScenesWithEverything) {
 // The spectral engine compresses echoes in its spectra and noise by itself: their sum is what other engines compress.
 TEST(Engines, AgreeOnCompressedEchoesInNoise) {
   for (const char* options : {"", "$OPTIONS PROFILE CLASSIC", "$OPTIONS PULSE BAND_LIMITED"}) {
-    Scene scene = scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", "MATCHED_FILTER", options));
-    const auto quiet = samples_with(scene, Engine::spectral);
+    scene::Scene scene = scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", "MATCHED_FILTER", options));
+    const auto quiet = samples_with(scene, simulate::Engine::spectral);
     scene.radars[0].noise_temperature_k = 3e4;
-    const auto expected = samples_with(scene, Engine::reference);
+    const auto expected = samples_with(scene, simulate::Engine::reference);
     EXPECT_GT(deviation(quiet, expected), 0.01) << "the noise is to be seen";
-    EXPECT_LT(deviation(samples_with(scene, Engine::spectral), expected), 5e-6) << options;
+    EXPECT_LT(deviation(samples_with(scene, simulate::Engine::spectral), expected), 5e-6) << options;
   }
 }
 
 TEST(Engines, MakeARowWhateverStoodInItsPlace) {
   for (const char* processing : {"RAW", "MATCHED_FILTER"})
-    for (const Engine engine : {Engine::direct, Engine::spectral}) {
-      const Plan plan = make_plan(scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", processing, "")), 0,
-                                  nullptr, engine);
-      RowMaker maker(plan);
+    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+      const simulate::Plan plan = simulate::make_plan(
+          scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", processing, "")), 0, nullptr, engine);
+      simulate::RowMaker maker(plan);
       std::vector<std::complex<double>> clean(plan.columns), used(plan.columns, {7.0, -3.0});
       maker.make_row(1, clean);
       maker.make_row(1, used);
-      EXPECT_EQ(clean, used) << name_of(engine) << processing;
+      EXPECT_EQ(clean, used) << simulate::name_of(engine) << processing;
     }
 }
 
@@ -122,13 +124,14 @@ TEST(Engines, SameBytesForAnyNumberOfThreads) {
   const char* sinx = "SINX 30 12 SAME FIXED -9 0 RECT";
   for (const Case& c : {Case{sinx, "RAW", ""}, Case{sinx, "MATCHED_FILTER", "$OPTIONS PROFILE CLASSIC"},
                         Case{user, "MATCHED_FILTER", ""}, Case{user, "RAW", "$OPTIONS PROFILE CLASSIC"}}) {
-    Scene scene = scene_of(busy_scene(c.antenna, "NO_STC", c.processing, c.options));
+    scene::Scene scene = scene_of(busy_scene(c.antenna, "NO_STC", c.processing, c.options));
     scene.simulations[0].time_end_s = 1.5;
     scene.radars[0].noise_temperature_k = 300.0;
-    for (const Engine engine : {Engine::direct, Engine::spectral}) {
+    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
       const auto one = samples_with(scene, engine, 1);
       for (const unsigned threads : {2U, 3U, 8U})
-        EXPECT_EQ(samples_with(scene, engine, threads), one) << name_of(engine) << threads << c.antenna << c.processing;
+        EXPECT_EQ(samples_with(scene, engine, threads), one)
+            << simulate::name_of(engine) << threads << c.antenna << c.processing;
     }
   }
 }
@@ -137,15 +140,17 @@ TEST(Engines, ReproduceTheDirectReferenceCases) {
   if (!test::have_reference_folder()) GTEST_SKIP() << "no reference folder at " << test::reference_folder();
   for (const auto& entry : std::filesystem::directory_iterator(test::reference_folder() / "direct")) {
     if (entry.path().extension() != ".scr") continue;
-    ScriptReading reading = read_script_file(entry.path());
-    reading.scene.options.profile = Profile::classic;
+    scene::ScriptReading reading = scene::read_script_file(entry.path());
+    reading.scene.options.profile = scene::Profile::classic;
     reading.scene.options.tolerance = 1e-7;
     auto path = entry.path();
     const auto counts = test::ascii_samples(path.replace_extension(".asc"));
     std::vector<std::complex<double>> expected;
     for (const auto& count : counts) expected.push_back(count * reading.scene.simulations[0].lsb_v);
-    for (const Engine engine : {Engine::direct, Engine::spectral, Engine::automatic})
-      EXPECT_LT(deviation(samples_with(reading.scene, engine), expected), 1e-6) << entry.path() << name_of(engine);
+    for (const simulate::Engine engine :
+         {simulate::Engine::direct, simulate::Engine::spectral, simulate::Engine::automatic})
+      EXPECT_LT(deviation(samples_with(reading.scene, engine), expected), 1e-6)
+          << entry.path() << simulate::name_of(engine);
   }
 }
 
@@ -155,24 +160,25 @@ TEST(Engines, AutomaticTakesDirectForFewEchoesAndSpectralForMany) {
       "$RADAR R Earth CHIRP 0.1 8000 RECT CONSTANT 100 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC\n"
       "$SIMULATION R 1000 3000 0 0.02 8 0.12 0 NPY RAW a.npy BEGIN 1 1\n";
   const std::string one = "$TARGET Earth 0 1500 0 0 0 0 1 0 ISOTROPIC\n";
-  const Plan few = make_plan(scene_of(script + one), 0, nullptr, Engine::automatic);
-  EXPECT_EQ(few.engine.engine, Engine::direct) << few.engine.reason;
+  const simulate::Plan few = simulate::make_plan(scene_of(script + one), 0, nullptr, simulate::Engine::automatic);
+  EXPECT_EQ(few.engine.engine, simulate::Engine::direct) << few.engine.reason;
   std::string many;
   for (int i = 0; i < 3000; ++i)
     many += "$TARGET Earth 0 " + std::to_string(1200 + i % 800) + " 0 0 0 0 1 0 ISOTROPIC\n";
-  const Plan lots = make_plan(scene_of(script + many), 0, nullptr, Engine::automatic);
-  EXPECT_EQ(lots.engine.engine, Engine::spectral) << lots.engine.reason;
-  EXPECT_EQ(product_of(lots, "").engine, "spectral");
+  const simulate::Plan lots = simulate::make_plan(scene_of(script + many), 0, nullptr, simulate::Engine::automatic);
+  EXPECT_EQ(lots.engine.engine, simulate::Engine::spectral) << lots.engine.reason;
+  EXPECT_EQ(simulate::product_of(lots, "").engine, "spectral");
 }
 
 TEST(Engines, RefuseATargetAtTheRadar) {
-  const Scene scene =
+  const scene::Scene scene =
       scene_of(earth +
                "$TARGET Earth 0 0 0 0 0 0 1 0 ISOTROPIC\n"
                "$RADAR R Earth MONO 1000 RECT CONSTANT 100 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC\n"
                "$SIMULATION R 0 300 0 0.02 8 0.01 0 NPY RAW a.npy BEGIN 1 1\n");
-  for (const Engine engine : {Engine::reference, Engine::direct, Engine::spectral})
-    EXPECT_THROW(samples_with(scene, engine), std::runtime_error) << name_of(engine);
+  for (const simulate::Engine engine :
+       {simulate::Engine::reference, simulate::Engine::direct, simulate::Engine::spectral})
+    EXPECT_THROW(samples_with(scene, engine), std::runtime_error) << simulate::name_of(engine);
 }
 
 }  // namespace

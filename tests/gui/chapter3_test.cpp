@@ -34,7 +34,7 @@ constexpr double last_digit_mv = 0.0001e-5;
 // The workbench in the hands of a reader of the thesis.
 class Hands {
  public:
-  explicit Hands(MainWindow& window) : window_(window) {
+  explicit Hands(gui::MainWindow& window) : window_(window) {
     window_.show();
     if (!QTest::qWaitForWindowExposed(&window_)) qFatal("the window does not show");
     window_.activateWindow();
@@ -112,13 +112,13 @@ class Hands {
  private:
   template <class Widget>
   [[nodiscard]] Widget* of_panel(const char* field) const {
-    auto* panel = window_.findChild<PropertyPanel*>();
+    auto* panel = window_.findChild<gui::PropertyPanel*>();
     auto* found = panel->findChild<Widget*>(QString("field_%1").arg(field));
     if (found == nullptr || !found->isVisible() || !found->isEnabled()) qFatal("no field %s to type into", field);
     return found;
   }
 
-  MainWindow& window_;
+  gui::MainWindow& window_;
 };
 
 struct Outcome {
@@ -176,7 +176,7 @@ class Chapter3Test : public QObject {
   }
 
   void a_new_radar_begins_with_the_values_that_the_thesis_leaves_alone() {
-    MainWindow window;
+    gui::MainWindow window;
     const Hands hands(window);
     hands.choose("file_new");
     build_radar(hands);
@@ -193,7 +193,7 @@ class Chapter3Test : public QObject {
   void the_example_built_with_widgets_gives_the_magnitude_of_the_thesis() {
     const QTemporaryDir folder;
     const QString script = folder.filePath("chapter3.scr");
-    MainWindow window;
+    gui::MainWindow window;
     const Hands hands(window);
     hands.choose("file_new");
     build_radar(hands);
@@ -218,7 +218,7 @@ class Chapter3Test : public QObject {
   // 3000 m apart again: the platform 1 km out, the target 4 km, a radar that rides on the platform.
   void a_radar_on_a_new_platform_sees_the_same_at_the_same_distance() {
     const QTemporaryDir folder;
-    MainWindow window;
+    gui::MainWindow window;
     const Hands hands(window);
     hands.choose("file_new");
     hands.choose("new_platform");
@@ -237,7 +237,7 @@ class Chapter3Test : public QObject {
   }
 
   void undo_takes_the_whole_example_back_and_redo_builds_it_again() {
-    MainWindow window;
+    gui::MainWindow window;
     const Hands hands(window);
     hands.choose("file_new");
     const std::string empty = window.session().document().text();

@@ -32,7 +32,7 @@ constexpr const char* script_text = R"(! with data beside it
 $PLATFORM Earth STATIONARY 0 0 0 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0
 $TARGET Earth 1 2 3 0 0 0 1 0 DIRECTIONAL 0 0 0 0 OTHER_GAIN LINEAR FILE gain.dat
 )";
-constexpr ObjectId first{ObjectKind::target, 0};
+constexpr scene::ObjectId first{scene::ObjectKind::target, 0};
 
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
@@ -44,7 +44,7 @@ std::string text_in(const fs::path& path) {
 }
 
 double gain_in(const fs::path& path) {
-  return read_script_file(path).scene.targets.at(0).gain_db.part[0].knots.at(1).y;
+  return scene::read_script_file(path).scene.targets.at(0).gain_db.part[0].knots.at(1).y;
 }
 
 // A window on a script with a data file, in a folder of its own.
@@ -53,30 +53,30 @@ struct Bench {
     fs::create_directories(folder / "other");
     write(folder / "gain.dat", gain_points);
     write(folder / "a.scr", script_text);
-    window.documents().ask_data = [this](const std::vector<DataFileWrite>& files) {
+    window.documents().ask_data = [this](const std::vector<scene::DataFileWrite>& files) {
       asked.push_back(files);
       return answer;
     };
-    window.documents().ask_unsaved = [this] { return ++asked_unsaved, DocumentKeeper::Answer::cancel; };
+    window.documents().ask_unsaved = [this] { return ++asked_unsaved, gui::DocumentKeeper::Answer::cancel; };
     if (!window.documents().open_file(QString::fromStdString((folder / "a.scr").string()))) qFatal("not opened");
     window.show();
   }
   void trigger(const char* name) { window.findChild<QAction*>(name)->trigger(); }
   void set_gain(double y) {
-    Target target = window.session().scene().targets.at(0);
+    scene::Target target = window.session().scene().targets.at(0);
     target.gain_db.part[0].knots.at(1).y = y;
-    window.session().perform(replace_object(window.session().scene(), first, target, "Change function"));
+    window.session().perform(scene::replace_object(window.session().scene(), first, target, "Change function"));
     window.session().end_run();
   }
   [[nodiscard]] QLineEdit* field(const char* id) {
-    return window.findChild<PropertyPanel*>()->findChild<QLineEdit*>(QString("field_%1").arg(id));
+    return window.findChild<gui::PropertyPanel*>()->findChild<QLineEdit*>(QString("field_%1").arg(id));
   }
 
   QTemporaryDir temporary;
   fs::path folder = temporary.path().toStdString();
-  MainWindow window;
-  std::vector<std::vector<DataFileWrite>> asked;
-  DocumentKeeper::DataAnswer answer = DocumentKeeper::DataAnswer::write;
+  gui::MainWindow window;
+  std::vector<std::vector<scene::DataFileWrite>> asked;
+  gui::DocumentKeeper::DataAnswer answer = gui::DocumentKeeper::DataAnswer::write;
   int asked_unsaved = 0;
 };
 
@@ -131,7 +131,7 @@ class DocumentsTest : public QObject {
 
   void saving_the_script_alone_leaves_the_data_and_says_so() {
     Bench bench;
-    bench.answer = DocumentKeeper::DataAnswer::leave;
+    bench.answer = gui::DocumentKeeper::DataAnswer::leave;
     bench.set_gain(-20.0);
     bench.trigger("file_save");
     QCOMPARE(text_in(bench.folder / "gain.dat"), std::string(gain_points));
@@ -142,9 +142,9 @@ class DocumentsTest : public QObject {
 
   void cancelling_saves_nothing() {
     Bench bench;
-    bench.answer = DocumentKeeper::DataAnswer::cancel;
+    bench.answer = gui::DocumentKeeper::DataAnswer::cancel;
     bench.set_gain(-20.0);
-    bench.window.session().perform(remove_objects(bench.window.session().scene(), {}));
+    bench.window.session().perform(scene::remove_objects(bench.window.session().scene(), {}));
     QVERIFY(!bench.window.documents().save_to(QString::fromStdString((bench.folder / "b.scr").string())));
     QVERIFY(!fs::exists(bench.folder / "b.scr"));
     QCOMPARE(text_in(bench.folder / "gain.dat"), std::string(gain_points));
@@ -179,7 +179,7 @@ class DocumentsTest : public QObject {
     bench.set_gain(-20.0);
     fs::remove(bench.folder / "gain.dat");
     fs::create_directories(bench.folder / "gain.dat/in the way");
-    bench.window.session().perform(add_object(bench.window.session().scene(), Target()));
+    bench.window.session().perform(scene::add_object(bench.window.session().scene(), scene::Target()));
     QTimer timer;
     QString told;
     answer_next<QMessageBox>(timer, [&told](QMessageBox& box) {
@@ -195,12 +195,12 @@ class DocumentsTest : public QObject {
 
   void the_question_about_data_names_the_files_and_takes_three_answers() {
     Bench bench;
-    MainWindow other;
-    const std::vector<DataFileWrite> files{{"a.dat", "/x/a.dat", "", true}, {"b.dat", "/x/b.dat", "", false}};
-    const std::pair<const char*, DocumentKeeper::DataAnswer> answers[] = {
-        {"Write", DocumentKeeper::DataAnswer::write},
-        {"Only", DocumentKeeper::DataAnswer::leave},
-        {"Cancel", DocumentKeeper::DataAnswer::cancel}};
+    gui::MainWindow other;
+    const std::vector<scene::DataFileWrite> files{{"a.dat", "/x/a.dat", "", true}, {"b.dat", "/x/b.dat", "", false}};
+    const std::pair<const char*, gui::DocumentKeeper::DataAnswer> answers[] = {
+        {"Write", gui::DocumentKeeper::DataAnswer::write},
+        {"Only", gui::DocumentKeeper::DataAnswer::leave},
+        {"Cancel", gui::DocumentKeeper::DataAnswer::cancel}};
     for (const auto& [word, expected] : answers) {
       QTimer timer;
       QString text;
@@ -222,7 +222,7 @@ class DocumentsTest : public QObject {
     QTest::keyClicks(bench.field("position_m.x"), "2 km");
     QCOMPARE(bench.window.session().scene().targets[0].position_m.x, 1.0);
     bench.trigger("file_save");
-    QCOMPARE(read_script_file(bench.folder / "a.scr").scene.targets.at(0).position_m.x, 2000.0);
+    QCOMPARE(scene::read_script_file(bench.folder / "a.scr").scene.targets.at(0).position_m.x, 2000.0);
   }
 
   void what_is_typed_but_not_entered_keeps_the_window_from_closing_unasked() {
@@ -275,7 +275,7 @@ class DocumentsTest : public QObject {
   }
 
   void an_example_from_the_menu_is_a_copy_without_a_file() {
-    MainWindow window;
+    gui::MainWindow window;
     const QString path = QStringLiteral(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
     QVERIFY(window.documents().open_example(path));
     QVERIFY(window.session().document().path().empty());
@@ -287,7 +287,7 @@ class DocumentsTest : public QObject {
 
   void an_example_that_needs_its_data_files_is_opened_where_it_stands() {
     Bench bench;
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_example(QString::fromStdString((bench.folder / "a.scr").string())));
     QCOMPARE(window.session().document().path(), bench.folder / "a.scr");
   }

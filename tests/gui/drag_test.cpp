@@ -13,20 +13,20 @@
 namespace sarsim {
 namespace {
 
-Edit move_to(const Session& session, double x, const char* key) {
-  Target moved = session.scene().targets[0];
+scene::Edit move_to(const gui::Session& session, double x, const char* key) {
+  scene::Target moved = session.scene().targets[0];
   moved.position_m.x = x;
-  return replace_object(session.scene(), test::target(0), moved, "Move target", key);
+  return scene::replace_object(session.scene(), test::target(0), moved, "Move target", key);
 }
 
-Edit set_rcs(const Session& session, double rcs_m2, const char* key) {
-  Target faulty = session.scene().targets[0];
+scene::Edit set_rcs(const gui::Session& session, double rcs_m2, const char* key) {
+  scene::Target faulty = session.scene().targets[0];
   faulty.rcs_m2 = rcs_m2;
-  return replace_object(session.scene(), test::target(0), faulty, "Change target", key);
+  return scene::replace_object(session.scene(), test::target(0), faulty, "Change target", key);
 }
 
-bool about_rcs(const Problems& problems) {
-  return std::ranges::any_of(problems, [](const Problem& problem) { return problem.subject.field == "rcs_m2"; });
+bool about_rcs(const core::Problems& problems) {
+  return std::ranges::any_of(problems, [](const core::Problem& problem) { return problem.subject.field == "rcs_m2"; });
 }
 
 // Ten times what a hand notices: a busy machine and a build with every check must not fail, a step that grows with the
@@ -59,9 +59,9 @@ class DragTest : public QObject {
   }
 
   void problems_of_a_run_are_looked_for_when_it_pauses() {
-    Session session;
+    gui::Session session;
     test::open(session, test::small_scene());
-    QSignalSpy looked(&session, &Session::problems_changed);
+    QSignalSpy looked(&session, &gui::Session::problems_changed);
     session.perform(set_rcs(session, -1.0, "step"));
     QVERIFY(!about_rcs(session.problems()));
     QTRY_COMPARE(looked.size(), 1);
@@ -69,9 +69,9 @@ class DragTest : public QObject {
   }
 
   void problems_of_a_run_are_looked_for_when_it_ends() {
-    Session session;
+    gui::Session session;
     test::open(session, test::small_scene());
-    QSignalSpy looked(&session, &Session::problems_changed);
+    QSignalSpy looked(&session, &gui::Session::problems_changed);
     session.perform(set_rcs(session, -1.0, "step"));
     session.end_run();
     QCOMPARE(looked.size(), 1);
@@ -81,7 +81,7 @@ class DragTest : public QObject {
   }
 
   void problems_of_a_single_edit_are_known_at_once() {
-    Session session;
+    gui::Session session;
     test::open(session, test::small_scene());
     session.perform(set_rcs(session, -1.0, ""));
     QVERIFY(about_rcs(session.problems()));
@@ -89,15 +89,15 @@ class DragTest : public QObject {
     QVERIFY(!about_rcs(session.problems()));
     session.redo();
     QVERIFY(about_rcs(session.problems()));
-    session.take(Document());
+    session.take(scene::Document());
     QVERIFY(!about_rcs(session.problems()));
   }
 
   void an_edit_that_comes_to_nothing_leaves_the_selection_where_it_is() {
-    Session session;
+    gui::Session session;
     test::open(session, test::small_scene());
     session.select_only(test::target(2));
-    session.perform(remove_objects(session.scene(), {test::target(0)}));
+    session.perform(scene::remove_objects(session.scene(), {test::target(0)}));
     QVERIFY(session.current() == test::target(1));
     session.perform(move_to(session, session.scene().targets[0].position_m.x, ""));
     QVERIFY(session.current() == test::target(1));
@@ -121,16 +121,16 @@ class DragTest : public QObject {
   void the_editor_follows_a_drag_in_any_coding() {
     QFETCH(QByteArray, comment);
     QFETCH(QByteArray, line_end);
-    QByteArray script = QByteArray::fromStdString(write_script(test::small_scene()));
+    QByteArray script = QByteArray::fromStdString(scene::write_script(test::small_scene()));
     script = comment + "\n" + script + comment + "\n";
     script.replace("\n", line_end);
-    Session session;
-    session.take(Document::from_text(script.toStdString()));
-    ScriptEditor editor(session);
+    gui::Session session;
+    session.take(scene::Document::from_text(script.toStdString()));
+    gui::ScriptEditor editor(session);
     editor.show();
     const auto agrees = [&] {
       const std::string& text = session.document().text();
-      return editor.text().script() == decoded(text, coding_of(text));
+      return editor.text().script() == gui::decoded(text, gui::coding_of(text));
     };
     QVERIFY(agrees());
     for (int i = 1; i <= 5; ++i) {
@@ -142,16 +142,16 @@ class DragTest : public QObject {
     QVERIFY(QByteArray::fromStdString(session.document().text()) == script);
     session.redo();
     QVERIFY(agrees());
-    session.perform(remove_objects(session.scene(), {test::platform(1)}));
+    session.perform(scene::remove_objects(session.scene(), {test::platform(1)}));
     QVERIFY(agrees());
     session.undo();
     QVERIFY(agrees());
   }
 
   void changes_of_bytes_are_told_in_characters() {
-    const ScriptCoding utf8;
+    const gui::ScriptCoding utf8;
     const std::string text = "\xC3\xA4\xF0\x9F\x9B\xB0 12\nxyz";  // two characters of 1 and 2 units
-    const auto forwards = decoded_changes({{7, "5", "12"}, {9, "ab", "xyz"}}, true, text, utf8);
+    const auto forwards = gui::decoded_changes({{7, "5", "12"}, {9, "ab", "xyz"}}, true, text, utf8);
     QVERIFY(forwards.has_value());
     QCOMPARE(forwards->size(), std::size_t{2});
     QCOMPARE((*forwards)[0].at, 4);
@@ -159,22 +159,22 @@ class DragTest : public QObject {
     QCOMPARE((*forwards)[0].put_in, QString("12"));
     QCOMPARE((*forwards)[1].at, 7);
     QCOMPARE((*forwards)[1].removed, 2);
-    const auto backwards = decoded_changes({{7, "12", "5"}}, false, text, utf8);
+    const auto backwards = gui::decoded_changes({{7, "12", "5"}}, false, text, utf8);
     QVERIFY(backwards.has_value());
     QCOMPARE((*backwards)[0].at, 4);
     QCOMPARE((*backwards)[0].put_in, QString("12"));
   }
 
   void changes_that_could_join_what_stood_apart_are_not_told() {
-    const ScriptCoding utf8;
-    const ScriptCoding latin1{true, ScriptCoding::LineEnd::lf};
-    const ScriptCoding crlf{false, ScriptCoding::LineEnd::crlf};
-    QVERIFY(!decoded_changes({{1, "x", ""}}, true, "\xC3\xA4", latin1));        // now one character
-    QVERIFY(!decoded_changes({{0, "x", "\xC3\xA4"}}, true, "\xC3\xA4", utf8));  // not of one byte
-    QVERIFY(!decoded_changes({{2, "x", ""}}, true, "a\r\nb", crlf));            // now one line end
-    QVERIFY(!decoded_changes({{1, "\n", "\r\n"}}, true, "a\r\nb", utf8));       // the text has other line ends
-    QVERIFY(!decoded_changes({{3, "x\r", "y"}}, true, "\r\nay\nb", crlf));      // was one line end with what follows
-    QVERIFY(!decoded_changes({{9, "x", "y"}}, true, "short", utf8));
+    const gui::ScriptCoding utf8;
+    const gui::ScriptCoding latin1{true, gui::ScriptCoding::LineEnd::lf};
+    const gui::ScriptCoding crlf{false, gui::ScriptCoding::LineEnd::crlf};
+    QVERIFY(!gui::decoded_changes({{1, "x", ""}}, true, "\xC3\xA4", latin1));        // now one character
+    QVERIFY(!gui::decoded_changes({{0, "x", "\xC3\xA4"}}, true, "\xC3\xA4", utf8));  // not of one byte
+    QVERIFY(!gui::decoded_changes({{2, "x", ""}}, true, "a\r\nb", crlf));            // now one line end
+    QVERIFY(!gui::decoded_changes({{1, "\n", "\r\n"}}, true, "a\r\nb", utf8));       // the text has other line ends
+    QVERIFY(!gui::decoded_changes({{3, "x\r", "y"}}, true, "\r\nay\nb", crlf));  // was one line end with what follows
+    QVERIFY(!gui::decoded_changes({{9, "x", "y"}}, true, "short", utf8));
   }
 };
 

@@ -22,8 +22,9 @@
 namespace sarsim {
 namespace {
 
-constexpr ObjectKind kinds[] = {ObjectKind::platform, ObjectKind::target,     ObjectKind::surface,
-                                ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
+constexpr scene::ObjectKind kinds[] = {scene::ObjectKind::platform,   scene::ObjectKind::target,
+                                       scene::ObjectKind::surface,    scene::ObjectKind::radar,
+                                       scene::ObjectKind::simulation, scene::ObjectKind::geometry};
 
 // What a hand types and the number that it means, in the unit that the quantity is held in. The figures are worked out
 // by hand: 3 nmi are 3 x 1 852 m, 30 dBm are 1 W, 10 dBsm are 10 m2.
@@ -32,50 +33,50 @@ struct Typed {
   double held;
 };
 
-const std::vector<Typed>& typed_values(Quantity quantity) {
-  static const std::map<Quantity, std::vector<Typed>> values{
-      {Quantity::number, {{"0.25", 0.25}, {"2", 2.0}, {"1e-3", 1e-3}}},
-      {Quantity::length, {{"10 km", 1e4}, {"3 nmi", 5556.0}, {"25 cm", 0.25}, {"12.5", 12.5}}},
-      {Quantity::time, {{"3 us", 3e-6}, {"250ns", 250e-9}, {"2 min", 120.0}, {"0.5", 0.5}}},
-      {Quantity::frequency, {{"50 MHz", 5e7}, {"9.5 GHz", 9.5e9}, {"750 Hz", 750.0}}},
-      {Quantity::angle, {{"12.5 deg", 12.5}, {"30'", 0.5}, {"7", 7.0}}},
-      {Quantity::angle_rate, {{"2 rpm", 12.0}, {"1.5 deg/s", 1.5}}},
-      {Quantity::area, {{"10 dBsm", 10.0}, {"50 cm2", 5e-3}, {"2.5", 2.5}}},
-      {Quantity::power, {{"30 dBm", 1.0}, {"2 kW", 2e3}, {"5 mW", 5e-3}, {"3 MW", 3e6}}},
-      {Quantity::ratio_db, {{"3 dB", 3.0}, {"x100", 20.0}, {"1.5", 1.5}}},
-      {Quantity::temperature, {{"290 K", 290.0}, {"310", 310.0}}},
-      {Quantity::voltage, {{"2 mV", 2e-3}, {"40 uV", 40e-6}}},
-      {Quantity::count, {{"5", 5.0}, {"3", 3.0}}}};
+const std::vector<Typed>& typed_values(scene::Quantity quantity) {
+  static const std::map<scene::Quantity, std::vector<Typed>> values{
+      {scene::Quantity::number, {{"0.25", 0.25}, {"2", 2.0}, {"1e-3", 1e-3}}},
+      {scene::Quantity::length, {{"10 km", 1e4}, {"3 nmi", 5556.0}, {"25 cm", 0.25}, {"12.5", 12.5}}},
+      {scene::Quantity::time, {{"3 us", 3e-6}, {"250ns", 250e-9}, {"2 min", 120.0}, {"0.5", 0.5}}},
+      {scene::Quantity::frequency, {{"50 MHz", 5e7}, {"9.5 GHz", 9.5e9}, {"750 Hz", 750.0}}},
+      {scene::Quantity::angle, {{"12.5 deg", 12.5}, {"30'", 0.5}, {"7", 7.0}}},
+      {scene::Quantity::angle_rate, {{"2 rpm", 12.0}, {"1.5 deg/s", 1.5}}},
+      {scene::Quantity::area, {{"10 dBsm", 10.0}, {"50 cm2", 5e-3}, {"2.5", 2.5}}},
+      {scene::Quantity::power, {{"30 dBm", 1.0}, {"2 kW", 2e3}, {"5 mW", 5e-3}, {"3 MW", 3e6}}},
+      {scene::Quantity::ratio_db, {{"3 dB", 3.0}, {"x100", 20.0}, {"1.5", 1.5}}},
+      {scene::Quantity::temperature, {{"290 K", 290.0}, {"310", 310.0}}},
+      {scene::Quantity::voltage, {{"2 mV", 2e-3}, {"40 uV", 40e-6}}},
+      {scene::Quantity::count, {{"5", 5.0}, {"3", 3.0}}}};
   return values.at(quantity);
 }
 
 // A text that is no value of the quantity, in a unit that belongs to another.
-QString foreign_text(Quantity quantity) {
-  return quantity == Quantity::length ? QStringLiteral("5 kg") : QStringLiteral("5 parsec");
+QString foreign_text(scene::Quantity quantity) {
+  return quantity == scene::Quantity::length ? QStringLiteral("5 kg") : QStringLiteral("5 parsec");
 }
 
 // One place where a field means something: the object and the field.
 struct Case {
-  AnyObject object;
-  Field field;
+  scene::AnyObject object;
+  scene::Field field;
 };
 
 // Of each field of a kind a first object for which it means something, reached from the plain one by choices.
-std::vector<Case> cases_of(const AnyObject& plain) {
-  const std::vector<Field>& fields = fields_of(kind_of(plain));
-  std::vector<AnyObject> reached{plain};
+std::vector<Case> cases_of(const scene::AnyObject& plain) {
+  const std::vector<scene::Field>& fields = scene::fields_of(scene::kind_of(plain));
+  std::vector<scene::AnyObject> reached{plain};
   std::set<std::string> found;
   std::vector<Case> cases;  // those of one object in a row
   for (std::size_t i = 0; i < reached.size() && reached.size() < 500; ++i)
-    for (const Field& field : fields) {
-      if (!field_applies(reached[i], field.id)) continue;
+    for (const scene::Field& field : fields) {
+      if (!scene::field_applies(reached[i], field.id)) continue;
       if (!found.insert(field.id).second) continue;
       cases.push_back({reached[i], field});
       std::vector<std::string> values = field.choices;
-      if (field.kind == FieldKind::check) values = {"yes", "no"};
+      if (field.kind == scene::FieldKind::check) values = {"yes", "no"};
       for (const std::string& value : values) {
-        AnyObject other = reached[i];
-        if (set_field(other, field.id, value).empty() && other != reached[i]) reached.push_back(other);
+        scene::AnyObject other = reached[i];
+        if (scene::set_field(other, field.id, value).empty() && other != reached[i]) reached.push_back(other);
       }
     }
   return cases;
@@ -84,22 +85,22 @@ std::vector<Case> cases_of(const AnyObject& plain) {
 // A text to enter, the object that it makes, and what is held by then where it is a number.
 struct Entry {
   QString text;
-  AnyObject after;
+  scene::AnyObject after;
   double held = 0.0;
 };
 
 std::vector<Entry> entries_for(const Case& one) {
   std::vector<Typed> candidates;
-  if (one.field.kind == FieldKind::quantity) candidates = typed_values(one.field.quantity);
+  if (one.field.kind == scene::FieldKind::quantity) candidates = typed_values(one.field.quantity);
   for (const std::string& choice : one.field.choices) candidates.push_back({choice.c_str(), 0.0});
-  if (one.field.kind == FieldKind::check) candidates = {{"yes", 0.0}, {"no", 0.0}};
-  if (one.field.kind == FieldKind::text) candidates = {{"Another1", 0.0}};
-  if (one.field.kind == FieldKind::platform) candidates = {{"Ship", 0.0}, {"Earth", 0.0}};
-  if (one.field.kind == FieldKind::radar) candidates = {{"Radar2", 0.0}, {"Radar1", 0.0}};
+  if (one.field.kind == scene::FieldKind::check) candidates = {{"yes", 0.0}, {"no", 0.0}};
+  if (one.field.kind == scene::FieldKind::text) candidates = {{"Another1", 0.0}};
+  if (one.field.kind == scene::FieldKind::platform) candidates = {{"Ship", 0.0}, {"Earth", 0.0}};
+  if (one.field.kind == scene::FieldKind::radar) candidates = {{"Radar2", 0.0}, {"Radar1", 0.0}};
   std::vector<Entry> entries;
   for (const Typed& typed : candidates) {
-    AnyObject after = one.object;
-    if (set_field(after, one.field.id, typed.text).empty() && after != one.object)
+    scene::AnyObject after = one.object;
+    if (scene::set_field(after, one.field.id, typed.text).empty() && after != one.object)
       entries.push_back({QString::fromUtf8(typed.text), after, typed.held});
   }
   return entries;
@@ -112,35 +113,35 @@ struct Bench {
   }
 
   // The small scene with this object in the place of the first of its kind, selected; as it is where it stands there.
-  void open(const AnyObject& object) {
-    const Scene plain = test::small_scene();
-    if (!opened.empty() && session.document().text() == opened && id.kind == kind_of(object) &&
+  void open(const scene::AnyObject& object) {
+    const scene::Scene plain = test::small_scene();
+    if (!opened.empty() && session.document().text() == opened && id.kind == scene::kind_of(object) &&
         this->object() == object)
       return;
-    id = {kind_of(object), 0};
+    id = {scene::kind_of(object), 0};
     test::open(session, plain);
-    AnyObject named = object;
-    session.perform(replace_object(session.scene(), id, std::move(named), "Begin"));
+    scene::AnyObject named = object;
+    session.perform(scene::replace_object(session.scene(), id, std::move(named), "Begin"));
     // A text that was read, so that undoing has nothing before it.
     const std::string script = session.document().text();
-    session.take(Document::from_text(script));
+    session.take(scene::Document::from_text(script));
     session.select_only(id);
     opened = session.document().text();
   }
-  Session& open_options() {
+  gui::Session& open_options() {
     test::open(session, test::small_scene());
     session.select({});
     return session;
   }
 
-  [[nodiscard]] QWidget* widget(const Field& field) const {
+  [[nodiscard]] QWidget* widget(const scene::Field& field) const {
     return panel.findChild<QWidget*>(QString::fromStdString("field_" + field.id));
   }
-  [[nodiscard]] QString words_at(const Field& field) const {
-    return panel.findChild<ProblemLine*>(QString::fromStdString("problem_" + field.id))->text();
+  [[nodiscard]] QString words_at(const scene::Field& field) const {
+    return panel.findChild<gui::ProblemLine*>(QString::fromStdString("problem_" + field.id))->text();
   }
   // What the widget of a field shows, in the words of the field.
-  [[nodiscard]] QString shown(const Field& field) const {
+  [[nodiscard]] QString shown(const scene::Field& field) const {
     QWidget* const any = widget(field);
     if (auto* edit = qobject_cast<QLineEdit*>(any)) return edit->text();
     if (auto* box = qobject_cast<QComboBox*>(any)) return box->currentText();
@@ -152,7 +153,7 @@ struct Bench {
     return {};
   }
   // As a hand does, with the keyboard.
-  void enter(const Field& field, const QString& text) const {
+  void enter(const scene::Field& field, const QString& text) const {
     panel_focus(field);
     QWidget* const any = widget(field);
     if (auto* edit = qobject_cast<QLineEdit*>(any)) {
@@ -165,21 +166,21 @@ struct Bench {
       if (check->isChecked() != (text == "yes")) QTest::keyClick(check, Qt::Key_Space);
     }
   }
-  void panel_focus(const Field& field) const {
-    const_cast<PropertyPanel&>(panel).focus_field(QString::fromStdString(field.id));
+  void panel_focus(const scene::Field& field) const {
+    const_cast<gui::PropertyPanel&>(panel).focus_field(QString::fromStdString(field.id));
   }
-  [[nodiscard]] AnyObject object() const { return object_of(session.scene(), id); }
+  [[nodiscard]] scene::AnyObject object() const { return scene::object_of(session.scene(), id); }
 
-  Session session;
-  PropertyPanel panel{session};
-  ObjectId id;
+  gui::Session session;
+  gui::PropertyPanel panel{session};
+  scene::ObjectId id;
   std::string opened;
 };
 
-Scene scene_of(const std::string& text) { return read_script(text, "", {}).scene; }
+scene::Scene scene_of(const std::string& text) { return scene::read_script(text, "", {}).scene; }
 
 std::string where(const Case& one, const QString& text) {
-  return std::string(name_of(kind_of(one.object))) + " " + one.field.id + " = " + text.toStdString();
+  return std::string(scene::name_of(scene::kind_of(one.object))) + " " + one.field.id + " = " + text.toStdString();
 }
 
 }  // namespace
@@ -190,9 +191,9 @@ class FieldsTest : public QObject {
  private:
   static void every_field(const std::function<void(Bench&, const Case&)>& test) {
     Bench bench;
-    for (const ObjectKind kind : kinds) {
-      const std::vector<Case> cases = cases_of(object_of(test::small_scene(), {kind, 0}));
-      QCOMPARE(cases.size(), fields_of(kind).size());
+    for (const scene::ObjectKind kind : kinds) {
+      const std::vector<Case> cases = cases_of(scene::object_of(test::small_scene(), {kind, 0}));
+      QCOMPARE(cases.size(), scene::fields_of(kind).size());
       for (const Case& one : cases) {
         bench.open(one.object);
         QVERIFY2(bench.object() == one.object, where(one, "").c_str());
@@ -207,7 +208,7 @@ class FieldsTest : public QObject {
   void what_is_entered_stands_in_the_script() {
     int entered = 0;
     every_field([&](Bench& bench, const Case& one) {
-      if (one.field.kind == FieldKind::function) return;
+      if (one.field.kind == scene::FieldKind::function) return;
       const std::vector<Entry> entries = entries_for(one);
       QVERIFY2(!entries.empty(), where(one, "?").c_str());
       for (const Entry& entry : entries) {
@@ -216,11 +217,12 @@ class FieldsTest : public QObject {
         bench.enter(one.field, entry.text);
         const std::string after = bench.session.document().text();
         QVERIFY2(after != before, place.c_str());
-        const Scene read = scene_of(after);
+        const scene::Scene read = scene_of(after);
         QVERIFY2(read == bench.session.scene(), place.c_str());
-        QVERIFY2(object_of(read, bench.id) == entry.after, place.c_str());
-        if (one.field.kind == FieldKind::quantity) {
-          const auto held = read_quantity(field_text(object_of(read, bench.id), one.field.id), one.field.quantity);
+        QVERIFY2(scene::object_of(read, bench.id) == entry.after, place.c_str());
+        if (one.field.kind == scene::FieldKind::quantity) {
+          const auto held = scene::read_quantity(scene::field_text(scene::object_of(read, bench.id), one.field.id),
+                                                 one.field.quantity);
           QVERIFY2(held.value && std::abs(*held.value - entry.held) <= 1e-12 * std::abs(entry.held), place.c_str());
         }
         QVERIFY2(bench.session.document().history().can_undo(), place.c_str());
@@ -236,16 +238,16 @@ class FieldsTest : public QObject {
   void what_stands_in_the_script_is_shown() {
     every_field([&](Bench& bench, const Case& one) {
       const std::string before = bench.session.document().text();
-      QCOMPARE(bench.shown(one.field), QString::fromStdString(field_text(one.object, one.field.id)));
+      QCOMPARE(bench.shown(one.field), QString::fromStdString(scene::field_text(one.object, one.field.id)));
       for (const Entry& entry : entries_for(one)) {
         // The text as the edit would write it, typed by hand.
-        Document other = Document::from_text(before);
-        other.perform(replace_object(other.scene(), bench.id, entry.after, ""));
+        scene::Document other = scene::Document::from_text(before);
+        other.perform(scene::replace_object(other.scene(), bench.id, entry.after, ""));
         bench.session.type_text(other.text());
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(field_text(entry.after, one.field.id)),
+        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(entry.after, one.field.id)),
                  where(one, entry.text + ": " + bench.shown(one.field)).c_str());
         bench.session.type_text(before);
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(field_text(one.object, one.field.id)),
+        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(one.object, one.field.id)),
                  where(one, entry.text).c_str());
       }
     });
@@ -254,9 +256,9 @@ class FieldsTest : public QObject {
   void functions_show_what_the_script_says_and_ask_for_their_editor() {
     int functions = 0;
     every_field([&](Bench& bench, const Case& one) {
-      if (one.field.kind != FieldKind::function) return;
+      if (one.field.kind != scene::FieldKind::function) return;
       ++functions;
-      QSignalSpy asked(&bench.panel, &PropertyPanel::function_requested);
+      QSignalSpy asked(&bench.panel, &gui::PropertyPanel::function_requested);
       bench.panel_focus(one.field);
       QTest::keyClick(bench.widget(one.field), Qt::Key_Space);
       QCOMPARE(asked.size(), 1);
@@ -268,8 +270,8 @@ class FieldsTest : public QObject {
   void what_cannot_be_read_changes_nothing_and_is_answered_at_the_field() {
     int refused = 0;
     every_field([&](Bench& bench, const Case& one) {
-      if (one.field.kind != FieldKind::quantity) return;
-      const Scene scene = bench.session.scene();
+      if (one.field.kind != scene::FieldKind::quantity) return;
+      const scene::Scene scene = bench.session.scene();
       const std::string text = bench.session.document().text();
       for (const QString& typed : {QStringLiteral("nonsense"), foreign_text(one.field.quantity), QStringLiteral("1,5"),
                                    QStringLiteral("1e999")}) {
@@ -283,7 +285,8 @@ class FieldsTest : public QObject {
         QVERIFY2(bench.widget(one.field)->accessibleDescription().startsWith("Error: "), place.c_str());
         ++refused;
         QTest::keyClick(bench.widget(one.field), Qt::Key_Escape);
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(field_text(one.object, one.field.id)), place.c_str());
+        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(one.object, one.field.id)),
+                 place.c_str());
         QVERIFY2(!bench.words_at(one.field).contains(typed), place.c_str());
       }
     });
@@ -293,14 +296,14 @@ class FieldsTest : public QObject {
   void values_outside_their_limits_change_nothing_and_are_answered_at_the_field() {
     int refused = 0;
     every_field([&](Bench& bench, const Case& one) {
-      if (one.field.kind != FieldKind::quantity && one.field.kind != FieldKind::text) return;
+      if (one.field.kind != scene::FieldKind::quantity && one.field.kind != scene::FieldKind::text) return;
       std::vector<QString> typed{"-7", "99999999999", "0.5", ""};
       for (const QString& text : typed) {
-        AnyObject changed = one.object;
-        const std::string why = set_field(changed, one.field.id, text.toStdString());
+        scene::AnyObject changed = one.object;
+        const std::string why = scene::set_field(changed, one.field.id, text.toStdString());
         const bool named = one.field.id == "name" && text.isEmpty();
         if (why.empty() && !named) continue;
-        const Scene scene = bench.session.scene();
+        const scene::Scene scene = bench.session.scene();
         bench.panel_focus(one.field);
         auto* edit = qobject_cast<QLineEdit*>(bench.widget(one.field));
         edit->selectAll();
@@ -324,29 +327,29 @@ class FieldsTest : public QObject {
                                                              {"seed", {"18446744073709551615", "42", "0"}},
                                                              {"pulse", {"Band-limited", "Ideal"}},
                                                              {"tolerance", {"1e-3", "0.1", "1e-9"}}};
-    QCOMPARE(values.size(), option_fields().size());
-    for (const Field& field : option_fields()) {
+    QCOMPARE(values.size(), scene::option_fields().size());
+    for (const scene::Field& field : scene::option_fields()) {
       QVERIFY2(values.contains(field.id), field.id.c_str());
       for (const QString& text : values.at(field.id)) {
         bench.open_options();
-        RunOptions wanted = bench.session.scene().options;
-        QCOMPARE(set_field(wanted, field.id, text.toStdString()), std::string());
+        scene::RunOptions wanted = bench.session.scene().options;
+        QCOMPARE(scene::set_field(wanted, field.id, text.toStdString()), std::string());
         const std::string before = bench.session.document().text();
         bench.enter(field, text);
         QVERIFY2(bench.session.scene().options == wanted, field.id.c_str());
         QVERIFY2(scene_of(bench.session.document().text()) == bench.session.scene(), field.id.c_str());
         const std::string after = bench.session.document().text();
         bench.session.type_text(before);
-        QCOMPARE(bench.shown(field), QString::fromStdString(field_text(RunOptions{}, field.id)));
+        QCOMPARE(bench.shown(field), QString::fromStdString(scene::field_text(scene::RunOptions{}, field.id)));
         bench.session.type_text(after);
-        QCOMPARE(bench.shown(field), QString::fromStdString(field_text(wanted, field.id)));
+        QCOMPARE(bench.shown(field), QString::fromStdString(scene::field_text(wanted, field.id)));
       }
     }
     for (const char* text : {"-1", "18446744073709551616", "1.5", "much"}) {
       bench.open_options();
-      const Field& seed = *std::ranges::find(option_fields(), std::string("seed"), &Field::id);
+      const scene::Field& seed = *std::ranges::find(scene::option_fields(), std::string("seed"), &scene::Field::id);
       bench.enter(seed, text);
-      QVERIFY2(bench.session.scene().options == RunOptions{}, text);
+      QVERIFY2(bench.session.scene().options == scene::RunOptions{}, text);
       QVERIFY2(bench.words_at(seed).startsWith("Error: "), text);
     }
   }

@@ -16,17 +16,18 @@ namespace sarsim {
 namespace {
 
 // A picture of four cells, red where y is low and x is low.
-Figure four_cells() {
-  Figure figure;
-  FigurePanel& panel = figure.panels.emplace_back();
-  panel.x = {"Slant range", "m", 1000.0, 3000.0, FigureAxis::Twin{"Delay", "s", 1.0 / 1.5e8}};
+picture::Figure four_cells() {
+  picture::Figure figure;
+  picture::FigurePanel& panel = figure.panels.emplace_back();
+  panel.x = {"Slant range", "m", 1000.0, 3000.0, picture::FigureAxis::Twin{"Delay", "s", 1.0 / 1.5e8}};
   panel.y = {"Time", "s", 0.0, 2.0, {}};
-  panel.image = FigureImage{2, 2, 1000.0, 3000.0, 0.0, 2.0, {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}}};
-  panel.colour_bar = FigureColourBar{"Magnitude", "V", 0.0, 1e-9, {{0, 0, 0}, {255, 255, 255}}};
+  panel.image =
+      picture::FigureImage{2, 2, 1000.0, 3000.0, 0.0, 2.0, {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}}};
+  panel.colour_bar = picture::FigureColourBar{"Magnitude", "V", 0.0, 1e-9, {{0, 0, 0}, {255, 255, 255}}};
   return figure;
 }
 
-QPoint pixel_of(const FigurePlot& plot, double x, double y) {
+QPoint pixel_of(const gui::FigurePlot& plot, double x, double y) {
   const QCPAxisRect* rect = plot.panel(0);
   return {static_cast<int>(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
           static_cast<int>(rect->axis(QCPAxis::atLeft)->coordToPixel(y))};
@@ -39,7 +40,7 @@ class FigurePlotTest : public QObject {
 
  private slots:
   void another_figure_leaves_nothing_of_the_one_before() {
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     const qsizetype groups = plot.findChildren<QCPMarginGroup*>().size();
     for (int i = 0; i < 5; ++i) plot.set_figure(four_cells());
@@ -47,7 +48,7 @@ class FigurePlotTest : public QObject {
   }
 
   void cells_stand_where_the_axes_say() {
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.resize(600, 400);
     plot.set_figure(four_cells());
     const QImage picture = plot.toPixmap(600, 400).toImage();
@@ -61,9 +62,9 @@ class FigurePlotTest : public QObject {
   }
 
   void an_axis_turned_round_turns_the_picture() {
-    Figure figure = four_cells();
+    picture::Figure figure = four_cells();
     std::swap(figure.panels[0].y.first, figure.panels[0].y.last);
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.resize(600, 400);
     plot.set_figure(figure);
     plot.grab();
@@ -74,7 +75,7 @@ class FigurePlotTest : public QObject {
   }
 
   void axes_name_their_units_with_a_prefix_that_suits() {
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     const QCPAxisRect* rect = plot.panel(0);
     QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("Slant range (km)"));
@@ -83,11 +84,11 @@ class FigurePlotTest : public QObject {
   }
 
   void a_legend_has_the_curves_of_its_panel_alone() {
-    Figure figure = four_cells();
-    figure.panels[0].curves.push_back({"I", Role::curve, false, {1000, 3000}, {0, 2}});
+    picture::Figure figure = four_cells();
+    figure.panels[0].curves.push_back({"I", picture::Role::curve, false, {1000, 3000}, {0, 2}});
     figure.panels.push_back(figure.panels[0]);
-    figure.panels[1].curves.push_back({"", Role::curve_2, false, {1000, 3000}, {2, 0}});
-    FigurePlot plot;
+    figure.panels[1].curves.push_back({"", picture::Role::curve_2, false, {1000, 3000}, {2, 0}});
+    gui::FigurePlot plot;
     plot.set_figure(figure);
     for (std::size_t panel = 0; panel < 2; ++panel) {
       const auto* names = qobject_cast<QCPLegend*>(plot.panel(panel)->insetLayout()->elementAt(0));
@@ -97,10 +98,10 @@ class FigurePlotTest : public QObject {
   }
 
   void curves_with_names_are_in_the_legend_and_others_are_not() {
-    Figure figure = four_cells();
-    figure.panels[0].curves.push_back({"In phase", Role::curve, false, {1000, 3000}, {0, 2}});
-    figure.panels[0].curves.push_back({"", Role::curve_2, false, {1000, 3000}, {2, 0}});
-    FigurePlot plot;
+    picture::Figure figure = four_cells();
+    figure.panels[0].curves.push_back({"In phase", picture::Role::curve, false, {1000, 3000}, {0, 2}});
+    figure.panels[0].curves.push_back({"", picture::Role::curve_2, false, {1000, 3000}, {2, 0}});
+    gui::FigurePlot plot;
     plot.set_figure(figure);
     QCOMPARE(plot.plottableCount(), 2);
     const auto* legend = qobject_cast<QCPLegend*>(plot.panel(0)->insetLayout()->elementAt(0));
@@ -110,7 +111,7 @@ class FigurePlotTest : public QObject {
 
   void pictures_have_the_asked_size_times_the_scale() {
     const QTemporaryDir folder;
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     QString failure;
     QVERIFY2(plot.save(folder.filePath("a.png"), {500, 300}, 2.0, failure), qPrintable(failure));
@@ -128,7 +129,7 @@ class FigurePlotTest : public QObject {
 
   void a_file_that_cannot_be_written_is_told_and_nothing_is_left() {
     const QTemporaryDir folder;
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     QString failure;
     QVERIFY(!plot.save(folder.filePath("none/a.png"), {500, 300}, 1.0, failure));
@@ -144,7 +145,7 @@ class FigurePlotTest : public QObject {
   void a_full_disk_is_told_for_every_kind_of_picture() {
     if (!QFile::exists("/dev/full")) QSKIP("there is no /dev/full");
     const QTemporaryDir folder;
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
       QVERIFY(QFile::link("/dev/full", folder.filePath(name)));
@@ -157,7 +158,7 @@ class FigurePlotTest : public QObject {
 
   void pictures_that_are_saved_again_replace_the_ones_before() {
     const QTemporaryDir folder;
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.set_figure(four_cells());
     QString failure;
     for (const int width : {500, 600}) {
@@ -177,10 +178,10 @@ class FigurePlotTest : public QObject {
   // The lowest row of letters is followed by rows of the ground alone, at every scale.
   void words_below_are_shown_to_their_lowest_letter() {
     const QTemporaryDir folder;
-    Figure figure = four_cells();
+    picture::Figure figure = four_cells();
     figure.note = "gjpqy Range gjpqy";
     for (const double scale : {1.0, 2.0, 4.0}) {
-      FigurePlot plot;
+      gui::FigurePlot plot;
       plot.set_figure(figure);
       QString failure;
       QVERIFY2(plot.save(folder.filePath("a.png"), {700, 500}, scale, failure), qPrintable(failure));
@@ -197,12 +198,12 @@ class FigurePlotTest : public QObject {
   }
 
   void long_titles_leave_the_picture_its_room() {
-    Figure figure = four_cells();
+    picture::Figure figure = four_cells();
     const auto size_with = [&](int words) {
       figure.title.clear();
       for (int i = 0; i < words; ++i) figure.title += "word" + std::to_string(i) + " ";
       figure.note = figure.panels[0].title = figure.title;
-      FigurePlot plot;
+      gui::FigurePlot plot;
       plot.resize(700, 500);
       plot.set_figure(figure);
       plot.grab();
@@ -218,12 +219,12 @@ class FigurePlotTest : public QObject {
 
   // A circle on the ground is a circle in the picture.
   void metres_are_as_long_across_as_upwards() {
-    Figure figure = four_cells();
-    FigurePanel& panel = figure.panels[0];
+    picture::Figure figure = four_cells();
+    picture::FigurePanel& panel = figure.panels[0];
     panel.x = {"East", "m", -900.0, 900.0, {}};
     panel.y = {"North", "m", -700.0, 700.0, {}};
-    panel.image = FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
-    FigurePlot plot;
+    panel.image = picture::FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+    gui::FigurePlot plot;
     plot.resize(1000, 500);
     plot.set_figure(figure);
     plot.grab();
@@ -238,12 +239,12 @@ class FigurePlotTest : public QObject {
   }
 
   void long_strips_fill_the_picture_all_the_same() {
-    Figure figure = four_cells();
-    FigurePanel& panel = figure.panels[0];
+    picture::Figure figure = four_cells();
+    picture::FigurePanel& panel = figure.panels[0];
     panel.x = {"Slant range", "m", 0.0, 100.0, {}};
     panel.y = {"Azimuth", "m", 0.0, 1000.0, {}};
-    panel.image = FigureImage{2, 2, 0.0, 100.0, 0.0, 1000.0, panel.image->cells};
-    FigurePlot plot;
+    panel.image = picture::FigureImage{2, 2, 0.0, 100.0, 0.0, 1000.0, panel.image->cells};
+    gui::FigurePlot plot;
     plot.resize(600, 400);
     plot.set_figure(figure);
     plot.grab();
@@ -252,13 +253,13 @@ class FigurePlotTest : public QObject {
   }
 
   void dark_figures_have_dark_grounds() {
-    FigurePlot plot;
+    gui::FigurePlot plot;
     plot.resize(300, 200);
     plot.set_figure(four_cells());
-    set_appearance(*qApp, Appearance::dark);
+    gui::set_appearance(*qApp, gui::Appearance::dark);
     QCoreApplication::processEvents();
     QVERIFY(plot.grab().toImage().pixelColor(2, 2).lightness() < 80);
-    set_appearance(*qApp, Appearance::light);
+    gui::set_appearance(*qApp, gui::Appearance::light);
     QCoreApplication::processEvents();
     QVERIFY(plot.grab().toImage().pixelColor(2, 2).lightness() > 180);
   }

@@ -26,17 +26,17 @@ namespace {
 
 using test::file_text;
 
-constexpr ObjectId ship{ObjectKind::platform, 1};
-constexpr ObjectId radar1{ObjectKind::radar, 0};
+constexpr scene::ObjectId ship{scene::ObjectKind::platform, 1};
+constexpr scene::ObjectId radar1{scene::ObjectKind::radar, 0};
 
-Scene scene_with_functions() {
-  Scene scene = test::small_scene();
-  Platform& platform = scene.platforms[1];
-  platform.path = Platform::Path::trajectory;
-  platform.trajectory_m.part[0] = {Interpolation::linear, {{0.0, 0.0}, {1.0, 150.0}, {2.0, 0.0}, {3.0, -500.0}}};
-  platform.trajectory_m.part[1] = {Interpolation::linear, {{0.0, 10.0}}};
-  platform.trajectory_m.part[2] = {Interpolation::cubic, {{0.0, 20.0}}};
-  scene.radars[0].repetition = Radar::Repetition::user;
+scene::Scene scene_with_functions() {
+  scene::Scene scene = test::small_scene();
+  scene::Platform& platform = scene.platforms[1];
+  platform.path = scene::Platform::Path::trajectory;
+  platform.trajectory_m.part[0] = {core::Interpolation::linear, {{0.0, 0.0}, {1.0, 150.0}, {2.0, 0.0}, {3.0, -500.0}}};
+  platform.trajectory_m.part[1] = {core::Interpolation::linear, {{0.0, 10.0}}};
+  platform.trajectory_m.part[2] = {core::Interpolation::cubic, {{0.0, 20.0}}};
+  scene.radars[0].repetition = scene::Radar::Repetition::user;
   scene.radars[0].pri_s.part[0].knots = {{0.0, 1e-3}, {1.0, 2e-3}, {2.0, 1.5e-3}};
   return scene;
 }
@@ -47,11 +47,11 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 
 // An editor on screen, with the gestures of a mouse.
 struct Bench {
-  explicit Bench(ObjectId object = ship, const std::string& field = "trajectory_m") {
+  explicit Bench(scene::ObjectId object = ship, const std::string& field = "trajectory_m") {
     test::open(session, scene_with_functions());
     script = std::filesystem::path(folder.path().toStdString()) / "scene.scr";
     session.save(script);
-    editor = std::make_unique<FunctionEditor>(session, object, field);
+    editor = std::make_unique<gui::FunctionEditor>(session, object, field);
     editor->resize(1000, 700);
     editor->show();
     plot = &editor->plot();
@@ -80,21 +80,21 @@ struct Bench {
   bool type(int row, int column, const QString& text) const {
     return view->model()->setData(view->model()->index(row, column), text);
   }
-  [[nodiscard]] const std::vector<Knot>& knots() const { return editor->draft().parts[editor->part()].knots; }
+  [[nodiscard]] const std::vector<core::Knot>& knots() const { return editor->draft().parts[editor->part()].knots; }
   [[nodiscard]] QString problems() const {
-    const auto* line = editor->findChild<ProblemLine*>("function_problems");
+    const auto* line = editor->findChild<gui::ProblemLine*>("function_problems");
     return line->isVisible() ? line->text() : QString();
   }
-  [[nodiscard]] const UserFunction<3>& stored() const { return session.scene().platforms[1].trajectory_m; }
+  [[nodiscard]] const scene::UserFunction<3>& stored() const { return session.scene().platforms[1].trajectory_m; }
   [[nodiscard]] QPointF pixel(double x, double y) const {
     return {plot->xAxis->coordToPixel(x), plot->yAxis->coordToPixel(y)};
   }
 
   QTemporaryDir folder;
   std::filesystem::path script;
-  Session session;
-  std::unique_ptr<FunctionEditor> editor;
-  FunctionPlot* plot = nullptr;
+  gui::Session session;
+  std::unique_ptr<gui::FunctionEditor> editor;
+  gui::FunctionPlot* plot = nullptr;
   QTableView* view = nullptr;
 };
 
@@ -118,7 +118,7 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(bench.knots()[1].x, 1.43);
     QCOMPARE(bench.knots()[1].y, 78.0);
     QCOMPARE(bench.view->model()->index(1, 1).data().toString(), QString("78"));
-    QCOMPARE(bench.stored().part[0].knots[1], (Knot{1.0, 150.0}));
+    QCOMPARE(bench.stored().part[0].knots[1], (core::Knot{1.0, 150.0}));
   }
 
   void undo_in_a_drag_takes_the_drag_back() {
@@ -126,10 +126,10 @@ class FunctionEditorTest : public QObject {
     bench.press(bench.plot->knot_pixel(1));
     bench.move(bench.pixel(1.4, 77.0));
     bench.editor->undo();
-    QCOMPARE(bench.knots()[1], (Knot{1.0, 150.0}));
+    QCOMPARE(bench.knots()[1], (core::Knot{1.0, 150.0}));
     bench.move(bench.pixel(1.5, 70.0));
     bench.release(bench.pixel(1.5, 70.0));
-    QCOMPARE(bench.knots()[1], (Knot{1.0, 150.0}));
+    QCOMPARE(bench.knots()[1], (core::Knot{1.0, 150.0}));
   }
 
   void undoing_an_inserted_last_sample_while_it_is_dragged_is_harmless() {
@@ -155,12 +155,12 @@ class FunctionEditorTest : public QObject {
     bench.drag(bench.plot->knot_pixel(1), bench.pixel(2.9, 50.0));
     QVERIFY(bench.knots()[1].x > 1.0 && bench.knots()[1].x < 2.0);
     QCOMPARE(bench.knots().size(), std::size_t{4});
-    QCOMPARE(bench.knots()[2], (Knot{2.0, 0.0}));
+    QCOMPARE(bench.knots()[2], (core::Knot{2.0, 0.0}));
   }
 
   void escape_takes_a_drag_back() {
     const Bench bench;
-    const FunctionDraft before = bench.editor->draft();
+    const scene::FunctionDraft before = bench.editor->draft();
     bench.press(bench.plot->knot_pixel(1));
     bench.move(bench.pixel(1.2, 20.0));
     QVERIFY(!(bench.editor->draft() == before));
@@ -172,9 +172,9 @@ class FunctionEditorTest : public QObject {
 
   void a_drag_is_one_step_that_undo_takes_back() {
     const Bench bench;
-    const FunctionDraft before = bench.editor->draft();
+    const scene::FunctionDraft before = bench.editor->draft();
     bench.drag(bench.plot->knot_pixel(1), bench.pixel(1.5, 20.0));
-    const FunctionDraft after = bench.editor->draft();
+    const scene::FunctionDraft after = bench.editor->draft();
     QVERIFY(!(after == before));
     QTest::keyClick(bench.editor.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(bench.editor->draft() == before);
@@ -185,7 +185,7 @@ class FunctionEditorTest : public QObject {
   void a_rectangle_zooms_in_and_a_right_click_zooms_out_by_two_about_it() {
     const Bench bench;
     bench.drag(bench.pixel(0.5, -400.0), bench.pixel(1.7, -100.0));
-    FunctionPlot::Window window = bench.plot->window();
+    gui::FunctionPlot::Window window = bench.plot->window();
     QVERIFY(near(window.x[0], 0.5, 0.02) && near(window.x[1], 1.7, 0.02));
     QVERIFY(near(window.y[0], -400.0, 4.0) && near(window.y[1], -100.0, 4.0));
     QCOMPARE(bench.knots(), bench.stored().part[0].knots);
@@ -224,7 +224,7 @@ class FunctionEditorTest : public QObject {
     QTest::keyClicks(from, "5 kg");
     QTest::keyClick(from, Qt::Key_Return);
     QCOMPARE(bench.plot->window().x[0], 0.5);
-    QVERIFY(bench.editor->findChild<ProblemLine*>("problem_x_from")->text().contains("5 kg"));
+    QVERIFY(bench.editor->findChild<gui::ProblemLine*>("problem_x_from")->text().contains("5 kg"));
   }
 
   void samples_are_inserted_halfway_and_deleted_down_to_one() {
@@ -232,7 +232,7 @@ class FunctionEditorTest : public QObject {
     bench.editor->table().set_current(1);
     bench.click("function_insert");
     QCOMPARE(bench.knots().size(), std::size_t{5});
-    QCOMPARE(bench.knots()[2], (Knot{1.5, 75.0}));
+    QCOMPARE(bench.knots()[2], (core::Knot{1.5, 75.0}));
     QCOMPARE(bench.editor->table().current(), std::optional<std::size_t>(2));
     for (int i = 0; i < 9; ++i) bench.click("function_delete");
     QCOMPARE(bench.knots().size(), std::size_t{1});
@@ -244,7 +244,7 @@ class FunctionEditorTest : public QObject {
     auto* count = bench.editor->findChild<QSpinBox*>("function_count");
     count->setValue(6);
     QCOMPARE(bench.knots().size(), std::size_t{6});
-    QCOMPARE(bench.knots()[5], (Knot{5.0, 0.0}));
+    QCOMPARE(bench.knots()[5], (core::Knot{5.0, 0.0}));
     count->setValue(2);
     QCOMPARE(bench.knots().size(), std::size_t{2});
   }
@@ -255,7 +255,7 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(bench.knots()[2].x, 2.5);
     QCOMPARE(bench.editor->table().current(), std::optional<std::size_t>(2));
     QVERIFY(bench.type(0, 1, "2 km"));
-    QCOMPARE(bench.knots()[0], (Knot{1.0, 2000.0}));
+    QCOMPARE(bench.knots()[0], (core::Knot{1.0, 2000.0}));
     QVERIFY(!bench.type(0, 1, "far"));
     QVERIFY(bench.problems().contains("far"));
     QCOMPARE(bench.knots()[0].y, 2000.0);
@@ -277,8 +277,8 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(visible_curves(), 3);
     QCOMPARE(bench.plot->graph(0)->pen().style(), Qt::SolidLine);
     bench.click("function_cubic");
-    QCOMPARE(bench.editor->draft().parts[0].method, Interpolation::cubic);
-    QCOMPARE(bench.editor->draft().parts[1].method, Interpolation::linear);
+    QCOMPARE(bench.editor->draft().parts[0].method, core::Interpolation::cubic);
+    QCOMPARE(bench.editor->draft().parts[1].method, core::Interpolation::linear);
     QCOMPARE(bench.plot->graph(1)->pen().style(), Qt::SolidLine);
     QVERIFY(bench.plot->graph(0)->pen().style() != Qt::SolidLine);
     // The spline through (1, 150) and (2, 0) is not the straight line between them.
@@ -286,7 +286,7 @@ class FunctionEditorTest : public QObject {
     const double spline = bench.plot->graph(1)->data()->findBegin(1.5)->value;
     QVERIFY(near(straight, 75.0, 1.0) && !near(spline, 75.0, 5.0));
     bench.click("function_part_2");
-    QCOMPARE(bench.knots(), (std::vector<Knot>{{0.0, 20.0}}));
+    QCOMPARE(bench.knots(), (std::vector<core::Knot>{{0.0, 20.0}}));
     QVERIFY(bench.editor->findChild<QRadioButton*>("function_cubic")->isChecked());
   }
 
@@ -310,11 +310,11 @@ class FunctionEditorTest : public QObject {
 
   void ok_is_one_undoable_step_and_cancel_none() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.drag(bench.plot->knot_pixel(1), bench.pixel(1.5, 20.0));
     bench.click("function_insert");
     bench.click("function_cubic");
-    const FunctionDraft draft = bench.editor->draft();
+    const scene::FunctionDraft draft = bench.editor->draft();
     bench.editor->accept();
     QVERIFY(!bench.editor->isVisible());
     QCOMPARE(bench.stored().part[0], draft.parts[0]);
@@ -323,7 +323,7 @@ class FunctionEditorTest : public QObject {
     QVERIFY(bench.session.scene() == before);
     QVERIFY(!bench.session.document().history().can_undo());
 
-    FunctionEditor cancelled(bench.session, ship, "trajectory_m");
+    gui::FunctionEditor cancelled(bench.session, ship, "trajectory_m");
     cancelled.table().set_current(0);
     cancelled.findChild<QPushButton*>("function_insert")->click();
     cancelled.reject();
@@ -332,7 +332,7 @@ class FunctionEditorTest : public QObject {
 
   void a_data_file_is_saved_with_its_commented_header_and_loaded_again() {
     Bench bench;
-    const FunctionDraft before = bench.editor->draft();
+    const scene::FunctionDraft before = bench.editor->draft();
     QVERIFY(bench.editor->save_file("path.dat"));
     const std::string text = file_text(bench.script.parent_path() / "path.dat");
     QCOMPARE(text.front(), '!');
@@ -345,7 +345,7 @@ class FunctionEditorTest : public QObject {
     bool asked = false;
     bench.editor->ask_unsaved = [&](const QString&) {
       asked = true;
-      return FunctionEditor::Unsaved::cancel;
+      return gui::FunctionEditor::Unsaved::cancel;
     };
     bench.editor->accept();
     QVERIFY(!asked);
@@ -360,7 +360,7 @@ class FunctionEditorTest : public QObject {
     int asked = 0;
     bench.editor->ask_unsaved = [&](const QString&) {
       ++asked;
-      return asked == 1 ? FunctionEditor::Unsaved::cancel : FunctionEditor::Unsaved::keep_inline;
+      return asked == 1 ? gui::FunctionEditor::Unsaved::cancel : gui::FunctionEditor::Unsaved::keep_inline;
     };
     bench.editor->accept();
     QVERIFY(bench.editor->isVisible());
@@ -384,7 +384,7 @@ class FunctionEditorTest : public QObject {
 
   void bad_files_are_explained_and_change_nothing() {
     const Bench bench;
-    const FunctionDraft before = bench.editor->draft();
+    const scene::FunctionDraft before = bench.editor->draft();
     QVERIFY(!bench.editor->load_file("missing.dat"));
     QVERIFY(bench.problems().contains("missing.dat"));
     write_file(bench.script.parent_path() / "bad.dat", "2\n0 0\n1 one\n1\n0 0\n1\n0 0\n");
@@ -404,7 +404,7 @@ class FunctionEditorTest : public QObject {
     const std::filesystem::path csv = bench.script.parent_path() / "track.csv";
     write_file(csv, "t,x,y,z\n0,1,2,3\n1,4,5,6\n");
     QVERIFY(bench.editor->import_csv(QString::fromStdString(csv.string())));
-    QCOMPARE(bench.knots(), (std::vector<Knot>{{0.0, 1.0}, {1.0, 4.0}}));
+    QCOMPARE(bench.knots(), (std::vector<core::Knot>{{0.0, 1.0}, {1.0, 4.0}}));
     QVERIFY(bench.editor->draft().file.empty());
     write_file(csv, "t,x,y,z\n0,1,2,3\n1,4,apple,6\n");
     QVERIFY(!bench.editor->import_csv(QString::fromStdString(csv.string())));

@@ -33,15 +33,15 @@ using test::file_text;
 constexpr int patience_ms = 20'000;
 
 // A ship on a bent path that turns; the radar steps its carrier.
-Scene moving_scene() {
-  Scene scene = test::small_scene();
-  Platform& ship = scene.platforms[1];
-  ship.path = Platform::Path::trajectory;
-  ship.trajectory_m.part[0] = {Interpolation::cubic, {{0.0, 0.0}, {1.0, 100.0}, {2.0, -50.0}}};
-  ship.trajectory_m.part[1] = {Interpolation::linear, {{0.0, 500.0}, {2.0, 900.0}}};
-  ship.trajectory_m.part[2] = {Interpolation::linear, {{0.0, 30.0}}};
-  ship.rotation_rate[2] = Angle::from_deg(12.0);
-  scene.radars[0].carrier = Radar::Carrier::stepped;
+scene::Scene moving_scene() {
+  scene::Scene scene = test::small_scene();
+  scene::Platform& ship = scene.platforms[1];
+  ship.path = scene::Platform::Path::trajectory;
+  ship.trajectory_m.part[0] = {core::Interpolation::cubic, {{0.0, 0.0}, {1.0, 100.0}, {2.0, -50.0}}};
+  ship.trajectory_m.part[1] = {core::Interpolation::linear, {{0.0, 500.0}, {2.0, 900.0}}};
+  ship.trajectory_m.part[2] = {core::Interpolation::linear, {{0.0, 30.0}}};
+  ship.rotation_rate[2] = core::Angle::from_deg(12.0);
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.targets[0].position_stddev_m = {0.1, 0.1, 0.1};
   return scene;
 }
@@ -54,7 +54,7 @@ std::vector<std::string> cells(const std::string& line) {
 }
 
 // Name of a column of write_geometry_csv.
-std::string csv_name(const GeometryHeading& heading) {
+std::string csv_name(const gui::GeometryHeading& heading) {
   static const std::map<std::string, std::string> names{
       {"Pulse", "pulse"},           {"Send time", "time_s"},      {"Frequency", "carrier_hz"},
       {"Position X", "x_m"},        {"Position Y", "y_m"},        {"Position Z", "z_m"},
@@ -68,8 +68,8 @@ std::string csv_name(const GeometryHeading& heading) {
   return owner.empty() ? names.at(heading.quantity) : owner + " " + names.at(heading.quantity);
 }
 
-GeometryChoice everything(const Scene& scene, double end_s) {
-  GeometryChoice choice;
+gui::GeometryChoice everything(const scene::Scene& scene, double end_s) {
+  gui::GeometryChoice choice;
   choice.table.radar = "Radar1";
   choice.table.time_end_s = end_s;
   choice.table.columns = 255;
@@ -78,17 +78,17 @@ GeometryChoice everything(const Scene& scene, double end_s) {
   return choice;
 }
 
-bool computed(const GeometryModel& model, int row) {
-  return model.data(model.index(row, 0), GeometryModel::value_role).isValid();
+bool computed(const gui::GeometryModel& model, int row) {
+  return model.data(model.index(row, 0), gui::GeometryModel::value_role).isValid();
 }
 
 // A window on screen with its table computed.
 struct Bench {
-  explicit Bench(const Scene& scene) {
+  explicit Bench(const scene::Scene& scene) {
     test::open(session, scene);
-    window = std::make_unique<GeometryWindow>(session);
+    window = std::make_unique<gui::GeometryWindow>(session);
     window->resize(1100, 700);
-    ready = std::make_unique<QSignalSpy>(&window->model(), &GeometryModel::ready);
+    ready = std::make_unique<QSignalSpy>(&window->model(), &gui::GeometryModel::ready);
     window->show();
     wait();
   }
@@ -103,8 +103,8 @@ struct Bench {
   }
   [[nodiscard]] QTableView* table() const { return window->view().table(); }
 
-  Session session;
-  std::unique_ptr<GeometryWindow> window;
+  gui::Session session;
+  std::unique_ptr<gui::GeometryWindow> window;
   std::unique_ptr<QSignalSpy> ready;
 };
 
@@ -115,18 +115,18 @@ class GeometryTest : public QObject {
 
  private slots:
   void values_are_those_of_the_csv_table() {
-    const Scene scene = moving_scene();
-    const GeometryChoice choice = everything(scene, 1.5);
+    const scene::Scene scene = moving_scene();
+    const gui::GeometryChoice choice = everything(scene, 1.5);
     std::string csv;
-    write_geometry_csv(scene, choice.table, [&](std::string_view piece) { csv += piece; });
+    simulate::write_geometry_csv(scene, choice.table, [&](std::string_view piece) { csv += piece; });
     std::stringstream stream(csv);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     const std::vector<std::string> names = cells(lines[0]);
 
-    GeometryModel model;
+    gui::GeometryModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QSignalSpy ready(&model, &GeometryModel::ready);
+    QSignalSpy ready(&model, &gui::GeometryModel::ready);
     model.set_table(scene, choice);
     QVERIFY(ready.wait(patience_ms));
     QCOMPARE(model.rowCount() + 1, static_cast<int>(lines.size()));
@@ -138,8 +138,8 @@ class GeometryTest : public QObject {
         const std::string name = csv_name(model.headings()[static_cast<std::size_t>(column)]);
         const auto at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
         QVERIFY2(at < names.size(), name.c_str());
-        const double value = model.data(model.index(row, column), GeometryModel::value_role).toDouble();
-        QCOMPARE(QString::fromStdString(format_number(value)), QString::fromStdString(expected[at]));
+        const double value = model.data(model.index(row, column), gui::GeometryModel::value_role).toDouble();
+        QCOMPARE(QString::fromStdString(core::format_number(value)), QString::fromStdString(expected[at]));
       }
     }
   }
@@ -170,8 +170,8 @@ class GeometryTest : public QObject {
   }
 
   void cells_show_dots_until_they_are_computed() {
-    GeometryModel model;
-    QSignalSpy ready(&model, &GeometryModel::ready);
+    gui::GeometryModel model;
+    QSignalSpy ready(&model, &gui::GeometryModel::ready);
     model.set_table(moving_scene(), everything(moving_scene(), 1.0));
     QVERIFY(ready.wait(patience_ms));
     QCOMPARE(model.data(model.index(700, 1)).toString(), QString("…"));
@@ -202,7 +202,7 @@ class GeometryTest : public QObject {
     Bench bench(moving_scene());
     bench.enter("field_range_end_m", "1500 m");
     bench.wait();
-    const GeometryModel& model = bench.window->model();
+    const gui::GeometryModel& model = bench.window->model();
     const auto column = [&](const std::string& owner) {
       for (std::size_t i = 0; i < model.headings().size(); ++i)
         if (model.headings()[i].owner == owner && model.headings()[i].quantity == "Two-way delay")
@@ -242,42 +242,42 @@ class GeometryTest : public QObject {
   }
 
   void numbers_and_ranges_are_read() {
-    QCOMPARE(read_numbers(" 3, 1-2,2 ", 5).indices, (std::vector<std::size_t>{0, 1, 2}));
-    QVERIFY(read_numbers("", 5).indices.empty() && read_numbers("", 5).failure.empty());
+    QCOMPARE(gui::read_numbers(" 3, 1-2,2 ", 5).indices, (std::vector<std::size_t>{0, 1, 2}));
+    QVERIFY(gui::read_numbers("", 5).indices.empty() && gui::read_numbers("", 5).failure.empty());
     for (const char* bad : {"0", "6", "3-1", "a", "1-", "-3", "1-99999999999999999999"})
-      QVERIFY2(!read_numbers(bad, 5).failure.empty(), bad);
+      QVERIFY2(!gui::read_numbers(bad, 5).failure.empty(), bad);
   }
 
   void faulty_scenes_are_explained() {
-    Scene scene = moving_scene();
+    scene::Scene scene = moving_scene();
     scene.radars[0].pulse_width_s = -1.0;
-    Session session;
+    gui::Session session;
     test::open(session, moving_scene());
-    GeometryWindow window(session);
-    QSignalSpy failed(&window.model(), &GeometryModel::failed);
+    gui::GeometryWindow window(session);
+    QSignalSpy failed(&window.model(), &gui::GeometryModel::failed);
     window.show();
-    GeometryTable table;
+    scene::GeometryTable table;
     table.radar = "Radar1";
     table.time_start_s = 2.0;
     table.time_end_s = 1.0;
     window.show_table(table);
     QTRY_VERIFY_WITH_TIMEOUT(!failed.isEmpty(), patience_ms);
-    QVERIFY(window.findChild<ProblemLine*>("geometry_problems")->isVisible());
+    QVERIFY(window.findChild<gui::ProblemLine*>("geometry_problems")->isVisible());
     QCOMPARE(window.model().rowCount(), 0);
   }
 
   void saved_text_and_csv_are_those_of_the_command_line() {
-    const Scene scene = moving_scene();
+    const scene::Scene scene = moving_scene();
     Bench bench(scene);
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("table.txt").toStdString();
-    QSignalSpy saved(bench.window.get(), &GeometryWindow::saved);
+    QSignalSpy saved(bench.window.get(), &gui::GeometryWindow::saved);
     for (const bool csv : {false, true}) {
       std::string expected;
       const auto write = [&](std::string_view piece) { expected += piece; };
-      const GeometryTable& table = bench.window->choice().table;
-      csv ? write_geometry_csv(bench.session.scene(), table, write)
-          : write_geometry_text(bench.session.scene(), table, write);
+      const scene::GeometryTable& table = bench.window->choice().table;
+      csv ? simulate::write_geometry_csv(bench.session.scene(), table, write)
+          : simulate::write_geometry_text(bench.session.scene(), table, write);
       saved.clear();
       bench.window->save_to(path, csv);
       QVERIFY(saved.wait(patience_ms));
@@ -291,19 +291,19 @@ class GeometryTest : public QObject {
     bench.enter("field_time_end_s", "100000 s");
     bench.wait();
     const QTemporaryDir folder;
-    QSignalSpy saved(bench.window.get(), &GeometryWindow::saved);
+    QSignalSpy saved(bench.window.get(), &gui::GeometryWindow::saved);
     bench.window->save_to(folder.filePath("table.txt").toStdString(), false);
     QTest::qWait(50);
     QVERIFY(bench.window->saving());
     bench.window->findChild<QPushButton*>("geometry_cancel")->click();
     QVERIFY(saved.wait(patience_ms));
-    QCOMPARE(saved[0][0].value<JobEnd>(), JobEnd::cancelled);
+    QCOMPARE(saved[0][0].value<gui::JobEnd>(), gui::JobEnd::cancelled);
     QVERIFY(std::filesystem::is_empty(folder.path().toStdString()));
     bench.window->save_to(folder.filePath("no/such/table.txt").toStdString(), false);
     saved.clear();
     QVERIFY(saved.wait(patience_ms));
-    QCOMPARE(saved[0][0].value<JobEnd>(), JobEnd::failed);
-    QVERIFY(bench.window->findChild<ProblemLine*>("geometry_problems")->text().contains("table.txt"));
+    QCOMPARE(saved[0][0].value<gui::JobEnd>(), gui::JobEnd::failed);
+    QVERIFY(bench.window->findChild<gui::ProblemLine*>("geometry_problems")->text().contains("table.txt"));
   }
 
   void tables_are_stored_shown_and_deleted() {

@@ -82,7 +82,7 @@ class HabitsTest : public QObject {
         actions.append(action);
     }
   }
-  static QList<QAction*> menu_actions(const MainWindow& window) {
+  static QList<QAction*> menu_actions(const gui::MainWindow& window) {
     QList<QAction*> actions;
     for (const QAction* top : window.menuBar()->actions()) collect(*top->menu(), actions);
     return actions;
@@ -106,19 +106,20 @@ class HabitsTest : public QObject {
   }
 
   void whatever_takes_keys_has_an_object_name_and_a_spoken_name() {
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
     main.show();
     QStringList found;
-    for (const QString& name : MainWindow::window_names()) {
+    for (const QString& name : gui::MainWindow::window_names()) {
       QWidget* window = main.window_named(name);
       QVERIFY2(window != nullptr, qPrintable(name));
       found += nameless(*window);
     }
-    for (const ObjectId id :
-         {ObjectId{ObjectKind::platform, 1}, ObjectId{ObjectKind::target, 2}, ObjectId{ObjectKind::surface, 0},
-          ObjectId{ObjectKind::radar, 0}, ObjectId{ObjectKind::radar, 1}, ObjectId{ObjectKind::simulation, 0},
-          ObjectId{ObjectKind::geometry, 0}}) {
+    for (const scene::ObjectId id :
+         {scene::ObjectId{scene::ObjectKind::platform, 1}, scene::ObjectId{scene::ObjectKind::target, 2},
+          scene::ObjectId{scene::ObjectKind::surface, 0}, scene::ObjectId{scene::ObjectKind::radar, 0},
+          scene::ObjectId{scene::ObjectKind::radar, 1}, scene::ObjectId{scene::ObjectKind::simulation, 0},
+          scene::ObjectId{scene::ObjectKind::geometry, 0}}) {
       main.session().select_only(id);
       found += nameless(*main.window_named("properties"));
     }
@@ -127,10 +128,10 @@ class HabitsTest : public QObject {
   }
 
   void tab_reaches_every_field_of_a_window() {
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
     main.show();
-    main.session().select_only({ObjectKind::radar, 0});
+    main.session().select_only({scene::ObjectKind::radar, 0});
     QStringList unreached;
     for (const char* name : {"main", "targets", "geometry", "function", "import", "commands", "help"}) {
       QWidget* window = main.window_named(name);
@@ -150,7 +151,7 @@ class HabitsTest : public QObject {
   }
 
   void no_two_commands_have_the_same_keys() {
-    MainWindow main;
+    gui::MainWindow main;
     QMap<QString, QStringList> of_keys;
     for (const QAction* action : main.findChildren<QAction*>())
       if (action->shortcutContext() != Qt::WidgetShortcut &&
@@ -163,7 +164,7 @@ class HabitsTest : public QObject {
   }
 
   void no_two_entries_of_a_menu_have_the_same_letter() {
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
     QList<QPair<QString, QList<QAction*>>> menus{{"menu bar", main.menuBar()->actions()}};
     for (const QMenu* menu : main.menuBar()->findChildren<QMenu*>()) menus.append({menu->title(), menu->actions()});
@@ -183,7 +184,7 @@ class HabitsTest : public QObject {
 
   // Those without keys of their own are found by their names.
   void every_command_has_keys_or_is_in_the_list_of_commands() {
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
     const auto listed = main.findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly);
     QStringList lost;
@@ -196,7 +197,7 @@ class HabitsTest : public QObject {
   }
 
   void menus_bear_the_names_of_the_thesis() {
-    MainWindow main;
+    gui::MainWindow main;
     QStringList names;
     for (const QAction* action : main.menuBar()->actions()) names += action->text().remove('&');
     int last = -1;
@@ -208,32 +209,32 @@ class HabitsTest : public QObject {
   }
 
   void names_of_pictures_are_windows_and_menus_that_exist() {
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
     main.show();
-    const QStringList names = picture_names();
+    const QStringList names = gui::picture_names();
     QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
-    for (const QString& name : MainWindow::window_names()) QVERIFY2(names.contains(name), qPrintable(name));
+    for (const QString& name : gui::MainWindow::window_names()) QVERIFY2(names.contains(name), qPrintable(name));
     for (const QAction* menu : main.menuBar()->actions())
       QVERIFY2(names.contains("menu-" + menu->text().remove('&').toLower()), qPrintable(menu->text()));
   }
 
   void a_picture_is_written_in_the_size_and_state_asked_for() {
     QTemporaryDir folder;
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.documents().open_file(harbour()));
-    PictureWish wish;
+    gui::PictureWish wish;
     wish.window = "targets";
     wish.file = folder.filePath("picture.png");
     wish.selected = {"radar:2"};
     wish.typed = {"prf_hz=2 kHz"};
     wish.size = {1300, 720};
     wish.few_colours = true;
-    main.session().select_only({ObjectKind::radar, 0});
-    QVERIFY(!make_picture(main, wish));  // radar 2 has intervals instead of a frequency
+    main.session().select_only({scene::ObjectKind::radar, 0});
+    QVERIFY(!gui::make_picture(main, wish));  // radar 2 has intervals instead of a frequency
     wish.selected = {"radar:1"};
     wish.commands = {"view_filled"};
-    QVERIFY(make_picture(main, wish));
+    QVERIFY(gui::make_picture(main, wish));
     const QImage picture(wish.file);
     QCOMPARE(picture.size(), wish.size);
     QVERIFY(picture.colorCount() > 16 && picture.colorCount() <= 256);
@@ -243,21 +244,21 @@ class HabitsTest : public QObject {
 
   void a_picture_of_nothing_is_refused() {
     QTemporaryDir folder;
-    MainWindow main;
-    PictureWish wish;
+    gui::MainWindow main;
+    gui::PictureWish wish;
     wish.file = folder.filePath("picture.png");
     wish.window = "mirror";
-    QVERIFY(!make_picture(main, wish));
+    QVERIFY(!gui::make_picture(main, wish));
     wish = {};
     wish.file = folder.filePath("picture.png");
     wish.selected = {"radar:1"};
-    QVERIFY(!make_picture(main, wish));
+    QVERIFY(!gui::make_picture(main, wish));
     wish.selected = {};
     wish.commands = {"view_nothing"};
-    QVERIFY(!make_picture(main, wish));
+    QVERIFY(!gui::make_picture(main, wish));
     wish.commands = {};
     wish.file = folder.filePath("no/such/folder.png");
-    QVERIFY(!make_picture(main, wish));
+    QVERIFY(!gui::make_picture(main, wish));
     QVERIFY(QDir(folder.path()).isEmpty());
   }
 };

@@ -31,23 +31,23 @@ struct Bench {
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) qFatal("not shown");
     window.activateWindow();
-    window.session().select_only({ObjectKind::target, 0});
+    window.session().select_only({scene::ObjectKind::target, 0});
     QCoreApplication::processEvents();
   }
 
   // Presses F1 in a widget and gives back the window that opened.
-  [[nodiscard]] HelpWindow* help_in(QWidget* widget) const {
+  [[nodiscard]] gui::HelpWindow* help_in(QWidget* widget) const {
     widget->setFocus();
     QTest::keyClick(widget, Qt::Key_F1);
     for (QWidget* top : QApplication::topLevelWidgets())
-      if (auto* help = qobject_cast<HelpWindow*>(top); help != nullptr && help->isVisible()) return help;
+      if (auto* help = qobject_cast<gui::HelpWindow*>(top); help != nullptr && help->isVisible()) return help;
     return nullptr;
   }
-  [[nodiscard]] static QString page(const HelpWindow& help) {
-    return help.findChild<QTextBrowser*>()->source().toLocalFile().remove(HelpWindow::folder() + "/");
+  [[nodiscard]] static QString page(const gui::HelpWindow& help) {
+    return help.findChild<QTextBrowser*>()->source().toLocalFile().remove(gui::HelpWindow::folder() + "/");
   }
 
-  MainWindow window;
+  gui::MainWindow window;
 };
 
 // A site of empty pages, and the address that its browser was asked for.
@@ -58,7 +58,7 @@ struct Site {
       if (!QFile(folder.filePath(page)).open(QIODevice::WriteOnly)) qFatal("no page");
     }
   }
-  [[nodiscard]] GuideSite guide(bool shown) {
+  [[nodiscard]] gui::GuideSite guide(bool shown) {
     return {folder.path(), [this, shown](const QUrl& url) {
               asked = url;
               return shown;
@@ -87,9 +87,9 @@ class HelpTest : public QObject {
   }
 
   void every_place_that_f1_may_lead_to_is_in_the_guide() {
-    HelpWindow help;
+    gui::HelpWindow help;
     help.show();
-    for (const HelpPlace& place : all_help_places()) {
+    for (const gui::HelpPlace& place : gui::all_help_places()) {
       help.show_page(place.page, place.heading);
       const auto* browser = help.findChild<QTextBrowser*>();
       QVERIFY2(!browser->document()->isEmpty(), qPrintable(place.page));
@@ -143,7 +143,7 @@ class HelpTest : public QObject {
     for (QWidget* child : shown->findChildren<QWidget*>())
       if (child->focusPolicy() != Qt::NoFocus && child->isVisible() && child->isEnabled()) inside = child;
     QVERIFY(inside != nullptr);
-    const HelpWindow* help = bench.help_in(inside);
+    const gui::HelpWindow* help = bench.help_in(inside);
     QVERIFY(help != nullptr);
     QCOMPARE(Bench::page(*help), page);
     if (!heading.isEmpty()) QCOMPARE(help->heading(), heading);
@@ -151,7 +151,7 @@ class HelpTest : public QObject {
 
   void f1_in_the_scene_and_in_the_bar_of_the_time_differ() {
     Bench bench;
-    const HelpWindow* help = bench.help_in(&bench.window.scene().scene());
+    const gui::HelpWindow* help = bench.help_in(&bench.window.scene().scene());
     QVERIFY(help != nullptr);
     QCOMPARE(help->heading(), QString("Mouse and keys in the scene"));
     QVERIFY(bench.help_in(bench.window.scene().time_bar().findChild<QLineEdit*>("time_field")) == help);
@@ -172,7 +172,7 @@ class HelpTest : public QObject {
     Site site({"guide/workbench.html"});
     Bench bench;
     bench.window.set_guide(site.guide(false));
-    const HelpWindow* help = bench.help_in(&bench.window.scene().scene());
+    const gui::HelpWindow* help = bench.help_in(&bench.window.scene().scene());
     QVERIFY(help != nullptr);
     QCOMPARE(site.asked, site.address("guide/workbench.html", "mouse-and-keys-in-the-scene"));
     site.asked.clear();
@@ -188,11 +188,11 @@ class HelpTest : public QObject {
       QVERIFY(QFile(root.filePath(place + "/index.html")).open(QIODevice::WriteOnly));
     };
     QDir(root.path()).mkpath("bin");
-    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), QString());
+    QCOMPARE(gui::GuideSite::folder_beside(root.filePath("bin")), QString());
     folder_with_index("site");
-    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), root.filePath("site"));
+    QCOMPARE(gui::GuideSite::folder_beside(root.filePath("bin")), root.filePath("site"));
     folder_with_index("share/doc/sarsim/html");
-    QCOMPARE(GuideSite::folder_beside(root.filePath("bin")), root.filePath("share/doc/sarsim/html"));
+    QCOMPARE(gui::GuideSite::folder_beside(root.filePath("bin")), root.filePath("share/doc/sarsim/html"));
   }
 
   // A modal dialog holds up all windows but its own.
@@ -202,7 +202,7 @@ class HelpTest : public QObject {
     QVERIFY(editor != nullptr);
     static_cast<QDialog*>(editor)->open();
     QCoreApplication::processEvents();
-    HelpWindow* help = bench.help_in(editor->findChild<QPushButton*>());
+    gui::HelpWindow* help = bench.help_in(editor->findChild<QPushButton*>());
     QVERIFY(help != nullptr);
     QVERIFY(help->parentWidget() == editor);
     auto* close = help->findChild<QPushButton*>();
@@ -213,13 +213,13 @@ class HelpTest : public QObject {
   }
 
   void links_lead_to_pages_and_folders_and_back() {
-    HelpWindow help;
+    gui::HelpWindow help;
     help.show();
     help.show_page("README.md");
     auto* browser = help.findChild<QTextBrowser*>();
     emit browser->anchorClicked(QUrl("guide"));
     QVERIFY(browser->toPlainText().contains("workbench.md"));
-    QUrl values = QUrl::fromLocalFile(HelpWindow::folder() + "/guide/workbench.md");
+    QUrl values = QUrl::fromLocalFile(gui::HelpWindow::folder() + "/guide/workbench.md");
     values.setFragment("values");
     emit browser->anchorClicked(values);
     QCOMPARE(Bench::page(help), QString("guide/workbench.md"));
@@ -228,8 +228,8 @@ class HelpTest : public QObject {
 
   void space_plays_and_stops_the_time_in_the_scene() {
     Bench bench;
-    SceneWidget& scene = bench.window.scene().scene();
-    const TimeBar& bar = bench.window.scene().time_bar();
+    gui::SceneWidget& scene = bench.window.scene().scene();
+    const gui::TimeBar& bar = bench.window.scene().time_bar();
     scene.setFocus();
     QTest::keyClick(&scene, Qt::Key_Space);
     QVERIFY(bar.playing());
@@ -243,7 +243,7 @@ class HelpTest : public QObject {
 
   void space_in_a_field_is_a_space() {
     Bench bench;
-    auto* field = bench.window.findChild<PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
+    auto* field = bench.window.findChild<gui::PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
     field->setFocus();
     field->setText("1");
     QTest::keyClick(field, Qt::Key_Space);

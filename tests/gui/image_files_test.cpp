@@ -27,17 +27,17 @@ class ImageFilesTest : public QObject {
   void an_exported_selection_opens_again_with_the_same_samples() {
     QFETCH(int, format);
     Bench bench;
-    bench.viewer.plot().set_selection(ImageWindow{60, 20, 30, 25, 1, 1});
-    QSignalSpy done(&bench.viewer, &ImageViewer::exported);
+    bench.viewer.plot().set_selection(raster::ImageWindow{60, 20, 30, 25, 1, 1});
+    QSignalSpy done(&bench.viewer, &gui::ImageViewer::exported);
     const QString copy = bench.folder.filePath("copy.file");
-    bench.viewer.export_to(copy, static_cast<FileFormat>(format));
+    bench.viewer.export_to(copy, static_cast<scene::FileFormat>(format));
     QVERIFY(done.wait(patience_ms));
     QVERIFY2(done.front().front().toBool(), qPrintable(bench.viewer.problem_words()));
-    ImageHints hints;
-    hints.samples.format = static_cast<FileFormat>(format);
+    raster::ImageHints hints;
+    hints.samples.format = static_cast<scene::FileFormat>(format);
     hints.samples.columns = 25;
     hints.samples.bits = bench.viewer.source()->info().bits > 0 ? bench.viewer.source()->info().bits : 16;
-    const OpenedImage opened = ImageSource::open(copy.toStdString(), hints);
+    const raster::OpenedImage opened = raster::ImageSource::open(copy.toStdString(), hints);
     QVERIFY(opened.source != nullptr);
     opened.source->wait_until_indexed(nullptr);
     QCOMPARE(opened.source->rows(), std::size_t{20});
@@ -49,8 +49,8 @@ class ImageFilesTest : public QObject {
   void the_file_that_is_shown_is_not_overwritten() {
     Bench bench;
     const auto bytes = fs::file_size(bench.path);
-    QSignalSpy done(&bench.viewer, &ImageViewer::exported);
-    bench.viewer.export_to(QString::fromStdString(bench.path.string()), FileFormat::csv);
+    QSignalSpy done(&bench.viewer, &gui::ImageViewer::exported);
+    bench.viewer.export_to(QString::fromStdString(bench.path.string()), scene::FileFormat::csv);
     QCOMPARE(done.size(), 1);
     QVERIFY(!done.front().front().toBool());
     QCOMPARE(fs::file_size(bench.path), bytes);
@@ -63,7 +63,7 @@ class ImageFilesTest : public QObject {
     bench.append_rows(16);
     QVERIFY(
         QTest::qWaitFor([&] { return bench.viewer.source()->rows() == 48 && bench.viewer.complete(); }, patience_ms));
-    QCOMPARE(bench.viewer.plot().view(), whole_view(48, 64));
+    QCOMPARE(bench.viewer.plot().view(), gui::whole_view(48, 64));
     QVERIFY(bench.viewer.findChild<QLabel*>("image_info")->text().contains("48 rows"));
   }
 
@@ -105,9 +105,9 @@ class ImageFilesTest : public QObject {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("bad").toStdString();
     std::ofstream(path, std::ios::binary).write(content.data(), content.size());
-    ImageViewer viewer;
+    gui::ImageViewer viewer;
     viewer.show();
-    QSignalSpy failed(&viewer, &ImageViewer::open_failed);
+    QSignalSpy failed(&viewer, &gui::ImageViewer::open_failed);
     viewer.open(path);
     QVERIFY(failed.wait(patience_ms));
     QVERIFY(!viewer.problem_words().isEmpty());
@@ -115,13 +115,13 @@ class ImageFilesTest : public QObject {
     viewer.go_to({0.0, 1.0, 0.0, 1.0});
     viewer.show_whole();
     viewer.read_point_at(0, 0);
-    viewer.export_to(folder.filePath("copy"), FileFormat::csv);
+    viewer.export_to(folder.filePath("copy"), scene::FileFormat::csv);
     QTest::mouseClick(&viewer.plot(), Qt::RightButton, {}, viewer.plot().plot_rect().center());
   }
 
   void a_file_that_is_not_there_is_told_in_words() {
-    ImageViewer viewer;
-    QSignalSpy failed(&viewer, &ImageViewer::open_failed);
+    gui::ImageViewer viewer;
+    QSignalSpy failed(&viewer, &gui::ImageViewer::open_failed);
     viewer.open("/no/such/file.bin");
     QVERIFY(failed.wait(patience_ms));
     QVERIFY(!viewer.problem_words().isEmpty());
@@ -135,7 +135,7 @@ class ImageFilesTest : public QObject {
     std::error_code refused;
     fs::resize_file(path, std::uintmax_t{40} << 30U, refused);
     if (refused) QSKIP("the disk holds no sparse file of 40 GB");
-    ImageViewer viewer;
+    gui::ImageViewer viewer;
     viewer.resize(1000, 700);
     viewer.show();
     QElapsedTimer clock;
@@ -144,7 +144,7 @@ class ImageFilesTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return viewer.plot().part() != nullptr; }, patience_ms));
     QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     viewer.go_to({0.0, 2000.0, 0.0, 2000.0});
-    ImagePlot& plot = viewer.plot();
+    gui::ImagePlot& plot = viewer.plot();
     QPoint at = plot.plot_rect().center();
     QTest::mousePress(&plot, Qt::MiddleButton, {}, at);
     constexpr int frames = 60;
@@ -168,9 +168,9 @@ class ImageFilesTest : public QObject {
   void closing_while_everything_is_under_way_is_harmless() {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
+    write_samples(path, scene::FileFormat::npy);
     for (int i = 0; i < 10; ++i) {
-      auto viewer = std::make_unique<ImageViewer>();
+      auto viewer = std::make_unique<gui::ImageViewer>();
       viewer->show();
       viewer->open(path);
       QTest::qWait(7 * i);

@@ -46,9 +46,10 @@ inline std::complex<double> sample(std::size_t row, std::size_t column) {
 }
 
 /// Writes `count` rows of `width` samples of whole numbers as a recording.
-inline void write_samples(const fs::path& path, const SinkOptions& options, std::size_t count, std::size_t width,
+inline void write_samples(const fs::path& path, const raster::SinkOptions& options, std::size_t count,
+                          std::size_t width,
                           const std::function<std::complex<double>(std::size_t row, std::size_t column)>& value) {
-  Product product;
+  simulate::Product product;
   product.radar = "radar";
   product.rows = count;
   product.columns = width;
@@ -58,7 +59,7 @@ inline void write_samples(const fs::path& path, const SinkOptions& options, std:
   product.row_time_s = [](std::size_t row) { return 1e-3 * static_cast<double>(row); };
   product.row_carrier_hz = [](std::size_t) { return 1e10; };
   product.column_range_m = [](std::size_t column) { return 1000.0 + static_cast<double>(column); };
-  const auto sink = make_sink(path, product, options);
+  const auto sink = raster::make_sink(path, product, options);
   std::vector<std::complex<double>> volts;
   std::vector<std::int64_t> counts;
   for (std::size_t i = 0; i < count; ++i)
@@ -67,13 +68,13 @@ inline void write_samples(const fs::path& path, const SinkOptions& options, std:
       counts.push_back(std::llround(volts.back().real()));
       counts.push_back(std::llround(volts.back().imag()));
     }
-  Block block{0, count, width, {}, {}};
+  simulate::Block block{0, count, width, {}, {}};
   if (sink->wants_counts())
     block.counts = counts;
   else
     block.volts = volts;
   sink->append(sink->encode(block), 0, count);
-  RunReport report;
+  simulate::RunReport report;
   report.rows = count;
   report.columns = width;
   report.lsb_v = 1.0;
@@ -81,8 +82,8 @@ inline void write_samples(const fs::path& path, const SinkOptions& options, std:
 }
 
 /// The point in its plain, as counts.
-inline void write_samples(const fs::path& path, FileFormat format, std::size_t count = rows) {
-  SinkOptions options;
+inline void write_samples(const fs::path& path, scene::FileFormat format, std::size_t count = rows) {
+  raster::SinkOptions options;
   options.format = format;
   options.counts = true;
   write_samples(path, options, count, columns, sample);
@@ -91,25 +92,26 @@ inline void write_samples(const fs::path& path, FileFormat format, std::size_t c
 /// Rows of a test's data: every format of samples, as an int in the column "format".
 inline void add_formats() {
   QTest::addColumn<int>("format");
-  for (const auto& [name, format] : {std::pair{"ascii", FileFormat::ascii}, std::pair{"binary", FileFormat::binary},
-                                     std::pair{"bracket", FileFormat::bracket}, std::pair{"hdf5", FileFormat::hdf5},
-                                     std::pair{"csv", FileFormat::csv}, std::pair{"npy", FileFormat::npy}})
+  for (const auto& [name, format] :
+       {std::pair{"ascii", scene::FileFormat::ascii}, std::pair{"binary", scene::FileFormat::binary},
+        std::pair{"bracket", scene::FileFormat::bracket}, std::pair{"hdf5", scene::FileFormat::hdf5},
+        std::pair{"csv", scene::FileFormat::csv}, std::pair{"npy", scene::FileFormat::npy}})
     QTest::newRow(name) << static_cast<int>(format);
 }
 
 /// How a BINARY file of them is to be read.
-inline ImageHints binary_hints() {
-  ImageHints hints;
-  hints.samples.format = FileFormat::binary;
+inline raster::ImageHints binary_hints() {
+  raster::ImageHints hints;
+  hints.samples.format = scene::FileFormat::binary;
   hints.samples.columns = columns;
   hints.samples.bits = 12;
   return hints;
 }
 
 /// How a file of pairs of floats is to be read.
-inline ImageHints float_layout(std::size_t width) {
-  ImageHints hints;
-  hints.raw = RawLayout{.width = width, .number = RawNumber::float32};
+inline raster::ImageHints float_layout(std::size_t width) {
+  raster::ImageHints hints;
+  hints.raw = raster::RawLayout{.width = width, .number = raster::RawNumber::float32};
   return hints;
 }
 
@@ -123,26 +125,26 @@ inline void append_floats(const fs::path& path, std::size_t count) {
 }
 
 /// Shows a viewer and lets it open a file.
-inline void open_in(ImageViewer& viewer, const fs::path& path, const ImageHints& hints = {}) {
+inline void open_in(gui::ImageViewer& viewer, const fs::path& path, const raster::ImageHints& hints = {}) {
   viewer.resize(1000, 700);
   viewer.show();
   viewer.open(path, hints);
 }
 
-inline bool wait_until_open(ImageViewer& viewer) {
+inline bool wait_until_open(gui::ImageViewer& viewer) {
   return QTest::qWaitFor([&] { return viewer.source() != nullptr && viewer.source()->indexed() >= 1.0; }, patience_ms);
 }
 
-inline bool wait_for_picture(ImageViewer& viewer) {
+inline bool wait_for_picture(gui::ImageViewer& viewer) {
   return QTest::qWaitFor([&] { return viewer.complete() && viewer.plot().part() != nullptr; }, patience_ms);
 }
 
 /// A folder with a file in it that a viewer shows.
 struct Bench {
-  explicit Bench(FileFormat format = FileFormat::npy) {
+  explicit Bench(scene::FileFormat format = scene::FileFormat::npy) {
     path = folder.filePath("data.file").toStdString();
     write_samples(path, format);
-    open_in(viewer, path, format == FileFormat::binary ? binary_hints() : ImageHints());
+    open_in(viewer, path, format == scene::FileFormat::binary ? binary_hints() : raster::ImageHints());
     shown = wait_until_open(viewer) && wait_for_picture(viewer);
   }
   QPoint at(double across, double down) {
@@ -153,7 +155,7 @@ struct Bench {
     return viewer.plot().pixel_of({static_cast<double>(column), static_cast<double>(row)}).toPoint();
   }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
-    ImagePlot& plot = viewer.plot();
+    gui::ImagePlot& plot = viewer.plot();
     QTest::mousePress(&plot, button, keys, from);
     for (int step = 1; step <= 4; ++step) {
       const QPoint place = from + (to - from) * step / 4;
@@ -166,7 +168,7 @@ struct Bench {
 
   QTemporaryDir folder;
   fs::path path;
-  ImageViewer viewer;
+  gui::ImageViewer viewer;
   bool shown = false;
 };
 
@@ -191,7 +193,7 @@ struct FloatBench {
 
   QTemporaryDir folder;
   fs::path path;
-  ImageViewer viewer;
+  gui::ImageViewer viewer;
   bool shown = false;
 };
 

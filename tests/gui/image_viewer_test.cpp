@@ -33,17 +33,17 @@ class ImageViewerTest : public QObject {
     QFETCH(int, format);
     QTemporaryDir folder;
     const fs::path path = folder.filePath("data.file").toStdString();
-    write_samples(path, static_cast<FileFormat>(format));
-    ImageViewer viewer;
+    write_samples(path, static_cast<scene::FileFormat>(format));
+    gui::ImageViewer viewer;
     viewer.resize(1000, 700);
     viewer.show();
-    ImageHints hints = binary_hints();
-    hints.samples.format = static_cast<FileFormat>(format);
+    raster::ImageHints hints = binary_hints();
+    hints.samples.format = static_cast<scene::FileFormat>(format);
     viewer.open(path, hints);
     QVERIFY2(wait_until_open(viewer), qPrintable(viewer.problem_words()));
     QVERIFY(
         QTest::qWaitFor([&] { return viewer.complete() && viewer.plot().part()->window.rows == rows; }, patience_ms));
-    const ImagePart& part = *viewer.plot().part();
+    const gui::ImagePart& part = *viewer.plot().part();
     QCOMPARE(part.window.cols, columns);
     QCOMPARE(part.samples[*part.nearest(point_column, point_row)], sample(point_row, point_column));
     QVERIFY(viewer.findChild<QLabel*>("image_info")->text().contains("120 rows of 100 samples"));
@@ -53,16 +53,16 @@ class ImageViewerTest : public QObject {
     QTemporaryDir folder;
     const fs::path grey = folder.filePath("grey.ras").toStdString();
     const fs::path colour = folder.filePath("colour.ras").toStdString();
-    write_sun_raster(grey, 2, 2, std::vector<std::uint8_t>{0, 255, 100, 50});
-    write_sun_raster(colour, 2, 2, std::vector<Rgb>{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {9, 8, 7}});
-    ImageViewer viewer;
+    raster::write_sun_raster(grey, 2, 2, std::vector<std::uint8_t>{0, 255, 100, 50});
+    raster::write_sun_raster(colour, 2, 2, std::vector<raster::Rgb>{{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {9, 8, 7}});
+    gui::ImageViewer viewer;
     open_in(viewer, grey);
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
     const QImage greys = viewer.plot().painted().image;
     QVERIFY(qRed(greys.pixel(0, 0)) < qRed(greys.pixel(1, 1)));
     QVERIFY(qRed(greys.pixel(1, 1)) < qRed(greys.pixel(0, 1)));
     QVERIFY(qRed(greys.pixel(0, 1)) < qRed(greys.pixel(1, 0)));
-    ImageViewer other;
+    gui::ImageViewer other;
     open_in(other, colour);
     QVERIFY(wait_until_open(other) && wait_for_picture(other));
     QCOMPARE(other.plot().painted().image.pixel(0, 1), qRgb(0, 0, 255));
@@ -79,10 +79,10 @@ class ImageViewerTest : public QObject {
   void a_drawn_rectangle_is_zoomed_to_and_backspace_goes_back() {
     Bench bench;
     QVERIFY(bench.shown);
-    const ImageView all = bench.viewer.plot().view();
-    QCOMPARE(all, whole_view(rows, columns));
+    const gui::ImageView all = bench.viewer.plot().view();
+    QCOMPARE(all, gui::whole_view(rows, columns));
     bench.drag(bench.at(0.25, 0.5), bench.at(0.75, 1.0));
-    const ImageView zoomed = bench.viewer.plot().view();
+    const gui::ImageView zoomed = bench.viewer.plot().view();
     QVERIFY(std::abs(zoomed.column_first - (0.25 * columns - 0.5)) < 1.0);
     QVERIFY(std::abs(zoomed.column_last - (0.75 * columns - 0.5)) < 1.0);
     QVERIFY(std::abs(zoomed.row_first - (0.5 * rows - 0.5)) < 1.0);
@@ -99,7 +99,7 @@ class ImageViewerTest : public QObject {
     Bench bench;
     bench.viewer.go_to({20.0, 40.0, 30.0, 50.0});
     QTest::mouseClick(&bench.viewer.plot(), Qt::RightButton, {}, bench.at(0.5, 0.5));
-    const ImageView more = bench.viewer.plot().view();
+    const gui::ImageView more = bench.viewer.plot().view();
     QVERIFY(std::abs(more.columns() - 40.0) < 1e-9);
     QVERIFY(std::abs(more.rows() - 40.0) < 1e-9);
   }
@@ -107,11 +107,11 @@ class ImageViewerTest : public QObject {
   void the_wheel_keeps_the_place_below_the_pointer() {
     Bench bench;
     const QPoint at = bench.at(0.3, 0.6);
-    const SamplePlace before = bench.viewer.plot().place_at(at);
+    const gui::SamplePlace before = bench.viewer.plot().place_at(at);
     QWheelEvent turn(at, bench.viewer.plot().mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(&bench.viewer.plot(), &turn);
-    const SamplePlace after = bench.viewer.plot().place_at(at);
+    const gui::SamplePlace after = bench.viewer.plot().place_at(at);
     QVERIFY(bench.viewer.plot().view().columns() < 0.7 * columns);
     QVERIFY(std::abs(after.column - before.column) < 1e-6 && std::abs(after.row - before.row) < 1e-6);
   }
@@ -134,7 +134,7 @@ class ImageViewerTest : public QObject {
     Bench bench;
     const auto part = bench.viewer.plot().part();
     const QImage before = bench.viewer.plot().painted().image;
-    PartLook look = bench.viewer.look();
+    gui::PartLook look = bench.viewer.look();
     look.inverted = true;
     bench.viewer.set_look(look);
     QVERIFY(wait_for_picture(bench.viewer));
@@ -145,7 +145,7 @@ class ImageViewerTest : public QObject {
   void limits_set_by_hand_begin_with_the_present_ones_and_refuse_nonsense() {
     Bench bench;
     auto* const limits = bench.viewer.findChild<QComboBox*>("image_limits");
-    const ColourLimits present = bench.viewer.plot().painted().colours.limits;
+    const picture::ColourLimits present = bench.viewer.plot().painted().colours.limits;
     limits->setCurrentIndex(2);
     emit limits->activated(2);
     // To six digits, as they are shown.
@@ -165,7 +165,7 @@ class ImageViewerTest : public QObject {
   }
 
   void the_read_out_names_the_sample_below_the_pointer() {
-    Bench bench(FileFormat::hdf5);
+    Bench bench(scene::FileFormat::hdf5);
     QVERIFY(bench.shown);
     QTest::mouseMove(&bench.viewer.plot(), bench.at_sample(point_row, point_column));
     QMouseEvent move(QEvent::MouseMove, bench.at_sample(point_row, point_column), QPointF(), Qt::NoButton, Qt::NoButton,
@@ -183,8 +183,8 @@ class ImageViewerTest : public QObject {
     QVERIFY2(bench.words("image_difference").contains("5 samples   10 rows"),
              qPrintable(bench.words("image_difference")));
     bench.viewer.findChild<QToolButton*>("image_show_cuts")->click();
-    auto* const row = bench.viewer.findChild<FigurePlot*>("image_row_cut");
-    auto* const column = bench.viewer.findChild<FigurePlot*>("image_column_cut");
+    auto* const row = bench.viewer.findChild<gui::FigurePlot*>("image_row_cut");
+    auto* const column = bench.viewer.findChild<gui::FigurePlot*>("image_column_cut");
     QVERIFY(row->isVisibleTo(&bench.viewer) && column->isVisibleTo(&bench.viewer));
     QCOMPARE(row->figure().panels.at(0).title, std::string("Row 70"));
     QCOMPARE(column->figure().panels.at(0).title, std::string("Sample 40"));
@@ -198,10 +198,10 @@ class ImageViewerTest : public QObject {
     bench.drag(bench.at_sample(65, 35), bench.at_sample(75, 45), Qt::LeftButton, Qt::ShiftModifier);
     QVERIFY(bench.viewer.plot().selection());
     QVERIFY(QTest::qWaitFor([&] { return bench.viewer.statistics().has_value(); }, patience_ms));
-    const SelectionStatistics& measured = *bench.viewer.statistics();
+    const picture::SelectionStatistics& measured = *bench.viewer.statistics();
     QCOMPARE(measured.samples, std::uint64_t{bench.viewer.plot().selection()->samples()});
     QVERIFY(measured.samples >= 100 && measured.samples <= 144);
-    QCOMPARE(measured[SampleQuantity::real].maximum, 1000.0);
+    QCOMPARE(measured[picture::SampleQuantity::real].maximum, 1000.0);
     QVERIFY(bench.viewer.findChild<QWidget*>("image_histogram")->isVisibleTo(&bench.viewer));
     QVERIFY(bench.words("image_statistics").contains("Selection:"));
     bench.viewer.plot().set_selection(std::nullopt);
@@ -213,7 +213,7 @@ class ImageViewerTest : public QObject {
     bench.viewer.findChild<QToolButton*>("image_reading_tool")->click();
     QTest::mouseClick(&bench.viewer.plot(), Qt::LeftButton, {}, bench.at_sample(point_row + 1, point_column - 1));
     QVERIFY(QTest::qWaitFor([&] { return bench.viewer.reading().has_value(); }, patience_ms));
-    const PointReading& reading = *bench.viewer.reading();
+    const picture::PointReading& reading = *bench.viewer.reading();
     QVERIFY(std::abs(reading.row - point_row) < 0.05);
     QVERIFY(std::abs(reading.column - point_column) < 0.05);
     // A sin(x)/x is 0.886 wide, here over 0.9; to the rounding of the counts.
@@ -227,7 +227,7 @@ class ImageViewerTest : public QObject {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("zeros.raw").toStdString();
     std::ofstream(path, std::ios::binary) << std::string(64 * 64 * 8, '\0');
-    ImageViewer viewer;
+    gui::ImageViewer viewer;
     open_in(viewer, path, float_layout(64));
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
     viewer.read_point_at(10, 10);
@@ -240,7 +240,7 @@ class ImageViewerTest : public QObject {
     Bench bench;
     bench.viewer.go_to({20.0, 60.0, 30.0, 90.0});
     QVERIFY(wait_for_picture(bench.viewer));
-    const Figure figure = bench.viewer.figure();
+    const picture::Figure figure = bench.viewer.figure();
     QCOMPARE(figure.panels.size(), std::size_t{1});
     QCOMPARE(figure.panels[0].x.first, 20.0);
     QCOMPARE(figure.panels[0].y.last, 30.0);
@@ -251,12 +251,12 @@ class ImageViewerTest : public QObject {
 
   void the_thumbnail_shows_the_whole_and_leads_the_view() {
     Bench bench;
-    auto* const thumbnail = bench.viewer.findChild<ImageThumbnail*>();
+    auto* const thumbnail = bench.viewer.findChild<gui::ImageThumbnail*>();
     QVERIFY(QTest::qWaitFor([&] { return !thumbnail->picture().isNull(); }, patience_ms));
     bench.viewer.go_to({20.0, 60.0, 30.0, 90.0});
     QVERIFY(thumbnail->mark().width() < 0.5 * thumbnail->width());
     QTest::mouseClick(thumbnail, Qt::LeftButton, {}, thumbnail->rect().center());
-    const ImageView view = bench.viewer.plot().view();
+    const gui::ImageView view = bench.viewer.plot().view();
     QVERIFY(std::abs((view.column_first + view.column_last) / 2.0 - (columns - 1) / 2.0) < 2.0);
     QVERIFY(std::abs(view.rows() - 60.0) < 1e-9);
   }

@@ -30,12 +30,12 @@ class ImageViewersTest : public QObject {
   void linked_viewers_move_together() {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
-    MainWindow main;
-    ImageViewer* const one = main.image_viewers().open_file(path);
-    ImageViewer* const two = main.image_viewers().open_file(path);
+    write_samples(path, scene::FileFormat::npy);
+    gui::MainWindow main;
+    gui::ImageViewer* const one = main.image_viewers().open_file(path);
+    gui::ImageViewer* const two = main.image_viewers().open_file(path);
     QVERIFY(wait_until_open(*one) && wait_until_open(*two));
-    for (ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
+    for (gui::ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
     one->go_to({20.0, 60.0, 30.0, 90.0});
     QCOMPARE(two->plot().view().column_first, 20.0);
     QCOMPARE(two->plot().view().column_last, 60.0);
@@ -45,13 +45,13 @@ class ImageViewersTest : public QObject {
   void the_menu_asks_which_file_and_opens_it() {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("a.npy").toStdString();
-    write_samples(path, FileFormat::npy);
-    MainWindow main;
+    write_samples(path, scene::FileFormat::npy);
+    gui::MainWindow main;
     main.show();
     auto* const action = main.findChild<QAction*>("display_output");
     QVERIFY(action->isEnabled());
     action->trigger();
-    auto* const dialog = main.findChild<OpenImageDialog*>();
+    auto* const dialog = main.findChild<gui::OpenImageDialog*>();
     QVERIFY(dialog != nullptr);
     dialog->show_file(QString::fromStdString(path.string()), {});
     QVERIFY(QTest::qWaitFor([&] { return dialog->has_preview(); }, patience_ms));
@@ -64,20 +64,20 @@ class ImageViewersTest : public QObject {
   void an_image_with_its_header_beside_it_is_opened() {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("focused.img").toStdString();
-    EnviHeader header;
+    raster::EnviHeader header;
     header.samples = 30;
     header.lines = 20;
-    EnviWriter writer(path, header, false);
+    raster::EnviWriter writer(path, header, false);
     for (float row = 0.0F; row < 20.0F; row += 1.0F) writer.append(std::vector<std::complex<float>>(30, {row, 1.0F}));
     writer.finish();
-    MainWindow main;
+    gui::MainWindow main;
     QVERIFY(main.open_any(QString::fromStdString(path.string())));
     QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
-    ImageViewer& viewer = *main.image_viewers().viewers()[0];
+    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
     QVERIFY(wait_until_open(viewer));
     QCOMPARE(viewer.plot().view().rows(), 20.0);
     QCOMPARE(viewer.plot().view().columns(), 30.0);
-    OpenImageDialog dialog;
+    gui::OpenImageDialog dialog;
     dialog.show_file(QString::fromStdString(path.string()), {});
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
     QVERIFY(dialog.hints().raw.has_value());
@@ -95,12 +95,12 @@ class ImageViewersTest : public QObject {
         file.write(reinterpret_cast<const char*>(&value), sizeof value);
       }
     file.close();
-    OpenImageDialog dialog;
+    gui::OpenImageDialog dialog;
     dialog.show();
     dialog.show_file(QString::fromStdString(path.string()), {});
     QTRY_VERIFY_WITH_TIMEOUT(dialog.hints().raw.has_value(), patience_ms);
     QVERIFY(!dialog.guesses().empty());
-    QCOMPARE(dialog.hints().raw->number, RawNumber::float32);
+    QCOMPARE(dialog.hints().raw->number, raster::RawNumber::float32);
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
     auto* const width = dialog.findChild<QLineEdit*>("open_image_width");
     width->selectAll();
@@ -114,14 +114,14 @@ class ImageViewersTest : public QObject {
     QTemporaryDir folder;
     const fs::path text = folder.filePath("no_ending").toStdString();
     std::ofstream(text) << "$PLATFORM\n";
-    QVERIFY(!is_data_file(text));
-    QVERIFY(!is_data_file("a.scr"));
-    QVERIFY(is_data_file("a.H5"));
+    QVERIFY(!gui::is_data_file(text));
+    QVERIFY(!gui::is_data_file("a.scr"));
+    QVERIFY(gui::is_data_file("a.H5"));
     const fs::path bytes = folder.filePath("bytes").toStdString();
     std::ofstream(bytes, std::ios::binary).write("ab\0cd", 5);
-    QVERIFY(is_data_file(bytes));
-    MainWindow main;
-    write_samples(folder.filePath("a.npy").toStdString(), FileFormat::npy);
+    QVERIFY(gui::is_data_file(bytes));
+    gui::MainWindow main;
+    write_samples(folder.filePath("a.npy").toStdString(), scene::FileFormat::npy);
     QVERIFY(main.open_any(folder.filePath("a.npy")));
     QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
   }

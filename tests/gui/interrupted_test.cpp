@@ -30,10 +30,10 @@ namespace fs = std::filesystem;
 constexpr int patience_ms = 20'000;
 
 // Its recording takes minutes.
-Scene slow_scene() {
-  Scene scene = test::many_targets(2000);
-  for (Target& target : scene.targets) target.position_m.x += 1000.0;
-  Simulation& simulation = scene.simulations.emplace_back();
+scene::Scene slow_scene() {
+  scene::Scene scene = test::many_targets(2000);
+  for (scene::Target& target : scene.targets) target.position_m.x += 1000.0;
+  scene::Simulation& simulation = scene.simulations.emplace_back();
   simulation.radar = "Radar1";
   simulation.range_end_m = 20e3;
   simulation.time_end_s = 100.0;
@@ -51,8 +51,8 @@ class Bench {
     panel.show();
     panel.scene().fit();
   }
-  [[nodiscard]] QPoint place_of(ObjectId id) {
-    for (const Snapshot::Target& target : panel.scene().snapshot().targets)
+  [[nodiscard]] QPoint place_of(scene::ObjectId id) {
+    for (const picture::Snapshot::Target& target : panel.scene().snapshot().targets)
       if (target.id == id) {
         const auto point = panel.scene().camera().project(target.position_world_m);
         return (QPointF(point->x, point->y) / panel.scene().pixel_scale()).toPoint();
@@ -66,16 +66,16 @@ class Bench {
     QCoreApplication::sendEvent(&panel.scene(), &event);
   }
   // Takes hold of a target and moves it some way.
-  QPoint take_hold(ObjectId id) {
+  QPoint take_hold(scene::ObjectId id) {
     const QPoint from = place_of(id);
     mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
     mouse(QEvent::MouseMove, from + QPoint(20, 20), Qt::LeftButton);
     return from + QPoint(20, 20);
   }
-  [[nodiscard]] Vec3 position(std::size_t index) const { return session.scene().targets.at(index).position_m; }
+  [[nodiscard]] core::Vec3 position(std::size_t index) const { return session.scene().targets.at(index).position_m; }
 
-  Session session;
-  ScenePanel panel{session};
+  gui::Session session;
+  gui::ScenePanel panel{session};
 };
 
 // A workbench with a script from a folder.
@@ -89,11 +89,11 @@ struct Files {
     };
     main.show();
   }
-  void write(const Scene& scene) const { std::ofstream(path) << write_script(scene); }
+  void write(const scene::Scene& scene) const { std::ofstream(path) << scene::write_script(scene); }
 
   QTemporaryDir folder;
   fs::path path;
-  MainWindow main;
+  gui::MainWindow main;
   int questions = 0;
   bool read_again = false;
 };
@@ -114,7 +114,7 @@ class InterruptedTest : public QObject {
 
   void a_drag_moves_a_target() {
     Bench bench;
-    const Vec3 before = bench.position(1);
+    const core::Vec3 before = bench.position(1);
     const QPoint at = bench.take_hold(test::target(1));
     QVERIFY(bench.position(1) != before);
     bench.mouse(QEvent::MouseButtonRelease, at, Qt::NoButton);
@@ -122,7 +122,7 @@ class InterruptedTest : public QObject {
 
   void undoing_a_new_target_ends_the_drag_of_it() {
     Bench bench;
-    bench.session.perform(add_object(bench.session.scene(), Target()));
+    bench.session.perform(scene::add_object(bench.session.scene(), scene::Target()));
     const std::size_t count = bench.session.scene().targets.size();
     const QPoint at = bench.take_hold(test::target(count - 1));
     for (int i = 0; i < 3; ++i) bench.session.undo();
@@ -134,7 +134,7 @@ class InterruptedTest : public QObject {
 
   void undoing_a_drag_ends_it() {
     Bench bench;
-    const Vec3 before = bench.position(1);
+    const core::Vec3 before = bench.position(1);
     const QPoint at = bench.take_hold(test::target(1));
     bench.session.undo();
     QVERIFY(bench.position(1) == before);
@@ -146,7 +146,7 @@ class InterruptedTest : public QObject {
     Bench bench;
     const QPoint at = bench.take_hold(test::target(1));
     test::open(bench.session, test::small_scene());
-    const Vec3 before = bench.position(1);
+    const core::Vec3 before = bench.position(1);
     bench.mouse(QEvent::MouseMove, at + QPoint(10, 0), Qt::LeftButton);
     QVERIFY(bench.position(1) == before);
   }
@@ -154,8 +154,8 @@ class InterruptedTest : public QObject {
   void a_drag_whose_release_was_lost_ends_with_the_next_movement() {
     Bench bench;
     const QPoint at = bench.take_hold(test::target(1));
-    const Vec3 dragged = bench.position(1);
-    QSignalSpy ended(&bench.panel.scene(), &SceneWidget::drag_ended);
+    const core::Vec3 dragged = bench.position(1);
+    QSignalSpy ended(&bench.panel.scene(), &gui::SceneWidget::drag_ended);
     bench.mouse(QEvent::MouseMove, at + QPoint(50, 0), Qt::NoButton);
     QCOMPARE(ended.size(), 1);
     QVERIFY(bench.position(1) == dragged);
@@ -166,8 +166,8 @@ class InterruptedTest : public QObject {
   void a_press_after_a_lost_release_begins_anew() {
     Bench bench;
     bench.take_hold(test::target(1));
-    QSignalSpy ended(&bench.panel.scene(), &SceneWidget::drag_ended);
-    QSignalSpy clicked(&bench.panel.scene(), &SceneWidget::selection_clicked);
+    QSignalSpy ended(&bench.panel.scene(), &gui::SceneWidget::drag_ended);
+    QSignalSpy clicked(&bench.panel.scene(), &gui::SceneWidget::selection_clicked);
     const QPoint other = bench.place_of(test::target(0));
     bench.mouse(QEvent::MouseButtonPress, other, Qt::LeftButton);
     QCOMPARE(ended.size(), 1);
@@ -178,7 +178,7 @@ class InterruptedTest : public QObject {
   // --- Keys -------------------------------------------------------------------------------------------------------
 
   void the_keys_of_new_objects_work_while_the_scene_has_the_keyboard() {
-    MainWindow main;
+    gui::MainWindow main;
     main.show();
     QVERIFY(QTest::qWaitForWindowActive(&main));
     main.scene().scene().setFocus();
@@ -193,10 +193,10 @@ class InterruptedTest : public QObject {
     Bench bench;
     bench.panel.scene().setFocus();
     QTest::keyClick(&bench.panel.scene(), Qt::Key_1);
-    const Camera above = preset(bench.panel.scene().camera(), ViewPreset::top);
+    const picture::Camera above = picture::preset(bench.panel.scene().camera(), picture::ViewPreset::top);
     QCOMPARE(bench.panel.scene().camera().elevation_rad, above.elevation_rad);
     QTest::keyClick(&bench.panel.scene(), Qt::Key_2);
-    const Camera front = preset(bench.panel.scene().camera(), ViewPreset::front);
+    const picture::Camera front = picture::preset(bench.panel.scene().camera(), picture::ViewPreset::front);
     QCOMPARE(bench.panel.scene().camera().elevation_rad, front.elevation_rad);
   }
 
@@ -207,7 +207,7 @@ class InterruptedTest : public QObject {
     QVERIFY(files.main.documents().open_file(QString::fromStdString(files.path.string())));
     files.main.documents().look_at_disk();
     QCOMPARE(files.questions, 0);
-    Scene scene = test::small_scene();
+    scene::Scene scene = test::small_scene();
     scene.targets.emplace_back();
     files.write(scene);
     for (int i = 0; i < 2; ++i) files.main.documents().look_at_disk();
@@ -226,10 +226,10 @@ class InterruptedTest : public QObject {
 
   void closing_asks_about_the_document_before_it_ends_any_work() {
     Files files;
-    SaveQueue& queue = files.main.saver().queue();
+    gui::SaveQueue& queue = files.main.saver().queue();
     queue.add({slow_scene(), 0, files.path.parent_path() / "slow.bin", false});
-    files.main.session().perform(add_object(files.main.session().scene(), Target()));
-    auto answer = DocumentKeeper::Answer::cancel;
+    files.main.session().perform(scene::add_object(files.main.session().scene(), scene::Target()));
+    auto answer = gui::DocumentKeeper::Answer::cancel;
     files.main.documents().ask_unsaved = [&] { return answer; };
     int asked = 0;
     bool end = false;
@@ -240,7 +240,7 @@ class InterruptedTest : public QObject {
     QVERIFY(!files.main.close());
     QCOMPARE(asked, 0);
     QVERIFY(queue.busy());
-    answer = DocumentKeeper::Answer::discard;
+    answer = gui::DocumentKeeper::Answer::discard;
     QVERIFY(!files.main.close());
     QCOMPARE(asked, 1);
     QVERIFY(queue.busy());
@@ -253,11 +253,11 @@ class InterruptedTest : public QObject {
 
   void closing_asks_about_the_run_of_a_stored_simulation() {
     Files files;
-    files.main.session().take(Document::from_text(write_script(slow_scene())));
+    files.main.session().take(scene::Document::from_text(scene::write_script(slow_scene())));
     QVERIFY(files.main.work_under_way().isEmpty());
-    auto* const stored = files.main.findChild<StoredSimulations*>();
+    auto* const stored = files.main.findChild<gui::StoredSimulations*>();
     stored->run_panel().set_patience_s(1e9);
-    stored->run_into({ObjectKind::simulation, 0}, files.path.parent_path() / "slow.bin", false);
+    stored->run_into({scene::ObjectKind::simulation, 0}, files.path.parent_path() / "slow.bin", false);
     QVERIFY(stored->run_panel().running());
     QCOMPARE(files.main.work_under_way().size(), 1);
     bool end = false;

@@ -41,7 +41,7 @@ struct Bench {
   }
   [[nodiscard]] double x() { return window.session().scene().targets[0].position_m.x; }
 
-  MainWindow window;
+  gui::MainWindow window;
 };
 
 // Letters that Alt takes to a widget of a window, each with the texts that claim it.
@@ -76,22 +76,22 @@ class KeysTest : public QObject {
     Bench bench;
     bench.window.scene().scene().setFocus();
     bench.press(Qt::Key_F6);
-    QVERIFY(bench.keyboard_in<StoredSimulations>());  // and not in the script, which lies behind it
+    QVERIFY(bench.keyboard_in<gui::StoredSimulations>());  // and not in the script, which lies behind it
     bench.press(Qt::Key_F6);
-    QVERIFY(bench.keyboard_in<PropertyPanel>());
+    QVERIFY(bench.keyboard_in<gui::PropertyPanel>());
     bench.press(Qt::Key_F6);
-    QVERIFY(bench.keyboard_in<ObjectTree>());
+    QVERIFY(bench.keyboard_in<gui::ObjectTree>());
     bench.press(Qt::Key_F6);
     QVERIFY(bench.window.scene().scene().hasFocus());
     bench.press(Qt::Key_F6, Qt::ShiftModifier);
-    QVERIFY(bench.keyboard_in<ObjectTree>());
+    QVERIFY(bench.keyboard_in<gui::ObjectTree>());
   }
 
   void delete_in_the_scene_deletes_the_selected_objects_in_one_step() {
     Bench bench;
-    const Scene before = bench.window.session().scene();
+    const scene::Scene before = bench.window.session().scene();
     bench.window.scene().scene().setFocus();
-    bench.window.session().select({{ObjectKind::target, 0}, {ObjectKind::target, 2}});
+    bench.window.session().select({{scene::ObjectKind::target, 0}, {scene::ObjectKind::target, 2}});
     bench.press(Qt::Key_Delete);
     QCOMPARE(bench.window.session().scene().targets.size(), before.targets.size() - 2);
     QVERIFY(bench.window.session().scene().targets[0] == before.targets[1]);
@@ -105,7 +105,7 @@ class KeysTest : public QObject {
     QVERIFY(letters_of(bench.window).contains("Alt+F"));  // of a menu
     QVERIFY(letters_of(bench.window).contains("Alt+N"));  // of a button
     QStringList clashes;
-    for (const QString& name : MainWindow::window_names()) {
+    for (const QString& name : gui::MainWindow::window_names()) {
       QWidget* window = bench.window.window_named(name)->window();
       window->show();
       QCoreApplication::processEvents();
@@ -120,25 +120,25 @@ class KeysTest : public QObject {
     auto* menu = bench.window.findChild<QMenu*>("edit_functions");
     QVERIFY(!menu->isEnabled());
     std::size_t moving = 0;
-    const std::vector<Platform>& platforms = bench.window.session().scene().platforms;
-    while (moving < platforms.size() && platforms[moving].path != Platform::Path::trajectory) ++moving;
+    const std::vector<scene::Platform>& platforms = bench.window.session().scene().platforms;
+    while (moving < platforms.size() && platforms[moving].path != scene::Platform::Path::trajectory) ++moving;
     QVERIFY(moving < platforms.size());
-    bench.window.session().select_only({ObjectKind::platform, moving});
+    bench.window.session().select_only({scene::ObjectKind::platform, moving});
     QVERIFY(menu->isEnabled());
     QCOMPARE(menu->actions().size(), qsizetype{1});
     menu->actions()[0]->trigger();
-    auto* editor = bench.window.findChild<FunctionEditor*>();
+    auto* editor = bench.window.findChild<gui::FunctionEditor*>();
     QVERIFY(editor != nullptr && editor->isVisible());
     editor->reject();
-    bench.window.session().select_only({ObjectKind::target, 0});
+    bench.window.session().select_only({scene::ObjectKind::target, 0});
     QVERIFY(!menu->isEnabled());
   }
 
   void undo_in_a_field_is_of_its_typing_first_and_of_the_scene_then() {
     Bench bench;
     const double before = bench.x();
-    bench.window.session().select_only({ObjectKind::target, 0});
-    auto* field = bench.window.findChild<PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
+    bench.window.session().select_only({scene::ObjectKind::target, 0});
+    auto* field = bench.window.findChild<gui::PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
     const QString shown = field->text();
     field->setFocus();
     field->selectAll();

@@ -17,7 +17,7 @@ class MainWindowTest : public QObject {
   Q_OBJECT
 
  private:
-  static void trigger(MainWindow& window, const char* name) {
+  static void trigger(gui::MainWindow& window, const char* name) {
     auto* action = window.findChild<QAction*>(name);
     QVERIFY2(action != nullptr, name);
     action->trigger();
@@ -32,7 +32,7 @@ class MainWindowTest : public QObject {
   }
 
   void menus_carry_the_words_of_the_thesis() {
-    MainWindow window;
+    gui::MainWindow window;
     for (const char* name : {"file_new",
                              "file_open",
                              "file_save",
@@ -58,7 +58,7 @@ class MainWindowTest : public QObject {
   }
 
   void an_example_opens_and_a_new_target_is_one_step_of_undo() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
     const std::size_t targets = window.session().scene().targets.size();
     const std::string text = window.session().document().text();
@@ -73,67 +73,67 @@ class MainWindowTest : public QObject {
   }
 
   void a_target_that_is_dragged_moves_in_the_script_as_one_step() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
-    SceneWidget& view = window.scene().scene();
-    const ObjectId id{ObjectKind::target, 0};
-    const Vec3 before = window.session().scene().targets[0].position_m;
+    gui::SceneWidget& view = window.scene().scene();
+    const scene::ObjectId id{scene::ObjectKind::target, 0};
+    const core::Vec3 before = window.session().scene().targets[0].position_m;
     emit view.drag_started(id);
     for (int i = 1; i <= 5; ++i) emit view.dragged_to(id, {1.0 * i, 0.0, 2.0 * i});
     emit view.drag_ended();
     QCOMPARE(window.session().scene().targets[0].position_m.x, before.x + 5.0);
     QCOMPARE(window.session().scene().targets[0].position_m.z, before.z + 10.0);
-    QVERIFY(read_script(window.session().document().text(), "x.scr", {}).scene == window.session().scene());
+    QVERIFY(scene::read_script(window.session().document().text(), "x.scr", {}).scene == window.session().scene());
     trigger(window, "edit_undo");
     QVERIFY(window.session().scene().targets[0].position_m == before);
   }
 
   void closing_asks_before_changes_are_lost() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
     trigger(window, "new_target");
     int asked = 0;
-    auto answer = DocumentKeeper::Answer::cancel;
+    auto answer = gui::DocumentKeeper::Answer::cancel;
     window.documents().ask_unsaved = [&] { return ++asked, answer; };
     QVERIFY(!window.close());
     QCOMPARE(asked, 1);
-    answer = DocumentKeeper::Answer::discard;
+    answer = gui::DocumentKeeper::Answer::discard;
     QVERIFY(window.close());
     QCOMPARE(asked, 2);
   }
 
   void a_saved_scene_reads_back_equal() {
     QTemporaryDir folder;
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
     trigger(window, "new_target");
     const QString path = folder.filePath("saved.scr");
     QVERIFY(window.documents().save_to(path));
     QVERIFY(!window.isWindowModified());
-    QVERIFY(read_script_file(path.toStdString()).scene == window.session().scene());
+    QVERIFY(scene::read_script_file(path.toStdString()).scene == window.session().scene());
   }
 
   void the_picture_of_a_simulation_is_the_stored_one_that_is_selected() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
-    const Simulation stored = window.session().scene().simulations.at(0);
-    window.session().select_only({ObjectKind::simulation, 0});
-    auto* shown = qobject_cast<SimulationWindow*>(window.window_named("simulation"));
+    const scene::Simulation stored = window.session().scene().simulations.at(0);
+    window.session().select_only({scene::ObjectKind::simulation, 0});
+    auto* shown = qobject_cast<gui::SimulationWindow*>(window.window_named("simulation"));
     QVERIFY(shown != nullptr);
     QCOMPARE(shown->simulation().range_start_m, stored.range_start_m);
     QCOMPARE(shown->simulation().time_start_s, stored.time_start_s);
     QCOMPARE(shown->simulation().time_end_s, stored.time_end_s);
     window.session().select({});
-    auto* made = qobject_cast<SimulationWindow*>(window.window_named("simulation"));
+    auto* made = qobject_cast<gui::SimulationWindow*>(window.window_named("simulation"));
     QVERIFY(made != nullptr);
     QVERIFY(made->simulation().time_start_s != stored.time_start_s);
   }
 
   void every_window_can_be_made_into_a_picture() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));
     window.show();
-    for (const QString& name : MainWindow::window_names()) {
+    for (const QString& name : gui::MainWindow::window_names()) {
       QWidget* shown = window.window_named(name);
       QVERIFY2(shown != nullptr, qPrintable(name));
       QVERIFY2(!shown->grab().isNull(), qPrintable(name));

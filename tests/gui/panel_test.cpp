@@ -21,14 +21,15 @@
 namespace sarsim {
 namespace {
 
-const std::vector<ObjectKind> all_kinds{ObjectKind::platform, ObjectKind::target,     ObjectKind::surface,
-                                        ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
+const std::vector<scene::ObjectKind> all_kinds{scene::ObjectKind::platform,   scene::ObjectKind::target,
+                                               scene::ObjectKind::surface,    scene::ObjectKind::radar,
+                                               scene::ObjectKind::simulation, scene::ObjectKind::geometry};
 
 // A session with the small scene and a panel that shows it.
 struct Bench {
   Bench() { start(test::small_scene()); }
-  explicit Bench(const Scene& scene) { start(scene); }
-  void start(const Scene& scene) {
+  explicit Bench(const scene::Scene& scene) { start(scene); }
+  void start(const scene::Scene& scene) {
     test::open(session, scene);
     panel.resize(400, 900);
     panel.show();
@@ -39,7 +40,7 @@ struct Bench {
   }
   [[nodiscard]] QLineEdit* line(const std::string& id) const { return qobject_cast<QLineEdit*>(field(id)); }
   [[nodiscard]] QString problem(const std::string& id) const {
-    return panel.findChild<ProblemLine*>(QString::fromStdString("problem_" + id))->text();
+    return panel.findChild<gui::ProblemLine*>(QString::fromStdString("problem_" + id))->text();
   }
   [[nodiscard]] QString title() const { return panel.findChild<QLabel*>("panel_title")->text(); }
   // As a user does: marks everything, types, presses Enter.
@@ -50,26 +51,27 @@ struct Bench {
     QTest::keyClicks(edit, text);
     if (enter) QTest::keyClick(edit, Qt::Key_Return);
   }
-  [[nodiscard]] const Radar& radar() const { return session.scene().radars.front(); }
+  [[nodiscard]] const scene::Radar& radar() const { return session.scene().radars.front(); }
 
-  Session session;
-  PropertyPanel panel{session};
+  gui::Session session;
+  gui::PropertyPanel panel{session};
 };
 
 // Objects of a kind among which every field means something: the first one and all that its choices lead to.
-std::vector<AnyObject> variants(const AnyObject& first) {
-  std::vector<AnyObject> found{first};
+std::vector<scene::AnyObject> variants(const scene::AnyObject& first) {
+  std::vector<scene::AnyObject> found{first};
   for (std::size_t i = 0; i < found.size() && found.size() < 200; ++i)
-    for (const Field& field : fields_of(kind_of(first))) {
+    for (const scene::Field& field : scene::fields_of(scene::kind_of(first))) {
       std::vector<std::string> values = field.choices;
-      if (field.kind == FieldKind::check) values = {"yes", "no"};
+      if (field.kind == scene::FieldKind::check) values = {"yes", "no"};
       for (const std::string& value : values) {
-        AnyObject other = found[i];
-        if (!field_applies(other, field.id) || !set_field(other, field.id, value).empty()) continue;
+        scene::AnyObject other = found[i];
+        if (!scene::field_applies(other, field.id) || !scene::set_field(other, field.id, value).empty()) continue;
         // One choice away from the first is enough, but what a choice opens may hold another one.
-        const bool opens = std::ranges::any_of(fields_of(kind_of(first)), [&](const Field& f) {
-          return std::ranges::none_of(found, [&](const AnyObject& o) { return field_applies(o, f.id); }) &&
-                 field_applies(other, f.id);
+        const bool opens = std::ranges::any_of(scene::fields_of(scene::kind_of(first)), [&](const scene::Field& f) {
+          return std::ranges::none_of(found,
+                                      [&](const scene::AnyObject& o) { return scene::field_applies(o, f.id); }) &&
+                 scene::field_applies(other, f.id);
         });
         if (opens) found.push_back(other);
       }
@@ -77,27 +79,29 @@ std::vector<AnyObject> variants(const AnyObject& first) {
   return found;
 }
 
-const std::vector<std::string>& typed_values(Quantity quantity) {
-  static const std::map<Quantity, std::vector<std::string>> values{
-      {Quantity::number, {"0.25", "2"}},  {Quantity::length, {"3.25 km"}}, {Quantity::time, {"0.3 us"}},
-      {Quantity::frequency, {"75 MHz"}},  {Quantity::angle, {"12.5 deg"}}, {Quantity::angle_rate, {"3 rpm"}},
-      {Quantity::area, {"2.5 m2"}},       {Quantity::power, {"2 kW"}},     {Quantity::ratio_db, {"3 dB"}},
-      {Quantity::temperature, {"290 K"}}, {Quantity::voltage, {"2 mV"}},   {Quantity::count, {"5", "3"}}};
+const std::vector<std::string>& typed_values(scene::Quantity quantity) {
+  static const std::map<scene::Quantity, std::vector<std::string>> values{
+      {scene::Quantity::number, {"0.25", "2"}}, {scene::Quantity::length, {"3.25 km"}},
+      {scene::Quantity::time, {"0.3 us"}},      {scene::Quantity::frequency, {"75 MHz"}},
+      {scene::Quantity::angle, {"12.5 deg"}},   {scene::Quantity::angle_rate, {"3 rpm"}},
+      {scene::Quantity::area, {"2.5 m2"}},      {scene::Quantity::power, {"2 kW"}},
+      {scene::Quantity::ratio_db, {"3 dB"}},    {scene::Quantity::temperature, {"290 K"}},
+      {scene::Quantity::voltage, {"2 mV"}},     {scene::Quantity::count, {"5", "3"}}};
   return values.at(quantity);
 }
 
 // What to enter into a field to give it another value.
 template <class Object>
-std::string another_value(const Object& object, const Field& field) {
+std::string another_value(const Object& object, const scene::Field& field) {
   std::vector<std::string> candidates = field.choices;
-  if (field.kind == FieldKind::quantity) candidates = typed_values(field.quantity);
-  if (field.kind == FieldKind::check) candidates = {"yes", "no"};
-  if (field.kind == FieldKind::text) candidates = {"Another1"};
-  if (field.kind == FieldKind::platform) candidates = {"Ship", "Earth"};
-  if (field.kind == FieldKind::radar) candidates = {"Radar2", "Radar1"};
+  if (field.kind == scene::FieldKind::quantity) candidates = typed_values(field.quantity);
+  if (field.kind == scene::FieldKind::check) candidates = {"yes", "no"};
+  if (field.kind == scene::FieldKind::text) candidates = {"Another1"};
+  if (field.kind == scene::FieldKind::platform) candidates = {"Ship", "Earth"};
+  if (field.kind == scene::FieldKind::radar) candidates = {"Radar2", "Radar1"};
   for (const std::string& text : candidates) {
     Object changed = object;
-    if (set_field(changed, field.id, text).empty() && changed != object) return text;
+    if (scene::set_field(changed, field.id, text).empty() && changed != object) return text;
   }
   return {};
 }
@@ -122,61 +126,62 @@ std::string shown_in(const QWidget* widget) {
   return {};
 }
 
-Scene scene_with(const AnyObject& object) {
-  Scene scene = test::small_scene();
-  switch (kind_of(object)) {
-    case ObjectKind::platform: scene.platforms[1] = std::get<Platform>(object); break;
-    case ObjectKind::target: scene.targets[0] = std::get<Target>(object); break;
-    case ObjectKind::surface: scene.surfaces[0] = std::get<Surface>(object); break;
-    case ObjectKind::radar: scene.radars[1] = std::get<Radar>(object); break;
-    case ObjectKind::simulation: scene.simulations[0] = std::get<Simulation>(object); break;
-    case ObjectKind::geometry: scene.geometries[0] = std::get<GeometryTable>(object); break;
+scene::Scene scene_with(const scene::AnyObject& object) {
+  scene::Scene scene = test::small_scene();
+  switch (scene::kind_of(object)) {
+    case scene::ObjectKind::platform: scene.platforms[1] = std::get<scene::Platform>(object); break;
+    case scene::ObjectKind::target: scene.targets[0] = std::get<scene::Target>(object); break;
+    case scene::ObjectKind::surface: scene.surfaces[0] = std::get<scene::Surface>(object); break;
+    case scene::ObjectKind::radar: scene.radars[1] = std::get<scene::Radar>(object); break;
+    case scene::ObjectKind::simulation: scene.simulations[0] = std::get<scene::Simulation>(object); break;
+    case scene::ObjectKind::geometry: scene.geometries[0] = std::get<scene::GeometryTable>(object); break;
   }
   return scene;
 }
 
-ObjectId place_of(ObjectKind kind) {
-  return {kind, kind == ObjectKind::platform || kind == ObjectKind::radar ? std::size_t{1} : std::size_t{0}};
+scene::ObjectId place_of(scene::ObjectKind kind) {
+  return {kind,
+          kind == scene::ObjectKind::platform || kind == scene::ObjectKind::radar ? std::size_t{1} : std::size_t{0}};
 }
 
 // Gives a field of the object another value through its widget; the scene, the script and undo must agree.
-void round_trip(const AnyObject& object, const Field& field) {
-  const std::string where = std::string(name_of(kind_of(object))) + " " + field.id;
+void round_trip(const scene::AnyObject& object, const scene::Field& field) {
+  const std::string where = std::string(scene::name_of(scene::kind_of(object))) + " " + field.id;
   const Bench bench_object(scene_with(object));
   auto& bench = const_cast<Bench&>(bench_object);
-  const ObjectId id = place_of(kind_of(object));
-  QVERIFY2(object_of(bench.session.scene(), id) == object, where.c_str());
+  const scene::ObjectId id = place_of(scene::kind_of(object));
+  QVERIFY2(scene::object_of(bench.session.scene(), id) == object, where.c_str());
   bench.session.select_only(id);
   QWidget* widget = bench.field(field.id);
   QVERIFY2(widget != nullptr, where.c_str());
   QVERIFY2(bench.panel.focus_field(QString::fromStdString(field.id)), where.c_str());
   QVERIFY2(widget->isVisible(), where.c_str());
   QVERIFY2(!widget->accessibleName().isEmpty() && !widget->toolTip().isEmpty(), where.c_str());
-  if (field.kind == FieldKind::function) {
-    QSignalSpy wanted(&bench.panel, &PropertyPanel::function_requested);
+  if (field.kind == scene::FieldKind::function) {
+    QSignalSpy wanted(&bench.panel, &gui::PropertyPanel::function_requested);
     QTest::qWait(1);
     QTest::mouseClick(widget, Qt::LeftButton);
     QCOMPARE(wanted.size(), 1);
     QCOMPARE(wanted[0][1].toString().toStdString(), field.id);
     return;
   }
-  QCOMPARE(shown_in(widget), field_text(object, field.id));
+  QCOMPARE(shown_in(widget), scene::field_text(object, field.id));
   const std::string value = another_value(object, field);
   QVERIFY2(!value.empty(), where.c_str());
-  const Scene before = bench.session.scene();
+  const scene::Scene before = bench.session.scene();
   const std::string text_before = bench.session.document().text();
-  AnyObject expected = object;
-  QCOMPARE(set_field(expected, field.id, value), std::string());
+  scene::AnyObject expected = object;
+  QCOMPARE(scene::set_field(expected, field.id, value), std::string());
 
   enter(widget, value);
-  QVERIFY2(object_of(bench.session.scene(), id) == expected, where.c_str());
-  QCOMPARE(shown_in(widget), field_text(expected, field.id));
-  const ScriptReading reading = read_script(bench.session.document().text(), "test.scr", {});
+  QVERIFY2(scene::object_of(bench.session.scene(), id) == expected, where.c_str());
+  QCOMPARE(shown_in(widget), scene::field_text(expected, field.id));
+  const scene::ScriptReading reading = scene::read_script(bench.session.document().text(), "test.scr", {});
   QVERIFY2(reading.scene == bench.session.scene(), where.c_str());
   bench.session.undo();
   QVERIFY2(bench.session.scene() == before, where.c_str());
   QCOMPARE(bench.session.document().text(), text_before);
-  QCOMPARE(shown_in(widget), field_text(object, field.id));
+  QCOMPARE(shown_in(widget), scene::field_text(object, field.id));
 }
 
 }  // namespace
@@ -186,11 +191,11 @@ class PanelTest : public QObject {
 
  private slots:
   void every_field_of_every_kind_goes_to_the_script_and_back() {
-    for (const ObjectKind kind : all_kinds) {
-      const std::vector<AnyObject> objects = variants(object_of(test::small_scene(), place_of(kind)));
-      for (const Field& field : fields_of(kind)) {
-        const auto holder =
-            std::ranges::find_if(objects, [&](const AnyObject& object) { return field_applies(object, field.id); });
+    for (const scene::ObjectKind kind : all_kinds) {
+      const std::vector<scene::AnyObject> objects = variants(scene::object_of(test::small_scene(), place_of(kind)));
+      for (const scene::Field& field : scene::fields_of(kind)) {
+        const auto holder = std::ranges::find_if(
+            objects, [&](const scene::AnyObject& object) { return scene::field_applies(object, field.id); });
         QVERIFY2(holder != objects.end(), field.id.c_str());
         round_trip(*holder, field);
         if (QTest::currentTestFailed()) return;
@@ -201,14 +206,14 @@ class PanelTest : public QObject {
   void options_go_to_the_script_and_back() {
     Bench bench;
     QCOMPARE(bench.title(), QString("Options of the script"));
-    for (const Field& field : option_fields()) {
-      const RunOptions before = bench.session.scene().options;
-      RunOptions expected = before;
+    for (const scene::Field& field : scene::option_fields()) {
+      const scene::RunOptions before = bench.session.scene().options;
+      scene::RunOptions expected = before;
       const std::string value = field.id == "tolerance" ? "1e-5" : another_value(before, field);
-      QCOMPARE(set_field(expected, field.id, value), std::string());
+      QCOMPARE(scene::set_field(expected, field.id, value), std::string());
       enter(bench.field(field.id), value);
       QVERIFY2(bench.session.scene().options == expected, field.id.c_str());
-      QVERIFY(read_script(bench.session.document().text(), "test.scr", {}).scene == bench.session.scene());
+      QVERIFY(scene::read_script(bench.session.document().text(), "test.scr", {}).scene == bench.session.scene());
       bench.session.undo();
       QVERIFY2(bench.session.scene().options == before, field.id.c_str());
     }
@@ -228,7 +233,7 @@ class PanelTest : public QObject {
   void a_bad_text_stays_and_is_explained() {
     Bench bench;
     bench.session.select_only(test::radar(0));
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.type("pulse_width_s", "5 kg");
     QVERIFY(bench.session.scene() == before);
     QVERIFY(!bench.session.document().history().can_undo());
@@ -296,21 +301,21 @@ class PanelTest : public QObject {
     QVERIFY(QTest::qWaitForWindowActive(&bench.panel));
     bench.session.select_only(test::target(0));
     bench.type("rcs_m2", "7 m2", false);
-    bench.session.perform(remove_objects(bench.session.scene(), {test::target(0)}));
-    for (const Target& target : bench.session.scene().targets) QCOMPARE(target.rcs_m2, 1.0);
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(0)}));
+    for (const scene::Target& target : bench.session.scene().targets) QCOMPARE(target.rcs_m2, 1.0);
     QCOMPARE(bench.title(), QString("Options of the script"));
   }
 
   void steps_move_the_last_shown_digit() {
-    QCOMPARE(stepped_text("50 MHz", 1), QString("51 MHz"));
-    QCOMPARE(stepped_text("5.66 cm", -1), QString("5.65 cm"));
-    QCOMPARE(stepped_text("0.1", -2), QString("-0.1"));
-    QCOMPARE(stepped_text("-0.05 m", 5), QString("0.00 m"));
-    QCOMPARE(stepped_text("9.9e-7", 1), QString("10.0e-7"));
-    QCOMPARE(stepped_text("123456789012345678", 1), QString("123456789012345679"));
-    QCOMPARE(stepped_text(".5 m", 1), QString("0.6 m"));
-    QCOMPARE(stepped_text("", 1), QString());
-    QCOMPARE(stepped_text("(different)", 1), QString());
+    QCOMPARE(gui::stepped_text("50 MHz", 1), QString("51 MHz"));
+    QCOMPARE(gui::stepped_text("5.66 cm", -1), QString("5.65 cm"));
+    QCOMPARE(gui::stepped_text("0.1", -2), QString("-0.1"));
+    QCOMPARE(gui::stepped_text("-0.05 m", 5), QString("0.00 m"));
+    QCOMPARE(gui::stepped_text("9.9e-7", 1), QString("10.0e-7"));
+    QCOMPARE(gui::stepped_text("123456789012345678", 1), QString("123456789012345679"));
+    QCOMPARE(gui::stepped_text(".5 m", 1), QString("0.6 m"));
+    QCOMPARE(gui::stepped_text("", 1), QString());
+    QCOMPARE(gui::stepped_text("(different)", 1), QString());
   }
 
   void a_run_of_steps_is_one_undo_step_and_keeps_its_unit() {
@@ -355,12 +360,12 @@ class PanelTest : public QObject {
     QCOMPARE(bench.radar().prf_hz, 2000.0);
     // A list that the pointer happens to be over is not changed by scrolling.
     turn(bench.field("pulse"), Qt::NoModifier);
-    QVERIFY(bench.radar().pulse == Radar::Pulse::mono);
+    QVERIFY(bench.radar().pulse == scene::Radar::Pulse::mono);
   }
 
   void a_step_beyond_the_limits_is_not_taken() {
     Bench bench;
-    bench.session.select_only({ObjectKind::simulation, 0});
+    bench.session.select_only({scene::ObjectKind::simulation, 0});
     bench.type("bits", "64");
     QTest::keyClick(bench.line("bits"), Qt::Key_Up);
     QCOMPARE(bench.session.scene().simulations[0].bits, 64);
@@ -379,21 +384,21 @@ class PanelTest : public QObject {
     QCOMPARE(bench.line("position_m.x")->text(), QString());
     QCOMPARE(bench.line("position_m.x")->placeholderText(), QString("(different)"));
     QCOMPARE(qobject_cast<QComboBox*>(bench.field("platform"))->currentIndex(), -1);
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.type("position_m.x", "4 km");
-    for (const Target& target : bench.session.scene().targets) QCOMPARE(target.position_m.x, 4000.0);
+    for (const scene::Target& target : bench.session.scene().targets) QCOMPARE(target.position_m.x, 4000.0);
     QCOMPARE(bench.line("position_m.x")->text(), QString("4 km"));
     bench.session.undo();
     QVERIFY(bench.session.scene() == before);
     QCOMPARE(bench.line("position_m.x")->placeholderText(), QString("(different)"));
     enter(bench.field("platform"), "Ship");
-    for (const Target& target : bench.session.scene().targets) QCOMPARE(target.platform, std::string("Ship"));
+    for (const scene::Target& target : bench.session.scene().targets) QCOMPARE(target.platform, std::string("Ship"));
   }
 
   void a_bad_text_for_several_objects_changes_none() {
     Bench bench;
     bench.session.select({test::target(0), test::target(1)});
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.type("position_m.x", "4 kg");
     QVERIFY(bench.session.scene() == before);
     QCOMPARE(bench.line("position_m.x")->text(), QString("4 kg"));
@@ -403,9 +408,9 @@ class PanelTest : public QObject {
   void an_unsettled_check_box_is_settled_by_a_click() {
     Bench bench;
     bench.session.perform([&] {
-      Radar radar = bench.session.scene().radars[1];
+      scene::Radar radar = bench.session.scene().radars[1];
       radar.same_antenna = false;
-      return replace_object(bench.session.scene(), test::radar(1), radar, "Separate antennas");
+      return scene::replace_object(bench.session.scene(), test::radar(1), radar, "Separate antennas");
     }());
     bench.session.select({test::radar(0), test::radar(1)});
     auto* box = qobject_cast<QCheckBox*>(bench.field("same_antenna"));
@@ -422,7 +427,7 @@ class PanelTest : public QObject {
     QVERIFY(!bench.field("bandwidth_hz")->isVisible());
     enter(bench.field("pulse"), "Chirp");
     QVERIFY(bench.field("bandwidth_hz")->isVisible());
-    QVERIFY(bench.radar().pulse == Radar::Pulse::chirp);
+    QVERIFY(bench.radar().pulse == scene::Radar::Pulse::chirp);
   }
 
   void rare_fields_are_a_level_down_and_stay_unfolded() {
@@ -439,9 +444,9 @@ class PanelTest : public QObject {
   void a_problem_stands_at_its_field_even_if_that_is_folded_away() {
     Bench bench;
     bench.session.select_only(test::target(0));
-    Target target = bench.session.scene().targets[0];
+    scene::Target target = bench.session.scene().targets[0];
     target.rcs_stddev_m2 = -1.0;
-    bench.session.perform(replace_object(bench.session.scene(), test::target(0), target, "Spoil"));
+    bench.session.perform(scene::replace_object(bench.session.scene(), test::target(0), target, "Spoil"));
     QVERIFY2(bench.problem("rcs_stddev_m2").startsWith("Error:"), qPrintable(bench.problem("rcs_stddev_m2")));
     QVERIFY(bench.field("rcs_stddev_m2")->isVisible());
     bench.session.undo();
@@ -450,7 +455,7 @@ class PanelTest : public QObject {
   }
 
   void a_platform_that_does_not_exist_is_shown_and_explained() {
-    Scene scene = test::small_scene();
+    scene::Scene scene = test::small_scene();
     scene.targets[0].platform = "Nowhere";
     Bench bench(scene);
     bench.session.select_only(test::target(0));
@@ -480,10 +485,10 @@ class PanelTest : public QObject {
   }
 
   void a_panel_may_go_while_something_is_typed() {
-    Session session;
+    gui::Session session;
     test::open(session, test::small_scene());
     {
-      PropertyPanel panel(session);
+      gui::PropertyPanel panel(session);
       panel.show();
       QVERIFY(QTest::qWaitForWindowActive(&panel));
       auto* edit = panel.findChild<QLineEdit*>("field_seed");
@@ -499,9 +504,9 @@ class PanelTest : public QObject {
     QLineEdit* edit = bench.line("rcs_m2");
     QVERIFY(QTest::qWaitForWindowActive(&bench.panel));
     bench.type("rcs_m2", "12", false);
-    Target other = bench.session.scene().targets[1];
+    scene::Target other = bench.session.scene().targets[1];
     other.rcs_m2 = 4.0;
-    bench.session.perform(replace_object(bench.session.scene(), test::target(1), other, "Elsewhere"));
+    bench.session.perform(scene::replace_object(bench.session.scene(), test::target(1), other, "Elsewhere"));
     QCOMPARE(bench.line("rcs_m2"), edit);
     QCOMPARE(edit->text(), QString("12"));
     QVERIFY(edit->hasFocus());
@@ -529,14 +534,14 @@ class PanelTest : public QObject {
     int buddies = 0;
     for (const QLabel* label : bench.panel.findChildren<QLabel*>())
       if (label->buddy() != nullptr && label->buddy()->objectName().startsWith("field_")) ++buddies;
-    const auto& fields = fields_of(ObjectKind::target);
-    const auto checks = std::ranges::count(fields, FieldKind::check, &Field::kind);
+    const auto& fields = scene::fields_of(scene::ObjectKind::target);
+    const auto checks = std::ranges::count(fields, scene::FieldKind::check, &scene::Field::kind);
     QCOMPARE(static_cast<std::ptrdiff_t>(buddies), static_cast<std::ptrdiff_t>(fields.size()) - checks);
   }
 
   void thousands_of_targets_can_be_shown_together() {
     Bench bench(test::many_targets(10000));
-    std::set<ObjectId> all;
+    std::set<scene::ObjectId> all;
     for (std::size_t i = 0; i < 10000; ++i) all.insert(test::target(i));
     QElapsedTimer timer;
     timer.start();

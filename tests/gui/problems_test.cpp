@@ -34,8 +34,8 @@ std::string faulty_example() {
   return text.replace(text.find("$TARGET"), 7, "$TARGTX");
 }
 
-Problem problem(Severity severity) {
-  Problem made;
+core::Problem problem(core::Severity severity) {
+  core::Problem made;
   made.severity = severity;
   made.message = "something is wrong";
   return made;
@@ -49,24 +49,24 @@ class ProblemsTest : public QObject {
   QTemporaryDir folder_;
 
   struct Bench {
-    MainWindow window;
+    gui::MainWindow window;
     QPlainTextEdit* log = window.findChild<QPlainTextEdit*>("log_panel");
-    ProblemBadge* badge = window.findChild<ProblemBadge*>("problem_badge");
+    gui::ProblemBadge* badge = window.findChild<gui::ProblemBadge*>("problem_badge");
 
     Bench() { window.show(); }
     [[nodiscard]] qsizetype told(const QString& words) const { return log->toPlainText().count(words); }
     [[nodiscard]] bool clean() const { return badge->isHidden(); }
     // The hand rests until a sound script was looked at once more: first the script, then the echoes.
     void rest() {
-      QSignalSpy looked(window.findChild<ProblemWatch*>(), &ProblemWatch::changed);
+      QSignalSpy looked(window.findChild<gui::ProblemWatch*>(), &gui::ProblemWatch::changed);
       QTRY_VERIFY_WITH_TIMEOUT(looked.count() >= 2, patience_ms);
     }
     void move_window(double by_m) {
-      Simulation moved = window.session().scene().simulations.at(0);
+      scene::Simulation moved = window.session().scene().simulations.at(0);
       moved.range_start_m += by_m;
       moved.range_end_m += by_m;
-      window.session().perform(
-          replace_object(window.session().scene(), {ObjectKind::simulation, 0}, moved, "Move the window"));
+      window.session().perform(scene::replace_object(window.session().scene(), {scene::ObjectKind::simulation, 0},
+                                                     moved, "Move the window"));
     }
   };
 
@@ -84,10 +84,11 @@ class ProblemsTest : public QObject {
   }
 
   void errors_and_warnings_are_counted_and_notes_are_not() {
-    QCOMPARE(problem_counts({}), QString());
-    QCOMPARE(problem_counts({problem(Severity::note)}), QString());
-    QCOMPARE(problem_counts({problem(Severity::warning)}), QString("1 warning"));
-    QCOMPARE(problem_counts({problem(Severity::error), problem(Severity::warning), problem(Severity::warning)}),
+    QCOMPARE(gui::problem_counts({}), QString());
+    QCOMPARE(gui::problem_counts({problem(core::Severity::note)}), QString());
+    QCOMPARE(gui::problem_counts({problem(core::Severity::warning)}), QString("1 warning"));
+    QCOMPARE(gui::problem_counts(
+                 {problem(core::Severity::error), problem(core::Severity::warning), problem(core::Severity::warning)}),
              QString("1 error, 2 warnings"));
   }
 

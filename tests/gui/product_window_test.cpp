@@ -35,7 +35,7 @@ constexpr int patience_ms = 60'000;
 struct Bench {
   explicit Bench(const char* example) {
     main.documents().open_file(QString(SARSIM_SOURCE_DIR "/examples/") + example);
-    window = qobject_cast<ProductWindow*>(main.window_named("products"));
+    window = qobject_cast<gui::ProductWindow*>(main.window_named("products"));
   }
   void choose(const char* box, const QString& words) const {
     auto* const found = window->findChild<QComboBox*>(box);
@@ -44,15 +44,15 @@ struct Bench {
     qFatal("no %s", qPrintable(words));
   }
   [[nodiscard]] bool make() const {
-    QSignalSpy ended(window, &ProductWindow::ended);
+    QSignalSpy ended(window, &gui::ProductWindow::ended);
     window->findChild<QPushButton*>("products_make")->click();
     if (ended.isEmpty() && !ended.wait(patience_ms)) qFatal("the command did not end");
     return ended.front().front().toBool();
   }
-  [[nodiscard]] QString problems() const { return window->findChild<ProblemLine*>("products_problems")->text(); }
+  [[nodiscard]] QString problems() const { return window->findChild<gui::ProblemLine*>("products_problems")->text(); }
 
-  MainWindow main;
-  ProductWindow* window = nullptr;
+  gui::MainWindow main;
+  gui::ProductWindow* window = nullptr;
 };
 
 }  // namespace
@@ -107,7 +107,7 @@ class ProductWindowTest : public QObject {
     QVERIFY(!bench.window->findChild<QPlainTextEdit*>("products_report")->toPlainText().isEmpty());
     const auto viewers = bench.main.image_viewers().viewers();
     QCOMPARE(viewers.size(), std::size_t{1});
-    ImageViewer& viewer = *viewers.front();
+    gui::ImageViewer& viewer = *viewers.front();
     QVERIFY(QTest::qWaitFor([&] { return viewer.source() != nullptr; }, patience_ms));
     QVERIFY(viewer.source()->rows() > 0 && viewer.source()->columns() > 10);
     const QString file = QString::fromStdString(viewer.path().string());
@@ -131,13 +131,14 @@ class ProductWindowTest : public QObject {
     const QTemporaryDir folder;
     const std::filesystem::path root = folder.path().toStdString();
     for (const char* name : {"scenes", "tmp"}) std::filesystem::create_directory(root / name);
-    Document document = Document::open(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
-    Scene scene = document.scene();
-    scene.radars[0].stc = Radar::Stc::user;
+    scene::Document document = scene::Document::open(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
+    scene::Scene scene = document.scene();
+    scene.radars[0].stc = scene::Radar::Stc::user;
     scene.radars[0].stc_gain.part[0].knots = {{0.0, 1.0}, {1e6, 1.0}};
     scene.radars[0].stc_gain.file = "../gain.dat";
-    std::ofstream(root / "gain.dat") << write_data_file(scene.radars[0].stc_gain.part, function_blocks::stc_gain);
-    std::ofstream(root / "scenes" / "a.scr") << write_script(scene);
+    std::ofstream(root / "gain.dat") << scene::write_data_file(scene.radars[0].stc_gain.part,
+                                                               scene::function_blocks::stc_gain);
+    std::ofstream(root / "scenes" / "a.scr") << scene::write_script(scene);
     std::ofstream(root / "tmp" / "gain.dat") << "precious";
     const QByteArray before = qgetenv("TMPDIR");
     qputenv("TMPDIR", QByteArray::fromStdString((root / "tmp").string()));
@@ -163,7 +164,7 @@ class ProductWindowTest : public QObject {
   void stops_at_once() {
     Bench bench("sar_r.scr");
     bench.choose("products_choice", "back-projection");
-    QSignalSpy ended(bench.window, &ProductWindow::ended);
+    QSignalSpy ended(bench.window, &gui::ProductWindow::ended);
     bench.window->make();
     QVERIFY(bench.window->busy());
     bench.window->findChild<QPushButton*>("products_stop")->click();

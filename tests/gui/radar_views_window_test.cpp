@@ -29,26 +29,26 @@ constexpr int patience_ms = 20'000;
 struct Bench {
   Bench() {
     main.documents().open_file(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
-    window = main.simulation_windows().open_new(Processing::raw);
+    window = main.simulation_windows().open_new(scene::Processing::raw);
     window->resize(900, 600);
     QTest::qWait(50);
     shown = QTest::qWaitFor([&] { return window->complete(); }, patience_ms);
   }
-  RadarViewWindow& open(RadarView kind) const {
-    RadarViewWindow& view = *window->open_radar_view(kind);
+  gui::RadarViewWindow& open(picture::RadarView kind) const {
+    gui::RadarViewWindow& view = *window->open_radar_view(kind);
     if (!wait_for(view)) qFatal("the view was not computed");
     return view;
   }
-  static bool wait_for(RadarViewWindow& view) {
+  static bool wait_for(gui::RadarViewWindow& view) {
     return QTest::qWaitFor([&] { return view.complete(); }, patience_ms);
   }
 
-  MainWindow main;
-  SimulationWindow* window = nullptr;
+  gui::MainWindow main;
+  gui::SimulationWindow* window = nullptr;
   bool shown = false;
 };
 
-double highest(const FigureCurve& curve) { return *std::ranges::max_element(curve.y); }
+double highest(const picture::FigureCurve& curve) { return *std::ranges::max_element(curve.y); }
 
 }  // namespace
 
@@ -67,9 +67,9 @@ class RadarViewsWindowTest : public QObject {
     QMenu* const menu = bench.window->findChild<QToolButton*>("echo_views")->menu();
     QCOMPARE(menu->actions().size(), 4);
     for (QAction* action : menu->actions()) action->trigger();
-    const auto views = bench.window->findChildren<RadarViewWindow*>();
+    const auto views = bench.window->findChildren<gui::RadarViewWindow*>();
     QCOMPARE(views.size(), 4);
-    for (RadarViewWindow* view : views) {
+    for (gui::RadarViewWindow* view : views) {
       QVERIFY(Bench::wait_for(*view));
       QVERIFY2(!view->plot().figure().panels.empty(), qPrintable(view->windowTitle()));
       QVERIFY(view->windowTitle().contains("Radar"));
@@ -78,12 +78,12 @@ class RadarViewsWindowTest : public QObject {
 
   void a_range_profile_begins_at_the_range_of_the_target() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::range_profile);
-    RadarViewChoice choice = view.choice();
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::range_profile);
+    picture::RadarViewChoice choice = view.choice();
     choice.decibels = false;
     view.set_choice(choice);
     QVERIFY(Bench::wait_for(view));
-    const FigureCurve& curve = view.plot().figure().panels.at(0).curves.at(0);
+    const picture::FigureCurve& curve = view.plot().figure().panels.at(0).curves.at(0);
     const double half = 0.5 * highest(curve);
     const auto first = std::ranges::find_if(curve.y, [&](double y) { return y > half; });
     const double range_m = curve.x[static_cast<std::size_t>(first - curve.y.begin())];
@@ -93,12 +93,12 @@ class RadarViewsWindowTest : public QObject {
 
   void a_view_follows_the_scene() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::range_profile);
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::range_profile);
     const double before_db = highest(view.plot().figure().panels.at(0).curves.at(0));
-    Session& session = bench.main.session();
-    Target target = session.scene().targets.at(0);
+    gui::Session& session = bench.main.session();
+    scene::Target target = session.scene().targets.at(0);
     target.rcs_m2 *= 4.0;
-    session.perform(replace_object(session.scene(), {ObjectKind::target, 0}, target, "Change"));
+    session.perform(scene::replace_object(session.scene(), {scene::ObjectKind::target, 0}, target, "Change"));
     QVERIFY(!view.complete());
     QVERIFY(Bench::wait_for(view));
     const double after_db = highest(view.plot().figure().panels.at(0).curves.at(0));
@@ -107,8 +107,8 @@ class RadarViewsWindowTest : public QObject {
 
   void a_view_follows_the_cursor() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::phase_history);
-    bench.window->plot().set_cursor(0, EchoPlot::Cursor{3100.0, 0.004});
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::phase_history);
+    bench.window->plot().set_cursor(0, gui::EchoPlot::Cursor{3100.0, 0.004});
     QVERIFY(!view.complete());
     QVERIFY(Bench::wait_for(view));
     QCOMPARE(view.choice().range_m, 3100.0);
@@ -119,13 +119,13 @@ class RadarViewsWindowTest : public QObject {
 
   void each_view_offers_its_own_choices() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::range_profile);
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::range_profile);
     QVERIFY(view.findChild<QWidget*>("radar_view_mean")->isVisibleTo(&view));
     QVERIFY(!view.findChild<QWidget*>("radar_view_unwrapped")->isVisibleTo(&view));
     auto* const kind = view.findChild<QComboBox*>("radar_view_kind");
     kind->setCurrentIndex(3);
     emit kind->activated(3);
-    QCOMPARE(view.choice().view, RadarView::phase_history);
+    QCOMPARE(view.choice().view, picture::RadarView::phase_history);
     QVERIFY(!view.findChild<QWidget*>("radar_view_mean")->isVisibleTo(&view));
     QVERIFY(view.findChild<QWidget*>("radar_view_unwrapped")->isVisibleTo(&view));
     view.findChild<QSpinBox*>("radar_view_pulses")->setValue(3);
@@ -135,7 +135,7 @@ class RadarViewsWindowTest : public QObject {
 
   void values_go_to_the_clipboard_and_to_a_file() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::spectrum);
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::spectrum);
     view.copy_values();
     const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
     QCOMPARE(static_cast<std::size_t>(lines.size()), view.plot().figure().panels.at(0).curves.at(0).x.size() + 1);
@@ -153,9 +153,9 @@ class RadarViewsWindowTest : public QObject {
 
   void what_stands_in_the_way_is_told_in_words() {
     Bench bench;
-    RadarViewWindow& view = bench.open(RadarView::range_doppler);
-    Session& session = bench.main.session();
-    session.perform(remove_objects(session.scene(), {{ObjectKind::radar, 0}}));
+    gui::RadarViewWindow& view = bench.open(picture::RadarView::range_doppler);
+    gui::Session& session = bench.main.session();
+    session.perform(scene::remove_objects(session.scene(), {{scene::ObjectKind::radar, 0}}));
     QVERIFY(Bench::wait_for(view));
     QVERIFY(view.findChild<QWidget*>("radar_view_problems")->isVisibleTo(&view));
     QVERIFY(view.plot().figure().panels.empty());
@@ -163,7 +163,7 @@ class RadarViewsWindowTest : public QObject {
 
   void a_view_ends_with_its_window() {
     Bench bench;
-    const QPointer<RadarViewWindow> view = &bench.open(RadarView::spectrum);
+    const QPointer<gui::RadarViewWindow> view = &bench.open(picture::RadarView::spectrum);
     bench.window->close();
     QTRY_VERIFY(view.isNull());
   }

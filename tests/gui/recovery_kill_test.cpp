@@ -58,9 +58,9 @@ std::string version(int number) {
   return text + sound_script;
 }
 
-void type_x(MainWindow& window, const QString& x) {
-  window.session().select_only({ObjectKind::target, 0});
-  auto* field = window.findChild<PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
+void type_x(gui::MainWindow& window, const QString& x) {
+  window.session().select_only({scene::ObjectKind::target, 0});
+  auto* field = window.findChild<gui::PropertyPanel*>()->findChild<QLineEdit*>("field_position_m.x");
   field->setFocus();
   field->selectAll();
   QTest::keyClicks(field, x);
@@ -68,7 +68,7 @@ void type_x(MainWindow& window, const QString& x) {
 }
 
 int edit_and_wait(const char* script, const char* x) {
-  MainWindow window;
+  gui::MainWindow window;
   if (!window.documents().open_file(script)) return 1;
   window.show();
   type_x(window, x);
@@ -78,7 +78,7 @@ int edit_and_wait(const char* script, const char* x) {
 }
 
 int write_without_end(const char* script) {
-  MainWindow window;
+  gui::MainWindow window;
   if (!window.documents().open_file(script)) return 1;
   for (int number = 1;; ++number) {
     window.session().type_text(version(number));
@@ -183,7 +183,7 @@ class RecoveryKillTest : public QObject {
   void after_a_kill_the_next_start_offers_the_edit_and_restores_it() {
     leave_behind("a.scr", "1234.5");
     QCOMPARE(text_in(path("a.scr")), std::string(sound_script));
-    MainWindow window;
+    gui::MainWindow window;
     window.show();
     const Answers answers({QMessageBox::Yes});
     window.documents().offer_recovery();
@@ -195,7 +195,7 @@ class RecoveryKillTest : public QObject {
     QVERIFY(window.isWindowModified());
     QCOMPARE(window.session().document().path(), path("a.scr"));
     QCOMPARE(text_in(path("a.scr")), std::string(sound_script));
-    QVERIFY(Recovery::orphans(recovery_folder()).empty());
+    QVERIFY(scene::Recovery::orphans(recovery_folder()).empty());
     window.findChild<QAction*>("file_save")->trigger();
     QVERIFY(text_in(path("a.scr")).find("$TARGET Earth 1234.5 2 3") != std::string::npos);
     QCOMPARE(files_ending(".recovery"), std::size_t{0});
@@ -203,18 +203,18 @@ class RecoveryKillTest : public QObject {
 
   void what_was_recovered_survives_a_kill_before_it_is_saved() {
     leave_behind("a.scr", "1234.5");
-    MainWindow window;
+    gui::MainWindow window;
     const Answers answers({QMessageBox::Yes});
     window.documents().offer_recovery();
     QCOMPARE(files_ending(".recovery"), std::size_t{1});
-    window.documents().ask_unsaved = [] { return DocumentKeeper::Answer::discard; };
+    window.documents().ask_unsaved = [] { return gui::DocumentKeeper::Answer::discard; };
     QVERIFY(window.close());
     QCOMPARE(files_ending(".recovery"), std::size_t{0});
   }
 
   void declined_work_is_not_offered_again_and_postponed_work_is() {
     leave_behind("a.scr", "1234.5");
-    MainWindow window;
+    gui::MainWindow window;
     const Answers answers({QMessageBox::Cancel, QMessageBox::No});
     window.documents().offer_recovery();
     QCOMPARE(window.session().scene().targets.size(), std::size_t{0});
@@ -227,7 +227,7 @@ class RecoveryKillTest : public QObject {
   void work_on_a_file_that_is_gone_is_recovered_without_it() {
     leave_behind("a.scr", "1234.5");
     fs::remove(path("a.scr"));
-    MainWindow window;
+    gui::MainWindow window;
     const Answers answers({QMessageBox::Yes});
     window.documents().offer_recovery();
     QCOMPARE(window.session().scene().targets.at(0).position_m.x, 1234.5);
@@ -253,7 +253,7 @@ class RecoveryKillTest : public QObject {
       victim.kill();
       in_the_middle += files_ending(".part");
       if (const QByteArray last = victim.last_line(); !last.isEmpty()) said = last.toInt();
-      const std::vector<Recovery::Copy> copies = Recovery::orphans(recovery_folder());
+      const std::vector<scene::Recovery::Copy> copies = scene::Recovery::orphans(recovery_folder());
       QCOMPARE(copies.size(), std::size_t{1});
       QVERIFY2(copies[0].text == version(said) || copies[0].text == version(said + 1),
                qPrintable(QString::number(said)));
@@ -275,7 +275,7 @@ class RecoveryKillTest : public QObject {
     }
     std::map<double, fs::path> found;
     for (int start = 0; start < 3; ++start) {
-      MainWindow window;
+      gui::MainWindow window;
       const Answers answers({QMessageBox::Yes});
       window.documents().offer_recovery();
       QCOMPARE(answers.questions.size(), std::size_t{1});
@@ -293,7 +293,7 @@ class RecoveryKillTest : public QObject {
     QCOMPARE(running.line(), QByteArray("edited"));
     QTRY_COMPARE_WITH_TIMEOUT(files_ending(".recovery"), std::size_t{1}, patience_ms);
     leave_behind("b.scr", "222");
-    MainWindow window;
+    gui::MainWindow window;
     const Answers answers({QMessageBox::Yes});
     window.documents().offer_recovery();
     QCOMPARE(window.session().scene().targets.at(0).position_m.x, 222.0);
@@ -304,14 +304,15 @@ class RecoveryKillTest : public QObject {
   }
 
   void whoever_edits_without_a_pause_has_copies_kept_too() {
-    MainWindow window;
+    gui::MainWindow window;
     QVERIFY(window.documents().open_file(file("a.scr")));
     QElapsedTimer timer;
     timer.start();
     for (int i = 0; files_ending(".recovery") == 0 && timer.elapsed() < patience_ms; ++i) {
-      Target target = window.session().scene().targets.at(0);
+      scene::Target target = window.session().scene().targets.at(0);
       target.position_m.y = 10.0 + i;
-      window.session().perform(replace_object(window.session().scene(), {ObjectKind::target, 0}, target, "Move"));
+      window.session().perform(
+          scene::replace_object(window.session().scene(), {scene::ObjectKind::target, 0}, target, "Move"));
       QTest::qWait(100);
     }
     QCOMPARE(files_ending(".recovery"), std::size_t{1});

@@ -38,20 +38,21 @@ namespace fs = std::filesystem;
 constexpr int patience_ms = 60'000;
 
 // What `sarsim run` writes for a stored simulation.
-std::string run_by_hand(const Scene& scene, std::size_t index, const fs::path& path) {
-  const Plan plan = make_plan(scene, index, nullptr, Engine::automatic);
-  const bool with_script = plan.simulation.format == FileFormat::hdf5;
-  const std::unique_ptr<Sink> sink = make_sink(
-      path, product_of(plan, with_script ? write_script(scene) : std::string()), {plan.simulation.format, true});
-  run(plan, resolved_lsb_v(plan, {}), *sink, {});
+std::string run_by_hand(const scene::Scene& scene, std::size_t index, const fs::path& path) {
+  const simulate::Plan plan = simulate::make_plan(scene, index, nullptr, simulate::Engine::automatic);
+  const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+  const std::unique_ptr<simulate::Sink> sink =
+      raster::make_sink(path, simulate::product_of(plan, with_script ? scene::write_script(scene) : std::string()),
+                        {plan.simulation.format, true});
+  simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});
   return file_text(path);
 }
 
 // A recording that takes minutes.
-RunRequest slow_request(const fs::path& file) { return {test::slow_scene(), 0, file, true}; }
+gui::RunRequest slow_request(const fs::path& file) { return {test::slow_scene(), 0, file, true}; }
 
-RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
-  Scene scene = test::small_scene();
+gui::RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
+  scene::Scene scene = test::small_scene();
   scene.simulations[0].range_end_m = 4000.0;
   scene.simulations[0].time_end_s = 0.009;
   scene.simulations[0].lsb_v = lsb_v;
@@ -62,36 +63,37 @@ RunRequest quick_request(const fs::path& file, double lsb_v = 0.0) {
 struct Bench {
   Bench() {
     QSettings().setValue("saving/folder", folder.path());
-    main.session().take(Document::from_text(file_text(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr")));
-    window = main.simulation_windows().open_new(Processing::raw);
+    main.session().take(scene::Document::from_text(file_text(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr")));
+    window = main.simulation_windows().open_new(scene::Processing::raw);
     window->resize(900, 600);
     QTest::qWait(50);
     shown = QTest::qWaitFor([&] { return window->complete(); }, patience_ms);
     window->go_to({2900.0, 3900.0, 0.0, 0.01});
     shown = shown && QTest::qWaitFor([&] { return window->complete(); }, patience_ms);
   }
-  SaveDataDialog* ask() {
+  gui::SaveDataDialog* ask() {
     window->findChild<QPushButton*>("echo_save_data")->click();
-    auto* const dialog = window->findChild<SaveDataDialog*>();
+    auto* const dialog = window->findChild<gui::SaveDataDialog*>();
     dialog->ask_replace = [this](const fs::path&) {
       ++questions;
       return may_replace;
     };
     return dialog;
   }
-  static void type(SaveDataDialog& dialog, const char* field, const QString& text) {
+  static void type(gui::SaveDataDialog& dialog, const char* field, const QString& text) {
     auto* const line = dialog.findChild<QLineEdit*>(field);
     line->setFocus();
     line->selectAll();
     QTest::keyClicks(line, text);
   }
-  static void choose(SaveDataDialog& dialog, const char* field, int index) {
+  static void choose(gui::SaveDataDialog& dialog, const char* field, int index) {
     dialog.findChild<QComboBox*>(field)->setCurrentIndex(index);
   }
-  SaveState wait_for(std::size_t run) {
-    SaveQueue& queue = main.saver().queue();
+  gui::SaveState wait_for(std::size_t run) {
+    gui::SaveQueue& queue = main.saver().queue();
     const auto ended = [&] {
-      return queue.size() > run && queue.state(run) != SaveState::running && queue.state(run) != SaveState::waiting;
+      return queue.size() > run && queue.state(run) != gui::SaveState::running &&
+             queue.state(run) != gui::SaveState::waiting;
     };
     if (!QTest::qWaitFor(ended, patience_ms)) qFatal("the run did not end");
     return queue.state(run);
@@ -102,14 +104,14 @@ struct Bench {
   }
 
   QTemporaryDir folder;
-  MainWindow main;
-  SimulationWindow* window = nullptr;
+  gui::MainWindow main;
+  gui::SimulationWindow* window = nullptr;
   bool shown = false;
   bool may_replace = false;
   int questions = 0;
 };
 
-bool wait_for_end(SaveQueue& queue) {
+bool wait_for_end(gui::SaveQueue& queue) {
   return QTest::qWaitFor([&] { return !queue.busy(); }, patience_ms);
 }
 
@@ -129,7 +131,7 @@ class SaveDataTest : public QObject {
   void the_dialog_proposes_what_the_window_shows() {
     Bench bench;
     QVERIFY(bench.shown);
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     const auto choice = dialog.choice();
     QVERIFY(choice.has_value());
     QCOMPARE(choice->recording.range_start_m, 2900.0);
@@ -144,8 +146,8 @@ class SaveDataTest : public QObject {
 
   void size_and_time_are_told_before() {
     Bench bench;
-    SaveDataDialog& dialog = *bench.ask();
-    QSignalSpy told(&dialog, &SaveDataDialog::forecast_ready);
+    gui::SaveDataDialog& dialog = *bench.ask();
+    QSignalSpy told(&dialog, &gui::SaveDataDialog::forecast_ready);
     Bench::type(dialog, "save_rate", "100 MHz");
     QVERIFY(told.wait(patience_ms));
     // 2 x 100 MHz x 1000 m / c = 667 samples.
@@ -157,7 +159,7 @@ class SaveDataTest : public QObject {
 
   void rate_and_multiple_follow_each_other() {
     Bench bench;
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     const double bandwidth_hz = bench.window->bandwidth_hz();
     Bench::type(dialog, "save_multiple", "0.5");
     QCOMPARE(dialog.choice()->recording.sample_rate_hz, 0.5 * bandwidth_hz);
@@ -171,7 +173,7 @@ class SaveDataTest : public QObject {
 
   void the_extension_follows_the_format() {
     Bench bench;
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     const QStringList expected{"sim1.bin", "sim1.asc", "sim1.csv", "sim1.brk", "sim1.npy", "sim1.h5"};
     for (int i = 0; i < expected.size(); ++i) {
       Bench::choose(dialog, "save_format", i);
@@ -179,12 +181,12 @@ class SaveDataTest : public QObject {
     }
     dialog.ask_file = [&](const QString&) { return bench.folder.filePath("other.csv"); };
     dialog.findChild<QPushButton*>("save_select")->click();
-    QCOMPARE(dialog.choice()->recording.format, FileFormat::csv);
+    QCOMPARE(dialog.choice()->recording.format, scene::FileFormat::csv);
   }
 
   void what_cannot_be_written_is_told_and_not_accepted() {
     Bench bench;
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     Bench::type(dialog, "save_file", "/no/such/folder/x.bin");
     QVERIFY(!dialog.choice().has_value());
     dialog.accept();
@@ -200,15 +202,15 @@ class SaveDataTest : public QObject {
   void the_saved_file_is_that_of_the_stored_simulation() {
     for (const int format : {0, 1, 2, 3, 4, 5}) {
       Bench bench;
-      SaveDataDialog& dialog = *bench.ask();
+      gui::SaveDataDialog& dialog = *bench.ask();
       Bench::choose(dialog, "save_format", format);
       Bench::choose(dialog, "save_target", 2);
       const fs::path file = dialog.choice()->file;
       dialog.accept();
-      QCOMPARE(bench.wait_for(0), SaveState::done);
-      const Scene& scene = bench.main.session().scene();
+      QCOMPARE(bench.wait_for(0), gui::SaveState::done);
+      const scene::Scene& scene = bench.main.session().scene();
       QCOMPARE(QString::fromStdString(scene.simulations.back().file), QString::fromStdString(file.filename().string()));
-      const Scene again = Document::from_text(bench.main.session().document().text()).scene();
+      const scene::Scene again = scene::Document::from_text(bench.main.session().document().text()).scene();
       QVERIFY(again == scene);
       QVERIFY(!file_text(file).empty());
       QVERIFY2(file_text(file) == run_by_hand(again, again.simulations.size() - 1, bench.in_folder("by_hand")),
@@ -220,12 +222,12 @@ class SaveDataTest : public QObject {
     Bench bench;
     const std::string text = bench.main.session().document().text();
     bench.ask()->accept();
-    QCOMPARE(bench.wait_for(0), SaveState::done);
+    QCOMPARE(bench.wait_for(0), gui::SaveState::done);
     QVERIFY(bench.main.session().document().text() == text);
     QCOMPARE(bench.files(), std::size_t{1});
-    QTRY_VERIFY(bench.window->findChild<SaveDataDialog*>() == nullptr);
+    QTRY_VERIFY(bench.window->findChild<gui::SaveDataDialog*>() == nullptr);
     const std::size_t stored = bench.main.session().scene().simulations.size();
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     Bench::choose(dialog, "save_target", 1);
     dialog.accept();
     QCOMPARE(bench.main.session().scene().simulations.size(), stored + 1);
@@ -236,7 +238,7 @@ class SaveDataTest : public QObject {
   void an_existing_file_is_replaced_only_after_a_question() {
     Bench bench;
     std::ofstream(bench.in_folder("old.bin")) << "old";
-    SaveDataDialog& dialog = *bench.ask();
+    gui::SaveDataDialog& dialog = *bench.ask();
     Bench::type(dialog, "save_file", "old.bin");
     dialog.accept();
     QCOMPARE(bench.questions, 1);
@@ -244,7 +246,7 @@ class SaveDataTest : public QObject {
     QCOMPARE(file_text(bench.in_folder("old.bin")), std::string("old"));
     bench.may_replace = true;
     dialog.accept();
-    QCOMPARE(bench.wait_for(0), SaveState::done);
+    QCOMPARE(bench.wait_for(0), gui::SaveState::done);
     QVERIFY(file_text(bench.in_folder("old.bin")) != "old");
   }
 
@@ -252,20 +254,20 @@ class SaveDataTest : public QObject {
     const QTemporaryDir folder;
     const fs::path path = folder.path().toStdString();
     std::ofstream(path / "old.bin") << "old";
-    SaveQueue queue;
+    gui::SaveQueue queue;
     queue.add(slow_request(path / "old.bin"));
     queue.add(slow_request(path / "new.bin"));
     queue.add(quick_request(path / "third.bin"));
     QVERIFY(queue.will_write(path / "new.bin"));
     QTest::qWait(300);
-    QCOMPARE(queue.state(0), SaveState::running);
-    QCOMPARE(queue.state(1), SaveState::waiting);
+    QCOMPARE(queue.state(0), gui::SaveState::running);
+    QCOMPARE(queue.state(1), gui::SaveState::waiting);
     queue.cancel(1);
     queue.cancel(0);
     QVERIFY(wait_for_end(queue));
-    QCOMPARE(queue.state(0), SaveState::cancelled);
-    QCOMPARE(queue.state(1), SaveState::cancelled);
-    QCOMPARE(queue.state(2), SaveState::done);
+    QCOMPARE(queue.state(0), gui::SaveState::cancelled);
+    QCOMPARE(queue.state(1), gui::SaveState::cancelled);
+    QCOMPARE(queue.state(2), gui::SaveState::done);
     QVERIFY(!queue.will_write(path / "new.bin"));
     QCOMPARE(file_text(path / "old.bin"), std::string("old"));
     QCOMPARE(std::distance(fs::directory_iterator(path), {}), std::ptrdiff_t{2});
@@ -274,7 +276,7 @@ class SaveDataTest : public QObject {
   void a_destroyed_queue_leaves_nothing() {
     const QTemporaryDir folder;
     {
-      SaveQueue queue;
+      gui::SaveQueue queue;
       queue.add(slow_request(fs::path(folder.path().toStdString()) / "new.bin"));
       QTest::qWait(200);
     }
@@ -284,7 +286,7 @@ class SaveDataTest : public QObject {
   void clipped_samples_are_told_and_saved_again_with_the_best_lsb() {
     const QTemporaryDir folder;
     const fs::path file = fs::path(folder.path().toStdString()) / "echo.bin";
-    SaveQueue queue;
+    gui::SaveQueue queue;
     queue.add(quick_request(file, 1e-15));
     QVERIFY(wait_for_end(queue));
     QVERIFY(queue.report(0).contains("saturated"));
@@ -295,7 +297,7 @@ class SaveDataTest : public QObject {
     again->click();
     QCOMPARE(queue.size(), std::size_t{2});
     QVERIFY(wait_for_end(queue));
-    QCOMPARE(queue.state(1), SaveState::done);
+    QCOMPARE(queue.state(1), gui::SaveState::done);
     QVERIFY2(queue.report(1).contains("0 % of the samples saturated"), qPrintable(queue.report(1)));
     QVERIFY(file_text(file) != clipped);
     queue.findChild<QPushButton*>("saving_clear")->click();
@@ -304,10 +306,10 @@ class SaveDataTest : public QObject {
 
   void a_run_that_fails_says_why() {
     const QTemporaryDir folder;
-    SaveQueue queue;
+    gui::SaveQueue queue;
     queue.add(quick_request(fs::path(folder.path().toStdString()) / "none" / "echo.bin"));
     QVERIFY(wait_for_end(queue));
-    QCOMPARE(queue.state(0), SaveState::failed);
+    QCOMPARE(queue.state(0), gui::SaveState::failed);
     QVERIFY2(queue.report(0).contains("echo.bin"), qPrintable(queue.report(0)));
   }
 

@@ -13,12 +13,12 @@
 namespace sarsim {
 namespace {
 
-const ObjectId first_target{ObjectKind::target, 0};
-const ObjectId second_target{ObjectKind::target, 1};
-const ObjectId plane{ObjectKind::platform, 0};
+const scene::ObjectId first_target{scene::ObjectKind::target, 0};
+const scene::ObjectId second_target{scene::ObjectKind::target, 1};
+const scene::ObjectId plane{scene::ObjectKind::platform, 0};
 
-Snapshot::Target target_at(std::size_t index, const Vec3& at_m) {
-  return {{ObjectKind::target, index}, at_m, {at_m.x, at_m.y, 0.0}, {}, false};
+picture::Snapshot::Target target_at(std::size_t index, const core::Vec3& at_m) {
+  return {{scene::ObjectKind::target, index}, at_m, {at_m.x, at_m.y, 0.0}, {}, false};
 }
 
 // Two targets and a platform, seen along +y at one device pixel per metre.
@@ -27,20 +27,20 @@ class Bench {
   Bench() {
     widget.resize(400, 300);
     widget.show();
-    Snapshot snapshot;
+    picture::Snapshot snapshot;
     snapshot.targets = {target_at(0, {0, 0, 0}), target_at(1, {100, 0, 50})};
-    Snapshot::Platform platform;
+    picture::Snapshot::Platform platform;
     platform.id = plane;
     platform.name = "Plane";
     platform.pose.position_world_m = {-100, 0, 0};
     snapshot.platforms = {platform};
     widget.set_snapshot(snapshot);
-    Camera camera = preset(Camera{}, ViewPreset::front);
+    picture::Camera camera = picture::preset(picture::Camera{}, picture::ViewPreset::front);
     camera.pixels_per_m = 1.0;
     widget.set_camera(camera);
   }
 
-  [[nodiscard]] QPoint place_of(const Vec3& world_m) const {
+  [[nodiscard]] QPoint place_of(const core::Vec3& world_m) const {
     const auto point = widget.camera().project(world_m);
     return (QPointF(point->x, point->y) / widget.pixel_scale()).toPoint();
   }
@@ -62,12 +62,12 @@ class Bench {
     mouse(QEvent::MouseButtonRelease, at, button, modifiers);
   }
 
-  SceneWidget widget;
+  gui::SceneWidget widget;
 };
 
 bool near(double a, double b, double tolerance = 1e-9) { return std::abs(a - b) <= tolerance; }
 
-constexpr double deg = pi / 180.0;
+constexpr double deg = core::pi / 180.0;
 const QPoint empty_place{30, 30};
 
 }  // namespace
@@ -87,15 +87,15 @@ class SceneWidgetTest : public QObject {
     bench.widget.resize(500, 200);
     QCOMPARE(bench.widget.camera().width_px, 500 * bench.widget.devicePixelRatioF());
     QCOMPARE(bench.widget.camera().height_px, 200 * bench.widget.devicePixelRatioF());
-    bench.widget.set_camera(Camera::start(7, 7));
+    bench.widget.set_camera(picture::Camera::start(7, 7));
     QCOMPARE(bench.widget.camera().width_px, 500 * bench.widget.devicePixelRatioF());
   }
 
   void left_drag_on_empty_space_turns_by_the_thesis_rates() {
     Bench bench;
-    QSignalSpy changed(&bench.widget, &SceneWidget::camera_changed);
+    QSignalSpy changed(&bench.widget, &gui::SceneWidget::camera_changed);
     bench.drag(empty_place, empty_place + QPoint(40, 20), Qt::LeftButton);
-    QVERIFY(near(std::remainder(bench.widget.camera().azimuth_rad - 190 * deg, 2 * pi), 0.0));
+    QVERIFY(near(std::remainder(bench.widget.camera().azimuth_rad - 190 * deg, 2 * core::pi), 0.0));
     QVERIFY(near(bench.widget.camera().elevation_rad, 10 * deg));
     QVERIFY(changed.size() >= 1);
   }
@@ -111,7 +111,7 @@ class SceneWidgetTest : public QObject {
 
   void right_drag_zooms_ten_times_per_200_pixels_upwards() {
     Bench bench;
-    QSignalSpy menu(&bench.widget, &SceneWidget::menu_requested);
+    QSignalSpy menu(&bench.widget, &gui::SceneWidget::menu_requested);
     bench.drag({200, 250}, {200, 50}, Qt::RightButton);
     QVERIFY(near(bench.widget.camera().pixels_per_m, 10.0));
     QCOMPARE(menu.size(), 0);
@@ -120,7 +120,7 @@ class SceneWidgetTest : public QObject {
   void wheel_zooms_at_the_cursor() {
     Bench bench;
     const QPoint at(300, 100);
-    const Vec3 held =
+    const core::Vec3 held =
         bench.widget.camera().unproject(300 * bench.widget.pixel_scale(), 100 * bench.widget.pixel_scale());
     QWheelEvent wheel(at, bench.widget.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&bench.widget, &wheel);
@@ -130,56 +130,56 @@ class SceneWidgetTest : public QObject {
 
   void click_selects_and_control_adds() {
     Bench bench;
-    QSignalSpy selected(&bench.widget, &SceneWidget::selection_clicked);
-    QSignalSpy empty(&bench.widget, &SceneWidget::empty_clicked);
+    QSignalSpy selected(&bench.widget, &gui::SceneWidget::selection_clicked);
+    QSignalSpy empty(&bench.widget, &gui::SceneWidget::empty_clicked);
     bench.click(bench.place_of({100, 0, 50}), Qt::LeftButton);
     bench.click(bench.place_of({}), Qt::LeftButton, Qt::ControlModifier);
     bench.click(empty_place, Qt::LeftButton);
     QCOMPARE(selected.size(), 2);
-    QVERIFY(selected[0][0].value<ObjectId>() == second_target);
+    QVERIFY(selected[0][0].value<scene::ObjectId>() == second_target);
     QCOMPARE(selected[0][1].toBool(), false);
-    QVERIFY(selected[1][0].value<ObjectId>() == first_target);
+    QVERIFY(selected[1][0].value<scene::ObjectId>() == first_target);
     QCOMPARE(selected[1][1].toBool(), true);
     QCOMPARE(empty.size(), 1);
   }
 
   void double_click_edits_once() {
     Bench bench;
-    QSignalSpy edit(&bench.widget, &SceneWidget::edit_requested);
-    QSignalSpy selected(&bench.widget, &SceneWidget::selection_clicked);
+    QSignalSpy edit(&bench.widget, &gui::SceneWidget::edit_requested);
+    QSignalSpy selected(&bench.widget, &gui::SceneWidget::selection_clicked);
     const QPoint at = bench.place_of({});
     bench.click(at, Qt::LeftButton);
     bench.mouse(QEvent::MouseButtonDblClick, at, Qt::LeftButton);
     bench.mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton);
     QCOMPARE(edit.size(), 1);
-    QVERIFY(edit[0][0].value<ObjectId>() == first_target);
+    QVERIFY(edit[0][0].value<scene::ObjectId>() == first_target);
     QCOMPARE(selected.size(), 1);
   }
 
   void right_click_asks_for_a_menu() {
     Bench bench;
-    QSignalSpy menu(&bench.widget, &SceneWidget::menu_requested);
+    QSignalSpy menu(&bench.widget, &gui::SceneWidget::menu_requested);
     const QPoint at = bench.place_of({});
     bench.click(at, Qt::RightButton);
     bench.click(empty_place, Qt::RightButton);
     QCOMPARE(menu.size(), 2);
-    QVERIFY(menu[0][0].value<std::optional<ObjectId>>() == first_target);
+    QVERIFY(menu[0][0].value<std::optional<scene::ObjectId>>() == first_target);
     QCOMPARE(menu[0][1].toPoint(), bench.widget.mapToGlobal(at));
-    QVERIFY(!menu[1][0].value<std::optional<ObjectId>>());
+    QVERIFY(!menu[1][0].value<std::optional<scene::ObjectId>>());
   }
 
   void left_drag_on_a_target_moves_it_in_the_view_plane() {
     Bench bench;
-    QSignalSpy started(&bench.widget, &SceneWidget::drag_started);
-    QSignalSpy moved(&bench.widget, &SceneWidget::dragged_to);
-    QSignalSpy ended(&bench.widget, &SceneWidget::drag_ended);
-    QSignalSpy selected(&bench.widget, &SceneWidget::selection_clicked);
+    QSignalSpy started(&bench.widget, &gui::SceneWidget::drag_started);
+    QSignalSpy moved(&bench.widget, &gui::SceneWidget::dragged_to);
+    QSignalSpy ended(&bench.widget, &gui::SceneWidget::drag_ended);
+    QSignalSpy selected(&bench.widget, &gui::SceneWidget::selection_clicked);
     const double before = bench.widget.camera().azimuth_rad;
     const QPoint at = bench.place_of({});
     bench.drag(at, at + QPoint(60, -20), Qt::LeftButton);
     QCOMPARE(started.size(), 1);
-    QVERIFY(started[0][0].value<ObjectId>() == first_target);
-    const Vec3 delta = moved.last()[1].value<Vec3>();
+    QVERIFY(started[0][0].value<scene::ObjectId>() == first_target);
+    const core::Vec3 delta = moved.last()[1].value<core::Vec3>();
     const double scale = bench.widget.pixel_scale();
     QVERIFY(near(delta.x, 60.0 * scale));
     QCOMPARE(delta.y, 0.0);
@@ -191,11 +191,11 @@ class SceneWidgetTest : public QObject {
 
   void shift_snaps_a_dragged_platform_to_round_coordinates() {
     Bench bench;
-    QSignalSpy moved(&bench.widget, &SceneWidget::dragged_to);
+    QSignalSpy moved(&bench.widget, &gui::SceneWidget::dragged_to);
     const QPoint at = bench.place_of({-100, 0, 0});
     bench.drag(at, at + QPoint(33, -48), Qt::LeftButton, Qt::ShiftModifier);
-    const Vec3 place = Vec3{-100, 0, 0} + moved.last()[1].value<Vec3>();
-    QVERIFY(moved.last()[0].value<ObjectId>() == plane);
+    const core::Vec3 place = core::Vec3{-100, 0, 0} + moved.last()[1].value<core::Vec3>();
+    QVERIFY(moved.last()[0].value<scene::ObjectId>() == plane);
     QVERIFY(near(place.x, -70.0));
     QVERIFY(near(place.z, 50.0));
     QCOMPARE(place.y, 0.0);
@@ -203,15 +203,15 @@ class SceneWidgetTest : public QObject {
 
   void the_world_is_not_moved_by_accident() {
     Bench bench;
-    Snapshot snapshot = bench.widget.snapshot();
+    picture::Snapshot snapshot = bench.widget.snapshot();
     snapshot.platforms[0].name = "Earth";
     bench.widget.set_snapshot(snapshot);
-    QSignalSpy started(&bench.widget, &SceneWidget::drag_started);
+    QSignalSpy started(&bench.widget, &gui::SceneWidget::drag_started);
     const QPoint at = bench.place_of({-100, 0, 0});
     bench.drag(at, at + QPoint(8, 0), Qt::LeftButton);
     QCOMPARE(started.size(), 0);
     bench.drag(at, at + QPoint(-8, 0), Qt::LeftButton);  // turns back
-    DrawingOptions options;
+    picture::DrawingOptions options;
     options.selected = {plane};
     bench.widget.set_options(options);
     bench.drag(at, at + QPoint(20, 0), Qt::LeftButton);
@@ -220,14 +220,14 @@ class SceneWidgetTest : public QObject {
 
   void escape_takes_a_drag_back() {
     Bench bench;
-    QSignalSpy moved(&bench.widget, &SceneWidget::dragged_to);
-    QSignalSpy ended(&bench.widget, &SceneWidget::drag_ended);
+    QSignalSpy moved(&bench.widget, &gui::SceneWidget::dragged_to);
+    QSignalSpy ended(&bench.widget, &gui::SceneWidget::drag_ended);
     const QPoint at = bench.place_of({});
     bench.mouse(QEvent::MouseButtonPress, at, Qt::LeftButton);
     bench.mouse(QEvent::MouseMove, at + QPoint(50, 0), Qt::LeftButton);
     QTest::keyClick(&bench.widget, Qt::Key_Escape);
     bench.mouse(QEvent::MouseButtonRelease, at + QPoint(50, 0), Qt::LeftButton);
-    QVERIFY(moved.last()[1].value<Vec3>() == Vec3{});
+    QVERIFY(moved.last()[1].value<core::Vec3>() == core::Vec3{});
     QCOMPARE(ended.size(), 1);
     const double azimuth = bench.widget.camera().azimuth_rad;
     bench.mouse(QEvent::MouseButtonPress, empty_place, Qt::LeftButton);
@@ -239,15 +239,15 @@ class SceneWidgetTest : public QObject {
 
   void hovering_tells_the_object_once() {
     Bench bench;
-    QSignalSpy hovered(&bench.widget, &SceneWidget::hovered);
+    QSignalSpy hovered(&bench.widget, &gui::SceneWidget::hovered);
     const QPoint at = bench.place_of({});
     bench.mouse(QEvent::MouseMove, at, Qt::NoButton);
     bench.mouse(QEvent::MouseMove, at + QPoint(1, 0), Qt::NoButton);
     QCOMPARE(hovered.size(), 1);
-    QVERIFY(hovered[0][0].value<std::optional<ObjectId>>() == first_target);
+    QVERIFY(hovered[0][0].value<std::optional<scene::ObjectId>>() == first_target);
     QVERIFY(bench.widget.options().hovered == first_target);
     bench.mouse(QEvent::MouseMove, empty_place, Qt::NoButton);
-    QVERIFY(!hovered.last()[0].value<std::optional<ObjectId>>());
+    QVERIFY(!hovered.last()[0].value<std::optional<scene::ObjectId>>());
     bench.mouse(QEvent::MouseMove, at, Qt::NoButton);
     bench.widget.set_snapshot({});
     QVERIFY(!bench.widget.options().hovered);
@@ -255,9 +255,9 @@ class SceneWidgetTest : public QObject {
 
   void keys_turn_zoom_fit_and_look_along_the_axes() {
     Bench bench;
-    const Camera before = bench.widget.camera();
+    const picture::Camera before = bench.widget.camera();
     QTest::keyClick(&bench.widget, Qt::Key_Right);
-    QVERIFY(near(std::remainder(bench.widget.camera().azimuth_rad - before.azimuth_rad, 2 * pi), 5 * deg));
+    QVERIFY(near(std::remainder(bench.widget.camera().azimuth_rad - before.azimuth_rad, 2 * core::pi), 5 * deg));
     QTest::keyClick(&bench.widget, Qt::Key_Down);
     QVERIFY(near(bench.widget.camera().elevation_rad, 5 * deg));
     QTest::keyClick(&bench.widget, Qt::Key_Plus);
@@ -269,7 +269,7 @@ class SceneWidgetTest : public QObject {
     QTest::keyClick(&bench.widget, Qt::Key_2);
     QTest::keyClick(&bench.widget, Qt::Key_Home);
     const QRect inside = bench.widget.rect();
-    for (const Vec3& point : {Vec3{}, Vec3{100, 0, 50}, Vec3{-100, 0, 0}})
+    for (const core::Vec3& point : {core::Vec3{}, core::Vec3{100, 0, 50}, core::Vec3{-100, 0, 0}})
       QVERIFY(inside.contains(bench.place_of(point)));
     QVERIFY(near(bench.widget.camera().focus_world_m.x, 0.0));
     QVERIFY(near(bench.widget.camera().focus_world_m.z, 25.0));
@@ -277,26 +277,26 @@ class SceneWidgetTest : public QObject {
 
   void enter_edits_and_the_menu_key_opens_the_menu_of_the_selected_object() {
     Bench bench;
-    QSignalSpy edit(&bench.widget, &SceneWidget::edit_requested);
-    QSignalSpy menu(&bench.widget, &SceneWidget::menu_requested);
+    QSignalSpy edit(&bench.widget, &gui::SceneWidget::edit_requested);
+    QSignalSpy menu(&bench.widget, &gui::SceneWidget::menu_requested);
     QTest::keyClick(&bench.widget, Qt::Key_Return);
     QCOMPARE(edit.size(), 0);
-    DrawingOptions options;
+    picture::DrawingOptions options;
     options.selected = {second_target};
     bench.widget.set_options(options);
     QTest::keyClick(&bench.widget, Qt::Key_Return);
     QCOMPARE(edit.size(), 1);
     QTest::keyClick(&bench.widget, Qt::Key_Menu);
-    QVERIFY(menu.at(0)[0].value<std::optional<ObjectId>>() == second_target);
+    QVERIFY(menu.at(0)[0].value<std::optional<scene::ObjectId>>() == second_target);
     QCOMPARE(menu[0][1].toPoint(), bench.widget.mapToGlobal(bench.place_of({100, 0, 50})));
   }
 
   void delete_asks_for_it_where_something_is_selected() {
     Bench bench;
-    QSignalSpy wanted(&bench.widget, &SceneWidget::delete_wanted);
+    QSignalSpy wanted(&bench.widget, &gui::SceneWidget::delete_wanted);
     QTest::keyClick(&bench.widget, Qt::Key_Delete);
     QCOMPARE(wanted.size(), 0);
-    DrawingOptions options;
+    picture::DrawingOptions options;
     options.selected = {second_target};
     bench.widget.set_options(options);
     QTest::keyClick(&bench.widget, Qt::Key_Delete);
@@ -308,8 +308,8 @@ class SceneWidgetTest : public QObject {
     for (const bool dark : {false, true}) {
       bench.widget.set_dark(dark);
       const QImage image = bench.widget.grab().toImage();
-      const Rgb ground = colour(Role::background, dark);
-      const Rgb target = colour(Role::target, dark);
+      const raster::Rgb ground = picture::colour(picture::Role::background, dark);
+      const raster::Rgb target = picture::colour(picture::Role::target, dark);
       QCOMPARE(image.pixelColor(40, 40), QColor(ground.red, ground.green, ground.blue));
       const QPointF at = QPointF(bench.place_of({100, 0, 50})) * image.devicePixelRatio();
       const QColor seen = image.pixelColor(at.toPoint());
@@ -325,13 +325,13 @@ class SceneWidgetTest : public QObject {
     bench.widget.resize(1200, 800);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> side(-300.0, 300.0);
-    Snapshot snapshot;
+    picture::Snapshot snapshot;
     for (std::size_t i = 0; i < 10'000; ++i)
       snapshot.targets.push_back(target_at(i, {side(random), side(random), side(random)}));
     bench.widget.set_snapshot(snapshot);
     qint64 best_us = std::numeric_limits<qint64>::max();
     for (int i = 0; i < 5; ++i) {
-      bench.widget.set_camera(turned(bench.widget.camera(), 20.0, 4.0));
+      bench.widget.set_camera(picture::turned(bench.widget.camera(), 20.0, 4.0));
       QElapsedTimer clock;
       clock.start();
       const QPixmap picture = bench.widget.grab();

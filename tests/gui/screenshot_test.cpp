@@ -65,7 +65,7 @@ class ScreenshotTest : public QObject {
  private slots:
   void init() {
     script_ = folder_.filePath("scene.scr");
-    write(script_, QByteArray::fromStdString(write_script(test::small_scene())));
+    write(script_, QByteArray::fromStdString(scene::write_script(test::small_scene())));
   }
 
   void a_picture_is_a_png_file() {

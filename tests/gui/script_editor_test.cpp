@@ -39,7 +39,7 @@ const std::string two_targets =
 // An editor on screen, with the keys of a keyboard.
 struct Bench {
   explicit Bench(const std::string& script = two_targets) {
-    session.take(Document::from_text(script));
+    session.take(scene::Document::from_text(script));
     editor.resize(700, 500);
     editor.show();
     text = &editor.text();
@@ -58,19 +58,19 @@ struct Bench {
     text->setTextCursor(cursor);
     QTest::keyClicks(text, to);
   }
-  void move_target(std::size_t index, const Vec3& position_m) {
-    Target moved = session.scene().targets[index];
+  void move_target(std::size_t index, const core::Vec3& position_m) {
+    scene::Target moved = session.scene().targets[index];
     moved.position_m = position_m;
-    session.perform(replace_object(session.scene(), test::target(index), moved, "Move target"));
+    session.perform(scene::replace_object(session.scene(), test::target(index), moved, "Move target"));
   }
   [[nodiscard]] QString marked(std::size_t mark) const {
     const auto [begin, end] = text->underlined().at(mark);
     return text->script().mid(begin, end - begin);
   }
 
-  Session session;
-  ScriptEditor editor{session};
-  ScriptText* text = nullptr;
+  gui::Session session;
+  gui::ScriptEditor editor{session};
+  gui::ScriptText* text = nullptr;
   QListWidget* problems = nullptr;
 };
 
@@ -112,15 +112,15 @@ class ScriptEditorTest : public QObject {
   }
 
   void an_edit_of_the_scene_keeps_what_is_on_screen() {
-    Scene scene = test::many_targets(300);
-    Bench bench(write_script(scene));
+    scene::Scene scene = test::many_targets(300);
+    Bench bench(scene::write_script(scene));
     QScrollBar* bar = bench.text->verticalScrollBar();
     bar->setValue(1000);
     const QString top = bench.text->cursorForPosition({1, 1}).block().text();
     const int shown = bar->value();
     bench.move_target(299, {1.0, 2.0, 3.0});
     QCOMPARE(bar->value(), shown);
-    bench.session.perform(remove_objects(bench.session.scene(), {test::target(0)}));
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(0)}));
     QCOMPARE(bench.text->cursorForPosition({1, 1}).block().text(), top);
     QCOMPARE(bench.text->script().toStdString(), bench.session.document().text());
   }
@@ -131,13 +131,13 @@ class ScriptEditorTest : public QObject {
     bench.move_target(0, {11.0, 22.0, 33.0});
     QVERIFY(bench.text->script().contains("2500"));
     QTRY_COMPARE_WITH_TIMEOUT(bench.session.scene().targets[1].position_m.x, 2500.0, 10 * pause_ms);
-    QCOMPARE(bench.session.scene().targets[0].position_m, (Vec3{11.0, 22.0, 33.0}));
+    QCOMPARE(bench.session.scene().targets[0].position_m, (core::Vec3{11.0, 22.0, 33.0}));
     QCOMPARE(bench.text->script().toStdString(), bench.session.document().text());
   }
 
   void editor_and_session_do_not_answer_each_other_for_ever() {
     Bench bench;
-    QSignalSpy changes(&bench.session, &Session::text_changed);
+    QSignalSpy changes(&bench.session, &gui::Session::text_changed);
     bench.replace("1000", "1700");
     bench.editor.commit();
     bench.move_target(1, {1.0, 1.0, 1.0});
@@ -218,15 +218,15 @@ class ScriptEditorTest : public QObject {
   }
 
   void parts_of_a_line_are_told_apart() {
-    const std::vector<ScriptSpan> spans = script_spans("$TARGET \"Big ship\", -1.5e3 ISOTROPIC ! 12 RECT");
-    const std::vector<ScriptSpan> expected{{0, 7, ScriptPart::command},
-                                           {8, 10, ScriptPart::name},
-                                           {20, 6, ScriptPart::number},
-                                           {27, 9, ScriptPart::keyword},
-                                           {37, 9, ScriptPart::comment}};
+    const std::vector<gui::ScriptSpan> spans = gui::script_spans("$TARGET \"Big ship\", -1.5e3 ISOTROPIC ! 12 RECT");
+    const std::vector<gui::ScriptSpan> expected{{0, 7, gui::ScriptPart::command},
+                                                {8, 10, gui::ScriptPart::name},
+                                                {20, 6, gui::ScriptPart::number},
+                                                {27, 9, gui::ScriptPart::keyword},
+                                                {37, 9, gui::ScriptPart::comment}};
     QVERIFY(spans == expected);
-    QVERIFY(script_spans("").empty());
-    QVERIFY((script_spans("!all") == std::vector<ScriptSpan>{{0, 4, ScriptPart::comment}}));
+    QVERIFY(gui::script_spans("").empty());
+    QVERIFY((gui::script_spans("!all") == std::vector<gui::ScriptSpan>{{0, 4, gui::ScriptPart::comment}}));
   }
 
   void colours_follow_the_palette() {
@@ -236,14 +236,14 @@ class ScriptEditorTest : public QObject {
       const QTextBlock block = bench.text->document()->findBlockByNumber(1);
       return block.layout()->formats().value(0).format.foreground().color();
     };
-    QCOMPARE(colour_of_command(), colour_of(Role::curve, bench.text->palette()));
+    QCOMPARE(colour_of_command(), gui::colour_of(picture::Role::curve, bench.text->palette()));
     QPalette dark = bench.text->palette();
     dark.setColor(QPalette::Window, QColor(20, 20, 20));
     dark.setColor(QPalette::WindowText, QColor(240, 240, 240));
     bench.text->setPalette(dark);
     QApplication::processEvents();
-    QCOMPARE(colour_of_command(), colour_of(Role::curve, dark));
-    const Rgb light = colour(Role::curve, false);
+    QCOMPARE(colour_of_command(), gui::colour_of(picture::Role::curve, dark));
+    const raster::Rgb light = picture::colour(picture::Role::curve, false);
     QVERIFY(colour_of_command() != QColor(light.red, light.green, light.blue));
   }
 
@@ -288,10 +288,10 @@ class ScriptEditorTest : public QObject {
   }
 
   void a_long_script_is_shown_and_followed_quickly() {
-    Scene scene = test::many_targets(5000);
+    scene::Scene scene = test::many_targets(5000);
     QElapsedTimer timer;
     timer.start();
-    Bench bench(write_script(scene));
+    Bench bench(scene::write_script(scene));
     const qint64 shown = timer.elapsed();
     timer.restart();
     bench.move_target(2500, {1.0, 2.0, 3.0});

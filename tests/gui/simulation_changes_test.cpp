@@ -27,7 +27,7 @@ constexpr int patience_ms = 20'000;
 
 // A workbench with the example of chapter 3 and a window of its echoes, computed.
 struct Bench {
-  explicit Bench(Processing processing = Processing::raw) {
+  explicit Bench(scene::Processing processing = scene::Processing::raw) {
     QSettings().setValue("saving/folder", folder.path());
     main.documents().open_file(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
     window = main.simulation_windows().open_new(processing);
@@ -38,24 +38,24 @@ struct Bench {
   [[nodiscard]] bool wait() const {
     return QTest::qWaitFor([&] { return window->complete() && window->plot().matrix() != nullptr; }, patience_ms);
   }
-  Session& session() { return main.session(); }
+  gui::Session& session() { return main.session(); }
   void rename_radar(const std::string& name) {
-    Radar radar = session().scene().radars[0];
+    scene::Radar radar = session().scene().radars[0];
     radar.name = name;
-    session().perform(replace_object(session().scene(), {ObjectKind::radar, 0}, radar, "Rename radar"));
+    session().perform(scene::replace_object(session().scene(), {scene::ObjectKind::radar, 0}, radar, "Rename radar"));
   }
-  SaveDataDialog& ask() const {
+  gui::SaveDataDialog& ask() const {
     window->findChild<QPushButton*>("echo_save_data")->click();
-    return *window->findChild<SaveDataDialog*>();
+    return *window->findChild<gui::SaveDataDialog*>();
   }
 
   QTemporaryDir folder;
-  MainWindow main;
-  SimulationWindow* window = nullptr;
+  gui::MainWindow main;
+  gui::SimulationWindow* window = nullptr;
   bool computed = false;
 };
 
-void type(SaveDataDialog& dialog, const char* field, const QString& text) {
+void type(gui::SaveDataDialog& dialog, const char* field, const QString& text) {
   auto* const line = dialog.findChild<QLineEdit*>(field);
   line->setFocus();
   line->selectAll();
@@ -77,7 +77,7 @@ class SimulationChangesTest : public QObject {
 
   // The peak, 3 m wide, stands between the samples that are nearest to the pixels.
   void range_compressed_data_show_the_target_of_chapter_3() {
-    Bench bench(Processing::matched_filter);
+    Bench bench(scene::Processing::matched_filter);
     QVERIFY(bench.computed);
     const double highest_v = bench.window->largest_v();
     QVERIFY2(std::abs(highest_v - 4.1e-8) < 0.05e-8, qPrintable(QString::number(highest_v)));
@@ -97,12 +97,12 @@ class SimulationChangesTest : public QObject {
 
   void a_window_follows_its_radar_where_another_one_goes() {
     Bench bench;
-    Radar second;
+    scene::Radar second;
     second.name = "Second";
-    bench.session().perform(add_object(bench.session().scene(), second));
-    bench.session().perform(remove_objects(bench.session().scene(), {{ObjectKind::radar, 1}}));
+    bench.session().perform(scene::add_object(bench.session().scene(), second));
+    bench.session().perform(scene::remove_objects(bench.session().scene(), {{scene::ObjectKind::radar, 1}}));
     QCOMPARE(bench.window->window_state().recording.radar, std::string("Radar1"));
-    bench.session().perform(remove_objects(bench.session().scene(), {{ObjectKind::radar, 0}}));
+    bench.session().perform(scene::remove_objects(bench.session().scene(), {{scene::ObjectKind::radar, 0}}));
     QCOMPARE(bench.window->window_state().recording.radar, std::string("Radar1"));
     bench.session().undo();
     QVERIFY(bench.wait());
@@ -111,9 +111,10 @@ class SimulationChangesTest : public QObject {
   void no_progress_is_shown_of_what_has_failed() {
     Bench bench;
     QVERIFY(bench.computed);
-    Radar radar = bench.session().scene().radars[0];
+    scene::Radar radar = bench.session().scene().radars[0];
     radar.pulse_width_s = -1.0;
-    bench.session().perform(replace_object(bench.session().scene(), {ObjectKind::radar, 0}, radar, "Change radar"));
+    bench.session().perform(
+        scene::replace_object(bench.session().scene(), {scene::ObjectKind::radar, 0}, radar, "Change radar"));
     QTRY_VERIFY_WITH_TIMEOUT(bench.window->findChild<QWidget*>("echo_problems")->isVisible(), patience_ms);
     QTest::qWait(600);  // The bar comes after 300 ms where it comes.
     QVERIFY(!bench.window->findChild<QProgressBar*>("echo_progress")->isVisible());
@@ -123,7 +124,7 @@ class SimulationChangesTest : public QObject {
 
   void the_dialog_makes_room_for_what_it_objects_to() {
     Bench bench;
-    SaveDataDialog& dialog = bench.ask();
+    gui::SaveDataDialog& dialog = bench.ask();
     QTRY_VERIFY(dialog.isVisible());
     type(dialog, "save_rate", "nonsense");
     type(dialog, "save_file", "");
@@ -140,7 +141,7 @@ class SimulationChangesTest : public QObject {
 
   void a_typed_lsb_comes_back_with_its_mode() {
     Bench bench;
-    SaveDataDialog& dialog = bench.ask();
+    gui::SaveDataDialog& dialog = bench.ask();
     auto* const mode = dialog.findChild<QComboBox*>("save_lsb_from");
     mode->setCurrentIndex(2);
     type(dialog, "save_lsb", "0.5 mV");
@@ -157,7 +158,7 @@ class SimulationChangesTest : public QObject {
 
   void an_emptied_lsb_is_told() {
     Bench bench;
-    SaveDataDialog& dialog = bench.ask();
+    gui::SaveDataDialog& dialog = bench.ask();
     dialog.findChild<QComboBox*>("save_lsb_from")->setCurrentIndex(2);
     type(dialog, "save_lsb", "2 mV");
     auto* const line = dialog.findChild<QLineEdit*>("save_lsb");

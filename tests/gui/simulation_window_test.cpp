@@ -24,7 +24,7 @@ namespace {
 
 constexpr int patience_ms = 20'000;
 
-bool wait_for_picture(SimulationWindow& window) {
+bool wait_for_picture(gui::SimulationWindow& window) {
   return QTest::qWaitFor([&] { return window.complete() && window.plot().matrix() != nullptr; }, patience_ms);
 }
 
@@ -32,7 +32,7 @@ bool wait_for_picture(SimulationWindow& window) {
 struct Bench {
   Bench() {
     main.documents().open_file(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
-    window = main.simulation_windows().open_new(Processing::raw);
+    window = main.simulation_windows().open_new(scene::Processing::raw);
     window->resize(900, 600);
     QTest::qWait(50);  // The resize counts before the picture does.
     computed = wait_for_picture(*window);
@@ -44,7 +44,7 @@ struct Bench {
             plot.bottom() - static_cast<int>(up * plot.height())};
   }
   void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton) const {
-    EchoPlot& plot = window->plot();
+    gui::EchoPlot& plot = window->plot();
     QTest::mousePress(&plot, button, {}, from);
     for (int step = 1; step <= 4; ++step) {
       QMouseEvent move(QEvent::MouseMove, from + (to - from) * step / 4,
@@ -55,8 +55,8 @@ struct Bench {
   }
   QString highest() const { return window->findChild<QLabel*>("echo_highest")->text(); }
 
-  MainWindow main;
-  SimulationWindow* window = nullptr;
+  gui::MainWindow main;
+  gui::SimulationWindow* window = nullptr;
   bool computed = false;
 };
 
@@ -72,14 +72,14 @@ class SimulationWindowTest : public QObject {
   }
 
   void the_menu_opens_a_window_that_shows_all_targets() {
-    MainWindow main;
+    gui::MainWindow main;
     main.documents().open_file(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
     main.findChild<QAction*>("simulation_raw")->trigger();
     QCOMPARE(main.simulation_windows().windows().size(), std::size_t{1});
-    SimulationWindow& window = *main.simulation_windows().windows()[0];
+    gui::SimulationWindow& window = *main.simulation_windows().windows()[0];
     QVERIFY(wait_for_picture(window));
     // The target stands at 3 km; two pulse lengths of c Tp/2 = 749.48 m around it.
-    const EchoView view = view_of(window.window_state());
+    const picture::EchoView view = picture::view_of(window.window_state());
     QVERIFY(std::abs(view.range_start_m - (3000.0 - 2 * 749.481145)) < 0.5);
     QVERIFY(std::abs(view.range_end_m - (3000.0 + 2 * 749.481145)) < 0.5);
   }
@@ -94,10 +94,10 @@ class SimulationWindowTest : public QObject {
   void a_change_of_the_scene_changes_the_echoes() {
     Bench bench;
     const QString before = bench.highest();
-    Session& session = bench.main.session();
-    Target target = session.scene().targets.at(0);
+    gui::Session& session = bench.main.session();
+    scene::Target target = session.scene().targets.at(0);
     target.rcs_m2 *= 4.0;  // twice the amplitude
-    session.perform(replace_object(session.scene(), {ObjectKind::target, 0}, target, "Change"));
+    session.perform(scene::replace_object(session.scene(), {scene::ObjectKind::target, 0}, target, "Change"));
     QVERIFY(QTest::qWaitFor([&] { return bench.highest() != before && bench.window->complete(); }, patience_ms));
     QVERIFY2(bench.highest().contains("81.9"), qPrintable(bench.highest()));
   }
@@ -123,25 +123,25 @@ class SimulationWindowTest : public QObject {
 
   void a_drawn_rectangle_is_zoomed_to_and_backspace_goes_back() {
     Bench bench;
-    const EchoView all = view_of(bench.window->window_state());
+    const picture::EchoView all = picture::view_of(bench.window->window_state());
     bench.drag(bench.at(0.25, 0.5), bench.at(0.75, 1.0));
-    const EchoView zoomed = view_of(bench.window->window_state());
+    const picture::EchoView zoomed = picture::view_of(bench.window->window_state());
     const double width = all.range_end_m - all.range_start_m;
     QVERIFY(std::abs(zoomed.range_start_m - (all.range_start_m + 0.25 * width)) < 0.01 * width);
     QVERIFY(std::abs(zoomed.range_end_m - (all.range_start_m + 0.75 * width)) < 0.01 * width);
     QVERIFY(zoomed.time_start_s > all.time_start_s);
     QVERIFY(wait_for_picture(*bench.window));
     QTest::keyClick(&bench.window->plot(), Qt::Key_Backspace);
-    QCOMPARE(view_of(bench.window->window_state()), all);
+    QCOMPARE(picture::view_of(bench.window->window_state()), all);
     bench.window->findChild<QToolButton*>("echo_forward")->click();
-    QCOMPARE(view_of(bench.window->window_state()), zoomed);
+    QCOMPARE(picture::view_of(bench.window->window_state()), zoomed);
   }
 
   void a_right_click_shows_twice_as_much() {
     Bench bench;
-    const EchoView all = view_of(bench.window->window_state());
+    const picture::EchoView all = picture::view_of(bench.window->window_state());
     QTest::mouseClick(&bench.window->plot(), Qt::RightButton, {}, bench.at(0.5, 0.5));
-    const EchoView more = view_of(bench.window->window_state());
+    const picture::EchoView more = picture::view_of(bench.window->window_state());
     const double ratio = (more.range_end_m - more.range_start_m) / (all.range_end_m - all.range_start_m);
     QVERIFY2(std::abs(ratio - 2.0) < 1e-6, qPrintable(QString::number(ratio)));
   }
@@ -149,12 +149,12 @@ class SimulationWindowTest : public QObject {
   void the_wheel_keeps_the_place_below_the_pointer() {
     Bench bench;
     const QPoint at = bench.at(0.3, 0.5);
-    const EchoView all = view_of(bench.window->window_state());
+    const picture::EchoView all = picture::view_of(bench.window->window_state());
     const double before = all.range_start_m + 0.3 * (all.range_end_m - all.range_start_m);
     QWheelEvent turn(at, bench.window->plot().mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
     QApplication::sendEvent(&bench.window->plot(), &turn);
-    const EchoView zoomed = view_of(bench.window->window_state());
+    const picture::EchoView zoomed = picture::view_of(bench.window->window_state());
     const double after = zoomed.range_start_m + 0.3 * (zoomed.range_end_m - zoomed.range_start_m);
     QVERIFY(zoomed.range_end_m - zoomed.range_start_m < 0.7 * (all.range_end_m - all.range_start_m));
     QVERIFY(std::abs(after - before) < 0.005 * (all.range_end_m - all.range_start_m));
@@ -162,9 +162,9 @@ class SimulationWindowTest : public QObject {
 
   void the_middle_button_moves_the_view() {
     Bench bench;
-    const EchoView all = view_of(bench.window->window_state());
+    const picture::EchoView all = picture::view_of(bench.window->window_state());
     bench.drag(bench.at(0.5, 0.5), bench.at(0.6, 0.5), Qt::MiddleButton);
-    const EchoView moved = view_of(bench.window->window_state());
+    const picture::EchoView moved = picture::view_of(bench.window->window_state());
     const double width = all.range_end_m - all.range_start_m;
     QVERIFY(std::abs(all.range_start_m - moved.range_start_m - 0.1 * width) < 0.01 * width);
   }
@@ -177,8 +177,8 @@ class SimulationWindowTest : public QObject {
     emit quantity->activated(4);
     QTest::qWait(50);
     QVERIFY(bench.window->plot().matrix() == matrix);
-    QCOMPARE(bench.window->window_state().quantity, DisplayQuantity::decibels);
-    QCOMPARE(info_of(bench.window->window_state().map).kind, ColourMapKind::sequential);
+    QCOMPARE(bench.window->window_state().quantity, picture::DisplayQuantity::decibels);
+    QCOMPARE(picture::info_of(bench.window->window_state().map).kind, picture::ColourMapKind::sequential);
   }
 
   void typed_limits_take_units_and_refuse_nonsense() {
@@ -188,26 +188,26 @@ class SimulationWindowTest : public QObject {
     from->selectAll();
     QTest::keyClicks(from, "2.9 km");
     QTest::keyClick(from, Qt::Key_Return);
-    QCOMPARE(view_of(bench.window->window_state()).range_start_m, 2900.0);
-    const EchoView before = view_of(bench.window->window_state());
+    QCOMPARE(picture::view_of(bench.window->window_state()).range_start_m, 2900.0);
+    const picture::EchoView before = picture::view_of(bench.window->window_state());
     from->selectAll();
     QTest::keyClicks(from, "far");
     QTest::keyClick(from, Qt::Key_Return);
-    QCOMPARE(view_of(bench.window->window_state()), before);
+    QCOMPARE(picture::view_of(bench.window->window_state()), before);
     QVERIFY(bench.window->findChild<QWidget*>("echo_problem")->isVisibleTo(bench.window));
   }
 
   void linked_windows_move_together() {
     Bench bench;
-    SimulationWindow* const other = bench.main.simulation_windows().open_new(Processing::matched_filter);
+    gui::SimulationWindow* const other = bench.main.simulation_windows().open_new(scene::Processing::matched_filter);
     QVERIFY(wait_for_picture(*other));
-    for (SimulationWindow* window : {bench.window, other})
+    for (gui::SimulationWindow* window : {bench.window, other})
       window->findChild<QAbstractButton*>("echo_link_range")->click();
-    const double time_before = view_of(other->window_state()).time_end_s;
+    const double time_before = picture::view_of(other->window_state()).time_end_s;
     bench.window->go_to({2950.0, 3050.0, 0.0, 0.001});
-    QCOMPARE(view_of(other->window_state()).range_start_m, 2950.0);
-    QCOMPARE(view_of(other->window_state()).range_end_m, 3050.0);
-    QCOMPARE(view_of(other->window_state()).time_end_s, time_before);
+    QCOMPARE(picture::view_of(other->window_state()).range_start_m, 2950.0);
+    QCOMPARE(picture::view_of(other->window_state()).range_end_m, 3050.0);
+    QCOMPARE(picture::view_of(other->window_state()).time_end_s, time_before);
   }
 
   void cursors_tell_their_difference() {
@@ -226,10 +226,11 @@ class SimulationWindowTest : public QObject {
     bench.window->go_to({2900.0, 3900.0, 0.0, 0.01});
     bench.window->store_simulation();
     const std::size_t last = bench.main.session().scene().simulations.size() - 1;
-    SimulationWindow* const again = bench.main.simulation_windows().open_stored({ObjectKind::simulation, last});
+    gui::SimulationWindow* const again =
+        bench.main.simulation_windows().open_stored({scene::ObjectKind::simulation, last});
     QVERIFY(again != nullptr);
     QCOMPARE(again->simulation(), bench.main.session().scene().simulations[last]);
-    QCOMPARE(view_of(again->window_state()), view_of(bench.window->window_state()));
+    QCOMPARE(picture::view_of(again->window_state()), picture::view_of(bench.window->window_state()));
   }
 
   void copied_values_are_the_samples_below_the_cursor() {
@@ -244,9 +245,9 @@ class SimulationWindowTest : public QObject {
 
   void the_figure_to_be_saved_shows_the_same_part() {
     Bench bench;
-    const Figure figure = bench.window->figure();
+    const picture::Figure figure = bench.window->figure();
     QCOMPARE(figure.panels.size(), std::size_t{1});
-    const EchoView view = view_of(bench.window->window_state());
+    const picture::EchoView view = picture::view_of(bench.window->window_state());
     const double pixel =
         (view.range_end_m - view.range_start_m) / static_cast<double>(bench.window->plot().plot_size().width_px);
     QVERIFY(std::abs(figure.panels[0].x.first - view.range_start_m) < pixel);
@@ -255,8 +256,8 @@ class SimulationWindowTest : public QObject {
 
   void a_scene_that_loses_its_radar_is_told_in_words() {
     Bench bench;
-    Session& session = bench.main.session();
-    session.perform(remove_objects(session.scene(), {{ObjectKind::radar, 0}}));
+    gui::Session& session = bench.main.session();
+    session.perform(scene::remove_objects(session.scene(), {{scene::ObjectKind::radar, 0}}));
     QVERIFY(QTest::qWaitFor([&] { return bench.window->plot().matrix() == nullptr; }, patience_ms));
     QVERIFY(bench.window->findChild<QWidget*>("echo_problems")->isVisibleTo(bench.window));
   }

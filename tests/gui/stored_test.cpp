@@ -26,11 +26,11 @@ namespace {
 using test::file_text;
 
 constexpr int patience_ms = 60'000;
-constexpr ObjectId first{ObjectKind::simulation, 0};
+constexpr scene::ObjectId first{scene::ObjectKind::simulation, 0};
 
 // Radar1 looks at two targets for some pulses.
-Scene recorded_scene() {
-  Scene scene = test::small_scene();
+scene::Scene recorded_scene() {
+  scene::Scene scene = test::small_scene();
   scene.simulations[0].range_end_m = 4000.0;
   scene.simulations[0].time_end_s = 0.049;
   scene.simulations[0].file = "echo.bin";
@@ -38,16 +38,16 @@ Scene recorded_scene() {
 }
 
 // What `sarsim run` writes for a simulation.
-std::string run_by_hand(const Scene& scene, const std::filesystem::path& path) {
-  const Plan plan = make_plan(scene, 0, nullptr, Engine::automatic);
-  const std::unique_ptr<Sink> sink =
-      make_sink(path, product_of(plan, {}), {plan.simulation.format, true, false, false});
-  run(plan, resolved_lsb_v(plan, {}), *sink, {});
+std::string run_by_hand(const scene::Scene& scene, const std::filesystem::path& path) {
+  const simulate::Plan plan = simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic);
+  const std::unique_ptr<simulate::Sink> sink =
+      raster::make_sink(path, simulate::product_of(plan, {}), {plan.simulation.format, true, false, false});
+  simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});
   return file_text(path);
 }
 
 struct Bench {
-  explicit Bench(const Scene& scene) {
+  explicit Bench(const scene::Scene& scene) {
     test::open(session, scene);
     folder_path = folder.path().toStdString();
     stored.ask_folder = [this]() -> std::optional<std::filesystem::path> {
@@ -61,13 +61,13 @@ struct Bench {
     stored.resize(900, 600);
     stored.show();
     table = stored.findChild<QTableWidget*>("stored_table");
-    ended = std::make_unique<QSignalSpy>(&stored.run_panel(), &RunPanel::ended);
+    ended = std::make_unique<QSignalSpy>(&stored.run_panel(), &gui::RunPanel::ended);
   }
   void click(const char* name) const { stored.findChild<QPushButton*>(name)->click(); }
   [[nodiscard]] QString label(const char* name) const { return stored.findChild<QLabel*>(name)->text(); }
-  [[nodiscard]] JobEnd wait_for_end() const {
+  [[nodiscard]] gui::JobEnd wait_for_end() const {
     if (ended->isEmpty() && !ended->wait(patience_ms)) qFatal("the run did not end");
-    return ended->last()[0].value<JobEnd>();
+    return ended->last()[0].value<gui::JobEnd>();
   }
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_path), {}));
@@ -75,8 +75,8 @@ struct Bench {
 
   QTemporaryDir folder;
   std::filesystem::path folder_path;
-  Session session;
-  StoredSimulations stored{session};
+  gui::Session session;
+  gui::StoredSimulations stored{session};
   QTableWidget* table = nullptr;
   std::unique_ptr<QSignalSpy> ended;
   int folder_questions = 0;
@@ -91,9 +91,9 @@ class StoredTest : public QObject {
 
  private slots:
   void simulations_are_listed_with_what_they_record() {
-    Scene scene = recorded_scene();
+    scene::Scene scene = recorded_scene();
     scene.simulations.push_back(scene.simulations[0]);
-    scene.simulations[1].processing = Processing::matched_filter;
+    scene.simulations[1].processing = scene::Processing::matched_filter;
     scene.simulations[1].lsb_v = 2e-3;
     scene.simulations[1].file = "compressed.bin";
     const Bench bench(scene);
@@ -114,8 +114,8 @@ class StoredTest : public QObject {
     Bench bench(recorded_scene());
     QVERIFY(!bench.stored.findChild<QPushButton*>("stored_show")->isEnabled());
     bench.stored.choose(first);
-    ObjectId shown{};
-    connect(&bench.stored, &StoredSimulations::show_requested, this, [&](ObjectId id) { shown = id; });
+    scene::ObjectId shown{};
+    connect(&bench.stored, &gui::StoredSimulations::show_requested, this, [&](scene::ObjectId id) { shown = id; });
     bench.click("stored_show");
     QVERIFY(shown == first);
     bench.click("stored_edit");
@@ -132,15 +132,15 @@ class StoredTest : public QObject {
     Bench bench(recorded_scene());
     bench.click("stored_new");
     QCOMPARE(bench.session.scene().simulations.size(), std::size_t{2});
-    const Simulation& made = bench.session.scene().simulations[1];
+    const scene::Simulation& made = bench.session.scene().simulations[1];
     QCOMPARE(made.radar, std::string("Radar1"));
     QCOMPARE(made.file, std::string("sim2.bin"));
     // Targets stand at 1, 2 and 3 km; the pulse is 5 us long, 0.75 km.
     QVERIFY(made.range_start_m <= 1000.0 && made.range_end_m >= 3000.0 + 1500.0);
     QVERIFY(made.range_end_m < 6000.0);
     QVERIFY(made.sample_rate_hz > 0.0);
-    QVERIFY(bench.stored.chosen() == (ObjectId{ObjectKind::simulation, 1}));
-    QVERIFY(!has_errors(check(bench.session.scene())));
+    QVERIFY(bench.stored.chosen() == (scene::ObjectId{scene::ObjectKind::simulation, 1}));
+    QVERIFY(!core::has_errors(scene::check(bench.session.scene())));
   }
 
   void a_run_writes_the_file_of_the_command_line_and_reports() {
@@ -148,7 +148,7 @@ class StoredTest : public QObject {
     bench.stored.choose(first);
     bench.click("stored_run");
     QVERIFY(bench.stored.run_panel().isVisible());
-    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::done);
     QCOMPARE(bench.folder_questions, 1);
     const std::string expected = run_by_hand(bench.session.scene(), bench.folder_path / "by_hand.bin");
     QVERIFY(expected.size() > 1000);
@@ -169,7 +169,7 @@ class StoredTest : public QObject {
     QCOMPARE(file_text(bench.folder_path / "echo.bin"), std::string("precious"));
     bench.may_replace = true;
     bench.click("stored_run");
-    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::done);
     QCOMPARE(bench.folder_questions, 0);
     QVERIFY(file_text(bench.folder_path / "echo.bin") != "precious");
   }
@@ -189,7 +189,7 @@ class StoredTest : public QObject {
     QElapsedTimer timer;
     timer.start();
     bench.click("run_cancel");
-    QCOMPARE(bench.wait_for_end(), JobEnd::cancelled);
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::cancelled);
     qInfo() << "cancelled within" << timer.elapsed() << "ms";
     QCOMPARE(bench.files(), std::size_t{0});
     QVERIFY(bench.label("run_state").contains("no file was written"));
@@ -203,16 +203,16 @@ class StoredTest : public QObject {
     bench.click("stored_run");
     QTRY_VERIFY_WITH_TIMEOUT(bench.stored.findChild<QPushButton*>("run_start")->isVisible(), patience_ms);
     bench.click("run_cancel");
-    QCOMPARE(bench.wait_for_end(), JobEnd::cancelled);
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::cancelled);
     QCOMPARE(bench.files(), std::size_t{0});
   }
 
   void closing_ends_a_run_and_leaves_nothing() {
     const QTemporaryDir folder;
     {
-      Session session;
+      gui::Session session;
       test::open(session, test::slow_scene());
-      StoredSimulations stored(session);
+      gui::StoredSimulations stored(session);
       stored.run_panel().set_patience_s(1e9);
       stored.run_into(first, folder.filePath("slow.bin").toStdString(), false);
       const auto* bar = stored.findChild<QProgressBar*>("run_progress");
@@ -222,33 +222,33 @@ class StoredTest : public QObject {
   }
 
   void clipped_samples_are_warned_of_and_the_best_lsb_is_taken_over() {
-    Scene scene = recorded_scene();
+    scene::Scene scene = recorded_scene();
     scene.simulations[0].lsb_v = 1e-12;
     Bench bench(scene);
     bench.stored.choose(first);
     bench.click("stored_run");
-    QCOMPARE(bench.wait_for_end(), JobEnd::done);
-    QVERIFY(bench.stored.findChild<ProblemLine*>("run_problems")->text().contains("clipped"));
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::done);
+    QVERIFY(bench.stored.findChild<gui::ProblemLine*>("run_problems")->text().contains("clipped"));
     bench.click("run_use_lsb");
     const double lsb_v = bench.session.scene().simulations[0].lsb_v;
     QVERIFY(lsb_v > 1e-12);
     bench.may_replace = true;
     bench.ended->clear();
     bench.click("stored_run");
-    QCOMPARE(bench.wait_for_end(), JobEnd::done);
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::done);
     QVERIFY(bench.label("run_report").contains("0 % of the samples saturated"));
     bench.session.undo();
     QCOMPARE(bench.session.scene().simulations[0].lsb_v, 1e-12);
   }
 
   void errors_are_told_in_words() {
-    Scene scene = recorded_scene();
+    scene::Scene scene = recorded_scene();
     scene.simulations[0].range_end_m = 0.0;
     Bench bench(scene);
     bench.stored.choose(first);
     bench.click("stored_run");
-    QCOMPARE(bench.wait_for_end(), JobEnd::failed);
-    auto* problems = bench.stored.findChild<ProblemLine*>("run_problems");
+    QCOMPARE(bench.wait_for_end(), gui::JobEnd::failed);
+    auto* problems = bench.stored.findChild<gui::ProblemLine*>("run_problems");
     QVERIFY(problems->isVisible() && problems->text().startsWith("Error: "));
     QCOMPARE(bench.files(), std::size_t{0});
 
@@ -256,19 +256,19 @@ class StoredTest : public QObject {
     without_folder.folder_path = "/no/such/folder";
     without_folder.stored.choose(first);
     without_folder.click("stored_run");
-    QCOMPARE(without_folder.wait_for_end(), JobEnd::failed);
-    QVERIFY(without_folder.stored.findChild<ProblemLine*>("run_problems")->text().contains("/no/such/folder"));
+    QCOMPARE(without_folder.wait_for_end(), gui::JobEnd::failed);
+    QVERIFY(without_folder.stored.findChild<gui::ProblemLine*>("run_problems")->text().contains("/no/such/folder"));
   }
 
   void files_of_one_name_are_numbered_as_the_command_line_does() {
-    Scene scene = recorded_scene();
+    scene::Scene scene = recorded_scene();
     scene.simulations.push_back(scene.simulations[0]);
     scene.simulations[1].file = "somewhere\\echo.bin";
     scene.simulations.push_back(scene.simulations[0]);
     scene.simulations[2].file = "folder/";
-    QCOMPARE(run_file(scene, 0, "out"), std::filesystem::path("out/echo.bin"));
-    QCOMPARE(run_file(scene, 1, "out"), std::filesystem::path("out/echo-2.bin"));
-    QVERIFY(run_file(scene, 2, "out").empty());
+    QCOMPARE(gui::run_file(scene, 0, "out"), std::filesystem::path("out/echo.bin"));
+    QCOMPARE(gui::run_file(scene, 1, "out"), std::filesystem::path("out/echo-2.bin"));
+    QVERIFY(gui::run_file(scene, 2, "out").empty());
   }
 };
 

@@ -24,19 +24,19 @@ namespace {
 
 struct Bench {
   Bench() { start(test::small_scene()); }
-  explicit Bench(const Scene& scene) { start(scene); }
-  void start(const Scene& scene) {
+  explicit Bench(const scene::Scene& scene) { start(scene); }
+  void start(const scene::Scene& scene) {
     test::open(session, scene);
     table.resize(900, 500);
     table.show();
     view = table.findChild<QTableView*>("target_cells");
-    model = qobject_cast<TargetTableModel*>(view->model());
+    model = qobject_cast<gui::TargetTableModel*>(view->model());
   }
   [[nodiscard]] QModelIndex cell(int row, const std::string& field) const {
     return model->index(row, model->column_of(field));
   }
   [[nodiscard]] QString text(int row, const std::string& field) const { return cell(row, field).data().toString(); }
-  [[nodiscard]] QString message() const { return table.findChild<ProblemLine*>("table_message")->text(); }
+  [[nodiscard]] QString message() const { return table.findChild<gui::ProblemLine*>("table_message")->text(); }
   void select_column(const std::string& field, int first, int last) const {
     view->setCurrentIndex(cell(first, field));
     view->selectionModel()->select(QItemSelection(cell(first, field), cell(last, field)),
@@ -53,12 +53,12 @@ struct Bench {
     QTest::keyClick(editor, Qt::Key_Return);
     QTest::qWait(1);  // The view takes the text in the next turn of the event loop.
   }
-  [[nodiscard]] const std::vector<Target>& targets() const { return session.scene().targets; }
+  [[nodiscard]] const std::vector<scene::Target>& targets() const { return session.scene().targets; }
 
-  Session session;
-  TargetTable table{session};
+  gui::Session session;
+  gui::TargetTable table{session};
   QTableView* view = nullptr;
-  TargetTableModel* model = nullptr;
+  gui::TargetTableModel* model = nullptr;
 };
 
 QString file_with(const QTemporaryDir& folder, const QByteArray& bytes) {
@@ -94,7 +94,7 @@ class TargetTableTest : public QObject {
 
   void a_bad_value_is_explained_and_stays_in_the_cell() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.type(0, "position_m.x", "3 kg");
     QVERIFY(bench.session.scene() == before);
     QVERIFY2(bench.message().contains("'3 kg' is no length"), qPrintable(bench.message()));
@@ -114,16 +114,16 @@ class TargetTableTest : public QObject {
     QVERIFY(!bench.model->flags(bench.cell(0, "azimuth")).testFlag(Qt::ItemIsEditable));
     QVERIFY(bench.model->setData(bench.cell(0, "reflectivity"), "Directional", Qt::EditRole));
     QVERIFY(bench.model->flags(bench.cell(0, "azimuth")).testFlag(Qt::ItemIsEditable));
-    QVERIFY(bench.targets()[0].reflectivity == Target::Reflectivity::directional);
+    QVERIFY(bench.targets()[0].reflectivity == scene::Target::Reflectivity::directional);
   }
 
   void one_value_fills_all_selected_cells_in_one_step() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.select_column("rcs_m2", 0, 2);
     bench.table.findChild<QLineEdit*>("fill_value")->setText("10 dBsm");
     QTest::mouseClick(bench.table.findChild<QPushButton*>("fill_cells"), Qt::LeftButton);
-    for (const Target& target : bench.targets()) QCOMPARE(target.rcs_m2, 10.0);
+    for (const scene::Target& target : bench.targets()) QCOMPARE(target.rcs_m2, 10.0);
     QCOMPARE(QString::fromStdString(bench.session.document().history().undo_label()), QString("Change 3 targets"));
     bench.session.undo();
     QVERIFY(bench.session.scene() == before);
@@ -131,10 +131,10 @@ class TargetTableTest : public QObject {
 
   void a_value_that_one_cell_refuses_changes_none() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.select_column("azimuth", 0, 2);
     QVERIFY(bench.model->setData(bench.cell(1, "reflectivity"), "Directional", Qt::EditRole));
-    const Scene after_choice = bench.session.scene();
+    const scene::Scene after_choice = bench.session.scene();
     bench.select_column("azimuth", 0, 2);
     bench.table.fill_selection("5 deg");
     QVERIFY(bench.session.scene() == after_choice);
@@ -145,12 +145,12 @@ class TargetTableTest : public QObject {
 
   void targets_are_pasted_from_a_spreadsheet_and_undone_together() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.view->clearSelection();
     QApplication::clipboard()->setText("x\ty\tz\tRCS\n1\t2\t3\t4\n5\t6\t7\t8\n");
     QTest::keyClick(bench.view, Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(bench.targets().size(), std::size_t{5});
-    QVERIFY((bench.targets()[4].position_m == Vec3{5.0, 6.0, 7.0}));
+    QVERIFY((bench.targets()[4].position_m == core::Vec3{5.0, 6.0, 7.0}));
     QCOMPARE(bench.targets()[4].rcs_m2, 8.0);
     QCOMPARE(bench.model->rowCount(), 5);
     bench.session.undo();
@@ -193,7 +193,7 @@ class TargetTableTest : public QObject {
     bench.select_column("position_m.z", 0, 2);
     QApplication::clipboard()->setText("250 m\n");
     bench.table.paste();
-    for (const Target& target : bench.targets()) QCOMPARE(target.position_m.z, 250.0);
+    for (const scene::Target& target : bench.targets()) QCOMPARE(target.position_m.z, 250.0);
     bench.select_column("position_m.z", 1, 1);
     QApplication::clipboard()->setText("1\r\n2\r\n");
     bench.table.paste();
@@ -214,7 +214,7 @@ class TargetTableTest : public QObject {
     Bench bench;
     bench.table.add_target();
     QCOMPARE(bench.targets().size(), std::size_t{4});
-    QVERIFY(bench.session.selection() == std::set<ObjectId>{test::target(3)});
+    QVERIFY(bench.session.selection() == std::set<scene::ObjectId>{test::target(3)});
     bench.select_column("rcs_m2", 0, 1);
     QTest::keyClick(bench.view, Qt::Key_Delete);
     QCOMPARE(bench.targets().size(), std::size_t{2});
@@ -226,7 +226,7 @@ class TargetTableTest : public QObject {
   void selection_is_the_sessions_both_ways() {
     Bench bench;
     bench.select_column("rcs_m2", 1, 2);
-    QVERIFY(bench.session.selection() == (std::set<ObjectId>{test::target(1), test::target(2)}));
+    QVERIFY(bench.session.selection() == (std::set<scene::ObjectId>{test::target(1), test::target(2)}));
     QCOMPARE(bench.view->selectionModel()->selectedIndexes().size(), 2);
     bench.session.select_only(test::target(0));
     const QModelIndexList rows = bench.view->selectionModel()->selectedRows();
@@ -236,9 +236,9 @@ class TargetTableTest : public QObject {
 
   void a_file_is_previewed_and_imported_in_one_step() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     const QTemporaryDir folder;
-    ImportDialog dialog(bench.session);
+    gui::ImportDialog dialog(bench.session);
     auto* add = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
     QVERIFY(!add->isEnabled());
     dialog.set_file(file_with(folder, "x;y;z;rcs\r\n1;2;3;4\r\nbad;line\r\n5;6;7;8\r\n"));
@@ -261,7 +261,7 @@ class TargetTableTest : public QObject {
   void a_file_that_cannot_be_read_is_named() {
     Bench bench;
     const QTemporaryDir folder;
-    ImportDialog dialog(bench.session);
+    gui::ImportDialog dialog(bench.session);
     const auto summary = [&] { return dialog.findChild<QLabel*>("import_summary")->text(); };
     dialog.set_file(folder.filePath("missing.txt"));
     QVERIFY2(summary().contains("missing.txt cannot be read"), qPrintable(summary()));
@@ -274,9 +274,9 @@ class TargetTableTest : public QObject {
   void text_of_spreadsheets_in_utf_16_is_read() {
     QByteArray bytes("\xFF\xFE", 2);
     for (const char c : {'1', ' ', '2', ' ', '3', '\n'}) bytes += QByteArray(1, c) + QByteArray(1, '\0');
-    QCOMPARE(text_of_bytes(bytes), QString("1 2 3\n"));
-    QCOMPARE(text_of_bytes("\xEF\xBB\xBF"
-                           "1,2,3"),
+    QCOMPARE(gui::text_of_bytes(bytes), QString("1 2 3\n"));
+    QCOMPARE(gui::text_of_bytes("\xEF\xBB\xBF"
+                                "1,2,3"),
              QString("1,2,3"));
   }
 

@@ -32,7 +32,7 @@ struct Bench {
     QTest::keyClick(field, Qt::Key_Return);
   }
 
-  TimeBar bar;
+  gui::TimeBar bar;
 };
 
 }  // namespace
@@ -82,7 +82,7 @@ class TimeBarTest : public QObject {
 
   void time_takes_any_unit() {
     Bench bench;
-    QSignalSpy changed(&bench.bar, &TimeBar::time_changed);
+    QSignalSpy changed(&bench.bar, &gui::TimeBar::time_changed);
     bench.type("time_field", "5 ms");
     QCOMPARE(bench.bar.time_s(), 0.005);
     bench.type("time_field", "-2");
@@ -163,7 +163,7 @@ class TimeBarTest : public QObject {
   void what_is_no_number_is_passed_over() {
     Bench bench;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    QSignalSpy changed(&bench.bar, &TimeBar::time_changed);
+    QSignalSpy changed(&bench.bar, &gui::TimeBar::time_changed);
     bench.bar.set_time(nan);
     bench.bar.set_span(2.0, 1.0);
     bench.bar.set_span(nan, 1.0);
@@ -175,7 +175,7 @@ class TimeBarTest : public QObject {
 
   void the_same_time_is_not_announced_again() {
     Bench bench;
-    QSignalSpy changed(&bench.bar, &TimeBar::time_changed);
+    QSignalSpy changed(&bench.bar, &gui::TimeBar::time_changed);
     bench.bar.set_time(0.5);
     bench.bar.set_time(0.5);
     QCOMPARE(changed.size(), 1);
@@ -184,8 +184,8 @@ class TimeBarTest : public QObject {
   void playing_runs_to_the_end_and_stops() {
     Bench bench;
     bench.bar.set_span(0.0, 0.2);
-    QSignalSpy playing(&bench.bar, &TimeBar::playing_changed);
-    QSignalSpy changed(&bench.bar, &TimeBar::time_changed);
+    QSignalSpy playing(&bench.bar, &gui::TimeBar::playing_changed);
+    QSignalSpy changed(&bench.bar, &gui::TimeBar::time_changed);
     QElapsedTimer clock;
     clock.start();
     bench.get<QToolButton>("play_button")->click();
@@ -208,7 +208,7 @@ class TimeBarTest : public QObject {
     bench.get<QComboBox>("speed_box")->setCurrentText("x20");
     QCOMPARE(bench.bar.speed(), 20.0);
     bench.get<QCheckBox>("loop_box")->setChecked(true);
-    QSignalSpy changed(&bench.bar, &TimeBar::time_changed);
+    QSignalSpy changed(&bench.bar, &gui::TimeBar::time_changed);
     bench.bar.set_playing(true);
     QTRY_VERIFY_WITH_TIMEOUT(changed.size() >= 8, 10000);
     QVERIFY(bench.bar.playing());

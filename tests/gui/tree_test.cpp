@@ -24,14 +24,14 @@ namespace {
 
 struct Bench {
   Bench() { start(test::small_scene()); }
-  explicit Bench(const Scene& scene) { start(scene); }
-  void start(const Scene& scene) {
+  explicit Bench(const scene::Scene& scene) { start(scene); }
+  void start(const scene::Scene& scene) {
     test::open(session, scene);
     tree.resize(400, 600);
     tree.show();
     view = tree.findChild<QTreeView*>("object_tree");
     filter = tree.findChild<QLineEdit*>("object_filter");
-    model = qobject_cast<ObjectTreeModel*>(view->model());
+    model = qobject_cast<gui::ObjectTreeModel*>(view->model());
     tester = std::make_unique<QAbstractItemModelTester>(model, QAbstractItemModelTester::FailureReportingMode::QtTest);
   }
 
@@ -91,11 +91,11 @@ struct Bench {
     found->trigger();
   }
 
-  Session session;
-  ObjectTree tree{session};
+  gui::Session session;
+  gui::ObjectTree tree{session};
   QTreeView* view = nullptr;
   QLineEdit* filter = nullptr;
-  ObjectTreeModel* model = nullptr;
+  gui::ObjectTreeModel* model = nullptr;
   std::unique_ptr<QAbstractItemModelTester> tester;
 };
 
@@ -116,7 +116,7 @@ class TreeTest : public QObject {
   }
 
   void what_stands_on_no_platform_is_shown() {
-    Scene scene = test::small_scene();
+    scene::Scene scene = test::small_scene();
     scene.targets[0].platform = "Nowhere";
     const Bench bench(scene);
     QCOMPARE(bench.below("World"), QStringList({"Target 1 (1000, 0, 0) m"}));
@@ -127,9 +127,9 @@ class TreeTest : public QObject {
   void selection_is_the_sessions_both_ways() {
     Bench bench;
     bench.click("Target 2");
-    QVERIFY(bench.session.selection() == std::set<ObjectId>{test::target(1)});
+    QVERIFY(bench.session.selection() == std::set<scene::ObjectId>{test::target(1)});
     bench.click("Radar2", Qt::ControlModifier);
-    QVERIFY(bench.session.selection() == (std::set<ObjectId>{test::target(1), test::radar(1)}));
+    QVERIFY(bench.session.selection() == (std::set<scene::ObjectId>{test::target(1), test::radar(1)}));
     QVERIFY(bench.session.current() == test::radar(1));
     bench.session.select({test::target(0), test::target(2)});
     const QModelIndexList rows = bench.view->selectionModel()->selectedRows();
@@ -162,7 +162,7 @@ class TreeTest : public QObject {
 
   void a_double_click_renames_a_radar_and_asks_to_edit_a_target() {
     Bench bench;
-    QSignalSpy wanted(&bench.tree, &ObjectTree::edit_requested);
+    QSignalSpy wanted(&bench.tree, &gui::ObjectTree::edit_requested);
     bench.double_click("Radar1");
     bench.rename_in_editor("Eye");
     QCOMPARE(bench.session.scene().radars[0].name, std::string("Eye"));
@@ -170,23 +170,23 @@ class TreeTest : public QObject {
     QCOMPARE(wanted.size(), 0);
     bench.double_click("Target 1");
     QCOMPARE(wanted.size(), 1);
-    QVERIFY(wanted[0][0].value<ObjectId>() == test::target(0));
+    QVERIFY(wanted[0][0].value<scene::ObjectId>() == test::target(0));
   }
 
   void a_name_that_is_taken_is_refused_with_a_reason() {
     Bench bench;
-    QSignalSpy logged(&bench.session, &Session::logged);
+    QSignalSpy logged(&bench.session, &gui::Session::logged);
     bench.click("Ship");
     bench.key(Qt::Key_F2);
     bench.rename_in_editor("EARTH");
     QCOMPARE(bench.session.scene().platforms[1].name, std::string("Ship"));
-    QVERIFY(!bench.tree.findChild<ProblemLine*>("object_message")->text().isEmpty());
+    QVERIFY(!bench.tree.findChild<gui::ProblemLine*>("object_message")->text().isEmpty());
     QCOMPARE(logged.size(), 1);
   }
 
   void delete_takes_all_that_is_selected_in_one_step() {
     Bench bench;
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     bench.click("Target 1");
     bench.click("Ship", Qt::ControlModifier);
     bench.key(Qt::Key_Delete);
@@ -206,13 +206,13 @@ class TreeTest : public QObject {
     bench.key(Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(bench.session.scene().platforms.size(), std::size_t{3});
     QCOMPARE(bench.session.scene().targets.size(), std::size_t{4});
-    QVERIFY(bench.session.selection() == std::set<ObjectId>{test::platform(2)});
+    QVERIFY(bench.session.selection() == std::set<scene::ObjectId>{test::platform(2)});
     bench.session.undo();
     bench.click("Target 2");
     bench.key(Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(bench.session.scene().targets.size(), std::size_t{4});
     QVERIFY(bench.session.scene().targets[3] == bench.session.scene().targets[1]);
-    QVERIFY(bench.session.selection() == std::set<ObjectId>{test::target(3)});
+    QVERIFY(bench.session.selection() == std::set<scene::ObjectId>{test::target(3)});
   }
 
   void keys_of_a_name_being_typed_are_not_the_trees() {
@@ -231,7 +231,7 @@ class TreeTest : public QObject {
     bench.click("Target 1");
     bench.click("Surface 1", Qt::ControlModifier);
     bench.click("Radar1", Qt::ControlModifier);
-    const Scene before = bench.session.scene();
+    const scene::Scene before = bench.session.scene();
     QVERIFY(bench.drop_selection_on("Ship"));
     QCOMPARE(bench.session.scene().targets[0].platform, std::string("Ship"));
     QCOMPARE(bench.session.scene().targets[0].position_m.x, 1000.0);
@@ -263,7 +263,7 @@ class TreeTest : public QObject {
     Bench bench;
     bench.click("Target 3");
     const std::unique_ptr<QMimeData> data(bench.model->mimeData(bench.view->selectionModel()->selectedIndexes()));
-    bench.session.perform(remove_objects(bench.session.scene(), {test::target(2)}));
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(2)}));
     QVERIFY(!bench.model->dropMimeData(data.get(), Qt::MoveAction, -1, -1, bench.row("Earth")));
   }
 
@@ -293,7 +293,7 @@ class TreeTest : public QObject {
     Bench bench;
     bench.click("Target 1");
     bench.filter->setText("radar");
-    QVERIFY(bench.session.selection() == std::set<ObjectId>{test::target(0)});
+    QVERIFY(bench.session.selection() == std::set<scene::ObjectId>{test::target(0)});
     bench.filter->clear();
     QVERIFY(bench.view->selectionModel()->isSelected(bench.row("Target 1")));
   }
@@ -302,7 +302,7 @@ class TreeTest : public QObject {
     Bench bench;
     const auto box = [&](const QString& text) { return bench.row(text).siblingAtColumn(1); };
     QVERIFY(bench.model->setData(box("Target 1"), Qt::Unchecked, Qt::CheckStateRole));
-    QVERIFY(bench.session.hidden() == std::set<ObjectId>{test::target(0)});
+    QVERIFY(bench.session.hidden() == std::set<scene::ObjectId>{test::target(0)});
     QVERIFY(bench.row("Target 1").data(Qt::AccessibleTextRole).toString().contains("hidden"));
     QVERIFY(bench.model->setData(box("Ship"), Qt::Unchecked, Qt::CheckStateRole));
     QCOMPARE(box("Target 3").data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
@@ -331,7 +331,7 @@ class TreeTest : public QObject {
 
   void the_menu_does_what_it_says() {
     Bench bench;
-    QSignalSpy wanted(&bench.tree, &ObjectTree::edit_requested);
+    QSignalSpy wanted(&bench.tree, &gui::ObjectTree::edit_requested);
     bench.click("Target 1");
     bench.choose("tree_modify");
     QCOMPARE(wanted.size(), 1);
@@ -362,17 +362,17 @@ class TreeTest : public QObject {
 
   void folds_and_scroll_outlive_changes() {
     Bench bench(test::many_targets(500));
-    Scene scene = bench.session.scene();
-    bench.session.perform(add_object(scene, Platform{}));
+    scene::Scene scene = bench.session.scene();
+    bench.session.perform(scene::add_object(scene, scene::Platform{}));
     const QString added = QString::fromStdString(bench.session.scene().platforms[1].name);
     bench.view->collapse(bench.row(added));
     bench.view->verticalScrollBar()->setValue(200);
-    bench.session.perform(remove_objects(bench.session.scene(), {test::target(499)}));
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(499)}));
     QCOMPARE(bench.view->verticalScrollBar()->value(), 200);
     QVERIFY(bench.view->isExpanded(bench.row("Earth")));
     QVERIFY(!bench.view->isExpanded(bench.row(added)));
-    bench.session.perform(rename_object(bench.session.scene(), test::platform(1), "Folded"));
-    bench.session.perform(remove_objects(bench.session.scene(), {test::target(498)}));
+    bench.session.perform(scene::rename_object(bench.session.scene(), test::platform(1), "Folded"));
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(498)}));
     QVERIFY(!bench.view->isExpanded(bench.row("Folded")));
   }
 
@@ -391,7 +391,7 @@ class TreeTest : public QObject {
     bench.model->set_filter("");
     bench.view->viewport()->repaint();
     const qint64 reset = timer.nsecsElapsed();
-    std::set<ObjectId> all;
+    std::set<scene::ObjectId> all;
     for (std::size_t i = 0; i < 10000; ++i) all.insert(test::target(i));
     timer.restart();
     bench.session.select(all);

@@ -54,16 +54,16 @@ using test::platform;
 using test::radar;
 using test::target;
 
-constexpr ObjectId first_simulation{ObjectKind::simulation, 0};
-constexpr ObjectId first_surface{ObjectKind::surface, 0};
+constexpr scene::ObjectId first_simulation{scene::ObjectKind::simulation, 0};
+constexpr scene::ObjectId first_surface{scene::ObjectKind::surface, 0};
 
 // The small scene with a path for the ship, and with comments above, beside and behind its commands.
 std::string commented_script() {
-  Scene scene = test::small_scene();
-  Platform& ship = scene.platforms[1];
-  ship.path = Platform::Path::trajectory;
-  for (SampledFunction& part : ship.trajectory_m.part) part.knots = {{0.0, 10.0}, {1.0, 150.0}};
-  std::istringstream lines(write_script(scene));
+  scene::Scene scene = test::small_scene();
+  scene::Platform& ship = scene.platforms[1];
+  ship.path = scene::Platform::Path::trajectory;
+  for (core::SampledFunction& part : ship.trajectory_m.part) part.knots = {{0.0, 10.0}, {1.0, 150.0}};
+  std::istringstream lines(scene::write_script(scene));
   std::string script = "! A scene for tests\n\n";
   int number = 0;
   for (std::string line; std::getline(lines, line); ++number) {
@@ -77,65 +77,67 @@ std::string commented_script() {
 
 // --- Makers of edits ------------------------------------------------------------------------------------------------
 
-using Maker = std::function<Edit(const Scene&)>;
+using Maker = std::function<scene::Edit(const scene::Scene&)>;
 
 // By the names of the functions in scene/edit/edit.hpp that make edits; one entry for each or more.
 const std::multimap<std::string, Maker>& makers() {
   static const std::multimap<std::string, Maker> all{
       {"replace_object",
-       [](const Scene& scene) {
-         Target moved = scene.targets[1];
+       [](const scene::Scene& scene) {
+         scene::Target moved = scene.targets[1];
          moved.position_m = {1.25, -3e6, 0.1};
-         return replace_object(scene, target(1), moved, "Move target");
+         return scene::replace_object(scene, target(1), moved, "Move target");
        }},
       {"replace_object",
-       [](const Scene& scene) {
-         Radar other = scene.radars[0];
-         other.pulse = Radar::Pulse::barker;
-         other.bandwidth_hz = Radar{}.bandwidth_hz;
-         other.carrier = Radar::Carrier::stepped;
-         return replace_object(scene, radar(0), other, "Change radar");
+       [](const scene::Scene& scene) {
+         scene::Radar other = scene.radars[0];
+         other.pulse = scene::Radar::Pulse::barker;
+         other.bandwidth_hz = scene::Radar{}.bandwidth_hz;
+         other.carrier = scene::Radar::Carrier::stepped;
+         return scene::replace_object(scene, radar(0), other, "Change radar");
        }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, Platform{}); }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, Target{}); }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, Surface{}); }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, Radar{}); }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, scene.simulations[0]); }},
-      {"add_object", [](const Scene& scene) { return add_object(scene, scene.geometries[0]); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene::Platform{}); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene::Target{}); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene::Surface{}); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene::Radar{}); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene.simulations[0]); }},
+      {"add_object", [](const scene::Scene& scene) { return scene::add_object(scene, scene.geometries[0]); }},
       {"remove_objects",
-       [](const Scene& scene) {
-         return remove_objects(scene, {target(0), target(2)});
+       [](const scene::Scene& scene) {
+         return scene::remove_objects(scene, {target(0), target(2)});
        }},
-      {"remove_objects", [](const Scene& scene) { return remove_objects(scene, {platform(0)}); }},
+      {"remove_objects", [](const scene::Scene& scene) { return scene::remove_objects(scene, {platform(0)}); }},
       {"remove_objects",
-       [](const Scene& scene) {
-         return remove_objects(scene, {radar(0), first_surface});
+       [](const scene::Scene& scene) {
+         return scene::remove_objects(scene, {radar(0), first_surface});
        }},
       {"duplicate_objects",
-       [](const Scene& scene) {
-         return duplicate_objects(scene, {platform(1), target(0)});
+       [](const scene::Scene& scene) {
+         return scene::duplicate_objects(scene, {platform(1), target(0)});
        }},
-      {"rename_object", [](const Scene& scene) { return rename_object(scene, platform(1), "Great ship"); }},
-      {"rename_object", [](const Scene& scene) { return rename_object(scene, radar(0), "X"); }},
+      {"rename_object",
+       [](const scene::Scene& scene) { return scene::rename_object(scene, platform(1), "Great ship"); }},
+      {"rename_object", [](const scene::Scene& scene) { return scene::rename_object(scene, radar(0), "X"); }},
       {"carry_objects",
-       [](const Scene& scene) {
-         return carry_objects(scene, {target(0), radar(0)}, "Ship");
+       [](const scene::Scene& scene) {
+         return scene::carry_objects(scene, {target(0), radar(0)}, "Ship");
        }},
-      {"add_targets", [](const Scene& scene) { return add_targets(scene, std::vector<Target>(3)); }},
+      {"add_targets",
+       [](const scene::Scene& scene) { return scene::add_targets(scene, std::vector<scene::Target>(3)); }},
       {"change_options",
-       [](const Scene& scene) {
-         RunOptions options = scene.options;
+       [](const scene::Scene& scene) {
+         scene::RunOptions options = scene.options;
          options.seed = 7;
-         options.profile = Profile::classic;
-         return change_options(scene, options);
+         options.profile = scene::Profile::classic;
+         return scene::change_options(scene, options);
        }},
-      {"difference", [](const Scene& scene) {
-         Scene to = scene;
+      {"difference", [](const scene::Scene& scene) {
+         scene::Scene to = scene;
          to.targets.erase(to.targets.begin());
          to.surfaces.emplace_back();
          to.radars[1].power_w = 5.0;
          to.options.tolerance = 1e-3;
-         return difference(scene, to, "Difference");
+         return scene::difference(scene, to, "Difference");
        }}};
   return all;
 }
@@ -145,11 +147,11 @@ const std::multimap<std::string, Maker>& makers() {
 struct Command {
   std::string file;  // of src/gui, where it changes the document
   std::string name;
-  std::set<ObjectId> selected;  // before
-  std::function<void(MainWindow&)> work;
+  std::set<scene::ObjectId> selected;  // before
+  std::function<void(gui::MainWindow&)> work;
 };
 
-void trigger(MainWindow& window, const char* action) {
+void trigger(gui::MainWindow& window, const char* action) {
   auto* found = window.findChild<QAction*>(action);
   QVERIFY2(found != nullptr, action);
   found->trigger();
@@ -159,12 +161,14 @@ void press(QWidget* in, const char* button) {
   QVERIFY2(found != nullptr && found->isEnabled(), button);
   found->click();
 }
-ObjectTree& tree(MainWindow& window) { return *window.findChild<ObjectTree*>(); }
-ObjectTreeModel& tree_model(MainWindow& window) {
-  return *qobject_cast<ObjectTreeModel*>(window.findChild<QTreeView*>("object_tree")->model());
+gui::ObjectTree& tree(gui::MainWindow& window) { return *window.findChild<gui::ObjectTree*>(); }
+gui::ObjectTreeModel& tree_model(gui::MainWindow& window) {
+  return *qobject_cast<gui::ObjectTreeModel*>(window.findChild<QTreeView*>("object_tree")->model());
 }
-TargetTable& table(MainWindow& window) { return *window.window_named("targets")->findChild<TargetTable*>(); }
-void type_into(MainWindow& window, const char* field, const QString& text) {
+gui::TargetTable& table(gui::MainWindow& window) {
+  return *window.window_named("targets")->findChild<gui::TargetTable*>();
+}
+void type_into(gui::MainWindow& window, const char* field, const QString& text) {
   auto* edit = window.findChild<QLineEdit*>(field);
   QVERIFY2(edit != nullptr, field);
   edit->setFocus();
@@ -172,115 +176,115 @@ void type_into(MainWindow& window, const char* field, const QString& text) {
   QTest::keyClicks(edit, text);
   QTest::keyClick(edit, Qt::Key_Return);
 }
-void select_cells(MainWindow& window, const char* field) {
+void select_cells(gui::MainWindow& window, const char* field) {
   auto* view = table(window).findChild<QTableView*>("target_cells");
-  const int column = qobject_cast<TargetTableModel*>(view->model())->column_of(field);
+  const int column = qobject_cast<gui::TargetTableModel*>(view->model())->column_of(field);
   view->setCurrentIndex(view->model()->index(0, column));
   view->selectionModel()->select(QItemSelection(view->model()->index(0, column), view->model()->index(1, column)),
                                  QItemSelectionModel::ClearAndSelect);
 }
-void import(MainWindow& window) {
+void import(gui::MainWindow& window) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("targets.csv");
   std::ofstream(path.toStdString()) << "x,y,z\n1,2,3\n4,5,6\n";
-  ImportDialog dialog(window.session());
+  gui::ImportDialog dialog(window.session());
   dialog.set_file(path);
   dialog.set_platform("Ship");
   dialog.accept();
 }
-void bend_path(MainWindow& window) {
-  FunctionEditor editor(window.session(), platform(1), "trajectory_m");
+void bend_path(gui::MainWindow& window) {
+  gui::FunctionEditor editor(window.session(), platform(1), "trajectory_m");
   auto* points = editor.findChild<QTableView*>("function_table")->model();
   QVERIFY(points->setData(points->index(1, 1), "175"));
   editor.accept();
 }
-void drag(MainWindow& window, ObjectId id) {
-  SceneWidget& view = window.scene().scene();
+void drag(gui::MainWindow& window, scene::ObjectId id) {
+  gui::SceneWidget& view = window.scene().scene();
   emit view.drag_started(id);
   for (int i = 1; i <= 5; ++i) emit view.dragged_to(id, {1.5 * i, 0.0, -2.0 * i});
   emit view.drag_ended();
 }
-void type_in_script(MainWindow& window) {
-  auto& editor = *window.findChild<ScriptEditor*>();
+void type_in_script(gui::MainWindow& window) {
+  auto& editor = *window.findChild<gui::ScriptEditor*>();
   editor.text().moveCursor(QTextCursor::End);
   editor.text().insertPlainText("\n$TARGET Earth 1 2 3 0 0 0 1 0 ISO ! typed\n");
   editor.commit();
 }
 
-void save_settings_only(MainWindow& window) {
-  SimulationWindow& from = *window.simulation_windows().open_new(Processing::raw);
-  SaveDataDialog* const dialog = window.saver().ask(window.session().scene().simulations[0], from);
+void save_settings_only(gui::MainWindow& window) {
+  gui::SimulationWindow& from = *window.simulation_windows().open_new(scene::Processing::raw);
+  gui::SaveDataDialog* const dialog = window.saver().ask(window.session().scene().simulations[0], from);
   auto* const target = dialog->findChild<QComboBox*>("save_target");
   QVERIFY(target != nullptr);
   target->setCurrentIndex(1);
   dialog->accept();
 }
-void rename_in_tree(MainWindow& window) {
-  ObjectTreeModel& model = tree_model(window);
+void rename_in_tree(gui::MainWindow& window) {
+  gui::ObjectTreeModel& model = tree_model(window);
   QVERIFY(model.setData(model.index_of(radar(0)), "C-band", Qt::EditRole));
 }
-void carry_in_tree(MainWindow& window) {
-  ObjectTreeModel& model = tree_model(window);
+void carry_in_tree(gui::MainWindow& window) {
+  gui::ObjectTreeModel& model = tree_model(window);
   const std::unique_ptr<QMimeData> data(model.mimeData({model.index_of(target(0)), model.index_of(radar(0))}));
   QVERIFY(model.dropMimeData(data.get(), Qt::MoveAction, -1, -1, model.index_of(platform(1))));
 }
-void choose_next(MainWindow& window, const char* field) {
+void choose_next(gui::MainWindow& window, const char* field) {
   auto* box = window.findChild<QComboBox*>(field);
   box->setCurrentIndex((box->currentIndex() + 1) % box->count());
 }
-void delete_from_table(MainWindow& window) {
+void delete_from_table(gui::MainWindow& window) {
   select_cells(window, "rcs_m2");
   table(window).delete_targets();
 }
-void paste_targets(MainWindow& window) {
+void paste_targets(gui::MainWindow& window) {
   QApplication::clipboard()->setText("1\t2\t3\n4\t5\t6\n");
   table(window).paste();
 }
-void fill_table(MainWindow& window) {
+void fill_table(gui::MainWindow& window) {
   select_cells(window, "rcs_m2");
   table(window).fill_selection("3 m2");
 }
-void take_best_lsb(MainWindow& window) {
-  emit window.findChild<RunPanel*>()->lsb_wanted(window.session().scene().simulations[0], 1.5e-3);
+void take_best_lsb(gui::MainWindow& window) {
+  emit window.findChild<gui::RunPanel*>()->lsb_wanted(window.session().scene().simulations[0], 1.5e-3);
 }
 
-const std::set<ObjectId> some{platform(1), target(0)};
+const std::set<scene::ObjectId> some{platform(1), target(0)};
 
 const Command all_commands[] = {
-    {"main_window.cpp", "new target", {}, [](MainWindow& w) { trigger(w, "new_target"); }},
-    {"main_window.cpp", "new platform", {}, [](MainWindow& w) { trigger(w, "new_platform"); }},
-    {"main_window.cpp", "new radar", {}, [](MainWindow& w) { trigger(w, "new_radar"); }},
-    {"main_window.cpp", "new surface", {}, [](MainWindow& w) { trigger(w, "new_surface"); }},
+    {"main_window.cpp", "new target", {}, [](gui::MainWindow& w) { trigger(w, "new_target"); }},
+    {"main_window.cpp", "new platform", {}, [](gui::MainWindow& w) { trigger(w, "new_platform"); }},
+    {"main_window.cpp", "new radar", {}, [](gui::MainWindow& w) { trigger(w, "new_radar"); }},
+    {"main_window.cpp", "new surface", {}, [](gui::MainWindow& w) { trigger(w, "new_surface"); }},
     {"data_saver.cpp", "settings to the script only", {}, save_settings_only},
     {"simulation_window.cpp",
      "store a simulation",
      {},
-     [](MainWindow& w) { w.simulation_windows().open_new(Processing::raw)->store_simulation(); }},
-    {"object_tree.cpp", "delete", some, [](MainWindow& w) { tree(w).delete_selection(); }},
-    {"object_tree.cpp", "duplicate", some, [](MainWindow& w) { tree(w).duplicate_selection(); }},
-    {"object_tree.cpp", "invert surface", {first_surface}, [](MainWindow& w) { tree(w).invert_surfaces(); }},
+     [](gui::MainWindow& w) { w.simulation_windows().open_new(scene::Processing::raw)->store_simulation(); }},
+    {"object_tree.cpp", "delete", some, [](gui::MainWindow& w) { tree(w).delete_selection(); }},
+    {"object_tree.cpp", "duplicate", some, [](gui::MainWindow& w) { tree(w).duplicate_selection(); }},
+    {"object_tree.cpp", "invert surface", {first_surface}, [](gui::MainWindow& w) { tree(w).invert_surfaces(); }},
     {"object_tree_model.cpp", "rename", {}, rename_in_tree},
     {"object_tree_drag.cpp", "carry", {}, carry_in_tree},
     {"property_panel.cpp",
      "type a number",
      {target(1)},
-     [](MainWindow& w) { type_into(w, "field_position_m.x", "5 km"); }},
+     [](gui::MainWindow& w) { type_into(w, "field_position_m.x", "5 km"); }},
     {"property_panel.cpp",
      "type a number for several",
      {target(0), target(1)},
-     [](MainWindow& w) { type_into(w, "field_rcs_m2", "10 dBsm"); }},
-    {"property_panel.cpp", "choose", {radar(0)}, [](MainWindow& w) { choose_next(w, "field_pulse"); }},
-    {"property_panel.cpp", "rename", {platform(1)}, [](MainWindow& w) { type_into(w, "field_name", "Boat"); }},
-    {"property_panel.cpp", "options", {}, [](MainWindow& w) { type_into(w, "field_seed", "11"); }},
-    {"scene_panel.cpp", "drag a target", {}, [](MainWindow& w) { drag(w, target(2)); }},
-    {"scene_panel.cpp", "drag a platform", {}, [](MainWindow& w) { drag(w, platform(0)); }},
+     [](gui::MainWindow& w) { type_into(w, "field_rcs_m2", "10 dBsm"); }},
+    {"property_panel.cpp", "choose", {radar(0)}, [](gui::MainWindow& w) { choose_next(w, "field_pulse"); }},
+    {"property_panel.cpp", "rename", {platform(1)}, [](gui::MainWindow& w) { type_into(w, "field_name", "Boat"); }},
+    {"property_panel.cpp", "options", {}, [](gui::MainWindow& w) { type_into(w, "field_seed", "11"); }},
+    {"scene_panel.cpp", "drag a target", {}, [](gui::MainWindow& w) { drag(w, target(2)); }},
+    {"scene_panel.cpp", "drag a platform", {}, [](gui::MainWindow& w) { drag(w, platform(0)); }},
     {"stored_simulations.cpp",
      "delete a simulation",
      {first_simulation},
-     [](MainWindow& w) { press(&w, "stored_delete"); }},
-    {"stored_simulations.cpp", "new simulation", {}, [](MainWindow& w) { press(&w, "stored_new"); }},
+     [](gui::MainWindow& w) { press(&w, "stored_delete"); }},
+    {"stored_simulations.cpp", "new simulation", {}, [](gui::MainWindow& w) { press(&w, "stored_new"); }},
     {"stored_simulations.cpp", "best LSB", {}, take_best_lsb},
-    {"target_table.cpp", "add a target", {}, [](MainWindow& w) { table(w).add_target(); }},
+    {"target_table.cpp", "add a target", {}, [](gui::MainWindow& w) { table(w).add_target(); }},
     {"target_table.cpp", "delete targets", {}, delete_from_table},
     {"target_table.cpp", "paste targets", {}, paste_targets},
     {"target_table_model.cpp", "fill", {}, fill_table},
@@ -289,11 +293,11 @@ const Command all_commands[] = {
     {"geometry_window.cpp",
      "delete a table",
      {},
-     [](MainWindow& w) { press(w.window_named("geometry"), "geometry_delete_stored"); }},
+     [](gui::MainWindow& w) { press(w.window_named("geometry"), "geometry_delete_stored"); }},
     {"geometry_window.cpp",
      "store a table",
      {},
-     [](MainWindow& w) { press(w.window_named("geometry"), "geometry_to_script"); }},
+     [](gui::MainWindow& w) { press(w.window_named("geometry"), "geometry_to_script"); }},
     {"script_editor.cpp", "type", {}, type_in_script}};
 
 // How many places in a file of src/gui change the document.
@@ -310,18 +314,20 @@ std::map<std::string, int> places_that_edit() {
   return places;
 }
 
-bool shows_its_text(MainWindow& window) {
+bool shows_its_text(gui::MainWindow& window) {
   const std::string& text = window.session().document().text();
-  return window.findChild<ScriptEditor*>()->text().script() == decoded(text, coding_of(text));
+  return window.findChild<gui::ScriptEditor*>()->text().script() == gui::decoded(text, gui::coding_of(text));
 }
 
 // A state of a document, and whether another is the same.
 struct State {
-  Scene scene;
+  scene::Scene scene;
   std::string text;
 
-  explicit State(const Document& document) : scene(document.scene()), text(document.text()) {}
-  [[nodiscard]] bool is(const Document& document) const { return text == document.text() && scene == document.scene(); }
+  explicit State(const scene::Document& document) : scene(document.scene()), text(document.text()) {}
+  [[nodiscard]] bool is(const scene::Document& document) const {
+    return text == document.text() && scene == document.scene();
+  }
 };
 
 }  // namespace
@@ -349,12 +355,12 @@ class UndoTest : public QObject {
 
   void every_maker_undoes_and_redoes_scene_and_text() {
     for (const auto& [name, make] : makers()) {
-      Document document = Document::from_text(commented_script());
+      scene::Document document = scene::Document::from_text(commented_script());
       const State before(document);
       document.perform(make(document.scene()));
       const State after(document);
       QVERIFY2(after.text != before.text, name.c_str());
-      QVERIFY2(read_script(after.text, "", {}).scene == after.scene, name.c_str());
+      QVERIFY2(scene::read_script(after.text, "", {}).scene == after.scene, name.c_str());
       QVERIFY2(after.text.find("! A scene for tests") == 0, name.c_str());
       document.undo();
       QVERIFY2(before.is(document), name.c_str());
@@ -382,17 +388,17 @@ class UndoTest : public QObject {
 
   void every_command_undoes_and_redoes_scene_and_text() {
     for (const Command& command : all_commands) {
-      MainWindow window;
-      window.session().take(Document::from_text(commented_script()));
+      gui::MainWindow window;
+      window.session().take(scene::Document::from_text(commented_script()));
       window.show();
-      const Document& document = window.session().document();
+      const scene::Document& document = window.session().document();
       const State before(document);
       window.session().select(command.selected);
       command.work(window);
       if (QTest::currentTestFailed()) return;
       const State after(document);
       QVERIFY2(after.text != before.text, command.name.c_str());
-      QVERIFY2(read_script(after.text, "", {}).scene == after.scene, command.name.c_str());
+      QVERIFY2(scene::read_script(after.text, "", {}).scene == after.scene, command.name.c_str());
       QVERIFY2(!document.history().undo_label().empty(), command.name.c_str());
       trigger(window, "edit_undo");
       QVERIFY2(before.is(document), command.name.c_str());
@@ -405,15 +411,15 @@ class UndoTest : public QObject {
   }
 
   void a_dragged_coordinate_has_no_digits_that_only_the_sum_made() {
-    MainWindow window;
-    Scene scene = test::small_scene();
+    gui::MainWindow window;
+    scene::Scene scene = test::small_scene();
     scene.targets[0].position_m = {9860.1, 1.0 / 3.0, 0.0};
     test::open(window.session(), scene);
-    SceneWidget& view = window.scene().scene();
+    gui::SceneWidget& view = window.scene().scene();
     emit view.drag_started(target(0));
     emit view.dragged_to(target(0), {0.066, 0.0, -0.2});
     emit view.drag_ended();
-    const Vec3 moved = window.session().scene().targets[0].position_m;
+    const core::Vec3 moved = window.session().scene().targets[0].position_m;
     QVERIFY(9860.1 + 0.066 != 9860.166);
     QCOMPARE(moved.x, 9860.166);
     QCOMPARE(moved.y, 1.0 / 3.0);
@@ -421,11 +427,11 @@ class UndoTest : public QObject {
   }
 
   void drags_and_runs_of_steps_are_one_step_each() {
-    MainWindow window;
-    window.session().take(Document::from_text(commented_script()));
+    gui::MainWindow window;
+    window.session().take(scene::Document::from_text(commented_script()));
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));  // Only then do fields hear that the keyboard leaves them.
-    const Document& document = window.session().document();
+    const scene::Document& document = window.session().document();
     std::vector<State> states{State(document)};
     const auto note = [&] { states.emplace_back(document); };
     drag(window, target(0));
@@ -461,10 +467,10 @@ class UndoTest : public QObject {
   }
 
   void a_drag_that_comes_back_is_no_step() {
-    MainWindow window;
-    window.session().take(Document::from_text(commented_script()));
+    gui::MainWindow window;
+    window.session().take(scene::Document::from_text(commented_script()));
     const State before(window.session().document());
-    SceneWidget& view = window.scene().scene();
+    gui::SceneWidget& view = window.scene().scene();
     emit view.drag_started(target(0));
     emit view.dragged_to(target(0), {5.0, 0.0, 0.0});
     emit view.dragged_to(target(0), {0.0, 0.0, 0.0});
@@ -477,14 +483,16 @@ class UndoTest : public QObject {
   // Edits of every maker, runs of merged edits and typed texts in any order, now and then some steps back and on.
   void random_steps_go_back_to_the_beginning_and_forward_again() {
     constexpr std::uint64_t seed = 20;
-    test::RandomEdits edits(seed);
-    Session session;
-    session.take(Document::from_text(commented_script()));
-    ScriptEditor editor(session);
+    scene::test::RandomEdits edits(seed);
+    gui::Session session;
+    session.take(scene::Document::from_text(commented_script()));
+    gui::ScriptEditor editor(session);
     editor.show();
-    ObjectTreeModel model(session);
-    const Document& document = session.document();
-    const auto shown = [&] { return editor.text().script() == decoded(document.text(), coding_of(document.text())); };
+    gui::ObjectTreeModel model(session);
+    const scene::Document& document = session.document();
+    const auto shown = [&] {
+      return editor.text().script() == gui::decoded(document.text(), gui::coding_of(document.text()));
+    };
     std::vector<State> states{State(document)};
     std::size_t at = 0;
     for (int step = 0; step < 500; ++step) {
@@ -520,12 +528,12 @@ class UndoTest : public QObject {
   }
 
  private:
-  static void take_step(Session& session, test::RandomEdits& edits, std::uint64_t kind) {
+  static void take_step(gui::Session& session, scene::test::RandomEdits& edits, std::uint64_t kind) {
     if (kind == 1 && !session.scene().targets.empty()) {  // a drag
       for (int i = 0; i < 5; ++i) {
-        Target moved = session.scene().targets[0];
+        scene::Target moved = session.scene().targets[0];
         moved.position_m.x += 1.25;
-        session.perform(replace_object(session.scene(), target(0), moved, "Move target", "drag"));
+        session.perform(scene::replace_object(session.scene(), target(0), moved, "Move target", "drag"));
       }
     } else if (kind == 2) {  // typing, which may leave the text broken on the way
       const std::string text = session.document().text();

@@ -38,9 +38,9 @@ constexpr int patience_ms = 20'000;
 
 using Values = std::function<std::complex<double>(std::size_t row, std::size_t column)>;
 
-void write_samples(const fs::path& path, FileFormat format, std::size_t rows, std::size_t columns,
+void write_samples(const fs::path& path, scene::FileFormat format, std::size_t rows, std::size_t columns,
                    const Values& value) {
-  SinkOptions options;
+  raster::SinkOptions options;
   options.format = format;
   options.replace = true;
   test::write_samples(path, options, rows, columns, value);
@@ -50,11 +50,11 @@ std::complex<double> some_value(std::size_t row, std::size_t column) {
   return {static_cast<double>(row % 7), static_cast<double>(column % 5)};
 }
 
-bool wait_until_open(ImageViewer& viewer) {
+bool wait_until_open(gui::ImageViewer& viewer) {
   return QTest::qWaitFor([&] { return viewer.source() != nullptr && viewer.source()->indexed() >= 1.0; }, patience_ms);
 }
 
-bool wait_for_picture(ImageViewer& viewer) {
+bool wait_for_picture(gui::ImageViewer& viewer) {
   return QTest::qWaitFor([&] { return viewer.complete() && viewer.plot().part() != nullptr; }, patience_ms);
 }
 
@@ -62,7 +62,7 @@ bool wait_for_picture(ImageViewer& viewer) {
 struct Bench {
   explicit Bench(std::size_t rows = 60, std::size_t columns = 80, const Values& value = some_value) {
     path = in_folder("data.npy");
-    write_samples(path, FileFormat::npy, rows, columns, value);
+    write_samples(path, scene::FileFormat::npy, rows, columns, value);
     viewer.resize(1000, 700);
     viewer.show();
     viewer.open(path);
@@ -73,7 +73,7 @@ struct Bench {
 
   QTemporaryDir folder;
   fs::path path;
-  ImageViewer viewer;
+  gui::ImageViewer viewer;
   bool shown = false;
 };
 
@@ -151,7 +151,7 @@ class ViewerFilesTest : public QObject {
   void export_takes_the_format_from_a_typed_ending() {
     Bench bench;
     QVERIFY(bench.shown);
-    QSignalSpy exported(&bench.viewer, &ImageViewer::exported);
+    QSignalSpy exported(&bench.viewer, &gui::ImageViewer::exported);
     ExportAnswers answers("HDF5 (*.h5)", bench.folder.filePath("out.npy"), QMessageBox::Yes);
     bench.viewer.export_chosen();
     QVERIFY(!exported.isEmpty() || exported.wait(patience_ms));
@@ -162,7 +162,7 @@ class ViewerFilesTest : public QObject {
   void export_adds_the_ending_of_the_chosen_format() {
     Bench bench;
     QVERIFY(bench.shown);
-    QSignalSpy exported(&bench.viewer, &ImageViewer::exported);
+    QSignalSpy exported(&bench.viewer, &gui::ImageViewer::exported);
     ExportAnswers answers("CSV (*.csv)", bench.folder.filePath("out"), QMessageBox::Yes);
     bench.viewer.export_chosen();
     QVERIFY(!exported.isEmpty() || exported.wait(patience_ms));
@@ -172,7 +172,7 @@ class ViewerFilesTest : public QObject {
   void a_larger_file_that_takes_the_name_is_read_anew() {
     Bench bench(60);
     QVERIFY(bench.shown);
-    write_samples(bench.in_folder("other.npy"), FileFormat::npy, 90, 80,
+    write_samples(bench.in_folder("other.npy"), scene::FileFormat::npy, 90, 80,
                   [](std::size_t, std::size_t) { return std::complex<double>(9.0, 0.0); });
     fs::rename(bench.in_folder("other.npy"), bench.path);
     QVERIFY(QTest::qWaitFor([&] { return bench.viewer.source()->rows() == 90; }, patience_ms));
@@ -195,10 +195,10 @@ class ViewerFilesTest : public QObject {
     QVERIFY(bench.shown);
     const QSize size = bench.viewer.plot().device_size();
     QVERIFY(columns > static_cast<std::size_t>(size.width()) && columns < static_cast<std::size_t>(2 * size.width()));
-    PartLook look = bench.viewer.look();
+    gui::PartLook look = bench.viewer.look();
     look.peak = true;
-    look.quantity = DisplayQuantity::magnitude;
-    look.map = ColourMap::grey;
+    look.quantity = picture::DisplayQuantity::magnitude;
+    look.map = picture::ColourMap::grey;
     look.limits = {};
     bench.viewer.set_look(look);
     QVERIFY(QTest::qWaitFor([&] { return bench.viewer.complete() && bench.viewer.plot().part()->peaks; }, patience_ms));
@@ -221,13 +221,13 @@ class ViewerFilesTest : public QObject {
   void statistics_follow_the_quantity_that_is_shown() {
     Bench bench;
     QVERIFY(bench.shown);
-    PartLook look = bench.viewer.look();
-    look.quantity = DisplayQuantity::magnitude;
+    gui::PartLook look = bench.viewer.look();
+    look.quantity = picture::DisplayQuantity::magnitude;
     bench.viewer.set_look(look);
     bench.viewer.findChild<QToolButton*>("image_show_statistics")->setChecked(true);
     QTRY_VERIFY_WITH_TIMEOUT(bench.words("image_statistics").contains("from"), patience_ms);
     const QString before = bench.words("image_statistics");
-    look.quantity = DisplayQuantity::phase;
+    look.quantity = picture::DisplayQuantity::phase;
     bench.viewer.set_look(look);
     QVERIFY2(bench.words("image_statistics") != before, qPrintable(before));
     QVERIFY2(bench.words("image_statistics").contains("deg"), qPrintable(bench.words("image_statistics")));
@@ -237,13 +237,13 @@ class ViewerFilesTest : public QObject {
     const QTemporaryDir folder;
     const fs::path large = folder.filePath("large.npy").toStdString();
     const fs::path small = folder.filePath("small.npy").toStdString();
-    write_samples(large, FileFormat::npy, 50, 400, some_value);
-    write_samples(small, FileFormat::npy, 50, 20, some_value);
-    MainWindow main;
-    ImageViewer* const one = main.image_viewers().open_file(large);
-    ImageViewer* const two = main.image_viewers().open_file(small);
+    write_samples(large, scene::FileFormat::npy, 50, 400, some_value);
+    write_samples(small, scene::FileFormat::npy, 50, 20, some_value);
+    gui::MainWindow main;
+    gui::ImageViewer* const one = main.image_viewers().open_file(large);
+    gui::ImageViewer* const two = main.image_viewers().open_file(small);
     QVERIFY(wait_until_open(*one) && wait_until_open(*two));
-    for (ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
+    for (gui::ImageViewer* viewer : {one, two}) viewer->findChild<QAbstractButton*>("image_link_columns")->click();
     one->go_to({200.0, 300.0, 10.0, 40.0});
     QCOMPARE(one->plot().view().column_first, 200.0);
     QCOMPARE(one->plot().view().column_last, 300.0);
@@ -254,11 +254,11 @@ class ViewerFilesTest : public QObject {
     QVERIFY(bench.shown);
     bench.viewer.findChild<QToolButton*>("image_show_statistics")->setChecked(true);
     QTRY_VERIFY_WITH_TIMEOUT(bench.viewer.statistics().has_value(), patience_ms);
-    bench.viewer.plot().set_cursor(0, SamplePlace{10.0, 10.0});
+    bench.viewer.plot().set_cursor(0, gui::SamplePlace{10.0, 10.0});
     QTRY_VERIFY(!bench.words("image_read_out").isEmpty());
     bench.viewer.read_point_at(3, 4);
     QTRY_VERIFY_WITH_TIMEOUT(!bench.words("image_reading").isEmpty(), patience_ms);
-    QSignalSpy failed(&bench.viewer, &ImageViewer::open_failed);
+    QSignalSpy failed(&bench.viewer, &gui::ImageViewer::open_failed);
     bench.viewer.open(bench.in_folder("none.npy"));
     QVERIFY(!failed.isEmpty() || failed.wait(patience_ms));
     for (const char* name : {"image_read_out", "image_statistics", "image_reading"})
@@ -275,14 +275,14 @@ class ViewerFilesTest : public QObject {
       file.write(reinterpret_cast<const char*>(&value), sizeof value);
     }
     file.close();
-    ImageViewer viewer;
+    gui::ImageViewer viewer;
     viewer.resize(1000, 700);
     viewer.show();
-    ImageHints hints;
-    hints.raw = RawLayout{.width = 32, .number = RawNumber::float32};
+    raster::ImageHints hints;
+    hints.raw = raster::RawLayout{.width = 32, .number = raster::RawNumber::float32};
     viewer.open(path, hints);
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
-    viewer.plot().set_cursor(0, SamplePlace{10.0, 10.0});
+    viewer.plot().set_cursor(0, gui::SamplePlace{10.0, 10.0});
     auto* const words = viewer.findChild<QLabel*>("image_read_out");
     QTRY_VERIFY(words->text().contains("Magnitude"));
     QVERIFY2(!words->text().contains(" V ") && !words->text().contains("dBV"), qPrintable(words->text()));
@@ -292,8 +292,8 @@ class ViewerFilesTest : public QObject {
     Bench bench;
     QVERIFY(bench.shown);
     bench.viewer.go_to({10.0, 30.0, 10.0, 30.0});
-    const ImageView before = bench.viewer.plot().view();
-    auto* const overview = bench.viewer.findChild<ImageThumbnail*>();
+    const gui::ImageView before = bench.viewer.plot().view();
+    auto* const overview = bench.viewer.findChild<gui::ImageThumbnail*>();
     const QPoint middle = overview->rect().center();
     QTest::mousePress(overview, Qt::LeftButton, {}, middle);
     for (int step = 1; step <= 5; ++step) {
@@ -308,7 +308,7 @@ class ViewerFilesTest : public QObject {
   }
 
   void there_is_nothing_to_go_back_to_without_a_file() {
-    const ImageViewer viewer;
+    const gui::ImageViewer viewer;
     QVERIFY(!viewer.findChild<QToolButton*>("image_back")->isEnabled());
     QVERIFY(!viewer.findChild<QToolButton*>("image_forward")->isEnabled());
   }
@@ -317,12 +317,12 @@ class ViewerFilesTest : public QObject {
 
   void what_the_scene_knows_of_one_file_is_not_held_against_the_next() {
     const QTemporaryDir folder;
-    Scene scene = test::small_scene();
+    scene::Scene scene = test::small_scene();
     scene.simulations[0].file = "known.bin";
     scene.simulations[0].bits = 8;
     for (const char* name : {"known.bin", "other.bin"})
       std::ofstream(folder.filePath(name).toStdString(), std::ios::binary) << std::string(4000, '\x80');
-    OpenImageDialog dialog;
+    gui::OpenImageDialog dialog;
     dialog.set_scene(scene);
     dialog.show();
     auto* const columns = dialog.findChild<QLineEdit*>("open_image_columns");
@@ -336,7 +336,7 @@ class ViewerFilesTest : public QObject {
 
   void typed_nonsense_is_told_and_not_opened() {
     Bench bench;
-    OpenImageDialog dialog;
+    gui::OpenImageDialog dialog;
     dialog.show();
     dialog.show_file(QString::fromStdString(bench.path.string()), {});
     QTRY_VERIFY_WITH_TIMEOUT(dialog.has_preview(), patience_ms);
@@ -354,16 +354,16 @@ class ViewerFilesTest : public QObject {
   void a_chosen_format_is_kept() {
     const QTemporaryDir folder;
     const fs::path path = folder.filePath("a.dat").toStdString();
-    write_samples(path, FileFormat::binary, 20, 30, some_value);
-    OpenImageDialog dialog;
+    write_samples(path, scene::FileFormat::binary, 20, 30, some_value);
+    gui::OpenImageDialog dialog;
     dialog.show();
-    ImageHints hints;
-    hints.samples.format = FileFormat::binary;
+    raster::ImageHints hints;
+    hints.samples.format = scene::FileFormat::binary;
     hints.samples.columns = 30;
     hints.samples.bits = 12;
     dialog.show_file(QString::fromStdString(path.string()), hints);
     QTRY_VERIFY_WITH_TIMEOUT(dialog.has_preview(), patience_ms);
-    QVERIFY(dialog.hints().samples.format == FileFormat::binary);
+    QVERIFY(dialog.hints().samples.format == scene::FileFormat::binary);
     QCOMPARE(dialog.hints().samples.columns, std::size_t{30});
     QCOMPARE(dialog.hints().samples.bits, 12);
   }
@@ -371,8 +371,8 @@ class ViewerFilesTest : public QObject {
   void a_text_is_previewed_when_it_has_been_looked_through() {
     const QTemporaryDir folder;
     const fs::path path = folder.filePath("a.asc").toStdString();
-    write_samples(path, FileFormat::ascii, 2000, 200, some_value);
-    OpenImageDialog dialog;
+    write_samples(path, scene::FileFormat::ascii, 2000, 200, some_value);
+    gui::OpenImageDialog dialog;
     dialog.show();
     dialog.show_file(QString::fromStdString(path.string()), {});
     QTRY_VERIFY_WITH_TIMEOUT(dialog.has_preview(), patience_ms);

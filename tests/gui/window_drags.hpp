@@ -33,12 +33,12 @@
 namespace sarsim::test {
 
 /// Half of the targets on Earth, half on a ship that sails past; a radar on a plane, a stored simulation of it.
-inline Scene wide_scene(std::size_t targets) {
-  Scene scene;
+inline scene::Scene wide_scene(std::size_t targets) {
+  scene::Scene scene;
   scene.platforms.resize(3);
-  const auto sail = [](Platform& platform, const char* name, const Vec3& from_m, const Vec3& to_m) {
+  const auto sail = [](scene::Platform& platform, const char* name, const core::Vec3& from_m, const core::Vec3& to_m) {
     platform.name = name;
-    platform.path = Platform::Path::trajectory;
+    platform.path = scene::Platform::Path::trajectory;
     const double from[] = {from_m.x, from_m.y, from_m.z};
     const double to[] = {to_m.x, to_m.y, to_m.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -48,11 +48,11 @@ inline Scene wide_scene(std::size_t targets) {
   sail(scene.platforms[2], "Plane", {-500.0, -3000.0, 3000.0}, {500.0, -3000.0, 3000.0});
   scene.radars.emplace_back().platform = "Plane";
   for (std::size_t i = 0; i < targets; ++i) {
-    Target& target = scene.targets.emplace_back();
+    scene::Target& target = scene.targets.emplace_back();
     target.platform = i % 2 == 0 ? "Earth" : "Ship";
     target.position_m = {7.5 * static_cast<double>(i % 100), 7.5 * static_cast<double>(i / 100), 0.0};
   }
-  Simulation& simulation = scene.simulations.emplace_back();
+  scene::Simulation& simulation = scene.simulations.emplace_back();
   simulation.radar = "Radar1";
   simulation.range_start_m = 3000.0;
   simulation.range_end_m = 6000.0;
@@ -83,7 +83,7 @@ struct AnswerTimes {
 class WindowDrags : public QObject {
  public:
   explicit WindowDrags(std::size_t targets) {
-    window_.session().take(Document::from_text(write_script(wide_scene(targets))));
+    window_.session().take(scene::Document::from_text(scene::write_script(wide_scene(targets))));
     window_.resize(1600, 1000);
     window_.show();
     if (!QTest::qWaitForWindowExposed(&window_)) throw std::runtime_error("the window does not appear");
@@ -99,7 +99,7 @@ class WindowDrags : public QObject {
     QTest::qWait(300);
   }
 
-  [[nodiscard]] MainWindow& window() { return window_; }
+  [[nodiscard]] gui::MainWindow& window() { return window_; }
 
   /// Turns the scene by dragging beside everything.
   AnswerTimes rotate(int steps) {
@@ -109,7 +109,7 @@ class WindowDrags : public QObject {
 
   /// Moves a target with the mouse, in small circles.
   AnswerTimes move_target(int steps) {
-    const ObjectId id{ObjectKind::target, window_.session().scene().targets.size() / 2};
+    const scene::ObjectId id{scene::ObjectKind::target, window_.session().scene().targets.size() / 2};
     window_.session().select_only(id);
     QTest::qWait(300);
     const QPoint from = place_of(id);
@@ -124,7 +124,7 @@ class WindowDrags : public QObject {
 
   /// Runs the x coordinate of a target up with the arrow key.
   AnswerTimes step_coordinate(int steps) {
-    window_.session().select_only({ObjectKind::target, window_.session().scene().targets.size() / 2});
+    window_.session().select_only({scene::ObjectKind::target, window_.session().scene().targets.size() / 2});
     QTest::qWait(300);
     auto* field = window_.findChild<QLineEdit*>("field_position_m.x");
     field->setFocus();
@@ -136,9 +136,9 @@ class WindowDrags : public QObject {
 
   /// Gives all targets of the table another cross-section, again and again.
   AnswerTimes fill_column(int steps) {
-    auto* table = window_.findChild<TargetTable*>();
+    auto* table = window_.findChild<gui::TargetTable*>();
     auto* view = table->findChild<QTableView*>("target_cells");
-    const int column = static_cast<TargetTableModel*>(view->model())->column_of("rcs_m2");
+    const int column = static_cast<gui::TargetTableModel*>(view->model())->column_of("rcs_m2");
     const QItemSelection cells(view->model()->index(0, column),
                                view->model()->index(view->model()->rowCount() - 1, column));
     view->selectionModel()->select(cells, QItemSelectionModel::ClearAndSelect);
@@ -176,10 +176,10 @@ class WindowDrags : public QObject {
  private:
   static constexpr double interval_ms = 1000.0 / 60.0;
 
-  SceneWidget& view() { return window_.scene().scene(); }
+  gui::SceneWidget& view() { return window_.scene().scene(); }
 
-  [[nodiscard]] QPoint place_of(ObjectId id) {
-    for (const Snapshot::Target& target : view().snapshot().targets)
+  [[nodiscard]] QPoint place_of(scene::ObjectId id) {
+    for (const picture::Snapshot::Target& target : view().snapshot().targets)
       if (target.id == id)
         if (const auto point = view().camera().project(target.position_world_m))
           return (QPointF(point->x, point->y) / view().pixel_scale()).toPoint();
@@ -190,7 +190,7 @@ class WindowDrags : public QObject {
   [[nodiscard]] QPoint free_place() {
     for (const QPoint corner : {QPoint(30, 30), QPoint(view().width() - 30, 30), QPoint(30, view().height() - 30)}) {
       const QPointF at = QPointF(corner) * view().pixel_scale();
-      const bool taken = std::ranges::any_of(view().snapshot().targets, [&](const Snapshot::Target& target) {
+      const bool taken = std::ranges::any_of(view().snapshot().targets, [&](const picture::Snapshot::Target& target) {
         const auto point = view().camera().project(target.position_world_m);
         return point && std::abs(point->x - at.x()) < 20.0 && std::abs(point->y - at.y()) < 20.0;
       });
@@ -240,7 +240,7 @@ class WindowDrags : public QObject {
 
   static constexpr double rest_ms = 400.0;
 
-  MainWindow window_;
+  gui::MainWindow window_;
   int paints_ = 0;
 };
 

@@ -95,7 +95,7 @@ TEST_F(PartRefusals, PartsOfAnotherVersionOfTheProgram) {
   ASSERT_NE(begin, std::string::npos);
   const std::string other = "is program 0.0.9";
   std::array<char, 32> seal{};
-  std::snprintf(seal.data(), seal.size(), " #%016lx\n", static_cast<unsigned long>(checksum_of(other)));
+  std::snprintf(seal.data(), seal.size(), " #%016lx\n", static_cast<unsigned long>(core::checksum_of(other)));
   change(journal("part-1-of-2"), text.substr(begin, text.find('\n', begin) + 1 - begin), other + seal.data());
   expect_refusal(run({"--part", "2/2"}), "program is 0.1.0 now, 0.0.9 there");
 }

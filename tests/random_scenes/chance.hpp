@@ -34,18 +34,18 @@ class Chance {
     return static_cast<Enum>(below(static_cast<std::uint64_t>(count)));
   }
 
-  Angle angle(double largest_deg) { return Angle::from_deg(between(-largest_deg, largest_deg)); }
-  Vec3 vector(double largest) {
+  core::Angle angle(double largest_deg) { return core::Angle::from_deg(between(-largest_deg, largest_deg)); }
+  core::Vec3 vector(double largest) {
     return {between(-largest, largest), between(-largest, largest), between(-largest, largest)};
   }
   /// Zeros or a vector of positive numbers, some of them zero.
-  Vec3 magnitudes(double low, double high) {
+  core::Vec3 magnitudes(double low, double high) {
     if (coin()) return {};
     return {size_or_zero(low, high), size_or_zero(low, high), size_or_zero(low, high)};
   }
-  Vec3 direction() {
+  core::Vec3 direction() {
     const double z = 2.0 * uniform() - 1.0;
-    const double turn = 2.0 * pi * uniform();
+    const double turn = 2.0 * core::pi * uniform();
     const double r = std::sqrt(1.0 - z * z);
     return {r * std::cos(turn), r * std::sin(turn), z};
   }

@@ -27,9 +27,9 @@ namespace {
 
 using Row = std::vector<std::complex<double>>;
 
-std::string first_error(const Problems& problems) {
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error) return to_string(problem);
+std::string first_error(const core::Problems& problems) {
+  for (const core::Problem& problem : problems)
+    if (problem.severity == core::Severity::error) return core::to_string(problem);
   return {};
 }
 
@@ -42,22 +42,22 @@ std::uint64_t hash_of(const std::string& text) {
 
 class Examiner {
  public:
-  explicit Examiner(const Scene& scene) : scene_(scene) {}
+  explicit Examiner(const scene::Scene& scene) : scene_(scene) {}
 
   Examination examine() {
-    text_ = write_script(scene_);
+    text_ = scene::write_script(scene_);
     choices_ = hash_of(text_);
     guarded("round trip", [&] { compare_scripts(); });
     try {
-      refuse(check(scene_));
+      refuse(scene::check(scene_));
       if (!result_.refused.empty()) return result_;
-      resolved_ = std::make_shared<const ResolvedScene>(resolve(scene_));
-      refuse(survey(scene_, resolved_));
+      resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_));
+      refuse(simulate::survey(scene_, resolved_));
       if (!result_.refused.empty()) return result_;
       for (std::size_t i = 0; i < scene_.simulations.size(); ++i) examine_simulation(i);
       guarded("geometry", [&] { make_tables(); });
-    } catch (const ImpossibleEcho& echo) {  // Of a pulse that the survey did not look at.
-      result_.refused = to_string(echo.problem);
+    } catch (const simulate::ImpossibleEcho& echo) {  // Of a pulse that the survey did not look at.
+      result_.refused = core::to_string(echo.problem);
     }
     return result_;
   }
@@ -69,53 +69,57 @@ class Examiner {
   void guarded(const std::string& check, const std::function<void()>& work) {
     try {
       work();
-    } catch (const ImpossibleEcho&) {
+    } catch (const simulate::ImpossibleEcho&) {
       throw;
     } catch (const std::exception& error) {
       find(check + " throws", error.what());
     }
   }
 
-  void refuse(const Problems& problems) { result_.refused = first_error(problems); }
+  void refuse(const core::Problems& problems) { result_.refused = first_error(problems); }
 
   void compare_scripts() {
-    const ScriptReading reading = read_script(text_, "scene.scr", loader_of(scene_));
-    if (has_errors(reading.problems)) return find("script read", first_error(reading.problems));
+    const scene::ScriptReading reading = scene::read_script(text_, "scene.scr", loader_of(scene_));
+    if (core::has_errors(reading.problems)) return find("script read", first_error(reading.problems));
     if (!(reading.scene == scene_)) find("script differs", "the scene that was read is another one");
-    if (write_script(reading.scene) != text_) find("script rewritten", "the script is written in another way");
-    const ScriptReading other = read_script(spelled_otherwise(text_), "scene.scr", loader_of(scene_));
-    if (has_errors(other.problems) || !(other.scene == scene_))
+    if (scene::write_script(reading.scene) != text_) find("script rewritten", "the script is written in another way");
+    const scene::ScriptReading other = scene::read_script(spelled_otherwise(text_), "scene.scr", loader_of(scene_));
+    if (core::has_errors(other.problems) || !(other.scene == scene_))
       find("script spelled otherwise", first_error(other.problems));
   }
 
   void examine_simulation(std::size_t index) {
-    const Plan reference = make_plan(scene_, index, resolved_, Engine::reference);
-    for (const Engine engine : {Engine::automatic, Engine::direct, Engine::spectral})
-      guarded(std::string(name_of(engine)), [&] { compare_engine(index, engine, reference); });
+    const simulate::Plan reference = simulate::make_plan(scene_, index, resolved_, simulate::Engine::reference);
+    for (const simulate::Engine engine :
+         {simulate::Engine::automatic, simulate::Engine::direct, simulate::Engine::spectral})
+      guarded(std::string(simulate::name_of(engine)), [&] { compare_engine(index, engine, reference); });
     if (reference.compressor) guarded("compression", [&] { compare_compression(index, reference); });
     if (reference.profiler) guarded("profile", [&] { compare_profile(index, reference); });
-    constexpr std::array engines{Engine::automatic, Engine::direct, Engine::spectral, Engine::reference};
+    constexpr std::array engines{simulate::Engine::automatic, simulate::Engine::direct, simulate::Engine::spectral,
+                                 simulate::Engine::reference};
     guarded("division", [&] { compare_divisions(index, engines[choices_ % engines.size()]); });
   }
 
-  void compare_engine(std::size_t index, Engine engine, const Plan& reference) {
+  void compare_engine(std::size_t index, simulate::Engine engine, const simulate::Plan& reference) {
     const double tolerance = scene_.options.tolerance;
-    const EngineErrors errors = compare_rows(make_plan(scene_, index, resolved_, engine), reference, tolerance);
+    const EngineErrors errors =
+        compare_rows(simulate::make_plan(scene_, index, resolved_, engine), reference, tolerance);
     result_.rows += reference.rows;
-    if (!errors.finite) find(fmt::format("{} not finite", name_of(engine)), "a sample is not a finite number");
+    if (!errors.finite)
+      find(fmt::format("{} not finite", simulate::name_of(engine)), "a sample is not a finite number");
     result_.worst_error = std::max(result_.worst_error, errors.worst_share);
     if (!(errors.worst_share <= 1.0))
-      find(fmt::format("{} error", name_of(engine)),
+      find(fmt::format("{} error", simulate::name_of(engine)),
            fmt::format("row {} of simulation {} is {:.3g} times as far from the reference as promised",
                        errors.worst_row, index + 1, errors.worst_share));
   }
 
   // The raw recording of the samples that a plan compresses, or of the pulses of its profiles.
-  [[nodiscard]] Plan raw_plan(std::size_t index, const Plan& plan) const {
-    Scene scene = scene_;
-    Simulation& simulation = scene.simulations[index];
-    simulation.processing = Processing::raw;
-    Plan raw = make_plan(scene, index, resolved_, Engine::reference);
+  [[nodiscard]] simulate::Plan raw_plan(std::size_t index, const simulate::Plan& plan) const {
+    scene::Scene scene = scene_;
+    scene::Simulation& simulation = scene.simulations[index];
+    simulation.processing = scene::Processing::raw;
+    simulate::Plan raw = simulate::make_plan(scene, index, resolved_, simulate::Engine::reference);
     raw.raw_grid = plan.raw_grid;
     raw.noise_first_sample = plan.noise_first_sample;
     raw.stc_gain = plan.stc_gain;
@@ -131,10 +135,10 @@ class Examiner {
       find(check, fmt::format("row {} differs by {:.3g} where the largest sample is {:.3g}", row, error, scale));
   }
 
-  void compare_compression(std::size_t index, const Plan& plan) {
-    const Plan raw = raw_plan(index, plan);
-    RowMaker raw_rows(raw);
-    RowMaker rows(plan);
+  void compare_compression(std::size_t index, const simulate::Plan& plan) {
+    const simulate::Plan raw = raw_plan(index, plan);
+    simulate::RowMaker raw_rows(raw);
+    simulate::RowMaker rows(plan);
     const auto& taps = plan.compressor->filter().taps;
     Row samples(raw.columns), expected(plan.columns), got(plan.columns);
     for (std::size_t row = 0; row < plan.rows; ++row) {
@@ -153,10 +157,10 @@ class Examiner {
     }
   }
 
-  void compare_profile(std::size_t index, const Plan& plan) {
-    const Plan raw = raw_plan(index, plan);
-    RowMaker raw_rows(raw);
-    RowMaker rows(plan);
+  void compare_profile(std::size_t index, const simulate::Plan& plan) {
+    const simulate::Plan raw = raw_plan(index, plan);
+    simulate::RowMaker raw_rows(raw);
+    simulate::RowMaker rows(plan);
     const std::size_t gates = plan.raw_grid.count;
     const auto per_step = static_cast<std::size_t>(plan.radar.carrier.pulses_per_step());
     Row samples(gates), sums(plan.columns), expected(plan.columns), got(plan.columns);
@@ -178,28 +182,28 @@ class Examiner {
   }
 
   // The bytes of some rows, and the LSB.
-  std::vector<std::byte> bytes_of(const Plan& plan, double lsb_v, const Sink& encoder, RowRange rows,
-                                  unsigned threads) {
+  std::vector<std::byte> bytes_of(const simulate::Plan& plan, double lsb_v, const simulate::Sink& encoder,
+                                  simulate::RowRange rows, unsigned threads) {
     std::vector<std::byte> bytes;
-    RunControl control;
+    simulate::RunControl control;
     control.threads = threads;
-    run_rows(plan, rows, lsb_v, encoder, control, [&](const EncodedRows& encoded) {
+    simulate::run_rows(plan, rows, lsb_v, encoder, control, [&](const simulate::EncodedRows& encoded) {
       bytes.insert(bytes.end(), encoded.bytes.begin(), encoded.bytes.end());
     });
     return bytes;
   }
 
-  void compare_divisions(std::size_t index, Engine engine) {
-    const Plan plan = make_plan(scene_, index, resolved_, engine);
-    RunControl one, three;
+  void compare_divisions(std::size_t index, simulate::Engine engine) {
+    const simulate::Plan plan = simulate::make_plan(scene_, index, resolved_, engine);
+    simulate::RunControl one, three;
     one.threads = 1;
     three.threads = 3;
-    const double lsb_v = resolved_lsb_v(plan, one);
-    if (resolved_lsb_v(plan, three) != lsb_v) find("threads", "another LSB with three threads");
-    SinkOptions options;
+    const double lsb_v = simulate::resolved_lsb_v(plan, one);
+    if (simulate::resolved_lsb_v(plan, three) != lsb_v) find("threads", "another LSB with three threads");
+    raster::SinkOptions options;
     options.format = plan.simulation.format;
     options.counts = choices_ / 4 % 2 == 0;
-    const auto encoder = make_discarding_sink(product_of(plan, text_), options);
+    const auto encoder = raster::make_discarding_sink(simulate::product_of(plan, text_), options);
     const auto whole = bytes_of(plan, lsb_v, *encoder, {0, plan.rows}, 1);
     if (bytes_of(plan, lsb_v, *encoder, {0, plan.rows}, 3) != whole) find("threads", "other bytes with three threads");
     const std::size_t cut = choices_ / 8 % (plan.rows + 1);
@@ -210,25 +214,25 @@ class Examiner {
   }
 
   void make_tables() {
-    for (const GeometryTable& table : scene_.geometries) {
+    for (const scene::GeometryTable& table : scene_.geometries) {
       std::string text, exact;
-      write_geometry_text(scene_, table, [&](std::string_view piece) { text += piece; });
-      write_geometry_csv(scene_, table, [&](std::string_view piece) { exact += piece; });
+      simulate::write_geometry_text(scene_, table, [&](std::string_view piece) { text += piece; });
+      simulate::write_geometry_csv(scene_, table, [&](std::string_view piece) { exact += piece; });
       if (text.empty() || exact.empty()) find("geometry", "a table is empty");
       if (exact.find("nan") != std::string::npos || exact.find("inf") != std::string::npos)
         find("geometry", "a table holds what is no number");
     }
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::string text_;
   std::uint64_t choices_ = 0;
-  std::shared_ptr<const ResolvedScene> resolved_;
+  std::shared_ptr<const simulate::ResolvedScene> resolved_;
   Examination result_;
 };
 
 }  // namespace
 
-Examination examine(const Scene& scene) { return Examiner(scene).examine(); }
+Examination examine(const scene::Scene& scene) { return Examiner(scene).examine(); }
 
 }  // namespace sarsim::test

@@ -34,6 +34,6 @@ struct Examination {
 ///   range profile the profile of the raw pulses' means;
 /// - the bytes of the file do not depend on the number of threads or on how the rows are divided;
 /// - a geometry table can be made.
-[[nodiscard]] Examination examine(const Scene& scene);
+[[nodiscard]] Examination examine(const scene::Scene& scene);
 
 }  // namespace sarsim::test

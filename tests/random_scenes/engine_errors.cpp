@@ -20,9 +20,9 @@ double norm_of(const Row& row) {
 }
 
 // ||p||^2 in samples, of the pulse before it is confined to a band. One that is shorter than a sample counts as one.
-double pulse_energy(const Plan& plan) {
+double pulse_energy(const simulate::Plan& plan) {
   constexpr std::size_t points = 2000;
-  const Pulse& pulse = plan.pulse.pulse;
+  const radar::Pulse& pulse = plan.pulse.pulse;
   double sum = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < points; ++i) {
@@ -35,9 +35,9 @@ double pulse_energy(const Plan& plan) {
 }
 
 // Largest magnitude of a filter's response.
-double filter_gain(const RangeCompressor& compressor) {
+double filter_gain(const signal::RangeCompressor& compressor) {
   const auto& taps = compressor.filter().taps;
-  const Fft fft(good_fft_size(8 * taps.size()));
+  const core::Fft fft(core::good_fft_size(8 * taps.size()));
   Row response(fft.size());
   std::ranges::copy(taps, response.begin());
   fft.forward(response);
@@ -47,7 +47,7 @@ double filter_gain(const RangeCompressor& compressor) {
 }
 
 // Largest singular value of a range profile's sum over the steps: a discrete transform behind weights.
-double profile_gain(const RangeProfiler& profiler) {
+double profile_gain(const signal::RangeProfiler& profiler) {
   Row sums(profiler.gates() * profiler.steps());
   Row bins(sums.size());
   double largest = 0.0;
@@ -63,7 +63,7 @@ double profile_gain(const RangeProfiler& profiler) {
 // What is allowed for the rows of a plan.
 class Allowance {
  public:
-  Allowance(const Plan& plan, double tolerance)
+  Allowance(const simulate::Plan& plan, double tolerance)
       : plan_(plan), tolerance_(tolerance), geometry_(*plan.scene, plan.radar), energy_(pulse_energy(plan)) {
     longer_.first_s -= margin * longer_.interval_s;
     longer_.count += 2 * margin;
@@ -99,7 +99,7 @@ class Allowance {
     double squares = 0.0;
     double longest_s = 0.0;
     for (std::size_t k = 0; k < echoes_.size(); ++k) {
-      const SampleSpan on = touched_samples(plan_.pulse, longer_, echoes_.delay_s[k]);
+      const radar::SampleSpan on = radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k]);
       if (on.begin >= on.end) continue;
       squares += echoes_.amplitude_sqrt_w[k] * echoes_.amplitude_sqrt_w[k];
       longest_s = std::max(longest_s, std::abs(echoes_.delay_s[k]));
@@ -110,11 +110,11 @@ class Allowance {
 
   static constexpr std::size_t margin = 2;  // Samples.
 
-  const Plan& plan_;
-  SampleGrid longer_ = plan_.raw_grid;
+  const simulate::Plan& plan_;
+  radar::SampleGrid longer_ = plan_.raw_grid;
   double tolerance_;
-  PulseGeometry geometry_;
-  EchoBatch echoes_;
+  simulate::PulseGeometry geometry_;
+  radar::EchoBatch echoes_;
   double energy_;
   double gain_ = 1.0;
 };
@@ -127,11 +127,11 @@ bool all_finite(const Row& row) {
 
 }  // namespace
 
-EngineErrors compare_rows(const Plan& fast, const Plan& reference, double tolerance) {
+EngineErrors compare_rows(const simulate::Plan& fast, const simulate::Plan& reference, double tolerance) {
   constexpr double vanishing_v = 1e-37;  // Echoes of this size are no numbers of single precision.
   constexpr double rounding = 1e-13;     // Of whatever else stands in the row, such as noise.
-  RowMaker fast_rows(fast);
-  RowMaker plain_rows(reference);
+  simulate::RowMaker fast_rows(fast);
+  simulate::RowMaker plain_rows(reference);
   Allowance allowance(reference, tolerance);
   Row got(fast.columns);
   Row expected(reference.columns);

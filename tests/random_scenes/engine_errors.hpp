@@ -16,6 +16,6 @@ struct EngineErrors {
 
 /// Compares all rows of a plan with those of the same plan of the reference engine.
 /// @param tolerance  that the plan was made for
-[[nodiscard]] EngineErrors compare_rows(const Plan& fast, const Plan& reference, double tolerance);
+[[nodiscard]] EngineErrors compare_rows(const simulate::Plan& fast, const simulate::Plan& reference, double tolerance);
 
 }  // namespace sarsim::test

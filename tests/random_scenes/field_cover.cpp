@@ -26,7 +26,7 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-std::string word_at(const std::vector<std::string>& lines, const Place& place) {
+std::string word_at(const std::vector<std::string>& lines, const core::Place& place) {
   if (place.line == 0 || place.line > lines.size() || place.column == 0) return {};
   const std::string& line = lines[place.line - 1];
   const std::size_t begin = std::min(place.column - 1, line.size());
@@ -41,7 +41,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::size_t objects_of(const Scene& scene, const std::string& kind) {
+std::size_t objects_of(const scene::Scene& scene, const std::string& kind) {
   if (kind == "platform") return scene.platforms.size();
   if (kind == "surface") return scene.surfaces.size();
   if (kind == "target") return scene.targets.size();
@@ -58,8 +58,8 @@ FieldCover::FieldCover(const std::filesystem::path& schema_folder) {
   read_tables(text_of(schema_folder / "radar_grammar.hpp"));
   if (values_.size() < 50 || keywords_.size() < 50)
     throw std::runtime_error("the grammar's tables were not understood");
-  for (const FunctionBlock* block : function_blocks::all) {
-    for (const auto& method : script::interpolations)
+  for (const scene::FunctionBlock* block : scene::function_blocks::all) {
+    for (const auto& method : scene::script::interpolations)
       blocks_[std::string(block->words) + " by " + std::string(method.word)] = 0;
     blocks_[std::string(block->words) + " INLINE"] = 0;
     blocks_[std::string(block->words) + " in a FILE"] = 0;
@@ -77,8 +77,8 @@ void FieldCover::read_tables(const std::string& text) {
   }
 }
 
-void FieldCover::note(const Scene& scene) {
-  const std::string text = write_script(scene);
+void FieldCover::note(const scene::Scene& scene) {
+  const std::string text = scene::write_script(scene);
   note_fields(scene, text);
   note_fields(scene, spelled_otherwise(text));
   note_keywords(text);
@@ -87,15 +87,15 @@ void FieldCover::note(const Scene& scene) {
 }
 
 // A member of a member that a script leaves out has the place of what is in front of its '.'.
-void FieldCover::note_fields(const Scene& scene, const std::string& text) {
-  const ScriptReading reading = read_script(text, "scene.scr", loader_of(scene));
+void FieldCover::note_fields(const scene::Scene& scene, const std::string& text) {
+  const scene::ScriptReading reading = scene::read_script(text, "scene.scr", loader_of(scene));
   const std::vector<std::string> lines = lines_of(text);
   for (auto& [field, seen] : values_)
     for (std::size_t i = 0; i < objects_of(reading.scene, field.first) && seen.size() < enough; ++i) {
-      const Place place = reading.places.find({field.first, i, field.second});
+      const core::Place place = reading.places.find({field.first, i, field.second});
       const std::size_t dot = field.second.find('.');
       const std::string owner = dot == std::string::npos ? "" : field.second.substr(0, dot);
-      if (place == Place{} || place == reading.places.find({field.first, i, owner})) continue;
+      if (place == core::Place{} || place == reading.places.find({field.first, i, owner})) continue;
       if (const std::string word = word_at(lines, place); !word.empty()) seen.insert(word);
     }
 }
@@ -117,19 +117,19 @@ void FieldCover::note_keywords(const std::string& text) {
   }
 }
 
-void FieldCover::note_blocks(const Scene& scene) {
-  visit_functions(scene,
-                  [&](const FunctionBlock& block, std::span<const SampledFunction> parts, const std::string& file) {
-                    const std::string words(block.words);
-                    bool used = false;
-                    for (const SampledFunction& part : parts) {
-                      if (part.knots.empty()) continue;
-                      used = true;
-                      for (const auto& method : script::interpolations)
-                        if (method.value == part.method) ++blocks_.at(words + " by " + std::string(method.word));
-                    }
-                    if (used) ++blocks_.at(words + (file.empty() ? " INLINE" : " in a FILE"));
-                  });
+void FieldCover::note_blocks(const scene::Scene& scene) {
+  visit_functions(scene, [&](const scene::FunctionBlock& block, std::span<const core::SampledFunction> parts,
+                             const std::string& file) {
+    const std::string words(block.words);
+    bool used = false;
+    for (const core::SampledFunction& part : parts) {
+      if (part.knots.empty()) continue;
+      used = true;
+      for (const auto& method : scene::script::interpolations)
+        if (method.value == part.method) ++blocks_.at(words + " by " + std::string(method.word));
+    }
+    if (used) ++blocks_.at(words + (file.empty() ? " INLINE" : " in a FILE"));
+  });
 }
 
 std::vector<std::string> FieldCover::missing() const {

@@ -19,7 +19,7 @@ class FieldCover {
   explicit FieldCover(const std::filesystem::path& schema_folder);
 
   /// Notes what a scene's script says.
-  void note(const Scene& scene);
+  void note(const scene::Scene& scene);
 
   /// Fields of which fewer than two values, keywords and kinds of function blocks of which none has been seen, by name.
   [[nodiscard]] std::vector<std::string> missing() const;
@@ -29,9 +29,9 @@ class FieldCover {
 
  private:
   void read_tables(const std::string& text);
-  void note_fields(const Scene& scene, const std::string& text);
+  void note_fields(const scene::Scene& scene, const std::string& text);
   void note_keywords(const std::string& text);
-  void note_blocks(const Scene& scene);
+  void note_blocks(const scene::Scene& scene);
 
   std::map<std::pair<std::string, std::string>, std::set<std::string>> values_;  // (kind, member): words seen
   std::map<std::pair<std::string, std::string>, std::size_t> keywords_;          // (kind, keyword): times

@@ -14,9 +14,9 @@ class FunctionMaker {
 
   /// `count` points, x ascending from about `low` to about `high`, y by `value(x)`; any interpolation.
   template <class Value>
-  SampledFunction points(int count, double low, double high, const Value& value) {
-    SampledFunction function;
-    function.method = chance_.one_of<Interpolation>(3);
+  core::SampledFunction points(int count, double low, double high, const Value& value) {
+    core::SampledFunction function;
+    function.method = chance_.one_of<core::Interpolation>(3);
     const double step = (high - low) / std::max(1, count - 1);
     double previous = low - step;
     for (int i = 0; i < count; ++i) {
@@ -30,14 +30,14 @@ class FunctionMaker {
   }
 
   /// A function whose values lie between two bounds.
-  SampledFunction curve(int most, double low, double high, double smallest, double largest) {
+  core::SampledFunction curve(int most, double low, double high, double smallest, double largest) {
     return points(chance_.integer(1, most), low, high, [&](double) { return chance_.between(smallest, largest); });
   }
 
   /// Values in turn, whose x means nothing.
-  SampledFunction list(int most, double smallest, double largest) {
-    SampledFunction function;
-    function.method = chance_.one_of<Interpolation>(3);
+  core::SampledFunction list(int most, double smallest, double largest) {
+    core::SampledFunction function;
+    function.method = chance_.one_of<core::Interpolation>(3);
     for (int i = chance_.integer(1, most); i > 0; --i)
       function.knots.push_back({chance_.between(-10.0, 10.0), chance_.between(smallest, largest)});
     return function;
@@ -45,8 +45,8 @@ class FunctionMaker {
 
   /// Gives some functions the name of a data file; one that holds an empty list cannot be kept in a file.
   template <std::size_t N>
-  void name_file(UserFunction<N>& function) {
-    for (const SampledFunction& part : function.part)
+  void name_file(scene::UserFunction<N>& function) {
+    for (const core::SampledFunction& part : function.part)
       if (part.knots.empty()) return;
     if (chance_.one_in(5))
       function.file = (chance_.coin() ? "data file " : "curve-") + std::to_string(files_++) + ".dat";

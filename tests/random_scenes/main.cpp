@@ -39,20 +39,20 @@ struct Count {
   std::map<std::string, std::uint64_t> failures;
 };
 
-bool fails_alike(const Scene& scene, const std::string& check) {
+bool fails_alike(const scene::Scene& scene, const std::string& check) {
   for (const Finding& finding : examine(scene).findings)
     if (finding.check == check) return true;
   return false;
 }
 
 // The first few failures of each kind in full, all of them in a line.
-void tell(std::uint64_t seed, const Scene& scene, const Finding& finding, Count& count) {
+void tell(std::uint64_t seed, const scene::Scene& scene, const Finding& finding, Count& count) {
   constexpr std::uint64_t most_in_full = 3;
   fmt::print("seed {}: {}: {}\n", seed, finding.check, finding.text);
   if (++count.failures[finding.check] > most_in_full) return;
-  const Scene plain = shrunk(scene, [&](const Scene& s) { return fails_alike(s, finding.check); });
+  const scene::Scene plain = shrunk(scene, [&](const scene::Scene& s) { return fails_alike(s, finding.check); });
   for (const Finding& left : examine(plain).findings) fmt::print("  plainest: {}: {}\n", left.check, left.text);
-  fmt::print("{}\n", write_script(plain));
+  fmt::print("{}\n", scene::write_script(plain));
 }
 
 void print_count(const Count& count, const FieldCover& cover, double seconds) {
@@ -73,7 +73,7 @@ int run(const Limits& limits) {
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   double told = 0.0;
   for (std::uint64_t seed = limits.first; count.scenes < limits.scenes && seconds() < limits.seconds; ++seed) {
-    const Scene scene = random_scene(seed);
+    const scene::Scene scene = random_scene(seed);
     cover.note(scene);
     const Examination examination = examine(scene);
     ++count.scenes;

@@ -14,11 +14,11 @@ struct Layout {
   double start_s = 0.0;     ///< Of what is recorded.
   double duration_s = 0.0;
   bool stepped = false;  ///< For range profiles.
-  Profile profile = Profile::physical;
+  scene::Profile profile = scene::Profile::physical;
 };
 
 /// A radar `position_m` away from the targets' middle, with every alternative of every field.
-[[nodiscard]] Radar random_radar(Chance& chance, FunctionMaker& functions, const Layout& layout,
-                                 const Vec3& position_m);
+[[nodiscard]] scene::Radar random_radar(Chance& chance, FunctionMaker& functions, const Layout& layout,
+                                        const core::Vec3& position_m);
 
 }  // namespace sarsim::test

@@ -40,8 +40,8 @@ TEST(RandomScenes, FieldsThatNoSceneUsesAreMissed) {
 TEST(RandomScenes, AreSeldomRefused) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const Scene scene = random_scene(seed);
-    refused += has_errors(check(scene)) || has_errors(survey(scene)) ? 1 : 0;
+    const scene::Scene scene = random_scene(seed);
+    refused += core::has_errors(scene::check(scene)) || core::has_errors(simulate::survey(scene)) ? 1 : 0;
   }
   EXPECT_LT(refused, 30);
 }
@@ -49,11 +49,11 @@ TEST(RandomScenes, AreSeldomRefused) {
 TEST(RandomScenes, EnginesThatAreLessExactThanPromisedAreFound) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    Scene scene = random_scene(seed);
+    scene::Scene scene = random_scene(seed);
     scene.options.tolerance = 1e-3;
-    if (has_errors(check(scene)) || has_errors(survey(scene))) continue;
-    const Plan fast = make_plan(scene, 0, nullptr, Engine::spectral);
-    const Plan reference = make_plan(scene, 0, nullptr, Engine::reference);
+    if (core::has_errors(scene::check(scene)) || core::has_errors(simulate::survey(scene))) continue;
+    const simulate::Plan fast = simulate::make_plan(scene, 0, nullptr, simulate::Engine::spectral);
+    const simulate::Plan reference = simulate::make_plan(scene, 0, nullptr, simulate::Engine::reference);
     EXPECT_LE(compare_rows(fast, reference, 1e-3).worst_share, 1.0) << seed;
     found += compare_rows(fast, reference, 1e-9).worst_share > 1.0 ? 1 : 0;
   }
@@ -61,11 +61,11 @@ TEST(RandomScenes, EnginesThatAreLessExactThanPromisedAreFound) {
 }
 
 TEST(RandomScenes, AFailureIsShownByAPlainerScene) {
-  Scene scene;
+  scene::Scene scene;
   for (std::uint64_t seed = 1; scene.targets.size() < 5 || scene.surfaces.empty(); ++seed) scene = random_scene(seed);
   scene.targets[3].rcs_m2 = 17.0;
-  const Scene plain = shrunk(scene, [](const Scene& s) {
-    return std::ranges::any_of(s.targets, [](const Target& target) { return target.rcs_m2 == 17.0; });
+  const scene::Scene plain = shrunk(scene, [](const scene::Scene& s) {
+    return std::ranges::any_of(s.targets, [](const scene::Target& target) { return target.rcs_m2 == 17.0; });
   });
   EXPECT_EQ(plain.targets.size(), 1U);
   EXPECT_TRUE(plain.surfaces.empty());

@@ -21,7 +21,7 @@ class SceneMaker {
  public:
   explicit SceneMaker(std::uint64_t seed) : chance_(seed), functions_(chance_) {}
 
-  Scene make() {
+  scene::Scene make() {
     set_layout();
     set_options();
     add_platforms();
@@ -36,7 +36,7 @@ class SceneMaker {
   }
 
  private:
-  [[nodiscard]] double sample_m() const { return 0.5 * exact_light_speed_mps / layout_.sample_rate_hz; }
+  [[nodiscard]] double sample_m() const { return 0.5 * core::exact_light_speed_mps / layout_.sample_rate_hz; }
 
   void set_layout() {
     layout_.sample_rate_hz = chance_.size(1e6, 1e9);
@@ -52,10 +52,10 @@ class SceneMaker {
   }
 
   void set_options() {
-    RunOptions& options = scene_.options;
-    if (chance_.one_in(3)) options.profile = Profile::classic;
+    scene::RunOptions& options = scene_.options;
+    if (chance_.one_in(3)) options.profile = scene::Profile::classic;
     if (chance_.coin()) options.seed = chance_.bits();
-    if (chance_.one_in(3)) options.pulse = PulseDefinition::band_limited;
+    if (chance_.one_in(3)) options.pulse = scene::PulseDefinition::band_limited;
     if (chance_.one_in(3)) options.tolerance = chance_.size(1e-9, 0.1);
     layout_.profile = options.profile;
   }
@@ -64,7 +64,7 @@ class SceneMaker {
   void add_platforms() {
     radars_on_earth_ = chance_.one_in(6);
     if (radars_on_earth_ || chance_.coin()) {
-      scene_.platforms.push_back(platform("Earth", radars_on_earth_ ? radar_position_m_ : Vec3{}));
+      scene_.platforms.push_back(platform("Earth", radars_on_earth_ ? radar_position_m_ : core::Vec3{}));
       if (!radars_on_earth_) target_platforms_.emplace_back("Earth");
     } else {
       target_platforms_.emplace_back("Earth");
@@ -80,8 +80,8 @@ class SceneMaker {
                         scene_.platforms.begin() + static_cast<std::ptrdiff_t>(chance_.below(scene_.platforms.size())));
   }
 
-  UserFunction<3> path(const Vec3& about_m) {
-    UserFunction<3> path;
+  scene::UserFunction<3> path(const core::Vec3& about_m) {
+    scene::UserFunction<3> path;
     const double around_s = chance_.one_in(3) ? 0.0 : chance_.size(0.01, 10.0);
     const double low = layout_.start_s - around_s;
     const double high = layout_.start_s + layout_.duration_s + around_s;
@@ -99,9 +99,9 @@ class SceneMaker {
     return path;
   }
 
-  UserFunction<3> turning() {
-    UserFunction<3> function;
-    for (SampledFunction& axis : function.part)
+  scene::UserFunction<3> turning() {
+    scene::UserFunction<3> function;
+    for (core::SampledFunction& axis : function.part)
       axis = functions_.curve(4, layout_.start_s, layout_.start_s + layout_.duration_s, -180.0, 180.0);
     if (chance_.one_in(6)) function.part[chance_.below(3)].knots.clear();
     functions_.name_file(function);
@@ -109,9 +109,9 @@ class SceneMaker {
   }
 
   // Responses to white noise: none, or at least two points.
-  UserFunction<3> envelope(double largest) {
-    UserFunction<3> function;
-    for (SampledFunction& axis : function.part)
+  scene::UserFunction<3> envelope(double largest) {
+    scene::UserFunction<3> function;
+    for (core::SampledFunction& axis : function.part)
       if (!chance_.one_in(4))
         axis = functions_.points(chance_.integer(2, 5), chance_.coin() ? 0.0 : chance_.between(-0.1, 0.1),
                                  chance_.size(0.2, 5.0), [&](double) { return chance_.between(-largest, largest); });
@@ -119,22 +119,22 @@ class SceneMaker {
     return function;
   }
 
-  std::array<Angle, 3> angles(double largest_deg) {
+  std::array<core::Angle, 3> angles(double largest_deg) {
     return {chance_.angle(largest_deg), chance_.angle(largest_deg), chance_.angle(largest_deg)};
   }
 
-  Platform platform(const std::string& name, const Vec3& about_m) {
-    Platform platform;
+  scene::Platform platform(const std::string& name, const core::Vec3& about_m) {
+    scene::Platform platform;
     platform.name = name;
-    platform.path = chance_.one_of<Platform::Path>(2);
-    if (platform.path == Platform::Path::stationary) {
+    platform.path = chance_.one_of<scene::Platform::Path>(2);
+    if (platform.path == scene::Platform::Path::stationary) {
       platform.position_m = about_m;
     } else {
       platform.trajectory_m = path(about_m);
       platform.aligned = chance_.coin();
     }
-    platform.rotation_kind = chance_.one_in(3) ? Platform::Rotation::user : Platform::Rotation::constant;
-    if (platform.rotation_kind == Platform::Rotation::user)
+    platform.rotation_kind = chance_.one_in(3) ? scene::Platform::Rotation::user : scene::Platform::Rotation::constant;
+    if (platform.rotation_kind == scene::Platform::Rotation::user)
       platform.rotation_deg = turning();
     else if (chance_.coin())
       platform.rotation = angles(180.0);
@@ -143,16 +143,19 @@ class SceneMaker {
     return platform;
   }
 
-  void set_errors(Platform& platform) {
-    platform.position_error = chance_.one_in(3) ? Platform::MotionError::envelope : Platform::MotionError::gaussian;
-    if (platform.position_error == Platform::MotionError::gaussian)
+  void set_errors(scene::Platform& platform) {
+    platform.position_error =
+        chance_.one_in(3) ? scene::Platform::MotionError::envelope : scene::Platform::MotionError::gaussian;
+    if (platform.position_error == scene::Platform::MotionError::gaussian)
       platform.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
     else
       platform.position_envelope = envelope(chance_.size(1e-4, 1.0));
-    platform.rotation_error = chance_.one_in(3) ? Platform::MotionError::envelope : Platform::MotionError::gaussian;
-    if (platform.rotation_error == Platform::MotionError::gaussian) {
-      const Vec3 deg = chance_.magnitudes(1e-4, 1.0);
-      platform.rotation_stddev = {Angle::from_deg(deg.x), Angle::from_deg(deg.y), Angle::from_deg(deg.z)};
+    platform.rotation_error =
+        chance_.one_in(3) ? scene::Platform::MotionError::envelope : scene::Platform::MotionError::gaussian;
+    if (platform.rotation_error == scene::Platform::MotionError::gaussian) {
+      const core::Vec3 deg = chance_.magnitudes(1e-4, 1.0);
+      platform.rotation_stddev = {core::Angle::from_deg(deg.x), core::Angle::from_deg(deg.y),
+                                  core::Angle::from_deg(deg.z)};
     } else {
       platform.rotation_envelope = envelope(chance_.size(1e-4, 1.0));
     }
@@ -165,42 +168,42 @@ class SceneMaker {
       std::ranges::transform(other, other.begin(),
                              [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
     if (chance_.one_in(4)) other.resize(std::max<std::size_t>(3, name.size() - 2));
-    const std::size_t meant = find_platform(scene_, name);
-    return meant != not_found && find_platform(scene_, other) == meant ? other : name;
+    const std::size_t meant = scene::find_platform(scene_, name);
+    return meant != scene::not_found && scene::find_platform(scene_, other) == meant ? other : name;
   }
 
   std::string target_platform() { return reference_to(target_platforms_[chance_.below(target_platforms_.size())]); }
 
-  Target target() {
-    Target target;
+  scene::Target target() {
+    scene::Target target;
     target.platform = target_platform();
     if (!chance_.one_in(8)) target.position_m = chance_.vector(layout_.spread_m);
     if (chance_.one_in(4)) target.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
     target.rcs_m2 = chance_.one_in(20) ? chance_.between(-1.0, 0.0) : chance_.size(1e-3, 1e4);
     if (chance_.one_in(3)) target.rcs_stddev_m2 = chance_.size(1e-3, 1e2);
-    target.reflectivity = chance_.one_of<Target::Reflectivity>(2);
-    if (target.reflectivity == Target::Reflectivity::isotropic) return target;
+    target.reflectivity = chance_.one_of<scene::Target::Reflectivity>(2);
+    if (target.reflectivity == scene::Target::Reflectivity::isotropic) return target;
     target.azimuth = chance_.angle(360.0);
     target.elevation = chance_.angle(180.0);
-    if (chance_.one_in(3)) target.azimuth_stddev = Angle::from_deg(chance_.size(1e-2, 20.0));
-    if (chance_.one_in(3)) target.elevation_stddev = Angle::from_deg(chance_.size(1e-2, 20.0));
-    target.gain = chance_.one_of<Target::Gain>(2);
-    if (target.gain == Target::Gain::cosine) return target;
+    if (chance_.one_in(3)) target.azimuth_stddev = core::Angle::from_deg(chance_.size(1e-2, 20.0));
+    if (chance_.one_in(3)) target.elevation_stddev = core::Angle::from_deg(chance_.size(1e-2, 20.0));
+    target.gain = chance_.one_of<scene::Target::Gain>(2);
+    if (target.gain == scene::Target::Gain::cosine) return target;
     target.gain_db.part[0] = functions_.curve(6, chance_.between(0.0, 30.0), chance_.between(40.0, 180.0), -60.0, 10.0);
     functions_.name_file(target.gain_db);
     return target;
   }
 
-  Surface surface() {
-    Surface surface;
+  scene::Surface surface() {
+    scene::Surface surface;
     surface.platform = target_platform();
-    const Vec3 at = chance_.vector(0.5 * layout_.spread_m);
-    for (Vec3& corner : surface.corner_m) corner = at + chance_.vector(8.0);
+    const core::Vec3 at = chance_.vector(0.5 * layout_.spread_m);
+    for (core::Vec3& corner : surface.corner_m) corner = at + chance_.vector(8.0);
     return surface;
   }
 
   void add_radar(int number) {
-    Radar radar = random_radar(chance_, functions_, layout_, radar_position_m_);
+    scene::Radar radar = random_radar(chance_, functions_, layout_, radar_position_m_);
     radar.name = number == 2 ? "Second radar" : "R1";
     radar.platform = reference_to(radars_on_earth_ ? "Earth" : "Carrier of radars");
     scene_.radars.push_back(std::move(radar));
@@ -208,8 +211,8 @@ class SceneMaker {
 
   // Between whole pulses, so that rounding decides nothing.
   template <class Product>
-  const Radar& set_window(Product& product) {
-    const Radar& radar = scene_.radars[chance_.below(scene_.radars.size())];
+  const scene::Radar& set_window(Product& product) {
+    const scene::Radar& radar = scene_.radars[chance_.below(scene_.radars.size())];
     product.radar = radar.name;
     const int burst = layout_.stepped ? radar.carrier_steps * radar.pulses_per_step : 1;
     const int pulses = layout_.stepped ? burst * chance_.integer(1, 2) : chance_.integer(1, 10);
@@ -224,26 +227,26 @@ class SceneMaker {
     return radar;
   }
 
-  Simulation simulation(int number) {
-    Simulation simulation;
-    const Radar& radar = set_window(simulation);
+  scene::Simulation simulation(int number) {
+    scene::Simulation simulation;
+    const scene::Radar& radar = set_window(simulation);
     simulation.bits = chance_.integer(1, 64);
     simulation.sample_rate_hz = layout_.sample_rate_hz;
     if (chance_.coin()) simulation.lsb_v = chance_.size(1e-14, 1e-3);
-    simulation.format = chance_.one_of<FileFormat>(6);
-    const bool profiles = radar.carrier == Radar::Carrier::stepped && radar.carrier_steps > 1 && layout_.stepped;
-    simulation.processing = profiles && chance_.coin() ? Processing::srp : chance_.one_of<Processing>(2);
+    simulation.format = chance_.one_of<scene::FileFormat>(6);
+    const bool profiles = radar.carrier == scene::Radar::Carrier::stepped && radar.carrier_steps > 1 && layout_.stepped;
+    simulation.processing = profiles && chance_.coin() ? scene::Processing::srp : chance_.one_of<scene::Processing>(2);
     simulation.file = number == 2 ? "the other.dat" : "out/sim.bin";
-    simulation.pulse_position = chance_.one_of<Simulation::PulsePosition>(2);
+    simulation.pulse_position = chance_.one_of<scene::Simulation::PulsePosition>(2);
     if (chance_.coin()) simulation.oversampling = chance_.between(1.0, 4.0);
     if (chance_.coin()) simulation.width_factor = chance_.between(1.0, 3.0);
     return simulation;
   }
 
-  GeometryTable geometry() {
-    GeometryTable table;
+  scene::GeometryTable geometry() {
+    scene::GeometryTable table;
     set_window(table);
-    table.separator = chance_.one_of<GeometryTable::Separator>(2);
+    table.separator = chance_.one_of<scene::GeometryTable::Separator>(2);
     table.columns = chance_.integer(0, 255);
     table.file = chance_.coin() ? "geometry.txt" : "g.csv";
     return table;
@@ -251,9 +254,9 @@ class SceneMaker {
 
   Chance chance_;
   FunctionMaker functions_;
-  Scene scene_;
+  scene::Scene scene_;
   Layout layout_;
-  Vec3 radar_position_m_;
+  core::Vec3 radar_position_m_;
   double largest_speed_mps_ = 0.0;
   bool radars_on_earth_ = false;
   std::vector<std::string> target_platforms_;
@@ -261,14 +264,14 @@ class SceneMaker {
 
 }  // namespace
 
-Scene random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); }
+scene::Scene random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); }
 
 namespace {
 
 // Calls look(block, function) for every user-defined function of a scene, which may be const.
 template <class AnyScene, class Look>
 void each_function(AnyScene& scene, const Look& look) {
-  namespace blocks = function_blocks;
+  namespace blocks = scene::function_blocks;
   for (auto& platform : scene.platforms) {
     look(blocks::trajectory, platform.trajectory_m);
     look(blocks::rotation, platform.rotation_deg);
@@ -291,25 +294,26 @@ void each_function(AnyScene& scene, const Look& look) {
 
 }  // namespace
 
-void visit_functions(const Scene& scene, const FunctionVisitor& visit) {
-  each_function(scene,
-                [&](const FunctionBlock& block, const auto& function) { visit(block, function.part, function.file); });
+void visit_functions(const scene::Scene& scene, const FunctionVisitor& visit) {
+  each_function(scene, [&](const scene::FunctionBlock& block, const auto& function) {
+    visit(block, function.part, function.file);
+  });
 }
 
-void keep_inline(Scene& scene) {
-  each_function(scene, [](const FunctionBlock&, auto& function) { function.file.clear(); });
+void keep_inline(scene::Scene& scene) {
+  each_function(scene, [](const scene::FunctionBlock&, auto& function) { function.file.clear(); });
 }
 
-DataFileLoader loader_of(const Scene& scene) {
+scene::DataFileLoader loader_of(const scene::Scene& scene) {
   std::map<std::string, std::string> texts;
-  visit_functions(scene,
-                  [&](const FunctionBlock& block, std::span<const SampledFunction> parts, const std::string& file) {
-                    if (!file.empty()) texts[file] = write_data_file(parts, block);
-                  });
+  visit_functions(scene, [&](const scene::FunctionBlock& block, std::span<const core::SampledFunction> parts,
+                             const std::string& file) {
+    if (!file.empty()) texts[file] = scene::write_data_file(parts, block);
+  });
   return [texts](const std::string& name) {
     const auto found = texts.find(name);
-    if (found == texts.end()) return DataFileText{"", "", "data file not found"};
-    return DataFileText{name, found->second, ""};
+    if (found == texts.end()) return scene::DataFileText{"", "", "data file not found"};
+    return scene::DataFileText{name, found->second, ""};
   };
 }
 

@@ -18,7 +18,7 @@ using test::reference_folder;
 
 // Largest deviation of a run from a file of counts, over the file's largest magnitude. Nearest counts of 30 bits: a
 // deviation of one count is 2e-9, so the comparison in volts needs no rounding of its own.
-double deviation(const Recording& recording, const std::vector<std::complex<double>>& counts, double lsb_v) {
+double deviation(const simulate::Recording& recording, const std::vector<std::complex<double>>& counts, double lsb_v) {
   double largest = 0.0;
   double worst = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -36,10 +36,10 @@ TEST(DirectReference, ClassicProfileReproducesEveryCase) {
   std::ranges::sort(scripts);
   ASSERT_EQ(scripts.size(), 34u);
   for (const auto& path : scripts) {
-    ScriptReading reading = read_script_file(path);
-    ASSERT_FALSE(has_errors(reading.problems)) << path << to_string(reading.problems.front());
-    reading.scene.options.profile = Profile::classic;
-    const Recording recording = record(make_plan(reading.scene, 0));
+    scene::ScriptReading reading = scene::read_script_file(path);
+    ASSERT_FALSE(core::has_errors(reading.problems)) << path << core::to_string(reading.problems.front());
+    reading.scene.options.profile = scene::Profile::classic;
+    const simulate::Recording recording = simulate::record(simulate::make_plan(reading.scene, 0));
     auto samples = path;
     const auto counts = ascii_samples(samples.replace_extension(".asc"));
     ASSERT_EQ(recording.samples.size(), counts.size()) << path;

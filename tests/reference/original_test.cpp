@@ -26,9 +26,9 @@ std::filesystem::path sample_file(const std::string& name) {
   throw std::runtime_error("no file " + name + " below " + reference_folder().string());
 }
 
-Scene classic_scene(const std::string& samples, const std::string& script) {
-  Scene scene = read_script_file(sample_file(samples).replace_filename(script)).scene;
-  scene.options.profile = Profile::classic;
+scene::Scene classic_scene(const std::string& samples, const std::string& script) {
+  scene::Scene scene = scene::read_script_file(sample_file(samples).replace_filename(script)).scene;
+  scene.options.profile = scene::Profile::classic;
   return scene;
 }
 
@@ -63,8 +63,8 @@ TEST_F(OriginalSamples, Of1997AgreeWithinOneCountOnceTheirWavelengthIsMended) {
     std::size_t columns;
   };
   for (const Case& c : {Case{"sim1.asc", "exam2.scr", 0, 19, 146}, Case{"sims2.asc", "exam2.scr", 3, 5, 200}}) {
-    const Scene scene = classic_scene(c.samples, c.script);
-    const Recording recording = record(make_plan(scene, c.simulation));
+    const scene::Scene scene = classic_scene(c.samples, c.script);
+    const simulate::Recording recording = simulate::record(simulate::make_plan(scene, c.simulation));
     EXPECT_EQ(recording.report.rows, c.rows) << c.samples;
     EXPECT_EQ(recording.report.columns, c.columns) << c.samples;
     expect_within_counts(c.samples, halved(recording.samples), test::ascii_samples(sample_file(c.samples)),
@@ -73,10 +73,10 @@ TEST_F(OriginalSamples, Of1997AgreeWithinOneCountOnceTheirWavelengthIsMended) {
 }
 
 TEST_F(OriginalSamples, OfAnUnknownLsbAgreeWithinOneCountAtTheBestOne) {
-  Scene scene = classic_scene("sims1.asc", "exam2.scr");
+  scene::Scene scene = classic_scene("sims1.asc", "exam2.scr");
   scene.simulations[0].time_start_s = 0.0;
   scene.simulations[0].time_end_s = 0.0;
-  const Recording recording = record(make_plan(scene, 0));
+  const simulate::Recording recording = simulate::record(simulate::make_plan(scene, 0));
   EXPECT_EQ(recording.report.rows, 1u);
   EXPECT_EQ(recording.report.columns, 160u);
   const Samples volts = halved(recording.samples);
@@ -88,10 +88,10 @@ TEST_F(OriginalSamples, OfAnUnknownLsbAgreeWithinOneCountAtTheBestOne) {
 }
 
 TEST_F(OriginalSamples, OfTheSixPulsesAreExactForSomeLsb) {
-  Scene scene = classic_scene("exam1_sim2_first6pulses.asc", "exam1.scr");
+  scene::Scene scene = classic_scene("exam1_sim2_first6pulses.asc", "exam1.scr");
   scene.simulations[1].time_start_s = 0.0;
   scene.simulations[1].time_end_s = 5e-3;
-  const Recording recording = record(make_plan(scene, 1));
+  const simulate::Recording recording = simulate::record(simulate::make_plan(scene, 1));
   EXPECT_EQ(recording.report.rows, 6u);
   EXPECT_EQ(recording.report.columns, 53u);
   const Samples counts = test::ascii_samples(sample_file("exam1_sim2_first6pulses.asc"));
@@ -103,8 +103,8 @@ TEST_F(OriginalSamples, OfTheSixPulsesAreExactForSomeLsb) {
 
 // The later programs put every echo on the nearest whole sample: the shapes agree, the samples do not.
 TEST_F(OriginalSamples, OfTheRoundingProgramCorrelate) {
-  const Scene scene = classic_scene("final.h5", "exam2.scr");
-  const Recording recording = record(make_plan(scene, 0));
+  const scene::Scene scene = classic_scene("final.h5", "exam2.scr");
+  const simulate::Recording recording = simulate::record(simulate::make_plan(scene, 0));
   EXPECT_EQ(recording.report.rows, 19u);
   EXPECT_EQ(recording.report.columns, 146u);
   const Samples ours = test::converted(recording.samples, 8, scene.simulations[0].lsb_v);
@@ -116,8 +116,8 @@ TEST_F(OriginalSamples, OfTheRoundingProgramCorrelate) {
 }
 
 TEST_F(OriginalSamples, OfTheOldHdf5LayoutAreTheSameAsTheTextFile) {
-  const OpenedSampleFile opened = SampleFile::open(sample_file("final.h5"));
-  ASSERT_TRUE(opened.file.has_value()) << to_string(opened.problems.front());
+  const raster::OpenedSampleFile opened = raster::SampleFile::open(sample_file("final.h5"));
+  ASSERT_TRUE(opened.file.has_value()) << core::to_string(opened.problems.front());
   EXPECT_EQ(opened.file->info().rows, 19u);
   EXPECT_EQ(opened.file->info().columns, 146u);
   EXPECT_TRUE(opened.file->info().counts);
@@ -131,8 +131,8 @@ TEST_F(OriginalSamples, OfTheOldHdf5LayoutAreTheSameAsTheTextFile) {
 }
 
 TEST_F(OriginalSamples, WithStcAgreeInMagnitude) {
-  const Scene scene = classic_scene("sim3_third.asc", "sim3.scr");
-  const Recording recording = record(make_plan(scene, 2));
+  const scene::Scene scene = classic_scene("sim3_third.asc", "sim3.scr");
+  const simulate::Recording recording = simulate::record(simulate::make_plan(scene, 2));
   EXPECT_EQ(recording.report.rows, 1u);
   EXPECT_EQ(recording.report.columns, 5003u);
   Samples ours = test::converted(recording.samples, 8, scene.simulations[2].lsb_v);

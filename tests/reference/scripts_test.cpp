@@ -29,10 +29,10 @@ std::vector<std::filesystem::path> original_scripts() {
   return scripts;
 }
 
-std::string errors_of(const Problems& problems) {
+std::string errors_of(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems)
-    if (problem.severity == Severity::error) text += to_string(problem) + '\n';
+  for (const core::Problem& problem : problems)
+    if (problem.severity == core::Severity::error) text += core::to_string(problem) + '\n';
   return text;
 }
 
@@ -48,17 +48,17 @@ class OriginalScripts : public testing::Test {
 
 TEST_F(OriginalScripts, AreReadAndCheckedWithoutAnError) {
   for (const auto& path : scripts_) {
-    const ScriptReading reading = read_script_file(path);
+    const scene::ScriptReading reading = scene::read_script_file(path);
     EXPECT_EQ(errors_of(reading.problems), "") << path;
-    EXPECT_EQ(errors_of(check(reading.scene)), "") << path;
-    EXPECT_EQ(errors_of(survey(reading.scene)), "") << path;
+    EXPECT_EQ(errors_of(scene::check(reading.scene)), "") << path;
+    EXPECT_EQ(errors_of(simulate::survey(reading.scene)), "") << path;
   }
 }
 
 TEST_F(OriginalScripts, GiveTheSameSceneAfterBeingWrittenAndReadAgain) {
   for (const auto& path : scripts_) {
-    const ScriptReading reading = read_script_file(path);
-    const ScriptReading again = read_script(write_script(reading.scene), "written", {});
+    const scene::ScriptReading reading = scene::read_script_file(path);
+    const scene::ScriptReading again = scene::read_script(scene::write_script(reading.scene), "written", {});
     EXPECT_EQ(errors_of(again.problems), "") << path;
     EXPECT_TRUE(again.scene == reading.scene) << path;
   }
@@ -68,7 +68,7 @@ TEST_F(OriginalScripts, HoldASimulationExceptTheSixThatNeverDid) {
   const std::vector<std::string> without{"badfill", "gain", "kw", "kw2", "radarz", "singlept"};
   std::vector<std::string> found;
   for (const auto& path : scripts_)
-    if (read_script_file(path).scene.simulations.empty()) found.push_back(path.stem().string());
+    if (scene::read_script_file(path).scene.simulations.empty()) found.push_back(path.stem().string());
   std::ranges::sort(found);
   EXPECT_EQ(found, without);
 }
@@ -76,13 +76,13 @@ TEST_F(OriginalScripts, HoldASimulationExceptTheSixThatNeverDid) {
 // Runs in full whatever costs less than this; of anything larger, rows from one end to the other.
 constexpr double affordable_s = 10.0;
 
-void run_simulation(const Scene& scene, std::size_t index) {
-  const Plan plan = make_plan(scene, index);
-  const double cost_s = estimated_cost(plan, 1).seconds_one_thread;
+void run_simulation(const scene::Scene& scene, std::size_t index) {
+  const simulate::Plan plan = simulate::make_plan(scene, index);
+  const double cost_s = simulate::estimated_cost(plan, 1).seconds_one_thread;
   std::printf("  %6zu x %6zu, about %.2f s: ", plan.rows, plan.columns, cost_s);
   if (cost_s <= affordable_s) {
     test::DiscardingSink sink;
-    const RunReport report = run(plan, plan.simulation.lsb_v, sink, RunControl{});
+    const simulate::RunReport report = simulate::run(plan, plan.simulation.lsb_v, sink, simulate::RunControl{});
     EXPECT_TRUE(sink.finished());
     EXPECT_EQ(sink.rows(), plan.rows);
     EXPECT_TRUE(std::isfinite(report.maximum_v));
@@ -90,7 +90,7 @@ void run_simulation(const Scene& scene, std::size_t index) {
     return;
   }
   constexpr std::size_t looked_at = 32;
-  RowMaker maker(plan);
+  simulate::RowMaker maker(plan);
   std::vector<std::complex<double>> row(plan.columns);
   for (std::size_t i = 0; i < looked_at; ++i) {
     maker.make_row(i * (plan.rows - 1) / (looked_at - 1), row);
@@ -101,7 +101,7 @@ void run_simulation(const Scene& scene, std::size_t index) {
 
 TEST_F(OriginalScripts, AreSimulated) {
   for (const auto& path : scripts_) {
-    const Scene scene = read_script_file(path).scene;
+    const scene::Scene scene = scene::read_script_file(path).scene;
     for (std::size_t i = 0; i < scene.simulations.size(); ++i) {
       std::printf("%-12s %zu", path.stem().c_str(), i + 1);
       SCOPED_TRACE(path.string());

@@ -13,14 +13,14 @@ namespace {
 using namespace test;
 
 // Noise, a jittering platform with two fluctuating targets.
-Scene random_scene(std::uint64_t seed = 1) {
-  Scene scene = radar_at_origin();
+scene::Scene random_scene(std::uint64_t seed = 1) {
+  scene::Scene scene = radar_at_origin();
   scene.options.seed = seed;
   scene.radars[0].noise_temperature_k = 300.0;
-  Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+  scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
   shaking.position_stddev_m = {0.01, 0.01, 0.01};
   for (int i = 0; i < 2; ++i) {
-    Target& target = add_target(scene, {20.0 * i, 5.0, 0.0}, 1.0, "Shaking");
+    scene::Target& target = add_target(scene, {20.0 * i, 5.0, 0.0}, 1.0, "Shaking");
     target.position_stddev_m = {0.01, 0.02, 0.03};
     target.rcs_stddev_m2 = 0.2;
   }
@@ -28,7 +28,7 @@ Scene random_scene(std::uint64_t seed = 1) {
   return scene;
 }
 
-bool same_bytes(const Recording& a, const Recording& b) {
+bool same_bytes(const simulate::Recording& a, const simulate::Recording& b) {
   return a.samples.size() == b.samples.size() &&
          std::memcmp(a.samples.data(), b.samples.data(), a.samples.size() * sizeof(a.samples[0])) == 0;
 }
@@ -39,35 +39,35 @@ TEST(Seed, OfOneValueGivesOneRecordingByteForByte) {
 }
 
 TEST(Seed, GivesTheSameBytesForAnyNumberOfThreads) {
-  Scene scene = random_scene();
+  scene::Scene scene = random_scene();
   set_pulses(scene, 0, 4000);  // several blocks of rows
-  RunControl control;
+  simulate::RunControl control;
   control.threads = 1;
-  const Recording one = record(make_plan(scene, 0), control);
+  const simulate::Recording one = simulate::record(simulate::make_plan(scene, 0), control);
   for (const unsigned threads : {2U, 5U}) {
     control.threads = threads;
-    EXPECT_TRUE(same_bytes(one, record(make_plan(scene, 0), control))) << threads;
+    EXPECT_TRUE(same_bytes(one, simulate::record(simulate::make_plan(scene, 0), control))) << threads;
   }
 }
 
 TEST(AddedTarget, LeavesEveryOtherEchoAndTheNoiseAsTheyWere) {
-  const Recording before = recorded(random_scene());
-  Scene larger = random_scene();
+  const simulate::Recording before = recorded(random_scene());
+  scene::Scene larger = random_scene();
   add_target(larger, {1100.0, 30.0, 0.0}, 4.0);
-  const Recording after = recorded(larger);
-  Scene alone = radar_at_origin();
+  const simulate::Recording after = recorded(larger);
+  scene::Scene alone = radar_at_origin();
   add_target(alone, {1100.0, 30.0, 0.0}, 4.0);
   set_pulses(alone, 0, 19);
-  const Recording echo = recorded(alone);
+  const simulate::Recording echo = recorded(alone);
   ASSERT_EQ(after.samples.size(), before.samples.size());
   for (std::size_t i = 0; i < after.samples.size(); ++i)
     EXPECT_LT(std::abs(after.samples[i] - before.samples[i] - echo.samples[i]), 1e-14 * after.report.maximum_v) << i;
 }
 
 TEST(AddedPlatform, LeavesTheJitterOfTheOthersAsItWas) {
-  const Recording before = recorded(random_scene());
-  Scene larger = random_scene();
-  Platform extra;
+  const simulate::Recording before = recorded(random_scene());
+  scene::Scene larger = random_scene();
+  scene::Platform extra;
   extra.name = "Extra";
   extra.position_stddev_m = {1.0, 1.0, 1.0};
   larger.platforms.insert(larger.platforms.begin(), extra);
@@ -75,13 +75,13 @@ TEST(AddedPlatform, LeavesTheJitterOfTheOthersAsItWas) {
 }
 
 TEST(MovedWindow, SeesTheSameNoiseAtTheSameSamplesAndPulses) {
-  const Scene scene = random_scene();
-  const Recording whole = recorded(scene);
+  const scene::Scene scene = random_scene();
+  const simulate::Recording whole = recorded(scene);
   // Seven samples and three pulses later.
-  Scene part = scene;
-  part.simulations[0].range_start_m = 7.0 * 0.5 * exact_light_speed_mps / part.simulations[0].sample_rate_hz;
+  scene::Scene part = scene;
+  part.simulations[0].range_start_m = 7.0 * 0.5 * core::exact_light_speed_mps / part.simulations[0].sample_rate_hz;
   set_pulses(part, 3, 12);
-  const Recording cut = recorded(part);
+  const simulate::Recording cut = recorded(part);
   ASSERT_EQ(cut.report.rows, 10u);
   ASSERT_EQ(cut.report.columns + 7, whole.report.columns);
   for (std::size_t row = 0; row < cut.report.rows; ++row)
@@ -92,11 +92,11 @@ TEST(MovedWindow, SeesTheSameNoiseAtTheSameSamplesAndPulses) {
 }
 
 TEST(ChangedWindow, OfTheMatchedFilterKeepsTheNoiseUnderTheSamples) {
-  Scene scene = random_scene();
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Recording whole = recorded(scene);
+  scene::Scene scene = random_scene();
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Recording whole = recorded(scene);
   scene.simulations[0].range_end_m -= 500.0;
-  const Recording cut = recorded(scene);
+  const simulate::Recording cut = recorded(scene);
   for (std::size_t i = 0; i < cut.report.columns; ++i)
     EXPECT_LT(std::abs(cut.samples[i] - whole.samples[i]), 1e-13 * whole.report.maximum_v) << i;
 }

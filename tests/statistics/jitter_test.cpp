@@ -13,13 +13,13 @@ namespace {
 using namespace test;
 
 constexpr std::size_t pulses = 4000;
-constexpr double wavelength_m = exact_light_speed_mps / 1e9;
+constexpr double wavelength_m = core::exact_light_speed_mps / 1e9;
 
 // Monochrome pulses of a scene whose only echo comes from about 1 km; one sample of each.
-std::vector<std::complex<double>> echo_history(Scene scene) {
+std::vector<std::complex<double>> echo_history(scene::Scene scene) {
   set_pulses(scene, 0, static_cast<int>(pulses) - 1);
-  set_window(scene, 1300.0, 1300.0 + 0.5 * exact_light_speed_mps / 4e6, 4e6);
-  const Recording recording = recorded(scene);
+  set_window(scene, 1300.0, 1300.0 + 0.5 * core::exact_light_speed_mps / 4e6, 4e6);
+  const simulate::Recording recording = recorded(scene);
   EXPECT_EQ(recording.report.rows, pulses);
   EXPECT_EQ(recording.report.columns, 1u);
   return recording.samples;
@@ -29,8 +29,8 @@ std::vector<std::complex<double>> echo_history(Scene scene) {
 std::vector<double> range_deviations_m(const std::vector<std::complex<double>>& echoes, double nominal_m) {
   std::vector<double> deviations;
   for (const auto& echo : echoes)
-    deviations.push_back(-wavelength_m / (4.0 * pi) *
-                         wrapped_rad(std::arg(echo) + 4.0 * pi * std::remainder(nominal_m / wavelength_m, 0.5)));
+    deviations.push_back(-wavelength_m / (4.0 * core::pi) *
+                         wrapped_rad(std::arg(echo) + 4.0 * core::pi * std::remainder(nominal_m / wavelength_m, 0.5)));
   return deviations;
 }
 
@@ -47,9 +47,9 @@ void expect_white_normal(const std::vector<double>& x, double stddev) {
 TEST(PositionJitter, OfATargetHasItsStandardDeviationAlongEachAxis) {
   std::vector<std::vector<double>> axes;
   for (int axis = 0; axis < 3; ++axis) {
-    Scene scene = radar_at_origin();
-    const Vec3 unit{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-    Target& target = add_target(scene, 1000.0 * unit);
+    scene::Scene scene = radar_at_origin();
+    const core::Vec3 unit{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    scene::Target& target = add_target(scene, 1000.0 * unit);
     target.position_stddev_m = {0.010, 0.008, 0.006};
     axes.push_back(range_deviations_m(echo_history(scene), 1000.0));
     expect_white_normal(axes.back(), axis == 0 ? 0.010 : axis == 1 ? 0.008 : 0.006);
@@ -62,8 +62,8 @@ TEST(PositionJitter, OfATargetHasItsStandardDeviationAlongEachAxis) {
 TEST(PositionJitter, OfAPlatformHasItsStandardDeviationAlongEachAxisAndMovesTheRadar) {
   std::vector<std::vector<double>> axes;
   for (int axis = 0; axis < 3; ++axis) {
-    Scene scene = radar_at_origin();
-    Platform& shaking = add_platform(scene, "Shaking", {});
+    scene::Scene scene = radar_at_origin();
+    scene::Platform& shaking = add_platform(scene, "Shaking", {});
     shaking.position_stddev_m = {0.010, 0.008, 0.006};
     scene.radars[0].platform = "Shaking";
     add_target(scene, {axis == 0 ? 1000.0 : 0.0, axis == 1 ? 1000.0 : 0.0, axis == 2 ? 1000.0 : 0.0});
@@ -75,8 +75,8 @@ TEST(PositionJitter, OfAPlatformHasItsStandardDeviationAlongEachAxisAndMovesTheR
 }
 
 TEST(PositionJitter, OfAPlatformIsCommonToAllThatItCarries) {
-  Scene scene = radar_at_origin();
-  Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
   shaking.position_stddev_m = {0.010, 0.0, 0.0};
   add_target(scene, {}, 1.0, "Shaking");
   const auto first = range_deviations_m(echo_history(scene), 1000.0);
@@ -86,11 +86,11 @@ TEST(PositionJitter, OfAPlatformIsCommonToAllThatItCarries) {
 }
 
 TEST(PositionJitter, DoesNotTouchTheSpeed) {
-  Scene scene = radar_at_origin();
-  Target& target = add_target(scene, {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
   target.position_stddev_m = {1.0, 1.0, 1.0};
-  const Plan plan = make_plan(scene, 0);
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   for (int pulse = 0; pulse < 20; ++pulse) {
     geometry.set_pulse(pulse);
     EXPECT_EQ(geometry.view(0).speed_mps, 0.0);
@@ -100,25 +100,25 @@ TEST(PositionJitter, DoesNotTouchTheSpeed) {
 TEST(RotationJitter, MovesAPointOnAnArmByTheAngleTimesTheArm) {
   struct Case {
     int axis;
-    Vec3 arm_m;
+    core::Vec3 arm_m;
   };
   // Each arm stands across the line of sight, so that a small turn moves its point along it.
   std::vector<std::vector<double>> turns;
   for (const Case& c : {Case{1, {0.0, 0.0, 10.0}}, Case{2, {0.0, 10.0, 0.0}}}) {
-    Scene scene = radar_at_origin();
-    Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
-    shaking.rotation_stddev[static_cast<std::size_t>(c.axis)] = Angle::from_deg(0.05);
+    scene::Scene scene = radar_at_origin();
+    scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+    shaking.rotation_stddev[static_cast<std::size_t>(c.axis)] = core::Angle::from_deg(0.05);
     add_target(scene, c.arm_m, 1.0, "Shaking");
     const double range_m = std::hypot(1000.0, 10.0);
     turns.push_back(range_deviations_m(echo_history(scene), range_m));
     // dR = arm * angle * cos of the line of sight; the square of the angle shifts by 10 m * 4e-7.
-    expect_white_normal(turns.back(), 10.0 * 0.05 * pi / 180.0 * 1000.0 / range_m);
+    expect_white_normal(turns.back(), 10.0 * 0.05 * core::pi / 180.0 * 1000.0 / range_m);
   }
   EXPECT_NEAR(correlation_coefficient(turns[0], turns[1]), 0.0, correlation_gate(pulses));
 }
 
 TEST(CrossSection, HasItsMeanAndStandardDeviation) {
-  Scene scene = radar_at_origin();
+  scene::Scene scene = radar_at_origin();
   add_target(scene, {1000.0, 0.0, 0.0}, 2.0);
   const double unit_w = std::norm(echo_history(scene)[0]) / 2.0;
   scene.targets[0].rcs_stddev_m2 = 0.3;  // never below 0: 6.7 sigma
@@ -128,7 +128,7 @@ TEST(CrossSection, HasItsMeanAndStandardDeviation) {
 }
 
 TEST(CrossSection, BelowZeroIsZero) {
-  Scene scene = radar_at_origin();
+  scene::Scene scene = radar_at_origin();
   add_target(scene, {1000.0, 0.0, 0.0}, 1.0);
   scene.targets[0].rcs_stddev_m2 = 1.0;
   std::size_t silent = 0;
@@ -140,16 +140,16 @@ TEST(CrossSection, BelowZeroIsZero) {
 TEST(PointingJitter, OfADirectionalTargetTurnsItsNormal) {
   // The normal stands at 45 deg to the line of sight: power cos(45 deg + a), slope sin(45 deg).
   for (const bool vertical : {false, true}) {
-    Scene scene = radar_at_origin();
-    Target& target = add_target(scene, {1000.0, 0.0, 0.0});
+    scene::Scene scene = radar_at_origin();
+    scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
     const double facing_w = std::norm(echo_history(scene)[0]);
-    scene.targets[0].reflectivity = Target::Reflectivity::directional;
-    scene.targets[0].azimuth = Angle::from_deg(vertical ? 270.0 : 225.0);
-    scene.targets[0].elevation = Angle::from_deg(vertical ? 45.0 : 0.0);
-    (vertical ? target.elevation_stddev : target.azimuth_stddev) = Angle::from_deg(1.0);
+    scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
+    scene.targets[0].azimuth = core::Angle::from_deg(vertical ? 270.0 : 225.0);
+    scene.targets[0].elevation = core::Angle::from_deg(vertical ? 45.0 : 0.0);
+    (vertical ? target.elevation_stddev : target.azimuth_stddev) = core::Angle::from_deg(1.0);
     std::vector<double> turns_deg;
     for (const auto& echo : echo_history(scene))
-      turns_deg.push_back(std::acos(std::norm(echo) / facing_w) * 180.0 / pi - 45.0);
+      turns_deg.push_back(std::acos(std::norm(echo) / facing_w) * 180.0 / core::pi - 45.0);
     expect_white_normal(turns_deg, 1.0);
   }
 }

@@ -14,12 +14,12 @@ namespace {
 
 using namespace test;
 
-constexpr double wavelength_m = exact_light_speed_mps / 1e9;
+constexpr double wavelength_m = core::exact_light_speed_mps / 1e9;
 constexpr double support_s = 0.2;
 
 // A triangle in lag: 0 at 0, `height` at 0.1 s, 0 at 0.2 s.
-SampledFunction triangle(double height) {
-  return {Interpolation::linear, {{0.0, 0.0}, {0.5 * support_s, height}, {support_s, 0.0}}};
+core::SampledFunction triangle(double height) {
+  return {core::Interpolation::linear, {{0.0, 0.0}, {0.5 * support_s, height}, {support_s, 0.0}}};
 }
 
 double triangle_value(double lag_s) {
@@ -42,13 +42,13 @@ double autocorrelation(double lag_s) {
 constexpr int pulses = 12000;
 constexpr double prf_hz = 100.0;
 
-std::vector<double> phase_history_rad(Scene scene) {
+std::vector<double> phase_history_rad(scene::Scene scene) {
   scene.radars[0].prf_hz = prf_hz;
   set_pulses(scene, 0, pulses - 1);
-  set_window(scene, 1374.0, 1374.0 + 0.5 * exact_light_speed_mps / 4e6, 4e6);
+  set_window(scene, 1374.0, 1374.0 + 0.5 * core::exact_light_speed_mps / 4e6, 4e6);
   std::vector<double> phases;
   for (const auto& echo : recorded(scene).samples)
-    phases.push_back(wrapped_rad(std::arg(echo) + 4.0 * pi * std::remainder(1000.0 / wavelength_m, 0.5)));
+    phases.push_back(wrapped_rad(std::arg(echo) + 4.0 * core::pi * std::remainder(1000.0 / wavelength_m, 0.5)));
   return phases;
 }
 
@@ -75,35 +75,35 @@ void expect_autocorrelation(const std::vector<double>& x, double scale) {
 }
 
 TEST(MotionErrors, OfPositionHaveTheAutocorrelationOfTheirEnvelope) {
-  Scene scene = radar_at_origin();
-  Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
   add_target(scene, {}, 1.0, "Shaking");
-  shaking.position_error = Platform::MotionError::envelope;
+  shaking.position_error = scene::Platform::MotionError::envelope;
   const double height = 0.02;  // m/sqrt(s): 5 mm of deviation
-  shaking.position_envelope.part = {triangle(height), SampledFunction{}, SampledFunction{}};
-  const double rad_per_m = 4.0 * pi / wavelength_m;
+  shaking.position_envelope.part = {triangle(height), core::SampledFunction{}, core::SampledFunction{}};
+  const double rad_per_m = 4.0 * core::pi / wavelength_m;
   expect_autocorrelation(phase_history_rad(scene), std::pow(height * rad_per_m, 2));
 }
 
 TEST(MotionErrors, OfRotationHaveTheAutocorrelationOfTheirEnvelope) {
-  Scene scene = radar_at_origin();
+  scene::Scene scene = radar_at_origin();
   // A point 10 m off the axis, across the line of sight; 1 km away.
-  Platform& shaking = add_platform(scene, "Shaking", {std::sqrt(1000.0 * 1000.0 - 100.0), 0.0, 0.0});
+  scene::Platform& shaking = add_platform(scene, "Shaking", {std::sqrt(1000.0 * 1000.0 - 100.0), 0.0, 0.0});
   add_target(scene, {0.0, 10.0, 0.0}, 1.0, "Shaking");
-  shaking.rotation_error = Platform::MotionError::envelope;
+  shaking.rotation_error = scene::Platform::MotionError::envelope;
   const double height_deg = 0.1;
-  shaking.rotation_envelope.part = {SampledFunction{}, SampledFunction{}, triangle(height_deg)};
-  const double rad_per_deg = 4.0 * pi / wavelength_m * 10.0 * pi / 180.0 * std::sqrt(1.0 - 1e-4);
+  shaking.rotation_envelope.part = {core::SampledFunction{}, core::SampledFunction{}, triangle(height_deg)};
+  const double rad_per_deg = 4.0 * core::pi / wavelength_m * 10.0 * core::pi / 180.0 * std::sqrt(1.0 - 1e-4);
   expect_autocorrelation(phase_history_rad(scene), std::pow(height_deg * rad_per_deg, 2));
 }
 
 TEST(MotionErrors, OfDifferentAxesAndPlatformsAreNotCorrelated) {
-  Scene scene = radar_at_origin();
-  Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
   add_target(scene, {}, 1.0, "Shaking");
-  shaking.position_error = Platform::MotionError::envelope;
+  shaking.position_error = scene::Platform::MotionError::envelope;
   const auto only = [&](int axis) {
-    Platform& p = scene.platforms.back();
+    scene::Platform& p = scene.platforms.back();
     p.position_envelope.part = {};
     p.position_envelope.part[static_cast<std::size_t>(axis)] = triangle(0.02);
     p.position_m = {axis == 0 ? 1000.0 : 0.0, axis == 1 ? 1000.0 : 0.0, axis == 2 ? 1000.0 : 0.0};
@@ -122,18 +122,18 @@ TEST(MotionErrors, OfDifferentAxesAndPlatformsAreNotCorrelated) {
 
 TEST(MotionErrors, MoveTheSpeedToo) {
   // The speed is the slope of the deviation: over a short step both agree.
-  Scene scene = radar_at_origin();
-  Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Platform& shaking = add_platform(scene, "Shaking", {1000.0, 0.0, 0.0});
   add_target(scene, {}, 1.0, "Shaking");
-  shaking.position_error = Platform::MotionError::envelope;
-  shaking.position_envelope.part = {triangle(0.02), SampledFunction{}, SampledFunction{}};
+  shaking.position_error = scene::Platform::MotionError::envelope;
+  shaking.position_envelope.part = {triangle(0.02), core::SampledFunction{}, core::SampledFunction{}};
   scene.radars[0].prf_hz = 1e6;
-  const Plan plan = make_plan(scene, 0);
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   int moving = 0;
   for (std::int64_t pulse = 100; pulse < 100000; pulse += 9973) {
     geometry.set_pulse(pulse);
-    const ScattererView before = geometry.view(0);
+    const simulate::ScattererView before = geometry.view(0);
     geometry.set_pulse(pulse + 1);
     const double step_m = geometry.view(0).distance_m - before.distance_m;
     // Distances near 1 km are rounded to 1e-13 m; a step takes 1 us.

@@ -18,10 +18,10 @@ constexpr std::size_t pulses = 64;
 constexpr std::size_t columns = 1000;
 
 // Nothing but noise: 64 pulses of 1000 samples.
-Scene noisy_scene(Profile profile) {
-  Scene scene = radar_at_origin(profile);
+scene::Scene noisy_scene(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
   scene.radars[0].noise_temperature_k = temperature_k;
-  const double spacing_m = 0.5 * exact_light_speed_mps / 20e6;
+  const double spacing_m = 0.5 * core::exact_light_speed_mps / 20e6;
   set_window(scene, 0.0, static_cast<double>(columns) * spacing_m, 20e6);
   set_pulses(scene, -10, static_cast<int>(pulses) - 11);
   return scene;
@@ -32,7 +32,7 @@ struct Parts {
   std::vector<double> quadrature;
 };
 
-Parts parts_of(const Recording& recording) {
+Parts parts_of(const simulate::Recording& recording) {
   Parts parts;
   for (const auto& sample : recording.samples) {
     parts.in_phase.push_back(sample.real());
@@ -49,23 +49,23 @@ void expect_variance(const Parts& parts, double variance) {
 }
 
 TEST(Noise, HasThePowerKTFsHalfInIAndHalfInQ) {
-  const Recording recording = recorded(noisy_scene(Profile::physical));
+  const simulate::Recording recording = recorded(noisy_scene(scene::Profile::physical));
   ASSERT_EQ(recording.samples.size(), pulses * columns);
-  expect_variance(parts_of(recording), 0.5 * boltzmann_j_per_k * temperature_k * 20e6);
+  expect_variance(parts_of(recording), 0.5 * core::boltzmann_j_per_k * temperature_k * 20e6);
 }
 
 TEST(Noise, OfTheClassicProfileHasKTBInIAndInQ) {
-  Scene scene = noisy_scene(Profile::classic);
-  expect_variance(parts_of(recorded(scene)), classic_boltzmann_j_per_k * temperature_k / 5e-6);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene::Scene scene = noisy_scene(scene::Profile::classic);
+  expect_variance(parts_of(recorded(scene)), core::classic_boltzmann_j_per_k * temperature_k / 5e-6);
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 50e6;
-  expect_variance(parts_of(recorded(scene)), classic_boltzmann_j_per_k * temperature_k * 50e6);
+  expect_variance(parts_of(recorded(scene)), core::classic_boltzmann_j_per_k * temperature_k * 50e6);
 }
 
 TEST(Noise, IsNormal) {
   // Third and fourth moment of n normal values: 0 +- sqrt(15/n), 3 +- sqrt(96/n) in units of sigma.
-  const Parts parts = parts_of(recorded(noisy_scene(Profile::physical)));
-  const double sigma_v = std::sqrt(0.5 * boltzmann_j_per_k * temperature_k * 20e6);
+  const Parts parts = parts_of(recorded(noisy_scene(scene::Profile::physical)));
+  const double sigma_v = std::sqrt(0.5 * core::boltzmann_j_per_k * temperature_k * 20e6);
   const auto n = static_cast<double>(parts.in_phase.size());
   double third = 0.0;
   double fourth = 0.0;
@@ -78,7 +78,7 @@ TEST(Noise, IsNormal) {
 }
 
 TEST(Noise, IsWhite) {
-  const Parts parts = parts_of(recorded(noisy_scene(Profile::physical)));
+  const Parts parts = parts_of(recorded(noisy_scene(scene::Profile::physical)));
   EXPECT_NEAR(correlation_coefficient(parts.in_phase, parts.quadrature), 0.0, correlation_gate(parts.in_phase.size()));
   const double variance = mean_square(parts.in_phase);
   for (const std::size_t lag : {1U, 2U, 3U, 10U, 100U, 999U})
@@ -88,8 +88,8 @@ TEST(Noise, IsWhite) {
 
 TEST(Noise, HasAFlatSpectrum) {
   // Mean power of 64 pulses in 10 bands of 100 bins: chi-square with 12 800 degrees of freedom each.
-  const Recording recording = recorded(noisy_scene(Profile::physical));
-  const Fft fft(columns);
+  const simulate::Recording recording = recorded(noisy_scene(scene::Profile::physical));
+  const core::Fft fft(columns);
   std::vector<double> band(10, 0.0);
   for (std::size_t row = 0; row < pulses; ++row) {
     std::vector<std::complex<double>> spectrum(
@@ -99,12 +99,12 @@ TEST(Noise, HasAFlatSpectrum) {
     for (std::size_t k = 0; k < columns; ++k) band[k / 100] += std::norm(spectrum[k]);
   }
   const double samples = static_cast<double>(pulses) * 100.0;
-  const double expected = boltzmann_j_per_k * temperature_k * 20e6 * static_cast<double>(columns);
+  const double expected = core::boltzmann_j_per_k * temperature_k * 20e6 * static_cast<double>(columns);
   for (const double power : band) EXPECT_NEAR(power / samples / expected, 1.0, gate_sigmas / std::sqrt(samples));
 }
 
 TEST(Noise, OfDifferentPulsesIsNotCorrelated) {
-  const Recording recording = recorded(noisy_scene(Profile::physical));
+  const simulate::Recording recording = recorded(noisy_scene(scene::Profile::physical));
   const Parts parts = parts_of(recording);
   const std::span<const double> all(parts.in_phase);
   const double gate = correlation_gate(columns);
@@ -116,7 +116,7 @@ TEST(Noise, OfDifferentPulsesIsNotCorrelated) {
 }
 
 TEST(Noise, OfTwoRadarsIsNotCorrelated) {
-  Scene scene = noisy_scene(Profile::physical);
+  scene::Scene scene = noisy_scene(scene::Profile::physical);
   const Parts first = parts_of(recorded(scene));
   scene.radars[0].name = "Radar2";
   scene.simulations[0].radar = "Radar2";
@@ -127,24 +127,24 @@ TEST(Noise, OfTwoRadarsIsNotCorrelated) {
 
 TEST(Noise, AfterTheMatchedFilterIsDownByTheCompressionGain) {
   // Signal to noise P Tp/(kT): the filter of N = Tp fs equal taps of 1/N leaves kT fs/N.
-  Scene scene = noisy_scene(Profile::physical);
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Recording recording = recorded(scene);
+  scene::Scene scene = noisy_scene(scene::Profile::physical);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Recording recording = recorded(scene);
   std::vector<double> apart;  // samples further apart than the pulse are independent
   for (std::size_t row = 0; row < recording.report.rows; ++row)
     for (std::size_t i = 0; i < recording.report.columns; i += 100)
       apart.push_back(recording.samples[row * recording.report.columns + i].real());
-  const double variance = 0.5 * boltzmann_j_per_k * temperature_k / 5e-6;
+  const double variance = 0.5 * core::boltzmann_j_per_k * temperature_k / 5e-6;
   EXPECT_NEAR(mean_square(apart), variance, variance_gate(variance, apart.size()));
 }
 
 TEST(Noise, IsMultipliedByTheStcGainOfItsRange) {
-  Scene scene = noisy_scene(Profile::physical);
-  scene.radars[0].stc = Radar::Stc::range_law;
-  const Recording with = recorded(scene);
-  scene.radars[0].stc = Radar::Stc::none;
-  const Recording without = recorded(scene);
-  const double spacing_m = 0.5 * exact_light_speed_mps / 20e6;
+  scene::Scene scene = noisy_scene(scene::Profile::physical);
+  scene.radars[0].stc = scene::Radar::Stc::range_law;
+  const simulate::Recording with = recorded(scene);
+  scene.radars[0].stc = scene::Radar::Stc::none;
+  const simulate::Recording without = recorded(scene);
+  const double spacing_m = 0.5 * core::exact_light_speed_mps / 20e6;
   for (const std::size_t i : {1U, 500U, 999U}) {
     const double range_m = static_cast<double>(i) * spacing_m;
     EXPECT_LT(std::abs(with.samples[i] - range_m * range_m * without.samples[i]), 1e-12 * std::abs(with.samples[i]));

@@ -11,7 +11,7 @@
 
 namespace sarsim::test {
 
-using namespace verify;
+using namespace workflow::verify;
 
 /// LSBs for which every count lies within `slack` of v/LSB: an interval, empty where lowest > highest.
 struct LsbInterval {

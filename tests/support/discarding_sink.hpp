@@ -5,14 +5,14 @@
 namespace sarsim::test {
 
 /// Takes every row and keeps none: to run a simulation for its report alone.
-class DiscardingSink : public Sink {
+class DiscardingSink : public simulate::Sink {
  public:
   [[nodiscard]] bool wants_counts() const override { return false; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& /*block*/) const override { return {}; }
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& /*block*/) const override { return {}; }
   void append(std::span<const std::byte> /*bytes*/, std::size_t /*first_row*/, std::size_t rows) override {
     rows_ += rows;
   }
-  void finish(const RunReport& /*report*/) override { finished_ = true; }
+  void finish(const simulate::RunReport& /*report*/) override { finished_ = true; }
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] bool finished() const { return finished_; }

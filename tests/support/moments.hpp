@@ -4,6 +4,6 @@
 
 namespace sarsim::test {
 
-using namespace verify;
+using namespace workflow::verify;
 
 }  // namespace sarsim::test

@@ -5,6 +5,6 @@
 /// The scenes that `sarsim verify` measures with serve the tests, too.
 namespace sarsim::test {
 
-using namespace verify;
+using namespace workflow::verify;
 
 }  // namespace sarsim::test

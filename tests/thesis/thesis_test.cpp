@@ -9,17 +9,17 @@
 #include "thesis/table.hpp"
 #include "workflow/verify/thesis_numbers.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 // What a failure prints for the parameter; found by name lookup.
 void PrintTo(const ThesisNumber& number, std::ostream* out) { *out << number.name; }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify
 
 namespace sarsim::test {
 
-using verify::thesis_numbers;
-using verify::ThesisNumber;
+using workflow::verify::thesis_numbers;
+using workflow::verify::ThesisNumber;
 
 namespace {
 
@@ -36,10 +36,10 @@ TEST_P(ThesisNumbers, AreAsTheTableSays) {
   const TableRow& row = found->second;
   ASSERT_TRUE(row.classic || row.physical) << "the row promises nothing";
   for (const auto& [profile, promised] :
-       {std::pair{Profile::classic, row.classic}, std::pair{Profile::physical, row.physical}}) {
+       {std::pair{scene::Profile::classic, row.classic}, std::pair{scene::Profile::physical, row.physical}}) {
     if (!promised) continue;
     const double value = GetParam().value(profile);
-    const char* name = profile == Profile::classic ? "classic" : "physical";
+    const char* name = profile == scene::Profile::classic ? "classic" : "physical";
     std::printf("%-24s %-8s %.7g, table %.7g, tolerance %g\n", GetParam().name.c_str(), name, value, *promised,
                 row.tolerance);
     EXPECT_NEAR(value, *promised, row.tolerance) << name;

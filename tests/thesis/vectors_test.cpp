@@ -24,10 +24,11 @@ std::string script(const std::string& repetition, const std::string& carrier, co
          repetition + " " + carrier + " 1 0 0 SINX 60 6 SAME FIXED -40 0 HAMM NO_STC\n$SIM R1 " + simulation;
 }
 
-Plan planned(const std::string& text) {
-  const ScriptReading reading = read_script(text, "vector.scr", {});
-  for (const Problem& problem : reading.problems) EXPECT_NE(problem.severity, Severity::error) << to_string(problem);
-  return make_plan(reading.scene, 0);
+simulate::Plan planned(const std::string& text) {
+  const scene::ScriptReading reading = scene::read_script(text, "vector.scr", {});
+  for (const core::Problem& problem : reading.problems)
+    EXPECT_NE(problem.severity, core::Severity::error) << core::to_string(problem);
+  return simulate::make_plan(reading.scene, 0);
 }
 
 const std::string constant_400 = "CONST 400";
@@ -35,7 +36,7 @@ const std::string single = "SINGLE 5.3";
 const std::string window = "5550 5870 -0.64 0.6399 8 0.12 1E-7 BIN RAW out.bin CEN 1 1";
 
 TEST(ScriptVectors, MinimalScriptHas512PulsesOf256Samples) {
-  const Plan plan = planned(script(constant_400, single, window));
+  const simulate::Plan plan = planned(script(constant_400, single, window));
   EXPECT_EQ(plan.pulses.first, -256);
   EXPECT_EQ(plan.pulses.last, 255);
   EXPECT_EQ(plan.rows, 512u);
@@ -43,7 +44,7 @@ TEST(ScriptVectors, MinimalScriptHas512PulsesOf256Samples) {
 }
 
 TEST(ScriptVectors, IntervalsOf1And2And3MillisecondsWrapInBothDirections) {
-  const Plan plan = planned(script("OTHER LIN INLINE 3 0 1e-3 1 2e-3 2 3e-3", single, window));
+  const simulate::Plan plan = planned(script("OTHER LIN INLINE 3 0 1e-3 1 2e-3 2 3e-3", single, window));
   const auto time_ms = [&](int pulse) { return 1e3 * plan.radar.repetition.send_time_s(pulse); };
   EXPECT_DOUBLE_EQ(time_ms(0), 0.0);
   EXPECT_DOUBLE_EQ(time_ms(1), 1.0);
@@ -53,14 +54,14 @@ TEST(ScriptVectors, IntervalsOf1And2And3MillisecondsWrapInBothDirections) {
 }
 
 TEST(ScriptVectors, SteppedCarrierRepeatsEachStepAndWraps) {
-  const Plan plan = planned(script(constant_400, "STEPPED 1 0.1 3 2", window));
+  const simulate::Plan plan = planned(script(constant_400, "STEPPED 1 0.1 3 2", window));
   const double expected_ghz[] = {1.2, 1.0, 1.0, 1.1, 1.1, 1.2, 1.2, 1.0};
   for (int pulse = -1; pulse <= 6; ++pulse)
     EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(pulse), 1e9 * expected_ghz[pulse + 1]) << pulse;
 }
 
 TEST(ScriptVectors, ListedCarrierWrapsInBothDirections) {
-  const Plan plan = planned(script(constant_400, "OTHER LIN INLINE 3 0 1 1 2 2 3", window));
+  const simulate::Plan plan = planned(script(constant_400, "OTHER LIN INLINE 3 0 1 1 2 2 3", window));
   EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(-1), 3e9);
   EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(3), 1e9);
 }
@@ -75,11 +76,11 @@ TEST(ScriptVectors, BothEndsOfATimeWindowBelongToIt) {
 }
 
 TEST(ScriptVectors, LowPassThroughThreeKnotsIsOneAtTheMiddleInBothProfiles) {
-  const SampledFunction triangle{Interpolation::low_pass, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}};
-  const Interpolator classic(triangle, LowPassRule::origin);
+  const core::SampledFunction triangle{core::Interpolation::low_pass, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}};
+  const core::Interpolator classic(triangle, core::LowPassRule::origin);
   EXPECT_DOUBLE_EQ(classic.value(1.0), 1.0);
-  EXPECT_NEAR(classic.value(0.5), 2.0 / pi, 1e-12);  // sinc(1/2)
-  const Interpolator physical(triangle, LowPassRule::first_knot);
+  EXPECT_NEAR(classic.value(0.5), 2.0 / core::pi, 1e-12);  // sinc(1/2)
+  const core::Interpolator physical(triangle, core::LowPassRule::first_knot);
   EXPECT_NEAR(physical.value(1.0), 1.0, 1e-12);
 }
 

@@ -24,51 +24,52 @@ struct CheckArguments {
   bool strict = false;
 };
 
-std::size_t count_of(const Problems& problems, Severity severity) {
+std::size_t count_of(const core::Problems& problems, core::Severity severity) {
   std::size_t count = 0;
-  for (const Problem& problem : problems)
+  for (const core::Problem& problem : problems)
     if (problem.severity == severity) count += problem.count;
   return count;
 }
 
-Problems problems_of(const std::string& path, const SceneOverrides& overrides, const StopFlag* stop) {
-  SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {thread_count(0), stop});
-  Problems names = output_names(input.scene, {}).problems;
-  locate(names, input.places);
+core::Problems problems_of(const std::string& path, const SceneOverrides& overrides, const core::StopFlag* stop) {
+  SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {core::thread_count(0), stop});
+  core::Problems names = output_names(input.scene, {}).problems;
+  scene::locate(names, input.places);
   std::ranges::move(names, std::back_inserter(input.problems));
-  return ranked(std::move(input.problems));
+  return core::ranked(std::move(input.problems));
 }
 
-std::string verdict(const std::string& path, const Problems& problems) {
+std::string verdict(const std::string& path, const core::Problems& problems) {
   if (problems.empty()) return path + ": no problems";
-  std::string text = fmt::format("{}: {}, {}", path, counted(count_of(problems, Severity::error), "error"),
-                                 counted(count_of(problems, Severity::warning), "warning"));
-  const std::size_t notes = count_of(problems, Severity::note);
+  std::string text = fmt::format("{}: {}, {}", path, counted(count_of(problems, core::Severity::error), "error"),
+                                 counted(count_of(problems, core::Severity::warning), "warning"));
+  const std::size_t notes = count_of(problems, core::Severity::note);
   return notes > 0 ? text + ", " + counted(notes, "note") : text;
 }
 
-void add_json(JsonWriter& json, const std::string& path, const Problems& problems) {
-  json.begin_object().member("script", path).member("errors", count_of(problems, Severity::error));
-  json.member("warnings", count_of(problems, Severity::warning)).member("notes", count_of(problems, Severity::note));
+void add_json(core::JsonWriter& json, const std::string& path, const core::Problems& problems) {
+  json.begin_object().member("script", path).member("errors", count_of(problems, core::Severity::error));
+  json.member("warnings", count_of(problems, core::Severity::warning))
+      .member("notes", count_of(problems, core::Severity::note));
   json.key("problems");
   write_json(json, problems);
   json.end_object();
 }
 
 ExitStatus check_scenes(const CheckArguments& arguments, Streams& streams) {
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).key("scripts").begin_array();
+  core::JsonWriter json;
+  json.begin_object().member("sarsim", core::program_version).key("scripts").begin_array();
   ExitStatus status = exit_done;
   for (const std::string& path : arguments.scenes) {
-    const Problems problems = problems_of(path, arguments.overrides, streams.stop);
-    if (has_errors(problems) || (arguments.strict && count_of(problems, Severity::warning) > 0))
+    const core::Problems problems = problems_of(path, arguments.overrides, streams.stop);
+    if (core::has_errors(problems) || (arguments.strict && count_of(problems, core::Severity::warning) > 0))
       status = exit_bad_input;
     if (arguments.json) {
       add_json(json, path, problems);
       continue;
     }
     std::string text;
-    for (const Problem& problem : problems) text += to_string(problem) + "\n";
+    for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
     write_out(streams, text + verdict(path, problems) + "\n");
   }
   json.end_array().end_object();

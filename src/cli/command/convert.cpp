@@ -30,17 +30,17 @@ struct ConvertArguments {
   std::string output;
   SampleArguments sample;
   std::optional<std::int64_t> simulation;
-  std::optional<FileFormat> to;
+  std::optional<scene::FileFormat> to;
   bool counts = false;
   bool header = false;
   bool force = false;
 };
 
 // The format of the new file; nothing for an ENVI image, which only images become.
-std::optional<FileFormat> output_format(const ConvertArguments& arguments, bool image) {
+std::optional<scene::FileFormat> output_format(const ConvertArguments& arguments, bool image) {
   if (arguments.to) return *arguments.to;
-  if (const auto format = format_from_path(arguments.output)) return *format;
-  if (equal_ignoring_case(std::filesystem::path(arguments.output).extension().string(), ".img")) {
+  if (const auto format = raster::format_from_path(arguments.output)) return *format;
+  if (core::equal_ignoring_case(std::filesystem::path(arguments.output).extension().string(), ".img")) {
     if (image && !arguments.counts) return std::nullopt;
     throw BadInput(
         image ? fmt::format("--counts: an image such as '{}' holds volts", arguments.output)
@@ -52,20 +52,20 @@ std::optional<FileFormat> output_format(const ConvertArguments& arguments, bool 
 }
 
 // The description of the recording as far as its file gives it.
-Product product_of_file(const SampleFile& file) {
-  const SampleFileInfo& info = file.info();
-  Product product;
+simulate::Product product_of_file(const raster::SampleFile& file) {
+  const raster::SampleFileInfo& info = file.info();
+  simulate::Product product;
   product.rows = info.rows;
   product.columns = info.columns;
   product.bits = info.bits;
   product.lsb_v = info.lsb_v.value_or(0.0);
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
-  product.script = attribute_of(info.attributes, "script");
-  take_origin(info.attributes, product);
+  product.script = raster::attribute_of(info.attributes, "script");
+  raster::take_origin(info.attributes, product);
   if (product.script.empty()) product.unknown.emplace_back("script");
   if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
   if (auto axes = file.axes()) {
-    const auto shared = std::make_shared<const SampleAxes>(std::move(*axes));
+    const auto shared = std::make_shared<const raster::SampleAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
     product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
     product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
@@ -75,21 +75,21 @@ Product product_of_file(const SampleFile& file) {
 
 // The header of an image, for its copy or to be left behind.
 struct CarriedHeader {
-  std::optional<EnviHeader> copy;
+  std::optional<raster::EnviHeader> copy;
   std::filesystem::path file;  // of the copy
-  Problems notes;              // what is lost
+  core::Problems notes;        // what is lost
 };
 
-CarriedHeader carried_header(const EnviHeader& header, const ConvertArguments& arguments,
-                             std::optional<FileFormat> format) {
-  const bool array = format == FileFormat::npy;
+CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertArguments& arguments,
+                             std::optional<scene::FileFormat> format) {
+  const bool array = format == scene::FileFormat::npy;
   const auto left = [&](const std::string& why) {
-    return CarriedHeader{
-        {},
-        {},
-        {problem_of(Severity::note,
-                    fmt::format("axes and all else in the header of '{}' are left behind: {}", arguments.input, why),
-                    {}, {}, "NPY in volts and .img keep them")}};
+    return CarriedHeader{{},
+                         {},
+                         {core::problem_of(core::Severity::note,
+                                           fmt::format("axes and all else in the header of '{}' are left behind: {}",
+                                                       arguments.input, why),
+                                           {}, {}, "NPY in volts and .img keep them")}};
   };
   if (format && !array) return left(fmt::format("{} has no place for them", format_word(*format)));
   if (arguments.counts) return left("counts are no image");
@@ -109,15 +109,17 @@ enum class Change { none, to_volts, to_counts };
 // Turns blocks of one file into those of another.
 class Conversion {
  public:
-  Conversion(const SampleFile& file, const SampleFileHints& hints, const ConvertArguments& arguments, Streams& streams)
+  Conversion(const raster::SampleFile& file, const raster::SampleFileHints& hints, const ConvertArguments& arguments,
+             Streams& streams)
       : file_(file), product_(product_of_file(file)), arguments_(arguments), streams_(streams) {
     choose_converter(hints);
     const auto image = header_beside(arguments.input, file.info());
     const auto format = output_format(arguments, image.has_value());
     if (image) header_ = carried_header(*image, arguments, format);
     envi_ = !format;
-    const bool either = envi_ || format == FileFormat::hdf5 || format == FileFormat::npy;
-    options_ = {format.value_or(FileFormat::npy), arguments.force, arguments.counts || !either, arguments.header};
+    const bool either = envi_ || format == scene::FileFormat::hdf5 || format == scene::FileFormat::npy;
+    options_ = {format.value_or(scene::FileFormat::npy), arguments.force, arguments.counts || !either,
+                arguments.header};
     const bool volts_in = !file.info().counts;
     change_ = volts_in == !options_.counts ? Change::none : volts_in ? Change::to_counts : Change::to_volts;
     expect_known();
@@ -130,12 +132,13 @@ class Conversion {
   }
 
   void carry_out() {
-    const std::unique_ptr<Sink> sink = envi_ ? make_pixel_sink(arguments_.output, *header_.copy, options_.replace)
-                                             : make_sink(arguments_.output, product_, options_);
-    const std::unique_ptr<OutputFile> header = begun_header();
+    const std::unique_ptr<simulate::Sink> sink =
+        envi_ ? make_pixel_sink(arguments_.output, *header_.copy, options_.replace)
+              : raster::make_sink(arguments_.output, product_, options_);
+    const std::unique_ptr<core::OutputFile> header = begun_header();
     const std::size_t rows = rows_at_once(product_.columns);
     for (std::size_t first = 0; first < product_.rows; first += rows) {
-      if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
+      if (streams_.stop != nullptr && streams_.stop->requested()) throw core::Interrupted();
       const std::size_t count = std::min(rows, product_.rows - first);
       read(first, count);
       sink->append(sink->encode({first, count, product_.columns, volts_, counts_}), first, count);
@@ -149,17 +152,17 @@ class Conversion {
 
  private:
   // Counts were made by the converter that their file tells of; volts may go through any other.
-  void choose_converter(const SampleFileHints& hints) {
+  void choose_converter(const raster::SampleFileHints& hints) {
     const bool volts = !file_.info().counts;
     if (hints.bits > 0 && (volts || product_.bits == 0)) product_.bits = hints.bits;
     if (hints.lsb_v > 0.0 && (volts || product_.lsb_v <= 0.0)) product_.lsb_v = hints.lsb_v;
   }
 
   // Complete but for its name, which it gets after the data.
-  [[nodiscard]] std::unique_ptr<OutputFile> begun_header() const {
+  [[nodiscard]] std::unique_ptr<core::OutputFile> begun_header() const {
     if (!header_.copy) return nullptr;
-    auto file = std::make_unique<OutputFile>(header_.file, options_.replace);
-    const std::string text = to_text(*header_.copy);
+    auto file = std::make_unique<core::OutputFile>(header_.file, options_.replace);
+    const std::string text = raster::to_text(*header_.copy);
     file->write(std::as_bytes(std::span(text)));
     file->secure();
     return file;
@@ -167,9 +170,9 @@ class Conversion {
 
   // Everything that the change needs must be known before the first row.
   void expect_known() {
-    Problems problems;
+    core::Problems problems;
     const auto need = [&](const char* what, const char* option) {
-      Problem problem;
+      core::Problem problem;
       problem.message =
           fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
                       std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
@@ -177,7 +180,7 @@ class Conversion {
       problem.hint = hint_for(option);
       problems.push_back(problem);
     };
-    const bool sized = options_.format != FileFormat::ascii && options_.format != FileFormat::bracket;
+    const bool sized = options_.format != scene::FileFormat::ascii && options_.format != scene::FileFormat::bracket;
     if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
@@ -205,7 +208,8 @@ class Conversion {
     if (!options_.counts) return;
     counts_.resize(2 * volts_.size());
     // Counts pass through a converter of 1 V a count: unchanged as long as they fit its bits.
-    Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_, tally_);
+    radar::Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_,
+                                                                                                 tally_);
   }
 
   void warn_of_clipping() {
@@ -218,8 +222,9 @@ class Conversion {
     constexpr int most_bits = 64;
     if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
     if (change_ == Change::to_counts)
-      return fmt::format("an LSB of {:.6G} V would hold them all", tally_.maximum_v / full_scale_count(product_.bits));
-    if (product_.bits < most_bits && tally_.maximum_v <= full_scale_count(most_bits))
+      return fmt::format("an LSB of {:.6G} V would hold them all",
+                         tally_.maximum_v / radar::full_scale_count(product_.bits));
+    if (product_.bits < most_bits && tally_.maximum_v <= radar::full_scale_count(most_bits))
       return "more --bits would hold them all";
     return fmt::format("{} are the most that counts can have", most_bits);
   }
@@ -230,36 +235,36 @@ class Conversion {
                                 tally_.not_numbers, product_.rows * product_.columns);
   }
 
-  [[nodiscard]] RunReport report() const {
-    RunReport report;
+  [[nodiscard]] simulate::RunReport report() const {
+    simulate::RunReport report;
     report.rows = product_.rows;
     report.columns = product_.columns;
     report.lsb_v = product_.lsb_v;
     return report;
   }
 
-  const SampleFile& file_;
-  Product product_;
+  const raster::SampleFile& file_;
+  simulate::Product product_;
   const ConvertArguments& arguments_;
   Streams& streams_;
-  SinkOptions options_;
+  raster::SinkOptions options_;
   CarriedHeader header_;
   bool envi_ = false;  // pixels of an image without a format of samples
   Change change_ = Change::none;
   std::vector<std::complex<double>> volts_;
   std::vector<std::int64_t> counts_;
-  ConversionTally tally_;
+  radar::ConversionTally tally_;
 };
 
 ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
   if (arguments.simulation && arguments.sample.script.empty())
     throw BadInput("--simulation is a number in a script", "name it with --script");
-  const SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
-  const SampleFile file = open_samples(arguments.input, hints, streams);
+  const raster::SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
+  const raster::SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);
   OutputCare care{sources_of_script(arguments.sample.script), arguments.force, "OUT"};
   care.sources.emplace_back(arguments.input);
-  care.sources.emplace_back(envi_header_of(arguments.input));
+  care.sources.emplace_back(raster::envi_header_of(arguments.input));
   expect_free_outputs(conversion.outputs(), care);
   conversion.carry_out();
   return exit_done;

@@ -18,13 +18,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class PixelSink final : public Sink {
+class PixelSink final : public simulate::Sink {
  public:
-  PixelSink(const fs::path& path, const EnviHeader& header, bool replace)
-      : complex_(header.pixel == EnviHeader::Pixel::complex_float), lines_(header.lines), file_(path, replace) {}
+  PixelSink(const fs::path& path, const raster::EnviHeader& header, bool replace)
+      : complex_(header.pixel == raster::EnviHeader::Pixel::complex_float),
+        lines_(header.lines),
+        file_(path, replace) {}
 
   [[nodiscard]] bool wants_counts() const override { return false; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
     std::vector<float> parts;
     parts.reserve((complex_ ? 2 : 1) * block.volts.size());
     for (const std::complex<double> value : block.volts) {
@@ -39,7 +41,7 @@ class PixelSink final : public Sink {
     file_.write(bytes);
     done_ += rows;
   }
-  void finish(const RunReport&) override {
+  void finish(const simulate::RunReport&) override {
     if (done_ != lines_) throw std::logic_error("rows of this image are missing");
     file_.commit();
   }
@@ -48,18 +50,18 @@ class PixelSink final : public Sink {
   bool complex_;
   std::size_t lines_;
   std::size_t done_ = 0;
-  OutputFile file_;
+  core::OutputFile file_;
 };
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
 }  // namespace
 
-std::optional<EnviHeader> header_beside(const fs::path& path, const SampleFileInfo& info) {
-  if (info.format && (*info.format != FileFormat::npy || !has_envi_header(path))) return std::nullopt;
-  auto [image, problems] = EnviImage::open(path);
+std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::SampleFileInfo& info) {
+  if (info.format && (*info.format != scene::FileFormat::npy || !raster::has_envi_header(path))) return std::nullopt;
+  auto [image, problems] = raster::EnviImage::open(path);
   if (!image) throw BadInput(std::move(problems));
-  const EnviHeader& header = image->header();
+  const raster::EnviHeader& header = image->header();
   if (header.lines != info.rows || header.samples != info.columns) return std::nullopt;
   return header;
 }
@@ -67,16 +69,16 @@ std::optional<EnviHeader> header_beside(const fs::path& path, const SampleFileIn
 fs::path header_file_of_copy(const fs::path& image, const fs::path& copy) {
   const fs::path replaced = fs::path(copy).replace_extension(".hdr");
   std::error_code ignored;
-  const bool taken = replaced == copy || fs::equivalent(replaced, envi_header_of(image), ignored);
+  const bool taken = replaced == copy || fs::equivalent(replaced, raster::envi_header_of(image), ignored);
   return taken ? fs::path(copy.string() + ".hdr") : replaced;
 }
 
-EnviHeader header_of_copy(EnviHeader header, const fs::path& image, const fs::path& copy, bool array) {
+raster::EnviHeader header_of_copy(raster::EnviHeader header, const fs::path& image, const fs::path& copy, bool array) {
   header.header_offset = 0;
   if (array) {
     const std::array<std::size_t, 2> shape{header.lines, header.samples};
-    header.pixel = EnviHeader::Pixel::complex_float;
-    header.header_offset = npy_header_text("<c8", shape).size();
+    header.pixel = raster::EnviHeader::Pixel::complex_float;
+    header.header_offset = raster::npy_header_text("<c8", shape).size();
   }
   for (auto& [name, value] : header.fields) {
     if (value.empty() || (name != "source from image" && name != "script from image")) continue;
@@ -87,11 +89,11 @@ EnviHeader header_of_copy(EnviHeader header, const fs::path& image, const fs::pa
   return header;
 }
 
-bool is_of_magnitudes(const EnviHeader& header) {
-  return header.pixel == EnviHeader::Pixel::real_float && header.field("image plane");
+bool is_of_magnitudes(const raster::EnviHeader& header) {
+  return header.pixel == raster::EnviHeader::Pixel::real_float && header.field("image plane");
 }
 
-std::unique_ptr<Sink> make_pixel_sink(const fs::path& path, const EnviHeader& header, bool replace) {
+std::unique_ptr<simulate::Sink> make_pixel_sink(const fs::path& path, const raster::EnviHeader& header, bool replace) {
   return std::make_unique<PixelSink>(path, header, replace);
 }
 

@@ -12,7 +12,8 @@ namespace sarsim::cli {
 
 /// The ENVI header that describes a file of samples as it was opened; nothing where none does, as for recordings.
 /// Throws BadInput and std::system_error like EnviImage.
-[[nodiscard]] std::optional<EnviHeader> header_beside(const std::filesystem::path& path, const SampleFileInfo& info);
+[[nodiscard]] std::optional<raster::EnviHeader> header_beside(const std::filesystem::path& path,
+                                                              const raster::SampleFileInfo& info);
 
 /// The file that the header of a copy becomes: "copy.hdr" for "copy.npy", or "copy.npy.hdr" where the former is the
 /// header of the image that is copied.
@@ -22,14 +23,14 @@ namespace sarsim::cli {
 /// The header of a copy: the image's, with its source and script as they are seen from the copy's folder
 /// (docs/formats/focused-images.md).
 /// @param array  the copy is a NumPy array of complex numbers; otherwise the pixels are the image's, from byte 0
-[[nodiscard]] EnviHeader header_of_copy(EnviHeader header, const std::filesystem::path& image,
-                                        const std::filesystem::path& copy, bool array);
+[[nodiscard]] raster::EnviHeader header_of_copy(raster::EnviHeader header, const std::filesystem::path& image,
+                                                const std::filesystem::path& copy, bool array);
 
 /// Whether NumPy's complex numbers would make another image of one: magnitudes of a focused image have no phases.
-[[nodiscard]] bool is_of_magnitudes(const EnviHeader& header);
+[[nodiscard]] bool is_of_magnitudes(const raster::EnviHeader& header);
 
 /// The pixels of an ENVI image without its header; rows are given in volts. Throws like OutputFile.
-[[nodiscard]] std::unique_ptr<Sink> make_pixel_sink(const std::filesystem::path& path, const EnviHeader& header,
-                                                    bool replace);
+[[nodiscard]] std::unique_ptr<simulate::Sink> make_pixel_sink(const std::filesystem::path& path,
+                                                              const raster::EnviHeader& header, bool replace);
 
 }  // namespace sarsim::cli

@@ -27,14 +27,14 @@ class DopplerRun {
     // The canceller takes its pulses from those that there are.
     const auto order = static_cast<std::int64_t>(arguments_.canceller.value_or(Canceller::none));
     work_.open(
-        [order](const Plan& plan) {
+        [order](const simulate::Plan& plan) {
           return std::min(usual_pulses,
                           static_cast<std::size_t>(std::max<std::int64_t>(plan.pulses.count() - order, 1)));
         },
-        [](const PulseRows&) { return 0.0; });
+        [](const workflow::PulseRows&) { return 0.0; });
     std::optional<ImageWriter> image;
     if (!arguments_.no_map) image.emplace(work_.output(), content_of_image(), arguments_.force, largest());
-    work_.detect({}, [&](const SearchInterval& interval) {
+    work_.detect({}, [&](const workflow::SearchInterval& interval) {
       if (image) append(interval, *image);
     });
     if (image) image->finish();
@@ -63,26 +63,26 @@ class DopplerRun {
     float largest = 0.0F;
     if (needs_largest(work_.output()))
       work_.look_through(work_.output().string() + " (finding the largest magnitude)",
-                         [&](const SearchInterval& interval) {
+                         [&](const workflow::SearchInterval& interval) {
                            for (const auto& value : interval.map.values) largest = std::max(largest, std::abs(value));
                          });
     return static_cast<double>(largest);
   }
 
-  void append(const SearchInterval& interval, ImageWriter& image) const {
+  void append(const workflow::SearchInterval& interval, ImageWriter& image) const {
     const std::span<const std::complex<float>> values = interval.map.values;
     for (std::size_t row = 0; row < interval.map.frequencies; ++row)
       image.append(values.subspan(row * interval.map.samples, interval.map.samples));
   }
 
   // Middle of an interval's first and last pulse.
-  static double time_of(const Repetition& repetition, std::int64_t first_pulse, std::int64_t last_pulse) {
+  static double time_of(const radar::Repetition& repetition, std::int64_t first_pulse, std::int64_t last_pulse) {
     return 0.5 * (repetition.send_time_s(first_pulse) + repetition.send_time_s(last_pulse));
   }
 
-  [[nodiscard]] Product axes() const {
-    const SearchOptions& options = work_.options();
-    Product product;
+  [[nodiscard]] simulate::Product axes() const {
+    const workflow::SearchOptions& options = work_.options();
+    simulate::Product product;
     product.radar = work_.plan().radar.name;
     product.row_time_s = [repetition = work_.plan().radar.repetition, frequencies = options.rows(),
                           first = work_.plan().pulses.first, step = options.step_pulses(),
@@ -102,14 +102,14 @@ class DopplerRun {
   }
 
   [[nodiscard]] ImageContent content_of_image() const {
-    const SearchOptions& options = work_.options();
+    const workflow::SearchOptions& options = work_.options();
     ImageContent content;
     content.header.lines = work_.intervals() * options.rows();
     content.header.samples = work_.rows().samples();
     content.header.description = fmt::format(
         "Range-Doppler maps by sarsim {}, one below the other: lines along Doppler, samples along slant range",
-        program_version);
-    const Repetition& repetition = work_.plan().radar.repetition;
+        core::program_version);
+    const radar::Repetition& repetition = work_.plan().radar.repetition;
     const std::int64_t first = work_.plan().pulses.first;
     const double time_s = time_of(repetition, first, first + static_cast<std::int64_t>(options.recorded_pulses()) - 1);
     const auto number = [](double value) { return fmt::format("{}", value); };
@@ -132,7 +132,7 @@ class DopplerRun {
   }
 
   void report() {
-    const SearchOptions& options = work_.options();
+    const workflow::SearchOptions& options = work_.options();
     const std::vector<double>& range_m = work_.rows().range_m;
     const std::string text =
         work_.doppler()
@@ -140,7 +140,7 @@ class DopplerRun {
                           options.rows(), doppler_step_hz(), std::abs(speed_of(doppler_step_hz())), range_m.size(),
                           range_m.front(), range_m.back())
             : fmt::format("{} ranges {:.1f} to {:.1f} m, ", range_m.size(), range_m.front(), range_m.back());
-    work_.report(text, [&](JsonWriter& json) {
+    work_.report(text, [&](core::JsonWriter& json) {
       json.member("rows", options.rows()).member("columns", range_m.size());
       json.member("doppler_first_hz", first_doppler_hz()).member("doppler_step_hz", doppler_step_hz());
       json.member("speed_first_mps", speed_of(first_doppler_hz()))

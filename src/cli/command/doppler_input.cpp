@@ -5,35 +5,35 @@ namespace sarsim::cli {
 namespace {
 
 // Synthetic range profiles have to be refused before they are planned as pulses.
-void expect_pulses(const Simulation& simulation) {
-  if (simulation.processing == Processing::srp)
+void expect_pulses(const scene::Simulation& simulation) {
+  if (simulation.processing == scene::Processing::srp)
     throw BadInput("synthetic range profiles hold no pulses", "take a simulation of RAW or MATCHED_FILTER processing");
 }
 
-PulseInput of_script(const RecordingArguments& arguments, const WorkControl& control) {
+PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {
   auto [input, number] = open_script(arguments, records_pulses, control);
-  Simulation& simulation = input.scene.simulations[number];
+  scene::Simulation& simulation = input.scene.simulations[number];
   expect_pulses(simulation);
-  simulation = compressed_simulation(simulation);
-  auto plan =
-      std::make_shared<const Plan>(make_plan(input.scene, number, input.resolved, Engine::automatic, control.stop));
-  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
+  simulation = workflow::compressed_simulation(simulation);
+  auto plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic, control.stop));
+  return {workflow::pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
 }
 
 PulseInput of_file(const RecordingArguments& arguments) {
-  StoredRecording stored = open_recording(arguments, records_pulses, [](const Plan& plan) {
+  StoredRecording stored = open_recording(arguments, records_pulses, [](const simulate::Plan& plan) {
     expect_pulses(plan.simulation);
-    return Problems();
+    return core::Problems();
   });
-  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+  return {workflow::pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 
 }  // namespace
 
-PulseInput open_pulse_input(const RecordingArguments& arguments, const WorkControl& control) {
+PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control) {
   PulseInput input = names_script(arguments) ? of_script(arguments, control) : of_file(arguments);
-  input.problems = ranked(std::move(input.problems));
+  input.problems = core::ranked(std::move(input.problems));
   return input;
 }
 

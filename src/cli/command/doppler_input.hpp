@@ -7,13 +7,13 @@ namespace sarsim::cli {
 
 /// Pulses and what there is to say about their source.
 struct PulseInput {
-  PulseRows rows;
+  workflow::PulseRows rows;
   std::size_t simulation = 0;  ///< Position in the script's list.
-  Problems problems;
+  core::Problems problems;
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
 /// Opens what the arguments name; throws BadInput with all problems where it has no pulses.
-[[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const WorkControl& control);
+[[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
 }  // namespace sarsim::cli

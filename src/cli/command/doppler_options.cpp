@@ -24,22 +24,23 @@ struct Cells {
 
 std::optional<Cells> cells_from(const std::string& text) {
   const std::size_t colon = text.find(':');
-  const auto columns = parse_integer(text.substr(0, colon));
-  const auto rows = colon == std::string::npos ? std::optional<std::int64_t>(0) : parse_integer(text.substr(colon + 1));
+  const auto columns = core::parse_integer(text.substr(0, colon));
+  const auto rows =
+      colon == std::string::npos ? std::optional<std::int64_t>(0) : core::parse_integer(text.substr(colon + 1));
   const auto good = [](std::optional<std::int64_t> n) { return n && *n >= 0 && *n <= most_cells; };
   if (!good(columns) || !good(rows)) return std::nullopt;
   return Cells{static_cast<std::size_t>(*columns), static_cast<std::size_t>(*rows)};
 }
 
-void add_error(Problems& problems, std::string message, std::string found, std::string expected) {
-  Problem problem;
+void add_error(core::Problems& problems, std::string message, std::string found, std::string expected) {
+  core::Problem problem;
   problem.message = std::move(message);
   problem.found = std::move(found);
   problem.expected = std::move(expected);
   problems.push_back(std::move(problem));
 }
 
-Cells cells_or(const char* option, const std::string& text, Cells usual, Problems& problems) {
+Cells cells_or(const char* option, const std::string& text, Cells usual, core::Problems& problems) {
   if (text.empty()) return usual;
   if (const auto cells = cells_from(text)) return *cells;
   add_error(problems, fmt::format("{}: no numbers of cells", option), text,
@@ -48,13 +49,13 @@ Cells cells_or(const char* option, const std::string& text, Cells usual, Problem
 }
 
 // A target fills the samples of its range cell: those must not count as noise.
-std::size_t usual_guard(const Plan& plan) {
-  const double samples = 1.0 / (bandwidth_hz(plan.radar.pulse) * plan.raw_grid.interval_s);
+std::size_t usual_guard(const simulate::Plan& plan) {
+  const double samples = 1.0 / (radar::bandwidth_hz(plan.radar.pulse) * plan.raw_grid.interval_s);
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2.0 * samples - 1e-9)));
 }
 
 // What says how to detect means nothing where nothing is detected.
-void expect_detector(const SearchArguments& a, bool detect, Problems& problems) {
+void expect_detector(const SearchArguments& a, bool detect, core::Problems& problems) {
   if (detect) return;
   const std::pair<const char*, bool> given[] = {{"--guard", !a.guard.empty()},
                                                 {"--train", !a.train.empty()},
@@ -65,19 +66,20 @@ void expect_detector(const SearchArguments& a, bool detect, Problems& problems) 
     if (there) add_error(problems, fmt::format("{} means nothing with --cfar none", option), "", "--cfar ca or os");
 }
 
-void take_detector(const SearchArguments& a, const Plan& plan, SearchOptions& options, Problems& problems) {
+void take_detector(const SearchArguments& a, const simulate::Plan& plan, workflow::SearchOptions& options,
+                   core::Problems& problems) {
   const Detector detector = a.detector.value_or(Detector::cell_averaging);
   options.detect = detector != Detector::none;
   options.all_cells = a.all_cells;
-  CfarOptions& cfar = options.cfar;
-  if (detector == Detector::ordered_statistic) cfar.kind = CfarOptions::Kind::ordered_statistic;
+  signal::CfarOptions& cfar = options.cfar;
+  if (detector == Detector::ordered_statistic) cfar.kind = signal::CfarOptions::Kind::ordered_statistic;
   cfar.false_alarm = a.false_alarm.value_or(usual_false_alarm);
   if (!(cfar.false_alarm >= 1e-15 && cfar.false_alarm <= 0.5))
-    add_error(problems, "--pfa: no probability of false alarm for a cell", format_number(cfar.false_alarm),
+    add_error(problems, "--pfa: no probability of false alarm for a cell", core::format_number(cfar.false_alarm),
               "1e-15 to 0.5");
   cfar.rank_share = a.rank.value_or(0.75);
   if (!(cfar.rank_share > 0.0 && cfar.rank_share <= 1.0))
-    add_error(problems, "--rank: not a share of the reference cells", format_number(cfar.rank_share),
+    add_error(problems, "--rank: not a share of the reference cells", core::format_number(cfar.rank_share),
               "above 0, at most 1");
   if (a.rank && detector != Detector::ordered_statistic)
     add_error(problems, "--rank is for the ordered statistic", "", "--cfar os");
@@ -127,9 +129,10 @@ void add_search_arguments(CLI::App& app, SearchArguments& a, const std::string& 
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
 }
 
-SearchOptions search_options(const SearchArguments& a, const PulseRows& rows, std::size_t usual_pulses) {
-  Problems problems;
-  SearchOptions options;
+workflow::SearchOptions search_options(const SearchArguments& a, const workflow::PulseRows& rows,
+                                       std::size_t usual_pulses) {
+  core::Problems problems;
+  workflow::SearchOptions options;
   const auto count = [](std::optional<std::int64_t> n, std::size_t usual) {
     return n ? static_cast<std::size_t>(*n) : usual;
   };
@@ -138,7 +141,7 @@ SearchOptions search_options(const SearchArguments& a, const PulseRows& rows, st
   options.frequencies = count(a.frequencies, 0);
   options.canceller = static_cast<std::size_t>(a.canceller.value_or(Canceller::none));
   if (!a.window.empty()) {
-    const auto window = window_from_text(a.window);
+    const auto window = signal::window_from_text(a.window);
     if (window)
       options.window = *window;
     else

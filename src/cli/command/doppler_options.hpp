@@ -46,8 +46,8 @@ void add_search_arguments(CLI::App& app, SearchArguments& arguments, const std::
 
 /// The options of the work; throws BadInput with every mistake.
 /// @param usual_pulses  of an interval, where none are given
-[[nodiscard]] SearchOptions search_options(const SearchArguments& arguments, const PulseRows& rows,
-                                           std::size_t usual_pulses);
+[[nodiscard]] workflow::SearchOptions search_options(const SearchArguments& arguments, const workflow::PulseRows& rows,
+                                                     std::size_t usual_pulses);
 
 /// The word of the command line for a detector: "ca", "os" or "none".
 [[nodiscard]] const char* word_of(Detector detector);

@@ -14,7 +14,7 @@ namespace sarsim::cli {
 
 namespace {
 
-double degrees(double rad) { return rad * 180.0 / pi; }
+double degrees(double rad) { return rad * 180.0 / core::pi; }
 
 // Azimuths as people say them, 0 to 360.
 double bearing_deg(double azimuth_rad) {
@@ -24,35 +24,35 @@ double bearing_deg(double azimuth_rad) {
 
 void add_field(std::string& line, std::optional<double> value) {
   line += ',';
-  if (value && std::isfinite(*value)) append_number(line, *value);
+  if (value && std::isfinite(*value)) core::append_number(line, *value);
 }
 
-void write_sight(JsonWriter& json, const TargetFinding& finding, bool doppler) {
-  const TargetSight& sight = finding.sight;
+void write_sight(core::JsonWriter& json, const workflow::TargetFinding& finding, bool doppler) {
+  const workflow::TargetSight& sight = finding.sight;
   json.begin_object().member("interval", sight.interval + 1).member("time_s", sight.time_s);
   json.member("azimuth_deg", bearing_deg(sight.azimuth_rad)).member("range_m", sight.range_m);
   if (doppler) json.member("doppler_hz", sight.doppler_hz).member("seen_doppler_hz", sight.seen_doppler_hz);
   json.member("row", sight.row).member("column", sight.column).member("amplitude_v", sight.amplitude_v);
-  json.member("snr_db", power_db(sight.snr)).key("probability");
+  json.member("snr_db", core::power_db(sight.snr)).key("probability");
   finding.probability ? json.value(*finding.probability) : json.null();
   json.end_object();
 }
 
-void write_detection(JsonWriter& json, const SearchDetection& detection, bool doppler) {
+void write_detection(core::JsonWriter& json, const workflow::SearchDetection& detection, bool doppler) {
   json.begin_object().member("interval", detection.interval + 1).member("time_s", detection.time_s);
   json.member("azimuth_deg", bearing_deg(detection.azimuth_rad)).member("range_m", detection.range_m);
   if (doppler) json.member("doppler_hz", detection.doppler_hz).member("speed_mps", detection.speed_mps);
   json.member("row", detection.row).member("column", detection.column);
-  json.member("magnitude_v", detection.magnitude_v).member("snr_db", power_db(detection.snr));
+  json.member("magnitude_v", detection.magnitude_v).member("snr_db", core::power_db(detection.snr));
   json.member("threshold_v", detection.threshold_v).end_object();
 }
 
 std::string decibel_text(double ratio) {
-  return std::isfinite(ratio) && ratio > 0.0 ? fmt::format("{:.1f} dB", power_db(ratio)) : std::string("-");
+  return std::isfinite(ratio) && ratio > 0.0 ? fmt::format("{:.1f} dB", core::power_db(ratio)) : std::string("-");
 }
 
-std::string finding_text(const TargetFinding& finding, bool doppler) {
-  const TargetSight& sight = finding.sight;
+std::string finding_text(const workflow::TargetFinding& finding, bool doppler) {
+  const workflow::TargetSight& sight = finding.sight;
   std::string text = fmt::format("target {:<4}", finding.target + 1);
   if (!sight.in_window) return text + " is never within the recorded ranges\n";
   text += fmt::format(" azimuth {:.2f} deg, range {:.1f} m", bearing_deg(sight.azimuth_rad), sight.range_m);
@@ -68,7 +68,7 @@ std::string finding_text(const TargetFinding& finding, bool doppler) {
   else
     text += fmt::format("; found in {}", counted(finding.found, "interval"));
   if (!finding.best) return text + "\n";
-  const SearchDetection& best = *finding.best;
+  const workflow::SearchDetection& best = *finding.best;
   text += fmt::format("\n  strongest   azimuth {:.2f} deg, range {:+.2f} m away", bearing_deg(best.azimuth_rad),
                       best.range_m - sight.range_m);
   if (doppler)
@@ -85,7 +85,8 @@ DetectionTable::DetectionTable(const std::filesystem::path& path, bool replace, 
   pending_ += '\n';
 }
 
-void DetectionTable::append(const SearchDetection& d, std::optional<std::size_t> target, const GroundPlace& place) {
+void DetectionTable::append(const workflow::SearchDetection& d, std::optional<std::size_t> target,
+                            const GroundPlace& place) {
   std::string line = std::to_string(d.interval + 1);
   add_field(line, d.time_s);
   add_field(line, bearing_deg(d.azimuth_rad));
@@ -93,7 +94,7 @@ void DetectionTable::append(const SearchDetection& d, std::optional<std::size_t>
   add_field(line, doppler_ ? std::optional(d.doppler_hz) : std::nullopt);
   add_field(line, doppler_ ? std::optional(d.speed_mps) : std::nullopt);
   add_field(line, d.magnitude_v);
-  add_field(line, power_db(d.snr));
+  add_field(line, core::power_db(d.snr));
   add_field(line, d.threshold_v);
   line += ',';
   if (target) line += std::to_string(*target + 1);
@@ -117,18 +118,19 @@ void DetectionTable::finish() {
   file_.commit();
 }
 
-std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler) {
+std::string findings_text(const std::vector<workflow::TargetFinding>& findings, bool doppler) {
   constexpr std::size_t most = 20;
   std::string text;
-  for (const TargetFinding& finding : findings | std::views::take(most)) text += finding_text(finding, doppler);
+  for (const workflow::TargetFinding& finding : findings | std::views::take(most))
+    text += finding_text(finding, doppler);
   if (findings.size() > most)
     text += fmt::format("and {}; --json lists them\n", counted(findings.size() - most, "more target"));
   return text;
 }
 
-void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bool doppler) {
+void write_json(core::JsonWriter& json, const std::vector<workflow::TargetFinding>& findings, bool doppler) {
   json.begin_array();
-  for (const TargetFinding& finding : findings) {
+  for (const workflow::TargetFinding& finding : findings) {
     json.begin_object().member("target", finding.target + 1).key("expected");
     if (finding.sight.in_window)
       write_sight(json, finding, doppler);
@@ -146,10 +148,10 @@ void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bo
   json.end_array();
 }
 
-void write_json(JsonWriter& json, const SearchOptions& options) {
+void write_json(core::JsonWriter& json, const workflow::SearchOptions& options) {
   json.begin_object().member("pulses", options.pulses).member("step", options.step_pulses());
   json.member("frequencies", options.rows()).member("canceller_pulses", options.canceller + 1);
-  json.member("window", to_string(options.window)).end_object();
+  json.member("window", signal::to_string(options.window)).end_object();
 }
 
 }  // namespace sarsim::cli

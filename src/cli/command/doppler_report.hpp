@@ -29,7 +29,8 @@ class DetectionTable {
 
   /// Adds a line.
   /// @param target  position in the script of the target that it is of
-  void append(const SearchDetection& detection, std::optional<std::size_t> target, const GroundPlace& place = {});
+  void append(const workflow::SearchDetection& detection, std::optional<std::size_t> target,
+              const GroundPlace& place = {});
   /// Gives the file its name.
   void finish();
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -37,7 +38,7 @@ class DetectionTable {
  private:
   void write_pending();
 
-  OutputFile file_;
+  core::OutputFile file_;
   std::string pending_;
   bool doppler_;
   bool places_;
@@ -45,10 +46,10 @@ class DetectionTable {
 };
 
 /// The first targets of a script and what became of them, a line or two for each.
-[[nodiscard]] std::string findings_text(const std::vector<TargetFinding>& findings, bool doppler);
+[[nodiscard]] std::string findings_text(const std::vector<workflow::TargetFinding>& findings, bool doppler);
 
 /// Members of the open JSON object: the first targets and what became of them, or the options of the work.
-void write_json(JsonWriter& json, const std::vector<TargetFinding>& findings, bool doppler);
-void write_json(JsonWriter& json, const SearchOptions& options);
+void write_json(core::JsonWriter& json, const std::vector<workflow::TargetFinding>& findings, bool doppler);
+void write_json(core::JsonWriter& json, const workflow::SearchOptions& options);
 
 }  // namespace sarsim::cli

@@ -35,8 +35,8 @@ PulseWork::PulseWork(const SearchArguments& arguments, Streams& streams, std::st
     : arguments_(arguments),
       streams_(streams),
       suffix_(std::move(suffix)),
-      control_{thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop},
-      begin_s_(now_s()) {}
+      control_{core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop},
+      begin_s_(core::now_s()) {}
 
 fs::path PulseWork::output() const {
   if (!arguments_.output.empty()) return arguments_.output;
@@ -61,8 +61,8 @@ void PulseWork::expect_free_outputs(const std::vector<fs::path>& sources) const 
   cli::expect_free_outputs(paths, {sources, arguments_.force, "--out or --detections"});
 }
 
-void PulseWork::open(const std::function<std::size_t(const Plan&)>& usual_pulses,
-                     const std::function<double(const PulseRows&)>& more_bytes) {
+void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
+                     const std::function<double(const workflow::PulseRows&)>& more_bytes) {
   options_.detect = arguments_.detector.value_or(Detector::cell_averaging) != Detector::none;
   expect_free_outputs(named_sources(arguments_.input));
   input_ = open_pulse_input(arguments_.input, control_);
@@ -74,51 +74,53 @@ void PulseWork::open(const std::function<std::size_t(const Plan&)>& usual_pulses
 }
 
 void PulseWork::find_problems(double more_bytes) {
-  Problems& problems = input_.problems;
-  std::ranges::move(problems_of_search(plan(), options_), std::back_inserter(problems));
-  const double bytes = interval_bytes(options_, rows().pulses(), rows().samples()) + more_bytes;
+  core::Problems& problems = input_.problems;
+  std::ranges::move(workflow::problems_of_search(plan(), options_), std::back_inserter(problems));
+  const double bytes = workflow::interval_bytes(options_, rows().pulses(), rows().samples()) + more_bytes;
   if (bytes > memory_bytes()) {
-    Problem problem;
+    core::Problem problem;
     problem.message = "an interval and the picture do not fit into memory";
-    problem.found = bytes_text(bytes);
-    problem.expected = "at most " + bytes_text(memory_bytes());
+    problem.found = core::bytes_text(bytes);
+    problem.expected = "at most " + core::bytes_text(memory_bytes());
     problem.hint = "take fewer pulses, frequencies or pixels at once";
     problems.push_back(problem);
   }
-  if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
-  std::ranges::move(remarks_on_search(plan(), options_, control_), std::back_inserter(problems));
-  problems = ranked(std::move(problems));
+  if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
+  std::ranges::move(workflow::remarks_on_search(plan(), options_, control_), std::back_inserter(problems));
+  problems = core::ranked(std::move(problems));
   if (!arguments_.quiet) print_problems(streams_, problems);
 }
 
-void PulseWork::each(const std::string& label, const SearchOptions& options,
-                     const std::function<void(const SearchInterval&)>& consume) {
+void PulseWork::each(const std::string& label, const workflow::SearchOptions& options,
+                     const std::function<void(const workflow::SearchInterval&)>& consume) {
   const auto style = arguments_.quiet    ? ProgressDisplay::Style::none
                      : streams_.terminal ? ProgressDisplay::Style::bar
                                          : ProgressDisplay::Style::lines;
   ProgressDisplay display(streams_.err, style, label);
-  each_interval(
-      rows(), options, control_, [&display](const Progress& p) { display.update(p); }, consume);
+  workflow::each_interval(
+      rows(), options, control_, [&display](const core::Progress& p) { display.update(p); }, consume);
 }
 
-void PulseWork::look_through(const std::string& label, const std::function<void(const SearchInterval&)>& consume) {
-  SearchOptions options = options_;
+void PulseWork::look_through(const std::string& label,
+                             const std::function<void(const workflow::SearchInterval&)>& consume) {
+  workflow::SearchOptions options = options_;
   options.detect = false;
   each(label, options, consume);
 }
 
-void PulseWork::detect(const Placing& place, const std::function<void(const SearchInterval&)>& consume) {
+void PulseWork::detect(const Placing& place, const std::function<void(const workflow::SearchInterval&)>& consume) {
   std::optional<DetectionTable> detections;
   if (options_.detect) detections.emplace(table(), arguments_.force, doppler(), static_cast<bool>(place));
-  SearchTargets targets(rows(), options_);
-  each(arguments_.no_map ? table().string() : output().string(), options_, [&](const SearchInterval& interval) {
-    const auto of = targets.take(interval);
-    for (std::size_t d = 0; d < of.size(); ++d) {
-      const SearchDetection& detection = interval.detections[d];
-      detections->append(detection, of[d], place ? place(interval, detection) : GroundPlace{});
-    }
-    consume(interval);
-  });
+  workflow::SearchTargets targets(rows(), options_);
+  each(arguments_.no_map ? table().string() : output().string(), options_,
+       [&](const workflow::SearchInterval& interval) {
+         const auto of = targets.take(interval);
+         for (std::size_t d = 0; d < of.size(); ++d) {
+           const workflow::SearchDetection& detection = interval.detections[d];
+           detections->append(detection, of[d], place ? place(interval, detection) : GroundPlace{});
+         }
+         consume(interval);
+       });
   findings_ = targets.findings();
   if (!detections) return;
   detections->finish();
@@ -130,10 +132,11 @@ double PulseWork::expected_false_alarms() const {
          static_cast<double>(rows().samples());
 }
 
-void PulseWork::report(const std::string& image, const std::function<void(JsonWriter&)>& members) {
+void PulseWork::report(const std::string& image, const std::function<void(core::JsonWriter&)>& members) {
   if (!arguments_.quiet) {
     streams_.err << fmt::format("{}: {} of {}, {}{}\n", files().front().string(), counted(intervals(), "interval"),
-                                counted(options_.pulses, "pulse"), image, duration_text(now_s() - begin_s_));
+                                counted(options_.pulses, "pulse"), image,
+                                core::duration_text(core::now_s() - begin_s_));
     if (options_.detect)
       streams_.err << fmt::format("{}: {}; noise alone would put {:.3g} cells above their thresholds\n",
                                   table().string(), counted(detections_, "detection"), expected_false_alarms());
@@ -142,9 +145,9 @@ void PulseWork::report(const std::string& image, const std::function<void(JsonWr
   if (arguments_.json) write_report(members);
 }
 
-void PulseWork::write_report(const std::function<void(JsonWriter&)>& members) {
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
+void PulseWork::write_report(const std::function<void(core::JsonWriter&)>& members) {
+  core::JsonWriter json;
+  json.begin_object().member("sarsim", core::program_version).member("source", arguments_.input.path);
   json.key("files").begin_array();
   for (const fs::path& path : files()) json.value(path.string());
   json.end_array().member("intervals", intervals()).key("interval");
@@ -152,18 +155,18 @@ void PulseWork::write_report(const std::function<void(JsonWriter&)>& members) {
   members(json);
   json.key("detector");
   if (options_.detect) {
-    const CfarOptions& cfar = options_.cfar;
+    const signal::CfarOptions& cfar = options_.cfar;
     json.begin_object().member("cfar", word_of(arguments_.detector.value_or(Detector::cell_averaging)));
-    const std::size_t cells = reference_cells(cfar, options_.rows(), rows().samples());
+    const std::size_t cells = signal::reference_cells(cfar, options_.rows(), rows().samples());
     json.member("false_alarm", cfar.false_alarm).member("reference_cells", cells);
-    json.member("independent_cells", static_cast<double>(cells) * detector_of(rows(), options_).independence);
+    json.member("independent_cells", static_cast<double>(cells) * workflow::detector_of(rows(), options_).independence);
     json.member("detections", detections_).member("expected_false_alarms", expected_false_alarms()).end_object();
   } else {
     json.null();
   }
   json.key("targets");
   write_json(json, findings_, doppler());
-  json.member("seconds", now_s() - begin_s_).key("problems");
+  json.member("seconds", core::now_s() - begin_s_).key("problems");
   write_json(json, input_.problems);
   json.end_object();
   write_out(streams_, json.text());
@@ -176,7 +179,7 @@ std::vector<std::pair<std::string, std::string>> PulseWork::origin_fields() cons
           {"simulation", fmt::format("{}", input_.simulation + 1)},
           {"interval pulses", fmt::format("{}", options_.pulses)},
           {"interval step pulses", fmt::format("{}", options_.step_pulses())},
-          {"window", to_string(options_.window)},
+          {"window", signal::to_string(options_.window)},
           {"canceller pulses", fmt::format("{}", options_.canceller + 1)}};
 }
 

@@ -36,11 +36,11 @@ namespace {
 class FocusRun {
  public:
   FocusRun(const FocusArguments& arguments, Streams& streams) : arguments_(arguments), streams_(streams) {
-    control_ = {thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
+    control_ = {core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
   }
 
   ExitStatus run() {
-    const double begin_s = now_s();
+    const double begin_s = core::now_s();
     options_.memory_bytes = memory_of(arguments_.memory);
     read_windows();
     read_centroid();
@@ -53,10 +53,10 @@ class FocusRun {
     expect_focusable();
     compensate_track();
     find_problems();
-    FocusedRows image = focused();
+    signal::FocusedRows image = focused();
     if (arguments_.autofocus) image = autofocused(image, input_, autofocus_choice(), options_, control_, autofocus_);
     write(image);
-    report(image, now_s() - begin_s);
+    report(image, core::now_s() - begin_s);
     return exit_done;
   }
 
@@ -67,15 +67,15 @@ class FocusRun {
     if (!arguments_.range_window.empty()) options_.range_window = window_of("--range-window", arguments_.range_window);
     if (!arguments_.azimuth_window.empty())
       options_.azimuth_window = window_of("--azimuth-window", arguments_.azimuth_window);
-    if (algorithm() == FocusAlgorithm::range_doppler) options_.method = FocusMethod::range_doppler;
-    if (algorithm() == FocusAlgorithm::chirp_scaling) options_.method = FocusMethod::chirp_scaling;
+    if (algorithm() == FocusAlgorithm::range_doppler) options_.method = signal::FocusMethod::range_doppler;
+    if (algorithm() == FocusAlgorithm::chirp_scaling) options_.method = signal::FocusMethod::chirp_scaling;
   }
 
   void read_centroid() {
     const std::string& text = arguments_.centroid;
-    given_centroid_hz_ = parse_number(text);
-    centroid_is_measured_ = equal_ignoring_case(text, "measured");
-    if (!given_centroid_hz_ && !centroid_is_measured_ && !equal_ignoring_case(text, "geometry"))
+    given_centroid_hz_ = core::parse_number(text);
+    centroid_is_measured_ = core::equal_ignoring_case(text, "measured");
+    if (!given_centroid_hz_ && !centroid_is_measured_ && !core::equal_ignoring_case(text, "geometry"))
       throw BadInput(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
   }
 
@@ -147,31 +147,33 @@ class FocusRun {
   void find_centroid() {
     if (given_centroid_hz_) options_.doppler_centroid_hz = *given_centroid_hz_;
     if (given_centroid_hz_ || !has_speed()) return;
-    options_.doppler_centroid_hz = geometric_doppler_centroid_hz(*input_.plan);
+    options_.doppler_centroid_hz = workflow::geometric_doppler_centroid_hz(*input_.plan);
     measure_centroid();
   }
 
   void measure_centroid() {
     if (!centroid_is_measured_ || input_.echoes.samples == 0) return;
-    options_.doppler_centroid_hz = measured_doppler_centroid_hz(input_.echoes, options_.doppler_centroid_hz, control_);
+    options_.doppler_centroid_hz =
+        signal::measured_doppler_centroid_hz(input_.echoes, options_.doppler_centroid_hz, control_);
   }
 
   // What compensation does not mend is said before it.
   void expect_focusable() {
-    Problems problems = problems_of_echoes();
+    core::Problems problems = problems_of_echoes();
     const bool in_time = algorithm() == FocusAlgorithm::back_projection;
     const bool mended = !in_time && arguments_.motion.value_or(MotionOrder::second) != MotionOrder::none;
     if (mended && has_speed() && wants_motion() != MotionOrder::none) expect_one_way(input_.echoes);
-    std::erase_if(problems, [&](const Problem& problem) {
-      return problem.severity != Severity::error || (mended && problem.subject.field == track_field);
+    std::erase_if(problems, [&](const core::Problem& problem) {
+      return problem.severity != core::Severity::error || (mended && problem.subject.field == signal::track_field);
     });
     if (!problems.empty()) {
       std::ranges::copy(input_.problems, std::back_inserter(problems));
-      throw BadInput(ranked(std::move(problems)));
+      throw BadInput(core::ranked(std::move(problems)));
     }
     if (!arguments_.autofocus || !has_speed()) return;
-    expect_autofocus(in_time ? back_projection_axes(input_, options_, control_) : image_of(input_.echoes, options_),
-                     input_, autofocus_choice(), options_, control_);
+    expect_autofocus(
+        in_time ? back_projection_axes(input_, options_, control_) : signal::image_of(input_.echoes, options_), input_,
+        autofocus_choice(), options_, control_);
   }
 
   [[nodiscard]] AutofocusChoice autofocus_choice() const {
@@ -182,10 +184,10 @@ class FocusRun {
     if (algorithm() == FocusAlgorithm::back_projection || !has_speed()) return;
     motion_ = wants_motion();
     if (motion_ == MotionOrder::none) return;
-    strays_m_ = fit_straight(input_.echoes.track).worst_position_m;
+    strays_m_ = signal::fit_straight(input_.echoes.track).worst_position_m;
     ProgressDisplay display(streams_.err, style(), output().string() + ": motion compensation");
     compensate(input_, motion_, arguments_.ground_m, options_, control_,
-               [&display](const Progress& p) { display.update(p); });
+               [&display](const core::Progress& p) { display.update(p); });
     measure_centroid();
   }
 
@@ -196,35 +198,37 @@ class FocusRun {
 
   // Without it nothing can be focused, which `find_problems` says.
   [[nodiscard]] bool has_speed() const {
-    return input_.echoes.track.size() >= 2 && fit_straight(input_.echoes.track).speed_mps > 0.0;
+    return input_.echoes.track.size() >= 2 && signal::fit_straight(input_.echoes.track).speed_mps > 0.0;
   }
 
-  [[nodiscard]] Problems problems_of_echoes() const {
-    return algorithm() == FocusAlgorithm::back_projection ? problems_of_focusing_in_time(input_.echoes, options_)
-                                                          : problems_of_focusing(input_.echoes, options_);
+  [[nodiscard]] core::Problems problems_of_echoes() const {
+    return algorithm() == FocusAlgorithm::back_projection
+               ? signal::problems_of_focusing_in_time(input_.echoes, options_)
+               : signal::problems_of_focusing(input_.echoes, options_);
   }
 
   void find_problems() {
-    Problems& problems = input_.problems;
+    core::Problems& problems = input_.problems;
     std::ranges::move(problems_of_echoes(), std::back_inserter(problems));
-    if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
-    const DopplerBand kept{options_.doppler_centroid_hz, options_.doppler_bandwidth_hz};
-    std::ranges::move(remarks_on_sar(*input_.plan, input_.echoes, kept, control_), std::back_inserter(problems));
-    problems = ranked(std::move(problems));
+    if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
+    const workflow::DopplerBand kept{options_.doppler_centroid_hz, options_.doppler_bandwidth_hz};
+    std::ranges::move(workflow::remarks_on_sar(*input_.plan, input_.echoes, kept, control_),
+                      std::back_inserter(problems));
+    problems = core::ranked(std::move(problems));
     if (!arguments_.quiet) print_problems(streams_, problems);
   }
 
-  [[nodiscard]] FocusedRows focused() {
+  [[nodiscard]] signal::FocusedRows focused() {
     ProgressDisplay display(streams_.err, style(), output().string());
-    const auto progress = [&display](const Progress& p) { display.update(p); };
+    const auto progress = [&display](const core::Progress& p) { display.update(p); };
     if (algorithm() == FocusAlgorithm::back_projection) {
       const BackProjectionChoice choice{on_ground(), arguments_.ground_m, arguments_.start_stop};
       return back_projected(input_, choice, options_, control_, progress);
     }
-    FocusOptions options = options_;
+    signal::FocusOptions options = options_;
     // The compensated echoes have the other half.
     if (motion_ != MotionOrder::none) options.memory_bytes /= 2;
-    return focus_rows(input_.echoes, options, control_, progress);
+    return signal::focus_rows(input_.echoes, options, control_, progress);
   }
 
   [[nodiscard]] ProgressDisplay::Style style() const {
@@ -232,7 +236,7 @@ class FocusRun {
     return streams_.terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
   }
 
-  void write(const FocusedRows& image) const {
+  void write(const signal::FocusedRows& image) const {
     const ImageOrigin origin{
         arguments_.input.path, arguments_.input.script, input_.simulation,          word_of(algorithm()), options_,
         to_string(motion_),    input_.plan->radar.name, input_.plan->scene->options};
@@ -244,16 +248,17 @@ class FocusRun {
     if (!arguments_.autofocus_phase.empty()) write_phase(autofocus_, arguments_.autofocus_phase, arguments_.force);
   }
 
-  void report(const FocusedRows& rows, double seconds) const {
-    const FocusedImage& image = rows.image;
-    const auto last = [](const ImageAxis& axis) { return axis.at(static_cast<double>(axis.count) - 1.0); };
+  void report(const signal::FocusedRows& rows, double seconds) const {
+    const signal::FocusedImage& image = rows.image;
+    const auto last = [](const signal::ImageAxis& axis) { return axis.at(static_cast<double>(axis.count) - 1.0); };
     if (!arguments_.quiet)
       streams_.err << fmt::format(
           "{}: {} x {} samples by {}, azimuth {:.1f} to {:.1f} m, {} {:.1f} to {:.1f} m, Doppler centroid {} Hz, "
           "{}{}\n",
           output().string(), image.azimuth.count, image.range.count, word_of(algorithm()), image.azimuth.first_m,
           last(image.azimuth), on_ground() ? "ground range" : "slant range", image.range.first_m, last(image.range),
-          decimals(options_.doppler_centroid_hz, 1), duration_text(seconds), rows.on_disk ? " (worked on disk)" : "");
+          decimals(options_.doppler_centroid_hz, 1), core::duration_text(seconds),
+          rows.on_disk ? " (worked on disk)" : "");
     if (!arguments_.quiet && motion_ != MotionOrder::none)
       streams_.err << fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
                                   to_string(motion_), strays_m_);
@@ -264,8 +269,8 @@ class FocusRun {
           autofocus_.entropy_before, autofocus_.entropy_after,
           autofocus_.applied ? "" : "; the image is left as it was, which is sharper");
     if (!arguments_.json) return;
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("source", arguments_.input.path);
     json.key("files").begin_array();
     for (const fs::path& path : outputs()) json.value(path.string());
     json.end_array().member("algorithm", word_of(algorithm()));
@@ -273,8 +278,8 @@ class FocusRun {
     json.member("azimuth_first_m", image.azimuth.first_m).member("azimuth_step_m", image.azimuth.step_m);
     json.member("range_first_m", image.range.first_m).member("range_step_m", image.range.step_m);
     json.member("doppler_centroid_hz", options_.doppler_centroid_hz);
-    json.member("range_window", to_string(options_.range_window));
-    json.member("azimuth_window", to_string(options_.azimuth_window));
+    json.member("range_window", signal::to_string(options_.range_window));
+    json.member("azimuth_window", signal::to_string(options_.azimuth_window));
     json.member("motion_compensation", to_string(motion_)).key("autofocus");
     write_autofocus(json);
     json.member("on_disk", rows.on_disk).member("seconds", seconds).key("problems");
@@ -284,7 +289,7 @@ class FocusRun {
     flush_out(streams_);
   }
 
-  void write_autofocus(JsonWriter& json) const {
+  void write_autofocus(core::JsonWriter& json) const {
     if (!arguments_.autofocus) {
       json.null();
       return;
@@ -299,9 +304,9 @@ class FocusRun {
 
   const FocusArguments& arguments_;
   Streams& streams_;
-  WorkControl control_;
+  core::WorkControl control_;
   FocusInput input_;
-  FocusOptions options_;
+  signal::FocusOptions options_;
   std::optional<double> given_centroid_hz_;
   bool centroid_is_measured_ = false;
   MotionOrder motion_ = MotionOrder::none;

@@ -24,16 +24,16 @@ struct Apertures {
   double band_hz = 0.0;  // of Doppler frequencies about the centroid that holds those of all targets; 0: none known
 };
 
-Apertures apertures_of(const FocusInput& input, const FocusOptions& options, const WorkControl& control) {
-  const StraightTrack track = fit_straight(input.echoes.track);
+Apertures apertures_of(const FocusInput& input, const signal::FocusOptions& options, const core::WorkControl& control) {
+  const signal::StraightTrack track = signal::fit_straight(input.echoes.track);
   const double flight_m = track.speed_mps * track.interval_s * static_cast<double>(input.echoes.track.size());
-  const SarWaveform& wave = input.echoes.waveform;
+  const signal::SarWaveform& wave = input.echoes.waveform;
   Apertures apertures;
   double sum_m = 0.0;
   double count = 0.0;
-  EchoRows echoes = input.echoes;
+  signal::EchoRows echoes = input.echoes;
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+  for (const workflow::SarTarget& target : workflow::sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
     sum_m += 0.5 * wave.light_speed_mps / wave.carrier_hz * target.place.range_m * band_hz / track.speed_mps;
@@ -48,18 +48,18 @@ Apertures apertures_of(const FocusInput& input, const FocusOptions& options, con
 }
 
 // Image and copies of it, and one piece at a time in double precision.
-void expect_memory(const FocusedImage& image, double piece_m, std::size_t memory_bytes) {
+void expect_memory(const signal::FocusedImage& image, double piece_m, std::size_t memory_bytes) {
   const auto columns = static_cast<double>(image.range.count);
   const double rows = static_cast<double>(image.azimuth.count);
   const double bytes = columns * (3.0 * 8.0 * rows + 3.0 * 16.0 * piece_m / image.azimuth.step_m);
   if (memory_bytes == 0 || bytes <= static_cast<double>(memory_bytes)) return;
-  throw BadInput(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}", bytes_text(bytes),
-                             bytes_text(static_cast<double>(memory_bytes))),
+  throw BadInput(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}", core::bytes_text(bytes),
+                             core::bytes_text(static_cast<double>(memory_bytes))),
                  "allow more, or do without --autofocus");
 }
 
 // Of a piece, in metres.
-double piece_of(const FocusedImage& axes, const AutofocusChoice& choice, double aperture_m) {
+double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice, double aperture_m) {
   constexpr double share_of_aperture = 0.1;
   constexpr double least_rows = 16.0;
   const double least_m = least_rows * axes.azimuth.step_m;
@@ -76,8 +76,8 @@ double piece_of(const FocusedImage& axes, const AutofocusChoice& choice, double 
   return choice.piece_m;
 }
 
-FocusedImage in_memory(const FocusedRows& rows) {
-  FocusedImage image = rows.image;
+signal::FocusedImage in_memory(const signal::FocusedRows& rows) {
+  signal::FocusedImage image = rows.image;
   image.values.resize(image.azimuth.count * image.range.count);
   for (std::size_t r = 0; r < image.azimuth.count; ++r)
     rows.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
@@ -86,24 +86,25 @@ FocusedImage in_memory(const FocusedRows& rows) {
 
 }  // namespace
 
-void expect_autofocus(const FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
-                      const FocusOptions& options, const WorkControl& control) {
+void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
+                      const signal::FocusOptions& options, const core::WorkControl& control) {
   expect_memory(axes, piece_of(axes, choice, apertures_of(input, options, control).mean_m), choice.memory_bytes);
 }
 
-FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
-                        const FocusOptions& options, const WorkControl& control, AutofocusFinding& finding) {
+signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
+                                const signal::FocusOptions& options, const core::WorkControl& control,
+                                AutofocusFinding& finding) {
   const Apertures apertures = apertures_of(input, options, control);
   finding.piece_m = piece_of(rows.image, choice, apertures.mean_m);
   expect_memory(rows.image, finding.piece_m, choice.memory_bytes);
-  const FocusedImage blurred = in_memory(rows);
-  const AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
-  StripmapAutofocusResult result = autofocus_strip(blurred, finding.piece_m, how, control);
-  finding.entropy_before = image_entropy(blurred);
-  finding.entropy_after = image_entropy(result.image);
+  const signal::FocusedImage blurred = in_memory(rows);
+  const signal::AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
+  signal::StripmapAutofocusResult result = signal::autofocus_strip(blurred, finding.piece_m, how, control);
+  finding.entropy_before = signal::image_entropy(blurred);
+  finding.entropy_after = signal::image_entropy(result.image);
   finding.applied = finding.entropy_after < finding.entropy_before;
 
-  const StraightTrack track = fit_straight(input.echoes.track);
+  const signal::StraightTrack track = signal::fit_straight(input.echoes.track);
   const double first_m = track.speed_mps * track.time_s(0.0);
   const double last_m = track.speed_mps * track.time_s(static_cast<double>(input.echoes.track.size()) - 1.0);
   double sum = 0.0;
@@ -115,8 +116,8 @@ FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const 
   }
   if (!finding.along_m.empty()) finding.rms_rad = std::sqrt(sum / static_cast<double>(finding.along_m.size()));
 
-  FocusedRows sharp;
-  const auto image = std::make_shared<const FocusedImage>(finding.applied ? std::move(result.image) : blurred);
+  signal::FocusedRows sharp;
+  const auto image = std::make_shared<const signal::FocusedImage>(finding.applied ? std::move(result.image) : blurred);
   sharp.image = rows.image;
   sharp.on_disk = rows.on_disk;
   sharp.read = [image](std::size_t row, std::span<std::complex<float>> out) {
@@ -128,12 +129,12 @@ FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {
   std::string text = "along_m,phase_rad\n";
   for (std::size_t i = 0; i < finding.along_m.size(); ++i) {
-    append_number(text, finding.along_m[i]);
+    core::append_number(text, finding.along_m[i]);
     text += ',';
-    append_number(text, finding.phase_rad[i]);
+    core::append_number(text, finding.phase_rad[i]);
     text += '\n';
   }
-  OutputFile file(path, replace);
+  core::OutputFile file(path, replace);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
 }

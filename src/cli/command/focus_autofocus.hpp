@@ -29,14 +29,14 @@ struct AutofocusChoice {
 };
 
 /// Throws BadInput where an image with these axes is too short for the pieces, or the memory too small for it.
-void expect_autofocus(const FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
-                      const FocusOptions& options, const WorkControl& control);
+void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
+                      const signal::FocusOptions& options, const core::WorkControl& control);
 
 /// Phase gradient autofocus of a strip (signal/sar/autofocus.hpp), in memory, at the Doppler frequencies that the
 /// targets have. BadInput as above.
-[[nodiscard]] FocusedRows autofocused(const FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
-                                      const FocusOptions& options, const WorkControl& control,
-                                      AutofocusFinding& finding);
+[[nodiscard]] signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInput& input,
+                                              const AutofocusChoice& choice, const signal::FocusOptions& options,
+                                              const core::WorkControl& control, AutofocusFinding& finding);
 
 /// Writes places and phases as CSV: along_m, phase_rad.
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace);

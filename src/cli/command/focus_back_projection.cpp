@@ -17,15 +17,15 @@ namespace sarsim::cli {
 namespace {
 
 // Towards the scene, perpendicular to the track.
-Vec3 across_of(const Vec3& scene_m, const ImageFrame& frame) {
-  const Vec3 to_scene = scene_m - frame.origin_m;
-  const Vec3 across = to_scene - dot(to_scene, frame.along) * frame.along;
-  return norm(across) > 0.0 ? (1.0 / norm(across)) * across : Vec3{0.0, 0.0, -1.0};
+core::Vec3 across_of(const core::Vec3& scene_m, const signal::ImageFrame& frame) {
+  const core::Vec3 to_scene = scene_m - frame.origin_m;
+  const core::Vec3 across = to_scene - core::dot(to_scene, frame.along) * frame.along;
+  return core::norm(across) > 0.0 ? (1.0 / core::norm(across)) * across : core::Vec3{0.0, 0.0, -1.0};
 }
 
 // The azimuth window over the record, as weights whose mean is 1.
-void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
-  const auto weight = weight_of(window);
+void weigh_pulses(signal::SarEchoes& echoes, const signal::SarWindow& window) {
+  const auto weight = signal::weight_of(window);
   const double count = static_cast<double>(echoes.track.size());
   double sum = 0.0;
   for (std::size_t p = 0; p < echoes.track.size(); ++p) sum += weight((static_cast<double>(p) + 0.5) / count - 0.5);
@@ -37,12 +37,12 @@ void weigh_pulses(SarEchoes& echoes, const SarWindow& window) {
 
 // Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
 // them nevertheless, and its image is to hold them.
-void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions& options, double speed_mps,
-                    const WorkControl& control) {
+void refine_azimuth(signal::ImageAxis& axis, const FocusInput& input, const signal::FocusOptions& options,
+                    double speed_mps, const core::WorkControl& control) {
   double band_hz = 0.0;
-  EchoRows echoes = input.echoes;
+  signal::EchoRows echoes = input.echoes;
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+  for (const workflow::SarTarget& target : workflow::sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     // All pulses are summed, those that see the target in sidelobes of the antenna, too.
     const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
@@ -56,18 +56,19 @@ void refine_azimuth(ImageAxis& axis, const FocusInput& input, const FocusOptions
   axis.count *= factor;
 }
 
-BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage& image) {
+signal::BackProjectionOptions options_of(const signal::FocusOptions& options, const signal::FocusedImage& image) {
   const double per_hz = 0.5 * image.light_speed_mps / (image.carrier_hz * image.frame.speed_mps);
   const auto angle = [&](double hz) { return std::asin(std::clamp(per_hz * hz, -1.0, 1.0)); };
-  BackProjectionOptions back;
+  signal::BackProjectionOptions back;
   back.heading = image.frame.along;
   back.squint_rad = angle(options.doppler_centroid_hz);
-  const auto shifted = [](const SarWindow& window) {
-    return [weight = weight_of(window)](double x) { return weight(x - 0.5); };
+  const auto shifted = [](const signal::SarWindow& window) {
+    return [weight = signal::weight_of(window)](double x) { return weight(x - 0.5); };
   };
-  if (options.range_window.kind != SarWindow::Kind::rectangular) back.range_window = shifted(options.range_window);
+  if (options.range_window.kind != signal::SarWindow::Kind::rectangular)
+    back.range_window = shifted(options.range_window);
   if (options.doppler_bandwidth_hz <= 0.0) return back;
-  back.aperture = BackProjectionOptions::Aperture::beam;
+  back.aperture = signal::BackProjectionOptions::Aperture::beam;
   const double low_rad = angle(options.doppler_centroid_hz - 0.5 * options.doppler_bandwidth_hz);
   const double high_rad = angle(options.doppler_centroid_hz + 0.5 * options.doppler_bandwidth_hz);
   back.squint_rad = 0.5 * (low_rad + high_rad);
@@ -77,18 +78,18 @@ BackProjectionOptions options_of(const FocusOptions& options, const FocusedImage
 }
 
 // The frame of the points that are focused.
-void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
-  Vec3 scene_m = scene_middle_m(*input.plan);
+void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
+  core::Vec3 scene_m = workflow::scene_middle_m(*input.plan);
   if (choice.ground_m) scene_m.z = *choice.ground_m;
   if (!choice.ground) {
     axes.frame.across = across_of(scene_m, axes.frame);
     return;
   }
-  if (norm(cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
+  if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
     throw BadInput("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
                    "leave out --grid ground");
   try {
-    axes = on_ground(axes, scene_m);
+    axes = signal::on_ground(axes, scene_m);
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what(), "give the ground another --height, or leave out --grid ground");
   }
@@ -96,18 +97,20 @@ void place_axes(FocusedImage& axes, const FocusInput& input, const BackProjectio
 
 }  // namespace
 
-FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options, const WorkControl& control) {
-  FocusOptions plain = options;
-  plain.method = FocusMethod::range_doppler;
-  FocusedImage axes = image_of(input.echoes, plain);
+signal::FocusedImage back_projection_axes(const FocusInput& input, const signal::FocusOptions& options,
+                                          const core::WorkControl& control) {
+  signal::FocusOptions plain = options;
+  plain.method = signal::FocusMethod::range_doppler;
+  signal::FocusedImage axes = signal::image_of(input.echoes, plain);
   refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps, control);
   return axes;
 }
 
-FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice, const FocusOptions& options,
-                           const WorkControl& control, const ProgressReport& progress) {
-  FocusedImage axes = back_projection_axes(input, options, control);
-  BackProjectionOptions back = options_of(options, axes);
+signal::FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
+                                   const signal::FocusOptions& options, const core::WorkControl& control,
+                                   const core::ProgressReport& progress) {
+  signal::FocusedImage axes = back_projection_axes(input, options, control);
+  signal::BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
   place_axes(axes, input, choice);
   const double bytes =
@@ -115,13 +118,13 @@ FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& 
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
   if (options.memory_bytes > 0 && bytes > static_cast<double>(options.memory_bytes))
     throw BadInput(fmt::format("back projection holds echoes and image in memory, {}, but --memory allows {}",
-                               bytes_text(bytes), bytes_text(static_cast<double>(options.memory_bytes))),
+                               core::bytes_text(bytes), core::bytes_text(static_cast<double>(options.memory_bytes))),
                    "allow more, or use another --algorithm");
-  SarEchoes echoes = sar_echoes(input.echoes, control);
+  signal::SarEchoes echoes = signal::sar_echoes(input.echoes, control);
   if (options.doppler_bandwidth_hz <= 0.0) weigh_pulses(echoes, options.azimuth_window);
-  const auto image = std::make_shared<const FocusedImage>(
-      back_project(echoes, axes.frame, axes.azimuth, axes.range, back, control, progress));
-  FocusedRows rows;
+  const auto image = std::make_shared<const signal::FocusedImage>(
+      signal::back_project(echoes, axes.frame, axes.azimuth, axes.range, back, control, progress));
+  signal::FocusedRows rows;
   rows.image = {.frame = image->frame,
                 .azimuth = axes.azimuth,
                 .range = axes.range,

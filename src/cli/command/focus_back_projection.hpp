@@ -17,8 +17,8 @@ struct BackProjectionChoice {
 };
 
 /// The axes and the frame of the image of slant range that `back_projected` makes, without values.
-[[nodiscard]] FocusedImage back_projection_axes(const FocusInput& input, const FocusOptions& options,
-                                                const WorkControl& control);
+[[nodiscard]] signal::FocusedImage back_projection_axes(const FocusInput& input, const signal::FocusOptions& options,
+                                                        const core::WorkControl& control);
 
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
 /// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
@@ -26,8 +26,8 @@ struct BackProjectionChoice {
 /// them, or, where all are kept, over the record. Amplitudes are means over the pulses that are there: near the ends of
 /// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
 /// image of level ground. Throws BadInput where the echoes need more memory than allowed or the ground is out of reach.
-[[nodiscard]] FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
-                                         const FocusOptions& options, const WorkControl& control,
-                                         const ProgressReport& progress);
+[[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
+                                                 const signal::FocusOptions& options, const core::WorkControl& control,
+                                                 const core::ProgressReport& progress);
 
 }  // namespace sarsim::cli

@@ -10,13 +10,13 @@ namespace sarsim::cli {
 
 /// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
 struct FocusInput {
-  std::shared_ptr<const Plan> plan;
-  EchoRows echoes;
+  std::shared_ptr<const simulate::Plan> plan;
+  signal::EchoRows echoes;
   std::size_t simulation = 0;  ///< Position in the script's list.
-  Problems problems;           ///< Warnings about script and file.
+  core::Problems problems;     ///< Warnings about script and file.
 };
 
 /// Opens what the arguments name; throws BadInput with all problems where it cannot be focused.
-[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const WorkControl& control);
+[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
 }  // namespace sarsim::cli

@@ -15,14 +15,15 @@ namespace sarsim::cli {
 namespace {
 
 // Otherwise nothing says from where the echoes came.
-void expect_ground_in_reach(const EchoRows& echoes, const MotionCompensation& how) {
-  const GroundSight sight(how.reference, how.scene_m, how.squint_rad);
-  if (norm(cross(sight.ahead(), {0.0, 0.0, 1.0})) < 1e-6) return;  // straight up or down: it has no use for the ground
-  const SarWaveform& wave = echoes.waveform;
+void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::MotionCompensation& how) {
+  const signal::GroundSight sight(how.reference, how.scene_m, how.squint_rad);
+  if (core::norm(core::cross(sight.ahead(), {0.0, 0.0, 1.0})) < 1e-6)
+    return;  // straight up or down: it has no use for the ground
+  const signal::SarWaveform& wave = echoes.waveform;
   const double last_s = echoes.first_delay_s + static_cast<double>(echoes.samples) / wave.sample_rate_hz;
   const double last_m = 0.5 * wave.light_speed_mps * last_s;
-  const auto reaches = [&](const TrackPoint& point) {
-    const Vec3 ground_m = sight.point_at(sight.foot_of(point.position_m), last_m);
+  const auto reaches = [&](const signal::TrackPoint& point) {
+    const core::Vec3 ground_m = sight.point_at(sight.foot_of(point.position_m), last_m);
     return std::abs(ground_m.z - how.scene_m.z) < 1e-6 * last_m;
   };
   if (reaches(echoes.track.front()) || reaches(echoes.track.back())) return;
@@ -37,26 +38,27 @@ std::string to_string(MotionOrder order) {
   return order == MotionOrder::first ? "first" : "second";
 }
 
-bool wants_compensation(const EchoRows& echoes, const FocusOptions& options) {
-  return std::ranges::any_of(problems_of_focusing(echoes, options),
-                             [](const Problem& problem) { return problem.subject.field == track_field; });
+bool wants_compensation(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
+  return std::ranges::any_of(signal::problems_of_focusing(echoes, options),
+                             [](const core::Problem& problem) { return problem.subject.field == signal::track_field; });
 }
 
-void expect_one_way(const EchoRows& echoes) {
-  const ReferenceTrack line = fitted_track(echoes.track);
-  if (norm(line.velocity_mps) > 0.0 && std::isinf(unevenness(echoes.track, line)))
+void expect_one_way(const signal::EchoRows& echoes) {
+  const signal::ReferenceTrack line = signal::fitted_track(echoes.track);
+  if (core::norm(line.velocity_mps) > 0.0 && std::isinf(signal::unevenness(echoes.track, line)))
     throw BadInput("the antenna turns back along its line: no motion compensation can put its pulses in order",
                    "use --algorithm back-projection");
 }
 
-void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m, const FocusOptions& options,
-                const WorkControl& control, const ProgressReport& progress) {
+void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m,
+                const signal::FocusOptions& options, const core::WorkControl& control,
+                const core::ProgressReport& progress) {
   if (order == MotionOrder::none) return;
   constexpr double most_uneven = 0.02;
-  MotionCompensation how;
-  how.reference = fitted_track(input.echoes.track);
-  const double speed_mps = norm(how.reference.velocity_mps);
-  const double uneven = speed_mps > 0.0 ? unevenness(input.echoes.track, how.reference) : 0.0;
+  signal::MotionCompensation how;
+  how.reference = signal::fitted_track(input.echoes.track);
+  const double speed_mps = core::norm(how.reference.velocity_mps);
+  const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;
   expect_one_way(input.echoes);
   if (uneven > most_uneven)
     throw BadInput(
@@ -65,15 +67,15 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
             "can interpolate between them",
             100.0 * uneven),
         fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * most_uneven));
-  const SarWaveform& wave = input.echoes.waveform;
+  const signal::SarWaveform& wave = input.echoes.waveform;
   const double sine = 0.5 * wave.light_speed_mps / (wave.carrier_hz * speed_mps) * options.doppler_centroid_hz;
   how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
-  how.scene_m = scene_middle_m(*input.plan);
+  how.scene_m = workflow::scene_middle_m(*input.plan);
   if (ground_m) how.scene_m.z = *ground_m;
   how.second_order = order == MotionOrder::second;
   expect_ground_in_reach(input.echoes, how);
-  input.echoes =
-      compensate_motion(input.echoes, how, {options.memory_bytes / 2, options.scratch_folder}, control, progress);
+  input.echoes = signal::compensate_motion(input.echoes, how, {options.memory_bytes / 2, options.scratch_folder},
+                                           control, progress);
 }
 
 }  // namespace sarsim::cli

@@ -21,7 +21,7 @@ struct FormatArguments {
 };
 
 void write_file(const std::string& path, bool replace, const std::string& text) {
-  OutputFile file(path, replace);
+  core::OutputFile file(path, replace);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
 }
@@ -31,7 +31,7 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   expect_usable(input);
   if (!arguments.output.empty()) expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
-  const std::string text = write_script(input.scene);
+  const std::string text = scene::write_script(input.scene);
   if (arguments.in_place)
     write_file(arguments.scene, true, text);
   else if (!arguments.output.empty())

@@ -36,15 +36,15 @@ struct GeometryArguments {
 constexpr double unlimited_m = 1e300;
 
 // The table that --radar, --start and --end describe: every target, wherever it is.
-GeometryTable described_table(const GeometryArguments& arguments, const Scene& scene) {
+scene::GeometryTable described_table(const GeometryArguments& arguments, const scene::Scene& scene) {
   if (!arguments.start_s || !arguments.end_s)
     throw BadInput("a table of a radar needs --start and --end",
                    "give the send times of its first and last pulse in s");
   if (*arguments.end_s < *arguments.start_s)
-    throw BadInput(fmt::format("--end {} lies before --start {}", format_number(*arguments.end_s),
-                               format_number(*arguments.start_s)),
+    throw BadInput(fmt::format("--end {} lies before --start {}", core::format_number(*arguments.end_s),
+                               core::format_number(*arguments.start_s)),
                    "exchange them");
-  GeometryTable table;
+  scene::GeometryTable table;
   table.radar = scene.radars[radar_named(scene, arguments.radar)].name;
   table.range_start_m = 0.0;
   table.range_end_m = unlimited_m;
@@ -54,16 +54,16 @@ GeometryTable described_table(const GeometryArguments& arguments, const Scene& s
   return table;
 }
 
-std::vector<GeometryTable> chosen_tables(const GeometryArguments& arguments, const Scene& scene) {
+std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& arguments, const scene::Scene& scene) {
   if (!arguments.radar.empty()) return {described_table(arguments, scene)};
   if (arguments.start_s || arguments.end_s)
     throw BadInput("--start and --end belong to a table of a radar", "name it with --radar");
   if (scene.geometries.empty())
     throw BadInput(arguments.scene + ": the script has no $GEOMETRY", "choose pulses with --radar, --start and --end");
   if (arguments.numbers.empty()) return scene.geometries;
-  std::vector<GeometryTable> tables;
+  std::vector<scene::GeometryTable> tables;
   for (const std::string& word : arguments.numbers) {
-    const auto number = parse_integer(word);
+    const auto number = core::parse_integer(word);
     if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
       throw BadInput(fmt::format("the script has no geometry table '{}'", word),
                      fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
@@ -72,39 +72,40 @@ std::vector<GeometryTable> chosen_tables(const GeometryArguments& arguments, con
   return tables;
 }
 
-void write_tables(const GeometryArguments& arguments, const Scene& scene, const std::vector<GeometryTable>& tables,
-                  const std::function<void(std::string_view)>& write, const StopFlag* stop) {
+void write_tables(const GeometryArguments& arguments, const scene::Scene& scene,
+                  const std::vector<scene::GeometryTable>& tables, const std::function<void(std::string_view)>& write,
+                  const core::StopFlag* stop) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (i > 0) write("\n");
-    arguments.csv ? write_geometry_csv(scene, tables[i], write, stop)
-                  : write_geometry_text(scene, tables[i], write, stop);
+    arguments.csv ? simulate::write_geometry_csv(scene, tables[i], write, stop)
+                  : simulate::write_geometry_text(scene, tables[i], write, stop);
   }
 }
 
 // What the script does not say has not been checked with it: whether pulses leave at these times.
-void expect_pulses(const GeometryTable& table, Scene& scene) {
+void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene) {
   scene.geometries = {table};
   scene.geometries[0].file = "table";
   scene.geometries[0].range_end_m = 1.0;
-  Problems problems = check(scene);
-  std::erase_if(problems, [](const Problem& p) { return p.severity != Severity::error; });
+  core::Problems problems = scene::check(scene);
+  std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
 ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) {
   SceneInput input = read_scene(arguments.scene, arguments.overrides, Scrutiny::values);
   expect_usable(input);
-  std::vector<GeometryTable> tables = chosen_tables(arguments, input.scene);
+  std::vector<scene::GeometryTable> tables = chosen_tables(arguments, input.scene);
   if (!arguments.radar.empty()) expect_pulses(tables.front(), input.scene);
   if (arguments.columns)
-    for (GeometryTable& table : tables) table.columns = static_cast<int>(*arguments.columns);
+    for (scene::GeometryTable& table : tables) table.columns = static_cast<int>(*arguments.columns);
   if (arguments.output.empty()) {
     const auto write = [&](std::string_view piece) { write_out(streams, piece); };
     write_tables(arguments, input.scene, tables, write, streams.stop);
     return exit_done;
   }
   expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
-  OutputFile file(arguments.output, arguments.force);
+  core::OutputFile file(arguments.output, arguments.force);
   const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
   write_tables(arguments, input.scene, tables, write, streams.stop);
   file.commit();

@@ -10,10 +10,10 @@ namespace sarsim::cli {
 
 namespace {
 
-std::string vector_text(const Vec3& v) { return fmt::format("{}, {}, {}", v.x, v.y, v.z); }
+std::string vector_text(const core::Vec3& v) { return fmt::format("{}, {}, {}", v.x, v.y, v.z); }
 
 void add_axis(std::vector<std::pair<std::string, std::string>>& fields, const std::string& name,
-              const ImageAxis& axis) {
+              const signal::ImageAxis& axis) {
   fields.emplace_back(name + " first m", fmt::format("{}", axis.first_m));
   fields.emplace_back(name + " step m", fmt::format("{}", axis.step_m));
   fields.emplace_back(name + " spectrum centre per m", fmt::format("{}", axis.spectrum_centre_per_m));
@@ -22,7 +22,7 @@ void add_axis(std::vector<std::pair<std::string, std::string>>& fields, const st
 // Takes fields of a header, each of which must be there.
 class FieldTaker {
  public:
-  FieldTaker(const EnviHeader& header, const std::string& file) : header_(header), file_(file) {}
+  FieldTaker(const raster::EnviHeader& header, const std::string& file) : header_(header), file_(file) {}
 
   [[nodiscard]] std::string text(const std::string& name) const {
     const auto value = header_.field(name);
@@ -32,11 +32,11 @@ class FieldTaker {
   [[nodiscard]] double number(const std::string& name) const { return parsed(name, text(name)); }
   // A number from 1, as the position from 0.
   [[nodiscard]] std::size_t position(const std::string& name) const {
-    const auto value = parse_integer(text(name));
+    const auto value = core::parse_integer(text(name));
     if (!value || *value < 1) refuse(name, "is no number from 1");
     return static_cast<std::size_t>(*value) - 1;
   }
-  [[nodiscard]] Vec3 vector(const std::string& name) const {
+  [[nodiscard]] core::Vec3 vector(const std::string& name) const {
     const std::string value = text(name);
     const std::size_t first = value.find(',');
     const std::size_t second = first == std::string::npos ? first : value.find(',', first + 1);
@@ -44,14 +44,14 @@ class FieldTaker {
     return {parsed(name, value.substr(0, first)), parsed(name, value.substr(first + 1, second - first - 1)),
             parsed(name, value.substr(second + 1))};
   }
-  [[nodiscard]] ImageAxis axis(const std::string& name, std::size_t count) const {
-    const ImageAxis axis{number(name + " first m"), number(name + " step m"), count,
-                         number(name + " spectrum centre per m")};
+  [[nodiscard]] signal::ImageAxis axis(const std::string& name, std::size_t count) const {
+    const signal::ImageAxis axis{number(name + " first m"), number(name + " step m"), count,
+                                 number(name + " spectrum centre per m")};
     if (!(axis.step_m > 0.0)) refuse(name + " step m", "is not above 0");
     return axis;
   }
-  [[nodiscard]] SarWindow window(const std::string& name) const {
-    const auto window = window_from_text(text(name));
+  [[nodiscard]] signal::SarWindow window(const std::string& name) const {
+    const auto window = signal::window_from_text(text(name));
     if (!window) refuse(name, "names no window");
     return *window;
   }
@@ -63,12 +63,12 @@ class FieldTaker {
   [[nodiscard]] double parsed(const std::string& name, std::string value) const {
     const std::size_t begin = value.find_first_not_of(' ');
     value.erase(0, begin);
-    const auto number = parse_number(value);
+    const auto number = core::parse_number(value);
     if (!number) refuse(name, "is no number");
     return *number;
   }
 
-  const EnviHeader& header_;
+  const raster::EnviHeader& header_;
   const std::string& file_;
 };
 
@@ -76,18 +76,19 @@ class FieldTaker {
 
 bool is_of_turning_target(const ImageOrigin& origin) { return origin.algorithm.starts_with("isar-"); }
 
-EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin) {
-  EnviHeader header;
+raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin) {
+  raster::EnviHeader header;
   header.samples = image.range.count;
   header.lines = image.azimuth.count;
   const bool turning = is_of_turning_target(origin);
-  const char* range = turning                                        ? "the line of sight"
-                      : image.frame.plane == ImagePlane::slant_range ? "slant range"
-                                                                     : "ground range";
-  header.description = fmt::format("Focused by sarsim {}: lines along {}, samples along {}", program_version,
+  const char* range = turning                                                ? "the line of sight"
+                      : image.frame.plane == signal::ImagePlane::slant_range ? "slant range"
+                                                                             : "ground range";
+  header.description = fmt::format("Focused by sarsim {}: lines along {}, samples along {}", core::program_version,
                                    turning ? "cross-range" : "azimuth", range);
   auto& fields = header.fields;
-  fields.emplace_back("image plane", image.frame.plane == ImagePlane::slant_range ? "slant range" : "ground grid");
+  fields.emplace_back("image plane",
+                      image.frame.plane == signal::ImagePlane::slant_range ? "slant range" : "ground grid");
   fields.emplace_back("origin m", vector_text(image.frame.origin_m));
   fields.emplace_back("along", vector_text(image.frame.along));
   fields.emplace_back("across", vector_text(image.frame.across));
@@ -101,17 +102,18 @@ EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin) {
   fields.emplace_back("simulation", fmt::format("{}", origin.simulation + 1));
   fields.emplace_back("algorithm", origin.algorithm);
   fields.emplace_back("motion compensation", origin.motion);
-  fields.emplace_back("range window", to_string(origin.options.range_window));
-  fields.emplace_back("azimuth window", to_string(origin.options.azimuth_window));
+  fields.emplace_back("range window", signal::to_string(origin.options.range_window));
+  fields.emplace_back("azimuth window", signal::to_string(origin.options.azimuth_window));
   fields.emplace_back("doppler centroid hz", fmt::format("{}", origin.options.doppler_centroid_hz));
   fields.emplace_back("doppler bandwidth hz", fmt::format("{}", origin.options.doppler_bandwidth_hz));
   return header;
 }
 
-void read_header(const EnviHeader& header, const std::string& file, FocusedImage& image, ImageOrigin& origin) {
+void read_header(const raster::EnviHeader& header, const std::string& file, signal::FocusedImage& image,
+                 ImageOrigin& origin) {
   const FieldTaker fields(header, file);
   const bool slant = fields.text("image plane") == "slant range";
-  image.frame = {slant ? ImagePlane::slant_range : ImagePlane::ground_grid, fields.vector("origin m"),
+  image.frame = {slant ? signal::ImagePlane::slant_range : signal::ImagePlane::ground_grid, fields.vector("origin m"),
                  fields.vector("along"), fields.vector("across"), fields.number("speed mps")};
   image.azimuth = fields.axis("azimuth", header.lines);
   image.range = fields.axis("range", header.samples);

@@ -17,19 +17,20 @@ struct ImageOrigin {
   std::string script;  ///< What --script said.
   std::size_t simulation = 0;
   std::string algorithm;
-  FocusOptions options;
+  signal::FocusOptions options;
   std::string motion = "none";  ///< Order to which the flight's departures from a straight line were compensated.
   std::string radar;            ///< This and what follows stand in HDF5 files alone.
-  RunOptions run;
+  scene::RunOptions run;
 };
 
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.
 [[nodiscard]] bool is_of_turning_target(const ImageOrigin& origin);
 
 /// The header of a focused image (docs/formats/focused-images.md).
-[[nodiscard]] EnviHeader header_of(const FocusedImage& image, const ImageOrigin& origin);
+[[nodiscard]] raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin);
 
 /// Reads a header back; throws BadInput where it is not that of a focused image.
-void read_header(const EnviHeader& header, const std::string& file, FocusedImage& image, ImageOrigin& origin);
+void read_header(const raster::EnviHeader& header, const std::string& file, signal::FocusedImage& image,
+                 ImageOrigin& origin);
 
 }  // namespace sarsim::cli

@@ -7,8 +7,8 @@
 namespace sarsim::cli {
 namespace {
 
-std::string description_of(const std::string& algorithm, ImagePlane plane) {
-  FocusedImage image;
+std::string description_of(const std::string& algorithm, signal::ImagePlane plane) {
+  signal::FocusedImage image;
   image.frame.plane = plane;
   ImageOrigin origin;
   origin.algorithm = algorithm;
@@ -16,16 +16,17 @@ std::string description_of(const std::string& algorithm, ImagePlane plane) {
 }
 
 TEST(HeaderOfImage, SaysAlongWhatLinesAndSamplesLie) {
-  EXPECT_NE(description_of("omega-k", ImagePlane::slant_range).find("lines along azimuth, samples along slant range"),
-            std::string::npos);
-  EXPECT_NE(description_of("back-projection", ImagePlane::ground_grid)
+  EXPECT_NE(
+      description_of("omega-k", signal::ImagePlane::slant_range).find("lines along azimuth, samples along slant range"),
+      std::string::npos);
+  EXPECT_NE(description_of("back-projection", signal::ImagePlane::ground_grid)
                 .find("lines along azimuth, samples along ground range"),
             std::string::npos);
 }
 
 TEST(HeaderOfImage, OfATurningTargetHasItsCrossRange) {
   for (const char* algorithm : {"isar-range-doppler", "isar-back-projection"})
-    EXPECT_NE(description_of(algorithm, ImagePlane::ground_grid)
+    EXPECT_NE(description_of(algorithm, signal::ImagePlane::ground_grid)
                   .find("lines along cross-range, samples along the line of sight"),
               std::string::npos);
 }

@@ -17,17 +17,17 @@ namespace {
 
 // Calls use(row) for every row of an image.
 template <class Use>
-void each_row(const FocusedRows& image, const StopFlag* stop, const Use& use) {
+void each_row(const signal::FocusedRows& image, const core::StopFlag* stop, const Use& use) {
   std::vector<std::complex<float>> row(image.image.range.count);
   for (std::size_t r = 0; r < image.image.azimuth.count; ++r) {
-    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
     image.read(r, row);
     use(std::span<const std::complex<float>>(row));
   }
 }
 
-Product product_of(const FocusedImage& image, const ImageOrigin& origin) {
-  Product product;
+simulate::Product product_of(const signal::FocusedImage& image, const ImageOrigin& origin) {
+  simulate::Product product;
   product.radar = origin.radar;
   product.options = origin.run;
   // A row is where the antenna passes at that time.
@@ -42,7 +42,7 @@ Product product_of(const FocusedImage& image, const ImageOrigin& origin) {
   return product;
 }
 
-double largest_of(const FocusedRows& image, const StopFlag* stop) {
+double largest_of(const signal::FocusedRows& image, const core::StopFlag* stop) {
   float largest = 0.0F;
   each_row(image, stop, [&](std::span<const std::complex<float>> row) {
     for (const std::complex<float> value : row) largest = std::max(largest, std::abs(value));
@@ -52,23 +52,23 @@ double largest_of(const FocusedRows& image, const StopFlag* stop) {
 
 }  // namespace
 
-bool is_envi(const fs::path& path) { return !format_from_path(path); }
+bool is_envi(const fs::path& path) { return !raster::format_from_path(path); }
 
 fs::path magnitude_path(const fs::path& path) {
   return path.parent_path() / (path.stem().string() + "-magnitude" + path.extension().string());
 }
 
 std::vector<fs::path> files_of_image(const fs::path& path) {
-  const auto format = format_from_path(path);
-  if (format && *format != FileFormat::npy) return {path};
+  const auto format = raster::format_from_path(path);
+  if (format && *format != scene::FileFormat::npy) return {path};
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
-void write_image(const FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
-                 bool magnitude, const StopFlag* stop) {
+void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
+                 bool magnitude, const core::StopFlag* stop) {
   ImageContent content{header_of(image.image, origin), product_of(image.image, origin)};
   if (files_of_image(path).size() > 1) add_way_back(content.header, origin, path);
-  if (magnitude) content.header.pixel = EnviHeader::Pixel::real_float;
+  if (magnitude) content.header.pixel = raster::EnviHeader::Pixel::real_float;
   ImageWriter writer(path, std::move(content), replace, is_envi(path) ? 0.0 : largest_of(image, stop));
   each_row(image, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });
   writer.finish();

@@ -23,7 +23,7 @@ namespace sarsim::cli {
 /// header, HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws
 /// Interrupted, and like the sinks.
 /// @param magnitude  ENVI: magnitudes instead of complex numbers
-void write_image(const FocusedRows& image, const ImageOrigin& origin, const std::filesystem::path& path, bool replace,
-                 bool magnitude, const StopFlag* stop);
+void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const std::filesystem::path& path,
+                 bool replace, bool magnitude, const core::StopFlag* stop);
 
 }  // namespace sarsim::cli

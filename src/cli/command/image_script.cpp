@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_script(const std::string& path) { return equal_ignoring_case(fs::path(path).extension().string(), ".scr"); }
+bool is_script(const std::string& path) {
+  return core::equal_ignoring_case(fs::path(path).extension().string(), ".scr");
+}
 
 fs::path folder_of(const fs::path& image) { return image.has_parent_path() ? image.parent_path() : fs::path("."); }
 
@@ -33,18 +35,18 @@ std::string seen_from(const fs::path& image, const std::string& path) {
 // Of the scene that the source describes or carries; nothing where that cannot be read.
 std::optional<std::string> checksum_of(const std::string& source, const std::string& script) {
   const std::string& file = script.empty() ? source : script;
-  ScriptReading reading;
+  scene::ScriptReading reading;
   if (is_script(file) || !script.empty()) {
-    reading = read_script_file(file);
+    reading = scene::read_script_file(file);
   } else {
-    const OpenedSampleFile opened = SampleFile::open(file, {});
+    const raster::OpenedSampleFile opened = raster::SampleFile::open(file, {});
     if (!opened.file) return std::nullopt;
-    const std::string text = attribute_of(opened.file->info().attributes, "script");
+    const std::string text = raster::attribute_of(opened.file->info().attributes, "script");
     if (text.empty()) return std::nullopt;
-    reading = read_script(text, file, disk_loader(fs::path(file).parent_path()));
+    reading = scene::read_script(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }
-  if (has_errors(reading.problems)) return std::nullopt;
-  return script_sum(reading.scene, write_script(reading.scene));
+  if (core::has_errors(reading.problems)) return std::nullopt;
+  return script_sum(reading.scene, scene::write_script(reading.scene));
 }
 
 // The first place where a file of the header is.
@@ -61,13 +63,13 @@ std::optional<std::string> found(const std::string& path, const std::string& fro
 
 }  // namespace
 
-void add_way_back(EnviHeader& header, const ImageOrigin& origin, const fs::path& image) {
+void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image) {
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
   header.fields.emplace_back("script checksum", checksum_of(origin.source, origin.script).value_or(""));
 }
 
-WayBack way_back(const EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
+WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
                  const std::string& script) {
   const auto find = [&](const std::string& path, const char* field) {
     const auto place = found(path, header.field(field).value_or(""), image);
@@ -85,10 +87,10 @@ WayBack way_back(const EnviHeader& header, const ImageOrigin& origin, const fs::
   const std::string then = header.field("script checksum").value_or("");
   const auto now = then.empty() ? std::nullopt : checksum_of(way.source, way.script);
   if (now && *now != then)
-    way.problems.push_back(
-        problem_of(Severity::warning, fmt::format("the script is not the one that '{}' was made from", image.string()),
-                   way.script.empty() ? way.source : way.script, {},
-                   "targets may be elsewhere: focus again, or name the script of that time with --script"));
+    way.problems.push_back(core::problem_of(
+        core::Severity::warning, fmt::format("the script is not the one that '{}' was made from", image.string()),
+        way.script.empty() ? way.source : way.script, {},
+        "targets may be elsewhere: focus again, or name the script of that time with --script"));
   return way;
 }
 

@@ -19,27 +19,27 @@ constexpr int count_bits = 16;
 }  // namespace
 
 bool needs_largest(const std::filesystem::path& path) {
-  const auto format = format_from_path(path);
-  return format && *format != FileFormat::hdf5 && *format != FileFormat::npy;
+  const auto format = raster::format_from_path(path);
+  return format && *format != scene::FileFormat::hdf5 && *format != scene::FileFormat::npy;
 }
 
 ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content, bool replace, double largest)
     : path_(path), content_(std::move(content)), replace_(replace) {
-  const auto format = format_from_path(path);
+  const auto format = raster::format_from_path(path);
   if (!format) {
     envi_.emplace(path, content_.header, replace);
     return;
   }
-  Product& product = content_.product;
-  product.processing = Processing::matched_filter;
+  simulate::Product& product = content_.product;
+  product.processing = scene::Processing::matched_filter;
   product.rows = report_.rows = content_.header.lines;
   product.columns = report_.columns = content_.header.samples;
   product.bits = count_bits;
-  product.lsb_v = largest > 0.0 ? largest / full_scale_count(count_bits) : 1.0;
+  product.lsb_v = largest > 0.0 ? largest / radar::full_scale_count(count_bits) : 1.0;
   report_.maximum_v = largest;
   report_.lsb_v = report_.best_lsb_v = product.lsb_v;
-  report_.range_used = largest / (product.lsb_v * full_scale_count(count_bits));
-  sink_ = make_sink(path, product, {.format = *format, .replace = replace});
+  report_.range_used = largest / (product.lsb_v * radar::full_scale_count(count_bits));
+  sink_ = raster::make_sink(path, product, {.format = *format, .replace = replace});
   volts_.resize(product.columns);
   if (sink_->wants_counts()) counts_.resize(2 * product.columns);
 }
@@ -53,8 +53,8 @@ void ImageWriter::append(std::span<const std::complex<float>> row) {
   }
   std::ranges::transform(row, volts_.begin(), [](std::complex<float> v) { return std::complex<double>(v); });
   if (sink_->wants_counts()) {
-    ConversionTally tally;
-    Converter{count_bits, content_.product.lsb_v}.convert(volts_, counts_, tally);
+    radar::ConversionTally tally;
+    radar::Converter{count_bits, content_.product.lsb_v}.convert(volts_, counts_, tally);
     report_.zero += tally.zero;
   }
   sink_->append(sink_->encode({rows_, 1, volts_.size(), volts_, counts_}), rows_, 1);
@@ -66,8 +66,8 @@ void ImageWriter::finish() {
     envi_->finish();
     return;
   }
-  std::optional<OutputFile> text;
-  if (format_from_path(path_) == FileFormat::npy) {
+  std::optional<core::OutputFile> text;
+  if (raster::format_from_path(path_) == scene::FileFormat::npy) {
     text.emplace(std::filesystem::path(path_).replace_extension(".hdr"), replace_);
     write_npy_header(*text);
   }
@@ -76,12 +76,12 @@ void ImageWriter::finish() {
 }
 
 // NPY files are flat behind their header: one for ENVI beside them makes their axes known.
-void ImageWriter::write_npy_header(OutputFile& file) const {
-  EnviHeader header = content_.header;
-  header.pixel = EnviHeader::Pixel::complex_float;
+void ImageWriter::write_npy_header(core::OutputFile& file) const {
+  raster::EnviHeader header = content_.header;
+  header.pixel = raster::EnviHeader::Pixel::complex_float;
   const std::array<std::size_t, 2> shape{header.lines, header.samples};
-  header.header_offset = npy_header_text("<c8", shape).size();
-  const std::string text = to_text(header);
+  header.header_offset = raster::npy_header_text("<c8", shape).size();
+  const std::string text = raster::to_text(header);
   file.write(std::as_bytes(std::span(text)));
   file.secure();
 }

@@ -15,8 +15,8 @@ namespace sarsim::cli {
 
 /// What stands in the file of an image besides its pixels, for any format.
 struct ImageContent {
-  EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
-  Product product;    ///< Axes for HDF5; shape, bits and LSB are filled in.
+  raster::EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
+  simulate::Product product;  ///< Axes for HDF5; shape, bits and LSB are filled in.
 };
 
 /// Whether a format holds counts, whose LSB is only known with the largest magnitude.
@@ -37,14 +37,14 @@ class ImageWriter {
   void finish();
 
  private:
-  void write_npy_header(OutputFile& file) const;
+  void write_npy_header(core::OutputFile& file) const;
 
   std::filesystem::path path_;
   ImageContent content_;
   bool replace_;
-  RunReport report_;
-  std::optional<EnviWriter> envi_;
-  std::unique_ptr<Sink> sink_;
+  simulate::RunReport report_;
+  std::optional<raster::EnviWriter> envi_;
+  std::unique_ptr<simulate::Sink> sink_;
   std::vector<std::complex<double>> volts_;
   std::vector<std::int64_t> counts_;
   std::size_t rows_ = 0;

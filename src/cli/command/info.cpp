@@ -48,9 +48,9 @@ bool begins_like_script(const std::string& path) {
 
 bool holds_script(const std::string& path) {
   const std::filesystem::path name(path);
-  if (equal_ignoring_case(name.extension().string(), ".scr")) return true;
-  const auto format = format_from_path(name);
-  if (format && *format != FileFormat::ascii) return false;
+  if (core::equal_ignoring_case(name.extension().string(), ".scr")) return true;
+  const auto format = raster::format_from_path(name);
+  if (format && *format != scene::FileFormat::ascii) return false;
   return begins_like_script(path);
 }
 
@@ -76,10 +76,10 @@ void expect_used(const InfoArguments& arguments, bool script) {
                            {"--bits", sample.bits.has_value(), false},
                            {"--lsb", sample.lsb_v.has_value(), false},
                            {"--script", !sample.script.empty(), false}};
-  Problems problems;
+  core::Problems problems;
   for (const InputUse& use : uses) {
     if (!use.given || use.of_script == script) continue;
-    Problem& problem = problems.emplace_back();
+    core::Problem& problem = problems.emplace_back();
     problem.message = std::string(use.option) + " means nothing for '" + arguments.path +
                       (script ? "', which is a script" : "', which is no script");
     problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";

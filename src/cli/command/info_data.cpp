@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::size_t longest_attribute = 60;
 
-SampleStatistics statistics_of(const SampleFile& file, const StopFlag* stop) {
-  const SampleFileInfo& info = file.info();
-  SampleStatistics statistics;
+signal::SampleStatistics statistics_of(const raster::SampleFile& file, const core::StopFlag* stop) {
+  const raster::SampleFileInfo& info = file.info();
+  signal::SampleStatistics statistics;
   std::vector<std::complex<double>> values;
   const std::size_t rows = rows_at_once(info.columns);
   for (std::size_t first = 0; first < info.rows; first += rows) {
-    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
     const std::size_t count = std::min(rows, info.rows - first);
     values.resize(count * info.columns);
     file.read_rows(first, count, values);
@@ -37,7 +37,7 @@ std::string quantity(double value, bool counts) {
   return counts ? fmt::format("{:.9g}", value) : fmt::format("{:.6g} V", value);
 }
 
-std::vector<Figure> shape_figures(const SampleFileInfo& info) {
+std::vector<Figure> shape_figures(const raster::SampleFileInfo& info) {
   std::vector<Figure> f;
   f.push_back(word_figure("format", "format", info.format ? format_word(*info.format) : "envi"));
   f.push_back(figure("rows", "rows", static_cast<double>(info.rows), std::to_string(info.rows)));
@@ -54,11 +54,11 @@ void add_axis(std::vector<Figure>& figures, const char* label, const std::string
   if (axis.empty()) return;
   const std::string suffix = "_" + std::string(unit == "Hz" ? "hz" : unit);
   figures.push_back(figure(label, "first_" + key + suffix, axis.front(),
-                           with_prefix(axis.front(), unit) + " to " + with_prefix(axis.back(), unit)));
+                           core::with_prefix(axis.front(), unit) + " to " + core::with_prefix(axis.back(), unit)));
   figures.push_back({"", "", "last_" + key + suffix, axis.back(), {}});
 }
 
-std::vector<Figure> axis_figures(const SampleFile& file) {
+std::vector<Figure> axis_figures(const raster::SampleFile& file) {
   std::vector<Figure> f;
   const auto axes = file.axes();
   if (!axes) return f;
@@ -68,7 +68,7 @@ std::vector<Figure> axis_figures(const SampleFile& file) {
   return f;
 }
 
-std::vector<Figure> statistics_figures(const SampleStatistics& s, bool counts) {
+std::vector<Figure> statistics_figures(const signal::SampleStatistics& s, bool counts) {
   std::vector<Figure> f;
   f.push_back(figure("lowest I or Q", "lowest", s.lowest, quantity(s.lowest, counts)));
   f.push_back(figure("highest I or Q", "highest", s.highest, quantity(s.highest, counts)));
@@ -92,20 +92,20 @@ std::string shown(const std::pair<std::string, std::string>& attribute) {
   return fmt::format("({} bytes of text; --json shows them)", attribute.second.size());
 }
 
-std::string text_of(const std::string& path, const SampleFileInfo& info, std::vector<Figure> figures) {
+std::string text_of(const std::string& path, const raster::SampleFileInfo& info, std::vector<Figure> figures) {
   std::erase_if(figures, [](const Figure& f) { return f.label.empty(); });
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(path, failure);
-  std::string text = failure ? path + "\n" : path + ", " + bytes_text(static_cast<double>(bytes)) + "\n";
+  std::string text = failure ? path + "\n" : path + ", " + core::bytes_text(static_cast<double>(bytes)) + "\n";
   text += figures_text(figures);
   if (!info.attributes.empty()) text += "attributes\n";
   for (const auto& attribute : info.attributes) text += fmt::format("  {:<24} {}\n", attribute.first, shown(attribute));
   return text;
 }
 
-std::string json_of(const std::string& path, const SampleFileInfo& info, const std::vector<Figure>& figures) {
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).member("file", path);
+std::string json_of(const std::string& path, const raster::SampleFileInfo& info, const std::vector<Figure>& figures) {
+  core::JsonWriter json;
+  json.begin_object().member("sarsim", core::program_version).member("file", path);
   write_json(json, figures);
   json.key("attributes").begin_object();
   for (const auto& [name, value] : info.attributes) json.member(name, value);
@@ -116,8 +116,8 @@ std::string json_of(const std::string& path, const SampleFileInfo& info, const s
 }  // namespace
 
 ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams) {
-  const SampleFile file = open_samples(arguments.path, hints_for(arguments.path, arguments.sample), streams);
-  const SampleFileInfo& info = file.info();
+  const raster::SampleFile file = open_samples(arguments.path, hints_for(arguments.path, arguments.sample), streams);
+  const raster::SampleFileInfo& info = file.info();
   std::vector<Figure> figures = shape_figures(info);
   std::ranges::move(axis_figures(file), std::back_inserter(figures));
   std::ranges::move(statistics_figures(statistics_of(file, streams.stop), info.counts), std::back_inserter(figures));

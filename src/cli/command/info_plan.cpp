@@ -24,14 +24,14 @@ namespace {
 constexpr double trial_s = 1.0;
 constexpr double shortest_trial_s = 0.02;
 
-bool is_text(FileFormat format) {
-  return format == FileFormat::ascii || format == FileFormat::bracket || format == FileFormat::csv;
+bool is_text(scene::FileFormat format) {
+  return format == scene::FileFormat::ascii || format == scene::FileFormat::bracket || format == scene::FileFormat::csv;
 }
 
 // What a recording takes.
 struct RecordingPlan {
   std::size_t number = 0;
-  Simulation simulation;
+  scene::Simulation simulation;
   std::string engine;
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -61,9 +61,9 @@ class PlanInfo {
  public:
   PlanInfo(const PlanArguments& arguments, const SceneInput& input, double reading_s, Streams& streams)
       : arguments_(arguments), input_(input), reading_s_(reading_s), streams_(streams) {
-    threads_ = thread_count(arguments.threads);
+    threads_ = core::thread_count(arguments.threads);
     const double share = trial_s / static_cast<double>(std::max<std::size_t>(input.scene.simulations.size(), 1));
-    rules_ = {threads_, std::max(share, shortest_trial_s), now_s};
+    rules_ = {threads_, std::max(share, shortest_trial_s), core::now_s};
   }
 
   void look() {
@@ -84,8 +84,8 @@ class PlanInfo {
   }
 
   [[nodiscard]] std::string json() const {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("script", arguments_.path);
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("script", arguments_.path);
     json.member("threads", threads_).member("reading_seconds", reading_s_).key("simulations").begin_array();
     for (const RecordingPlan& r : recordings_) write_recording(json, r);
     json.end_array().member("samples", samples()).member("bytes", bytes()).member("memory_bytes", memory_bytes());
@@ -102,20 +102,21 @@ class PlanInfo {
 
  private:
   [[nodiscard]] RecordingPlan look_at(std::size_t index) const {
-    const double begin_s = now_s();
-    const Plan plan = make_plan(input_.scene, index, input_.resolved, Engine::automatic, streams_.stop);
+    const double begin_s = core::now_s();
+    const simulate::Plan plan =
+        simulate::make_plan(input_.scene, index, input_.resolved, simulate::Engine::automatic, streams_.stop);
     RecordingPlan result;
-    result.fixed_s = now_s() - begin_s;
+    result.fixed_s = core::now_s() - begin_s;
     result.number = index + 1;
     result.simulation = plan.simulation;
-    result.engine = name_of(plan.engine.engine);
+    result.engine = simulate::name_of(plan.engine.engine);
     result.rows = plan.rows;
     result.columns = plan.columns;
-    const Cost cost = estimated_cost(plan, threads_);
+    const simulate::Cost cost = simulate::estimated_cost(plan, threads_);
     result.echoes = cost.echoes;
     result.memory_bytes = cost.memory_bytes;
-    result.bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format});
-    result.twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation.format);
+    result.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format});
+    result.twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format);
     result.trial = try_plan(plan, rules_, streams_.stop);
     return result;
   }
@@ -123,7 +124,7 @@ class PlanInfo {
   static Figure si_count(const char* label, double value) {
     return figure(label, "", value, value < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value));
   }
-  static Figure size(const char* label, double bytes) { return figure(label, "", bytes, bytes_text(bytes)); }
+  static Figure size(const char* label, double bytes) { return figure(label, "", bytes, core::bytes_text(bytes)); }
 
   [[nodiscard]] static std::string text_of(const RecordingPlan& r) {
     std::vector<Figure> figures;
@@ -131,11 +132,11 @@ class PlanInfo {
                              fmt::format("{} x {}, {} rows can be shared out", r.rows, r.columns, r.rows)));
     figures.push_back(si_count("echoes", r.echoes));
     figures.push_back(
-        figure("file", "", r.bytes, (is_text(r.simulation.format) ? "about " : "") + bytes_text(r.bytes)));
+        figure("file", "", r.bytes, (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
     figures.push_back(size("memory of a worker", r.memory_bytes));
     figures.push_back(
         figure("time", "", r.seconds(1),
-               fmt::format("{}, from a trial of {} row{}{}", duration_text(r.seconds(1)), r.trial.rows,
+               fmt::format("{}, from a trial of {} row{}{}", core::duration_text(r.seconds(1)), r.trial.rows,
                            r.trial.rows == 1 ? "" : "s", r.twice ? "; computed twice, because the LSB is 0" : "")));
     return fmt::format("\nsimulation {}: {}, {}, {} engine\n", r.number, r.simulation.file,
                        processing_word(r.simulation.processing), r.engine) +
@@ -144,17 +145,17 @@ class PlanInfo {
 
   [[nodiscard]] std::string workers_text() const {
     std::string text =
-        fmt::format("\ntime, {} of it for reading and checking, without the disk\n", duration_text(reading_s_));
+        fmt::format("\ntime, {} of it for reading and checking, without the disk\n", core::duration_text(reading_s_));
     std::vector<Figure> figures;
     for (const unsigned workers : worker_counts(arguments_.workers))
-      figures.push_back(figure(
-          fmt::format("{} worker{}", workers, workers == 1 ? "" : "s"), "", seconds(workers),
-          workers == 1 ? duration_text(seconds(1))
-                       : fmt::format("{}, {:.3g} times as fast", duration_text(seconds(workers)), speedup(workers))));
+      figures.push_back(figure(fmt::format("{} worker{}", workers, workers == 1 ? "" : "s"), "", seconds(workers),
+                               workers == 1 ? core::duration_text(seconds(1))
+                                            : fmt::format("{}, {:.3g} times as fast",
+                                                          core::duration_text(seconds(workers)), speedup(workers))));
     return text + figures_text(figures);
   }
 
-  void write_recording(JsonWriter& json, const RecordingPlan& r) const {
+  void write_recording(core::JsonWriter& json, const RecordingPlan& r) const {
     json.begin_object().member("number", r.number).member("file", r.simulation.file);
     json.member("radar", r.simulation.radar).member("format", format_word(r.simulation.format));
     json.member("processing", processing_word(r.simulation.processing)).member("engine", r.engine);
@@ -202,13 +203,13 @@ class PlanInfo {
 }  // namespace
 
 ExitStatus print_plan(const PlanArguments& arguments, Streams& streams) {
-  const WorkControl control{thread_count(arguments.threads), streams.stop};
-  const double begin_s = now_s();
+  const core::WorkControl control{core::thread_count(arguments.threads), streams.stop};
+  const double begin_s = core::now_s();
   SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
   expect_usable(input);
   print_problems(streams, input.problems);
   resolve_once(input, control);
-  PlanInfo info(arguments, input, now_s() - begin_s, streams);
+  PlanInfo info(arguments, input, core::now_s() - begin_s, streams);
   info.look();
   write_out(streams, arguments.json ? info.json() : info.text());
   return exit_done;

@@ -24,14 +24,14 @@ constexpr std::size_t most_listed = 20;
 
 std::string between(double low, double high, std::string_view unit) {
   // Adding 0 turns -0 into 0.
-  if (low == high) return with_prefix(low + 0.0, unit);
-  return with_prefix(low + 0.0, unit) + " to " + with_prefix(high + 0.0, unit);
+  if (low == high) return core::with_prefix(low + 0.0, unit);
+  return core::with_prefix(low + 0.0, unit) + " to " + core::with_prefix(high + 0.0, unit);
 }
 
 std::string decibels(double ratio) { return fmt::format("{:.1f} dB", 10.0 * std::log10(ratio)); }
 
 // @param shaped  whether the pulse is user-defined, whose resolution is a width and not c/2B
-std::vector<Figure> figures_of(const RadarFigures& r, bool shaped) {
+std::vector<Figure> figures_of(const simulate::RadarFigures& r, bool shaped) {
   std::vector<Figure> f;
   f.push_back(figure("carrier", "lowest_carrier_hz", r.lowest_carrier_hz,
                      between(r.lowest_carrier_hz, r.highest_carrier_hz, "Hz")));
@@ -51,30 +51,32 @@ std::vector<Figure> figures_of(const RadarFigures& r, bool shaped) {
   f.push_back(si_figure("shortest PRI", "shortest_pri_s", r.shortest_pri_s, "s"));
   f.push_back(si_figure("unambiguous range", "unambiguous_range_m", r.unambiguous_range_m, "m"));
   f.push_back(figure("unambiguous speed", "unambiguous_speed_mps", r.unambiguous_speed_mps,
-                     "+-" + with_prefix(r.unambiguous_speed_mps, "m/s")));
+                     "+-" + core::with_prefix(r.unambiguous_speed_mps, "m/s")));
   f.push_back(figure("duty cycle", "duty_cycle", r.duty_cycle, fmt::format("{:.4g} %", 100.0 * r.duty_cycle)));
   f.push_back(si_figure("mean power", "mean_power_w", r.mean_power_w, "W"));
   f.push_back(figure("noise power kTB", "noise_power_w", r.noise_power_w, fmt::format("{:.4g} W", r.noise_power_w)));
   return f;
 }
 
-std::vector<Figure> figures_of(const Plan& plan, const SimulationFigures& s, const EchoSurvey& survey, bool counts) {
-  const unsigned threads = thread_count(0);
-  const Cost cost = estimated_cost(plan, threads);
-  const double bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, counts, false});
-  const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation.format, counts);
+std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::SimulationFigures& s,
+                               const simulate::EchoSurvey& survey, bool counts) {
+  const unsigned threads = core::thread_count(0);
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
+  const double bytes =
+      raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
+  const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format, counts);
   const double seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
-  const auto microseconds = [](double v) { return with_prefix(v, "s"); };
+  const auto microseconds = [](double v) { return core::with_prefix(v, "s"); };
   const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
   std::vector<Figure> f;
   f.push_back(figure("pulses", "pulses", static_cast<double>(plan.pulses.count()),
                      fmt::format("{} ({} to {})", plan.pulses.count(), plan.pulses.first, plan.pulses.last)));
   f.push_back(figure("rows", "rows", static_cast<double>(plan.rows)));
   f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.columns)));
-  f.push_back(figure("file size", "bytes", bytes, bytes_text(bytes)));
+  f.push_back(figure("file size", "bytes", bytes, core::bytes_text(bytes)));
   f.push_back(figure("expected time", "seconds", seconds,
-                     fmt::format("{} on {} thread{}", duration_text(seconds), threads, threads == 1 ? "" : "s")));
-  f.push_back(figure("expected memory", "memory_bytes", cost.memory_bytes, bytes_text(cost.memory_bytes)));
+                     fmt::format("{} on {} thread{}", core::duration_text(seconds), threads, threads == 1 ? "" : "s")));
+  f.push_back(figure("expected memory", "memory_bytes", cost.memory_bytes, core::bytes_text(cost.memory_bytes)));
   f.push_back(figure("window, delay", "first_delay_s", s.first_delay_s,
                      microseconds(s.first_delay_s) + " to " + microseconds(s.last_delay_s)));
   f.push_back({"", "", "last_delay_s", s.last_delay_s, {}});
@@ -92,7 +94,7 @@ std::vector<Figure> figures_of(const Plan& plan, const SimulationFigures& s, con
   return f;
 }
 
-std::string target_line(std::size_t number, const TargetSurvey& t) {
+std::string target_line(std::size_t number, const simulate::TargetSurvey& t) {
   std::string text =
       fmt::format("    target {:<6} {}, Doppler {}, {:.4g} V", number, between(t.nearest_m, t.farthest_m, "m"),
                   between(t.lowest_doppler_hz, t.highest_doppler_hz, "Hz"), t.largest_amplitude_v);
@@ -100,7 +102,7 @@ std::string target_line(std::size_t number, const TargetSurvey& t) {
   return text + (t.in_window ? "\n" : ", outside the window\n");
 }
 
-void write_json(JsonWriter& json, std::size_t number, const TargetSurvey& t) {
+void write_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t) {
   json.begin_object().member("number", number).member("nearest_m", t.nearest_m).member("farthest_m", t.farthest_m);
   json.member("lowest_doppler_hz", t.lowest_doppler_hz).member("highest_doppler_hz", t.highest_doppler_hz);
   json.member("largest_amplitude_v", t.largest_amplitude_v).member("snr", t.snr).member("in_window", t.in_window);
@@ -110,9 +112,9 @@ void write_json(JsonWriter& json, std::size_t number, const TargetSurvey& t) {
 // Gathers the same facts as text and as JSON.
 class SceneInfo {
  public:
-  SceneInfo(const SceneInfoArguments& arguments, const Scene& scene, const WorkControl& control)
+  SceneInfo(const SceneInfoArguments& arguments, const scene::Scene& scene, const core::WorkControl& control)
       : arguments_(arguments), scene_(scene), control_(control) {
-    json_.begin_object().member("sarsim", program_version).member("script", arguments.path);
+    json_.begin_object().member("sarsim", core::program_version).member("script", arguments.path);
     text_ = arguments.path + ": " + profile_word(scene.options.profile) + " profile, " +
             pulse_word(scene.options.pulse) + " pulses, seed " + std::to_string(scene.options.seed) + "\n";
     json_.member("profile", profile_word(scene.options.profile)).member("pulse", pulse_word(scene.options.pulse));
@@ -134,13 +136,13 @@ class SceneInfo {
     json_.end_object();
   }
 
-  void add_radars(const ResolvedScene& resolved) {
+  void add_radars(const simulate::ResolvedScene& resolved) {
     json_.key("radars").begin_array();
     for (std::size_t i = 0; i < scene_.radars.size(); ++i) {
-      const Radar& radar = scene_.radars[i];
-      const auto figures =
-          figures_of(radar_figures(resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions),
-                     radar.pulse == Radar::Pulse::user);
+      const scene::Radar& radar = scene_.radars[i];
+      const auto figures = figures_of(
+          simulate::radar_figures(simulate::resolve_radar(scene_, resolved, i), radar.power_w, resolved.conventions),
+          radar.pulse == scene::Radar::Pulse::user);
       json_.begin_object().member("name", radar.name).member("platform", radar.platform);
       cli::write_json(json_, figures);
       json_.end_object();
@@ -149,10 +151,10 @@ class SceneInfo {
     json_.end_array();
   }
 
-  void add_simulations(const std::shared_ptr<const ResolvedScene>& resolved) {
+  void add_simulations(const std::shared_ptr<const simulate::ResolvedScene>& resolved) {
     json_.key("simulations").begin_array();
     for (std::size_t i = 0; i < scene_.simulations.size(); ++i)
-      add_simulation(i, make_plan(scene_, i, resolved, Engine::automatic, control_.stop));
+      add_simulation(i, simulate::make_plan(scene_, i, resolved, simulate::Engine::automatic, control_.stop));
     json_.end_array();
   }
 
@@ -185,10 +187,10 @@ class SceneInfo {
     if (!names.empty()) text_ += fmt::format("  {:<24} {} ({})\n", kind, names.size(), list);
   }
 
-  void add_simulation(std::size_t index, const Plan& plan) {
-    const EchoSurvey survey = survey_echoes(plan, control_);
-    const auto figures = figures_of(plan, simulation_figures(plan, survey), survey, false);
-    const Simulation& simulation = plan.simulation;
+  void add_simulation(std::size_t index, const simulate::Plan& plan) {
+    const simulate::EchoSurvey survey = simulate::survey_echoes(plan, control_);
+    const auto figures = figures_of(plan, simulate::simulation_figures(plan, survey), survey, false);
+    const scene::Simulation& simulation = plan.simulation;
     json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
     json_.member("format", format_word(simulation.format)).member("processing", processing_word(simulation.processing));
     json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
@@ -202,7 +204,7 @@ class SceneInfo {
     json_.end_object();
   }
 
-  void add_targets(const Plan& plan, const EchoSurvey& survey) {
+  void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey) {
     const std::size_t count = arguments_.all ? survey.targets.size() : std::min(survey.targets.size(), most_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
@@ -219,16 +221,16 @@ class SceneInfo {
   }
 
   const SceneInfoArguments& arguments_;
-  const Scene& scene_;
-  WorkControl control_;
-  JsonWriter json_;
+  const scene::Scene& scene_;
+  core::WorkControl control_;
+  core::JsonWriter json_;
   std::string text_;
 };
 
 }  // namespace
 
 ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& streams) {
-  const WorkControl control{thread_count(0), streams.stop};
+  const core::WorkControl control{core::thread_count(0), streams.stop};
   SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
   expect_usable(input);
   print_problems(streams, input.problems);

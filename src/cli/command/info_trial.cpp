@@ -41,31 +41,33 @@ ThreadTrial try_on_thread(std::size_t count, const TrialRules& rules, const TryR
 // Makes rows of a plan into bytes, as a run does.
 class RowTrial {
  public:
-  RowTrial(const Plan& plan, const Sink& sink, const std::function<double()>& now_s, const StopFlag* stop)
+  RowTrial(const simulate::Plan& plan, const simulate::Sink& sink, const std::function<double()>& now_s,
+           const core::StopFlag* stop)
       : plan_(plan), sink_(sink), now_s_(now_s), stop_(stop), rows_(plan), volts_(plan.columns) {
     if (sink.wants_counts()) counts_.resize(2 * plan.columns);
     lsb_v_ = plan.simulation.lsb_v;
   }
 
   double operator()(std::size_t row) {
-    if (stop_ != nullptr && stop_->requested()) throw Interrupted();
+    if (stop_ != nullptr && stop_->requested()) throw core::Interrupted();
     const double begin_s = now_s_();
     rows_.make_row(row, volts_);
     const double computed_s = now_s_() - begin_s;
-    const double maximum_v = largest_magnitude(volts_);
-    if (lsb_v_ <= 0.0) lsb_v_ = maximum_v > 0.0 ? maximum_v / full_scale_count(plan_.simulation.bits) : 0.0;
-    ConversionTally tally;
-    if (!counts_.empty()) Converter{plan_.simulation.bits, lsb_v_ > 0.0 ? lsb_v_ : 1.0}.convert(volts_, counts_, tally);
+    const double maximum_v = radar::largest_magnitude(volts_);
+    if (lsb_v_ <= 0.0) lsb_v_ = maximum_v > 0.0 ? maximum_v / radar::full_scale_count(plan_.simulation.bits) : 0.0;
+    radar::ConversionTally tally;
+    if (!counts_.empty())
+      radar::Converter{plan_.simulation.bits, lsb_v_ > 0.0 ? lsb_v_ : 1.0}.convert(volts_, counts_, tally);
     const auto bytes = sink_.encode({row, 1, plan_.columns, volts_, counts_});
     return bytes.empty() ? 0.0 : computed_s;
   }
 
  private:
-  const Plan& plan_;
-  const Sink& sink_;
+  const simulate::Plan& plan_;
+  const simulate::Sink& sink_;
   const std::function<double()>& now_s_;
-  const StopFlag* stop_;
-  RowMaker rows_;
+  const core::StopFlag* stop_;
+  simulate::RowMaker rows_;
   std::vector<std::complex<double>> volts_;
   std::vector<std::int64_t> counts_;
   double lsb_v_ = 0.0;
@@ -107,9 +109,10 @@ Trial try_rows(std::size_t count, const TrialRules& rules, const std::function<T
   return trial;
 }
 
-Trial try_plan(const Plan& plan, const TrialRules& rules, const StopFlag* stop) {
+Trial try_plan(const simulate::Plan& plan, const TrialRules& rules, const core::StopFlag* stop) {
   if (plan.rows == 0) return {};
-  const std::unique_ptr<Sink> sink = make_discarding_sink(product_of(plan, {}), {plan.simulation.format});
+  const std::unique_ptr<simulate::Sink> sink =
+      raster::make_discarding_sink(simulate::product_of(plan, {}), {plan.simulation.format});
   TrialRules own = rules;
   own.threads = static_cast<unsigned>(std::clamp<std::size_t>(plan.rows, 1, std::max(rules.threads, 1U)));
   // A worker is too large to be copied into a function.

@@ -37,7 +37,7 @@ using TryRow = std::function<double(std::size_t row)>;
 [[nodiscard]] Trial try_rows(std::size_t count, const TrialRules& rules, const std::function<TryRow()>& make_worker);
 
 /// Tries rows of a plan as a run computes, converts and encodes them; nothing is written.
-[[nodiscard]] Trial try_plan(const Plan& plan, const TrialRules& rules, const StopFlag* stop);
+[[nodiscard]] Trial try_plan(const simulate::Plan& plan, const TrialRules& rules, const core::StopFlag* stop);
 
 /// Seconds that a share of the rows of a recording takes: once, or, where the LSB has to be found first, computed
 /// twice.

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Algorithm = IsarOptions::Algorithm;
-using Motion = IsarOptions::Motion;
+using Algorithm = workflow::IsarOptions::Algorithm;
+using Motion = workflow::IsarOptions::Motion;
 
 struct IsarArguments {
   RecordingArguments input;
@@ -63,13 +63,13 @@ const char* word_of(Algorithm algorithm) {
 class IsarRun {
  public:
   IsarRun(const IsarArguments& arguments, Streams& streams) : arguments_(arguments), streams_(streams) {
-    control_ = {thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
+    control_ = {core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
   }
 
   ExitStatus run() {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
-    input_ = open_stepped_input(arguments_.input, SteppedUse::isar, control_);
+    input_ = open_stepped_input(arguments_.input, workflow::SteppedUse::isar, control_);
     if (options_.motion == Motion::estimated) expect_searchable(options_.fastest_mps, input_.rows);
     find_platform();
     cut_bursts();
@@ -89,7 +89,7 @@ class IsarRun {
       throw BadInput("back-projection needs the path of the target as the script has it",
                      "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
     if (arguments_.turn_rate_dps) {
-      options_.turn_rate_radps = *arguments_.turn_rate_dps * pi / 180.0;
+      options_.turn_rate_radps = *arguments_.turn_rate_dps * core::pi / 180.0;
       if (*options_.turn_rate_radps == 0.0) throw BadInput("--turn-rate: without turning there is no cross-range");
     }
     options_.cross_range_m = arguments_.cross_range_m;
@@ -110,18 +110,19 @@ class IsarRun {
   void find_platform() {
     const auto& platforms = input_.rows.plan->scene->platforms;
     if (arguments_.platform.empty()) {
-      const auto found = platform_of_targets(*input_.rows.plan);
+      const auto found = workflow::platform_of_targets(*input_.rows.plan);
       if (!found) throw BadInput("no target is on a platform of its own", "name the target's platform with --platform");
       options_.platform = *found;
       return;
     }
-    const auto found = std::ranges::find_if(
-        platforms, [&](const ResolvedPlatform& p) { return equal_ignoring_case(p.name, arguments_.platform); });
+    const auto found = std::ranges::find_if(platforms, [&](const simulate::ResolvedPlatform& p) {
+      return core::equal_ignoring_case(p.name, arguments_.platform);
+    });
     if (found == platforms.end()) {
       std::vector<std::string> names;
       names.reserve(platforms.size());
-      for (const ResolvedPlatform& platform : platforms) names.push_back(platform.name);
-      const std::string near = nearest_word(arguments_.platform, names);
+      for (const simulate::ResolvedPlatform& platform : platforms) names.push_back(platform.name);
+      const std::string near = core::nearest_word(arguments_.platform, names);
       throw BadInput(fmt::format("--platform: the script has no platform '{}'", arguments_.platform),
                      near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }
@@ -166,25 +167,27 @@ class IsarRun {
   void expect_free_outputs() const { cli::expect_free_outputs(outputs(), {input_.sources, arguments_.force, "--out"}); }
 
   void find_problems() {
-    Problems& problems = input_.problems;
+    core::Problems& problems = input_.problems;
     for (const std::size_t first : firsts_) {
-      if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
-      std::ranges::move(plan_isar_image(input_.rows, first, count_, options_).problems, std::back_inserter(problems));
+      if (streams_.stop != nullptr && streams_.stop->requested()) throw core::Interrupted();
+      std::ranges::move(workflow::plan_isar_image(input_.rows, first, count_, options_).problems,
+                        std::back_inserter(problems));
     }
-    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::isar, {}), std::back_inserter(problems));
-    problems = ranked(std::move(problems));
-    if (has_errors(problems)) throw BadInput(problems);
+    std::ranges::move(workflow::remarks_on_stepped(input_.rows, workflow::SteppedUse::isar, {}),
+                      std::back_inserter(problems));
+    problems = core::ranked(std::move(problems));
+    if (core::has_errors(problems)) throw BadInput(problems);
     if (!arguments_.quiet) print_problems(streams_, problems);
   }
 
   void make(std::size_t index) {
-    IsarImage made;
+    workflow::IsarImage made;
     {
       ProgressDisplay display(streams_.err, display_style(streams_, arguments_.quiet), output(index).string());
-      made = make_isar_image(input_.rows, firsts_[index], count_, options_, control_,
-                             [&display](const Progress& p) { display.update(p); });
+      made = workflow::make_isar_image(input_.rows, firsts_[index], count_, options_, control_,
+                                       [&display](const core::Progress& p) { display.update(p); });
     }
-    FocusedRows rows;
+    signal::FocusedRows rows;
     rows.image = made.image;
     rows.image.values.clear();
     rows.read = [&made](std::size_t row, std::span<std::complex<float>> out) {
@@ -192,10 +195,10 @@ class IsarRun {
     };
     // Rows of recordings have times: here, as many metres in a second.
     rows.image.frame.speed_mps = 1.0;
-    FocusOptions focus;
+    signal::FocusOptions focus;
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
-    const Plan& plan = *input_.rows.plan;
+    const simulate::Plan& plan = *input_.rows.plan;
     const ImageOrigin origin{
         arguments_.input.path, arguments_.input.script, input_.simulation, word_of(options_.algorithm), focus, "none",
         plan.radar.name,       plan.scene->options};
@@ -211,37 +214,37 @@ class IsarRun {
   void report(double seconds) const {
     if (!arguments_.quiet)
       for (std::size_t i = 0; i < images_.size(); ++i) streams_.err << summary(i);
-    if (!arguments_.quiet) streams_.err << fmt::format("done in {}\n", duration_text(seconds));
+    if (!arguments_.quiet) streams_.err << fmt::format("done in {}\n", core::duration_text(seconds));
     if (arguments_.json) {
       write_out(streams_, json_text(seconds));
     } else if (!arguments_.quiet) {
-      for (const IsarImage& image : images_) write_out(streams_, table(image));
+      for (const workflow::IsarImage& image : images_) write_out(streams_, table(image));
     }
     flush_out(streams_);
   }
 
   [[nodiscard]] std::string summary(std::size_t index) const {
-    const IsarImage& made = images_[index];
+    const workflow::IsarImage& made = images_[index];
     return fmt::format(
         "{}: {} x {} pixels of {:.4g} x {:.4g} m, bursts {} to {}, {:.6g} to {:.6g} s; centre at {:.2f} m and {:.4g} "
         "m/s; turned by {:.4g} degrees; resolution {:.4g} m in cross-range (unambiguous {:.4g} m), {:.4g} m in range\n",
         output(index).string(), made.image.azimuth.count, made.image.range.count, made.image.azimuth.step_m,
         made.image.range.step_m, firsts_[index] + 1, firsts_[index] + count_, made.from_s, made.to_s, made.range_m,
-        made.speed_mps, made.turn_rad * 180.0 / pi, made.cross_range_resolution_m, made.unambiguous_cross_range_m,
+        made.speed_mps, made.turn_rad * 180.0 / core::pi, made.cross_range_resolution_m, made.unambiguous_cross_range_m,
         made.range_resolution_m);
   }
 
-  [[nodiscard]] static std::string table(const IsarImage& made) {
+  [[nodiscard]] static std::string table(const workflow::IsarImage& made) {
     std::string text = fmt::format("{:>6} {:>14} {:>10} {:>11} {:>11} {:>10} {:>10} {:>9}\n", "target", "cross-range m",
                                    "range m", "error m", "error m", "width m", "width m", "error dB");
-    for (const HeldPoint& point : made.points) {
+    for (const workflow::HeldPoint& point : made.points) {
       text +=
           fmt::format("{:>6} {:>14.3f} {:>10.3f}", point.target + 1, point.expected.azimuth_m, point.expected.range_m);
       if (point.found)
         text += fmt::format(" {:>11.3f} {:>11.3f} {:>10.3f} {:>10.3f} {:>9.2f}\n",
                             point.found->place.azimuth_m - point.expected.azimuth_m,
                             point.found->place.range_m - point.expected.range_m, point.found->azimuth.width,
-                            point.found->range.width, amplitude_db(point.found->amplitude / point.amplitude));
+                            point.found->range.width, core::amplitude_db(point.found->amplitude / point.amplitude));
       else
         text += "  no peak\n";
     }
@@ -249,8 +252,8 @@ class IsarRun {
   }
 
   [[nodiscard]] std::string json_text(double seconds) const {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("source", arguments_.input.path);
     json.member("algorithm", word_of(options_.algorithm)).key("files").begin_array();
     for (const fs::path& path : outputs()) json.value(path.string());
     json.end_array().key("images").begin_array();
@@ -260,8 +263,8 @@ class IsarRun {
     return json.end_object().text();
   }
 
-  void write_image_member(JsonWriter& json, std::size_t index) const {
-    const IsarImage& made = images_[index];
+  void write_image_member(core::JsonWriter& json, std::size_t index) const {
+    const workflow::IsarImage& made = images_[index];
     json.begin_object().member("file", output(index).string());
     json.member("first_burst", firsts_[index] + 1).member("last_burst", firsts_[index] + count_);
     json.member("from_s", made.from_s).member("to_s", made.to_s);
@@ -273,7 +276,7 @@ class IsarRun {
     json.member("range_resolution_m", made.range_resolution_m);
     json.member("cross_range_resolution_m", made.cross_range_resolution_m);
     json.member("unambiguous_cross_range_m", made.unambiguous_cross_range_m).key("targets").begin_array();
-    for (const HeldPoint& point : made.points) {
+    for (const workflow::HeldPoint& point : made.points) {
       json.begin_object().member("target", point.target + 1);
       json.member("cross_range_m", point.expected.azimuth_m).member("range_m", point.expected.range_m).key("found");
       if (point.found) {
@@ -282,7 +285,7 @@ class IsarRun {
         json.member("range_error_m", point.found->place.range_m - point.expected.range_m);
         json.member("cross_range_width_m", point.found->azimuth.width)
             .member("range_width_m", point.found->range.width);
-        json.member("amplitude_error_db", amplitude_db(point.found->amplitude / point.amplitude)).end_object();
+        json.member("amplitude_error_db", core::amplitude_db(point.found->amplitude / point.amplitude)).end_object();
       } else {
         json.null();
       }
@@ -293,12 +296,12 @@ class IsarRun {
 
   const IsarArguments& arguments_;
   Streams& streams_;
-  WorkControl control_;
-  IsarOptions options_;
+  core::WorkControl control_;
+  workflow::IsarOptions options_;
   SteppedInput input_;
   std::size_t count_ = 0;
   std::vector<std::size_t> firsts_;
-  std::vector<IsarImage> images_;
+  std::vector<workflow::IsarImage> images_;
 };
 
 void add_isar_options(CLI::App& app, IsarArguments& a) {

@@ -43,25 +43,25 @@ struct MeasureArguments {
 
 // A target as it should be and as it is.
 struct Measured {
-  TargetTheory theory;
-  std::optional<PointResponse> found;
-  PointCuts cuts;  // where pictures of them are wanted
+  workflow::TargetTheory theory;
+  std::optional<signal::PointResponse> found;
+  signal::PointCuts cuts;  // where pictures of them are wanted
 };
 
 struct MeasuredImage {
-  EnviImage file;
-  FocusedImage image;
+  raster::EnviImage file;
+  signal::FocusedImage image;
   ImageOrigin origin;
 };
 
 MeasuredImage opened_image(const std::string& path) {
   if (!fs::exists(path)) throw BadInput(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
-  auto [file, problems] = EnviImage::open(path);
+  auto [file, problems] = raster::EnviImage::open(path);
   if (!file) throw BadInput(std::move(problems));
-  if (file->header().pixel != EnviHeader::Pixel::complex_float)
+  if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
     throw BadInput(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
   MeasuredImage opened{std::move(*file), {}, {}};
-  read_header(opened.file.header(), envi_header_of(path).string(), opened.image, opened.origin);
+  read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
   return opened;
 }
 
@@ -83,38 +83,38 @@ void expect_folder(const std::string& cuts) {
 }
 
 double phase_error(const Measured& target) {
-  return std::remainder(target.found->phase_rad - target.theory.phase_rad, 2.0 * pi);
+  return std::remainder(target.found->phase_rad - target.theory.phase_rad, 2.0 * core::pi);
 }
 
-std::string figures_row(const std::optional<ResponseFigures>& theory, const ResponseFigures& found) {
+std::string figures_row(const std::optional<signal::ResponseFigures>& theory, const signal::ResponseFigures& found) {
   const auto against = [](double value, std::optional<double> reference, int digits) {
     return reference ? fmt::format("{:8.{}f} ({:.{}f})", value, digits, *reference, digits)
                      : fmt::format("{:8.{}f} (-)", value, digits);
   };
   const auto part = [&](auto member) { return theory ? std::optional((*theory).*member) : std::nullopt; };
-  return fmt::format("{:>18}  {:>18}  {:>18}", against(found.width, part(&ResponseFigures::width), 3),
-                     against(found.pslr_db, part(&ResponseFigures::pslr_db), 2),
-                     against(found.islr_db, part(&ResponseFigures::islr_db), 2));
+  return fmt::format("{:>18}  {:>18}  {:>18}", against(found.width, part(&signal::ResponseFigures::width), 3),
+                     against(found.pslr_db, part(&signal::ResponseFigures::pslr_db), 2),
+                     against(found.islr_db, part(&signal::ResponseFigures::islr_db), 2));
 }
 
 // Four lines for a target: where it is and how strong, and its two cuts. Theory in parentheses.
 std::string text_of(const Measured& target) {
-  const TargetTheory& theory = target.theory;
+  const workflow::TargetTheory& theory = target.theory;
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
   if (!(theory.amplitude > 0.0)) return text + ": no echoes\n";
   if (!target.found) return text + ": not found\n";
-  const PointResponse& found = *target.found;
+  const signal::PointResponse& found = *target.found;
   text += fmt::format(
       "; found {:+.4f} m, {:+.4f} m away; amplitude {:.4g} V ({:+.2f} dB), phase {:.3f} rad ({:+.3f})\n",
       found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m, found.amplitude,
-      amplitude_db(found.amplitude / theory.amplitude), found.phase_rad, phase_error(target));
+      core::amplitude_db(found.amplitude / theory.amplitude), found.phase_rad, phase_error(target));
   text += fmt::format("  {:<8}{}\n", "azimuth", figures_row(theory.azimuth, found.azimuth));
   text += fmt::format("  {:<8}{}\n", "range", figures_row(theory.range, found.range));
   return text;
 }
 
-void write_figures(JsonWriter& json, const char* name, const std::optional<ResponseFigures>& figures) {
+void write_figures(core::JsonWriter& json, const char* name, const std::optional<signal::ResponseFigures>& figures) {
   json.key(name);
   if (!figures) {
     json.null();
@@ -124,8 +124,8 @@ void write_figures(JsonWriter& json, const char* name, const std::optional<Respo
   json.member("pslr_db", figures->pslr_db).member("islr_db", figures->islr_db).end_object();
 }
 
-void write_json(JsonWriter& json, const Measured& target) {
-  const TargetTheory& theory = target.theory;
+void write_json(core::JsonWriter& json, const Measured& target) {
+  const workflow::TargetTheory& theory = target.theory;
   json.begin_object().member("target", theory.target + 1).key("theory").begin_object();
   json.member("azimuth_m", theory.place.azimuth_m).member("range_m", theory.place.range_m);
   json.member("amplitude_v", theory.amplitude).member("phase_rad", theory.phase_rad);
@@ -136,7 +136,7 @@ void write_json(JsonWriter& json, const Measured& target) {
     json.null().end_object();
     return;
   }
-  const PointResponse& found = *target.found;
+  const signal::PointResponse& found = *target.found;
   json.begin_object().member("azimuth_m", found.place.azimuth_m).member("range_m", found.place.range_m);
   json.member("amplitude_v", found.amplitude).member("phase_rad", found.phase_rad);
   write_figures(json, "azimuth", found.azimuth);
@@ -144,15 +144,15 @@ void write_json(JsonWriter& json, const Measured& target) {
   json.end_object();
   json.member("azimuth_error_m", found.place.azimuth_m - theory.place.azimuth_m);
   json.member("range_error_m", found.place.range_m - theory.place.range_m);
-  json.member("amplitude_error_db", amplitude_db(found.amplitude / theory.amplitude));
+  json.member("amplitude_error_db", core::amplitude_db(found.amplitude / theory.amplitude));
   json.member("phase_error_rad", phase_error(target)).end_object();
 }
 
 // Half the distance to the nearest other target, at most three cells: the peak found shall be that of the target.
-double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& theory) {
+double search_of(const std::vector<workflow::TargetTheory>& theories, const workflow::TargetTheory& theory) {
   const double cell_m = std::max(theory.azimuth ? theory.azimuth->null : 1.0, theory.range ? theory.range->null : 1.0);
   double search_m = 3.0 * cell_m;
-  for (const TargetTheory& other : theories) {
+  for (const workflow::TargetTheory& other : theories) {
     if (other.target == theory.target || !(other.amplitude > 0.0)) continue;
     const double distance_m =
         std::hypot(other.place.azimuth_m - theory.place.azimuth_m, other.place.range_m - theory.place.range_m);
@@ -162,10 +162,12 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
 }
 
 // On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
-void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFrame& slant) {
-  const ImagePlace place = place_on_ground(grid, slant, theory.place);
-  const ImagePlace farther = place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
-  const ImagePlace ahead = place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
+void lay_on_ground(workflow::TargetTheory& theory, const signal::ImageFrame& grid, const signal::ImageFrame& slant) {
+  const signal::ImagePlace place = signal::place_on_ground(grid, slant, theory.place);
+  const signal::ImagePlace farther =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  const signal::ImagePlace ahead =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
   theory.place = place;
   if (theory.azimuth) {
     theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
@@ -176,59 +178,62 @@ void lay_on_ground(TargetTheory& theory, const ImageFrame& grid, const ImageFram
   theory.range->null *= farther.range_m - place.range_m;
 }
 
-std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
-                                      const WorkControl& control) {
+std::vector<workflow::TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
+                                                const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
-  EchoRows echoes = input.echoes;
+  signal::EchoRows echoes = input.echoes;
   echoes.compensated = time_domain || opened.origin.motion != "none";
-  std::vector<TargetTheory> theories =
-      theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain, control);
-  const StraightTrack track = fit_straight(echoes.track);
-  const ImageFrame& frame = opened.image.frame;
-  if (frame.plane == ImagePlane::slant_range) {
+  std::vector<workflow::TargetTheory> theories =
+      workflow::theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain, control);
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  const signal::ImageFrame& frame = opened.image.frame;
+  if (frame.plane == signal::ImagePlane::slant_range) {
     // Compensated pulses lie elsewhere along the line, and so does the image's origin.
-    for (TargetTheory& theory : theories) theory.place.azimuth_m -= dot(frame.origin_m - track.origin_m, track.along);
+    for (workflow::TargetTheory& theory : theories)
+      theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
     return theories;
   }
-  const ImageFrame slant{
-      .plane = ImagePlane::slant_range, .origin_m = track.origin_m, .along = track.along, .speed_mps = track.speed_mps};
-  for (TargetTheory& theory : theories)
+  const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,
+                                 .origin_m = track.origin_m,
+                                 .along = track.along,
+                                 .speed_mps = track.speed_mps};
+  for (workflow::TargetTheory& theory : theories)
     if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
   return theories;
 }
 
-bool is_asked_for(const MeasureArguments& arguments, const TargetTheory& theory) {
+bool is_asked_for(const MeasureArguments& arguments, const workflow::TargetTheory& theory) {
   return !arguments.target || static_cast<std::int64_t>(theory.target) + 1 == *arguments.target;
 }
 
-fs::path picture_of(const MeasureArguments& arguments, const TargetTheory& theory) {
+fs::path picture_of(const MeasureArguments& arguments, const workflow::TargetTheory& theory) {
   return fs::path(arguments.cuts) / fmt::format("target-{}.png", theory.target + 1);
 }
 
 // Before anything is measured.
-void expect_free_pictures(const MeasureArguments& arguments, const std::vector<TargetTheory>& theories) {
+void expect_free_pictures(const MeasureArguments& arguments, const std::vector<workflow::TargetTheory>& theories) {
   if (arguments.cuts.empty() || arguments.force) return;
-  for (const TargetTheory& theory : theories)
+  for (const workflow::TargetTheory& theory : theories)
     if (is_asked_for(arguments, theory) && fs::exists(picture_of(arguments, theory)))
       throw BadInput(fmt::format("'{}' exists", picture_of(arguments, theory).string()),
                      "name another folder, or --force");
 }
 
 std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusInput& input,
-                                       const MeasureArguments& arguments, const WorkControl& control) {
-  const std::vector<TargetTheory> theories = theories_of(opened, input, control);
+                                       const MeasureArguments& arguments, const core::WorkControl& control) {
+  const std::vector<workflow::TargetTheory> theories = theories_of(opened, input, control);
   expect_free_pictures(arguments, theories);
-  const ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
+  const signal::ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
     opened.file.read(row, first, out);
   };
   std::vector<Measured> targets(theories.size());
-  parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(arguments, theories[t])) continue;
       const double search_m = arguments.search_m.value_or(search_of(theories, theories[t]));
-      targets[t].found = measure_point(opened.image, reader, theories[t].place, search_m,
-                                       arguments.cuts.empty() ? nullptr : &targets[t].cuts);
+      targets[t].found = signal::measure_point(opened.image, reader, theories[t].place, search_m,
+                                               arguments.cuts.empty() ? nullptr : &targets[t].cuts);
     }
   });
   std::erase_if(targets, [&](const Measured& target) { return !is_asked_for(arguments, target.theory); });
@@ -239,13 +244,13 @@ std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusI
 }
 
 // One picture for each target that was found.
-void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& targets, const StopFlag* stop) {
+void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& targets, const core::StopFlag* stop) {
   if (arguments.cuts.empty()) return;
   fs::create_directories(arguments.cuts);
   for (const Measured& target : targets) {
-    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
     if (!target.found) continue;
-    Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
+    picture::Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
     figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
     draw_picture(figure, picture_of(arguments, target.theory),
                  {.width_px = 800, .height_px = 800, .dark = arguments.dark});
@@ -254,7 +259,8 @@ void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& t
 
 ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
   if (arguments.search_m && !(*arguments.search_m > 0.0)) throw BadInput("--search must be above 0");
-  const WorkControl control{thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
+  const core::WorkControl control{core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))),
+                                  streams.stop};
   const MeasuredImage opened = opened_image(arguments.image);
   expect_folder(arguments.cuts);
   const FocusInput input = open_focus_input(input_of(arguments, opened, streams), control);
@@ -266,8 +272,8 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
     for (const Measured& target : targets) text += text_of(target);
     write_out(streams, text);
   } else {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("image", arguments.image);
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("image", arguments.image);
     json.member("source", opened.origin.source).member("algorithm", opened.origin.algorithm);
     json.key("targets").begin_array();
     for (const Measured& target : targets) write_json(json, target);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double lowest_db = -60.0;
 
-FigureCurve measured_curve(const ResponseCut& cut, double reach_m) {
-  FigureCurve curve{.name = "image", .role = Role::curve, .x = {}, .y = {}};
+picture::FigureCurve measured_curve(const signal::ResponseCut& cut, double reach_m) {
+  picture::FigureCurve curve{.name = "image", .role = picture::Role::curve, .x = {}, .y = {}};
   const auto middle = static_cast<double>(cut.values.size() / 2);
   const double peak = std::abs(cut.values[cut.values.size() / 2]);
   for (std::size_t i = 0; i < cut.values.size(); ++i) {
@@ -26,16 +26,16 @@ FigureCurve measured_curve(const ResponseCut& cut, double reach_m) {
   return curve;
 }
 
-FigureCurve level(std::string name, Role role, double db, double half_m) {
+picture::FigureCurve level(std::string name, picture::Role role, double db, double half_m) {
   return {.name = std::move(name), .role = role, .x = {-half_m, half_m}, .y = {db, db}};
 }
 
-FigurePanel panel_of(const char* name, const ResponseCut& cut, const ResponseFigures& found,
-                     const std::optional<ResponseFigures>& theory) {
+picture::FigurePanel panel_of(const char* name, const signal::ResponseCut& cut, const signal::ResponseFigures& found,
+                              const std::optional<signal::ResponseFigures>& theory) {
   constexpr double half_power_db = -3.0103;
   const double reach_m =
-      std::min((1.0 + islr_null_widths) * found.null, cut.step_m * static_cast<double>(cut.values.size() / 2));
-  FigurePanel panel;
+      std::min((1.0 + signal::islr_null_widths) * found.null, cut.step_m * static_cast<double>(cut.values.size() / 2));
+  picture::FigurePanel panel;
   panel.title = fmt::format("{}: width {:.3f} m, PSLR {:.2f} dB, ISLR {:.2f} dB", name, found.width, found.pslr_db,
                             found.islr_db);
   panel.x = {
@@ -43,19 +43,20 @@ FigurePanel panel_of(const char* name, const ResponseCut& cut, const ResponseFig
   panel.y = {.label = "Power", .unit = "dB", .first = lowest_db, .last = 3.0, .twin = {}};
   panel.curves.push_back(measured_curve(cut, reach_m));
   if (theory) {
-    panel.curves.push_back(level(fmt::format("width by theory, {:.3f} m", theory->width), Role::curve_2, half_power_db,
-                                 0.5 * theory->width));
-    panel.curves.push_back(
-        level(fmt::format("PSLR by theory, {:.2f} dB", theory->pslr_db), Role::curve_3, theory->pslr_db, reach_m));
+    panel.curves.push_back(level(fmt::format("width by theory, {:.3f} m", theory->width), picture::Role::curve_2,
+                                 half_power_db, 0.5 * theory->width));
+    panel.curves.push_back(level(fmt::format("PSLR by theory, {:.2f} dB", theory->pslr_db), picture::Role::curve_3,
+                                 theory->pslr_db, reach_m));
   }
   return panel;
 }
 
 }  // namespace
 
-Figure figure_of_cuts(const PointCuts& cuts, const PointResponse& found, const std::optional<ResponseFigures>& azimuth,
-                      const std::optional<ResponseFigures>& range) {
-  Figure figure;
+picture::Figure figure_of_cuts(const signal::PointCuts& cuts, const signal::PointResponse& found,
+                               const std::optional<signal::ResponseFigures>& azimuth,
+                               const std::optional<signal::ResponseFigures>& range) {
+  picture::Figure figure;
   figure.note = fmt::format("azimuth {:.3f} m, range {:.3f} m, {:.4g} V", found.place.azimuth_m, found.place.range_m,
                             found.amplitude);
   figure.panels = {panel_of("Azimuth", cuts.azimuth, found.azimuth, azimuth),

@@ -11,26 +11,26 @@ namespace sarsim::cli {
 namespace {
 
 // sinc(x/null_m), 32 values to a metre.
-ResponseCut sinc_cut(double null_m) {
-  ResponseCut cut{1.0 / 32.0, {}};
+signal::ResponseCut sinc_cut(double null_m) {
+  signal::ResponseCut cut{1.0 / 32.0, {}};
   for (int i = -1000; i <= 1000; ++i) {
-    const double x = pi * i * cut.step_m / null_m;
+    const double x = core::pi * i * cut.step_m / null_m;
     cut.values.push_back(5.0 * (i == 0 ? 1.0 : std::sin(x) / x));
   }
   return cut;
 }
 
 TEST(FigureOfCuts, ShowsDecibelsBelowThePeakAndWhatTheoryHas) {
-  const PointCuts cuts{sinc_cut(0.5), sinc_cut(2.0)};
-  PointResponse found;
+  const signal::PointCuts cuts{sinc_cut(0.5), sinc_cut(2.0)};
+  signal::PointResponse found;
   found.azimuth = {0.443, 0.5, -13.26, -10.0};
   found.range = {1.772, 2.0, -13.26, -10.0};
-  const ResponseFigures theory{0.44, 0.5, -13.3, -10.1};
-  const Figure figure = figure_of_cuts(cuts, found, theory, std::nullopt);
+  const signal::ResponseFigures theory{0.44, 0.5, -13.3, -10.1};
+  const picture::Figure figure = figure_of_cuts(cuts, found, theory, std::nullopt);
   ASSERT_EQ(figure.panels.size(), 2U);
-  const FigurePanel& azimuth = figure.panels[0];
+  const picture::FigurePanel& azimuth = figure.panels[0];
   ASSERT_EQ(azimuth.curves.size(), 3U);
-  const FigureCurve& image = azimuth.curves[0];
+  const picture::FigureCurve& image = azimuth.curves[0];
   const auto peak = std::ranges::max_element(image.y) - image.y.begin();
   EXPECT_NEAR(image.y[static_cast<std::size_t>(peak)], 0.0, 1e-9);
   EXPECT_NEAR(image.x[static_cast<std::size_t>(peak)], 0.0, 1e-9);

@@ -43,17 +43,17 @@ class Merger {
 
   ExitStatus run() {
     try {
-      JoinTask task;
+      raster::JoinTask task;
       task.output = output();
       task.replace = arguments_.force;
       for (const std::string& folder : arguments_.folders) expect_outside(task.output, folder);
       expect_free_outputs({task.output}, {{}, arguments_.force, "-o"});
       for (const std::string& folder : arguments_.folders) collect(folder, task.journals);
-      task.product = load_product(product_file_of(arguments_.folders.front()));
-      if (Problems problems = join_problems(task.journals, task.product.product.rows); !problems.empty())
+      task.product = raster::load_product(raster::product_file_of(arguments_.folders.front()));
+      if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
         throw BadInput(std::move(problems));
       join(task);
-    } catch (const UnfitParts& unfit) {
+    } catch (const raster::UnfitParts& unfit) {
       throw BadInput(unfit.problems);
     }
     return exit_done;
@@ -73,7 +73,7 @@ class Merger {
   static void expect_outside(const fs::path& output, const fs::path& folder) {
     if (!fs::is_directory(folder)) return;
     const fs::path inside = fs::canonical(folder);
-    const fs::path place = fs::weakly_canonical(fs::absolute(end_of_links(output)));
+    const fs::path place = fs::weakly_canonical(fs::absolute(core::end_of_links(output)));
     if (std::mismatch(inside.begin(), inside.end(), place.begin(), place.end()).first == inside.end())
       throw BadInput(fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
                      "choose another place with -o");
@@ -81,13 +81,13 @@ class Merger {
 
   // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
   // file for a folder with however many parts.
-  void collect(const std::string& folder, std::vector<Journal>& journals) {
+  void collect(const std::string& folder, std::vector<raster::Journal>& journals) {
     if (!fs::is_directory(folder))
       throw BadInput("there is no folder '" + folder + "'", "parts are in the folder NAME.parts beside their output");
     close_door(folder);
-    std::vector<Journal> found = read_journals(folder);
+    std::vector<raster::Journal> found = raster::read_journals(folder);
     if (found.empty()) throw BadInput("the folder '" + folder + "' holds no parts", "it has no journals");
-    for (Journal& journal : found) {
+    for (raster::Journal& journal : found) {
       if (!opened(journal.path).try_lock())
         throw BadInput(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
                        "wait for it: the part that comes last completes the file by itself");
@@ -96,11 +96,11 @@ class Merger {
   }
 
   // Network file systems only lock what is open for writing; what is not ours to write is looked at without.
-  static RawFile opened(const fs::path& path) {
+  static core::RawFile opened(const fs::path& path) {
     try {
-      return {path, RawFile::Mode::write};
+      return {path, core::RawFile::Mode::write};
     } catch (const std::system_error&) {
-      return {path, RawFile::Mode::read};
+      return {path, core::RawFile::Mode::read};
     }
   }
 
@@ -115,18 +115,20 @@ class Merger {
     doors_.back().lock();
   }
 
-  void join(const JoinTask& task) {
+  void join(const raster::JoinTask& task) {
     const auto style = arguments_.quiet    ? ProgressDisplay::Style::none
                        : streams_.terminal ? ProgressDisplay::Style::bar
                                            : ProgressDisplay::Style::lines;
     RecordingReport report;
     {
       ProgressDisplay display(streams_.err, style, task.output.string());
-      const unsigned threads = thread_count(static_cast<unsigned>(arguments_.threads.value_or(0)));
-      report.run = join_parts(task, {threads, streams_.stop, [&](const Progress& p) { display.update(p); }}).report;
+      const unsigned threads = core::thread_count(static_cast<unsigned>(arguments_.threads.value_or(0)));
+      report.run =
+          raster::join_parts(task, {threads, streams_.stop, [&](const core::Progress& p) { display.update(p); }})
+              .report;
     }
     remove(task);
-    const Product& product = task.product.product;
+    const simulate::Product& product = task.product.product;
     report.file = task.output.string();
     report.simulation.format = task.product.options.format;
     report.simulation.processing = product.processing;
@@ -143,23 +145,24 @@ class Merger {
     if (arguments_.json) print_json(report);
   }
 
-  static bool holds_volts(const SinkOptions& options) {
-    return (options.format == FileFormat::hdf5 || options.format == FileFormat::npy) && !options.counts;
+  static bool holds_volts(const raster::SinkOptions& options) {
+    return (options.format == scene::FileFormat::hdf5 || options.format == scene::FileFormat::npy) && !options.counts;
   }
 
   // Rows that stood at their places have become the output: what is left of their folder is of no use.
-  void remove(const JoinTask& task) {
+  void remove(const raster::JoinTask& task) {
     doors_.clear();
-    const fs::path own = parts_folder_of(task.output);
+    const fs::path own = raster::parts_folder_of(task.output);
     for (const std::string& folder : arguments_.folders)
-      if (arguments_.remove || (fs::equivalent(folder, own) && !fs::exists(shared_rows_of(folder)) && placed(task)))
-        remove_parts(folder);
+      if (arguments_.remove ||
+          (fs::equivalent(folder, own) && !fs::exists(raster::shared_rows_of(folder)) && placed(task)))
+        raster::remove_parts(folder);
     remove_if_empty(own);
   }
 
-  static bool placed(const JoinTask& task) {
-    for (const Journal& journal : task.journals)
-      if (journal.head.store == RowStore::placed) return true;
+  static bool placed(const raster::JoinTask& task) {
+    for (const raster::Journal& journal : task.journals)
+      if (journal.head.store == raster::RowStore::placed) return true;
     return false;
   }
 
@@ -169,8 +172,8 @@ class Merger {
   }
 
   void print_json(const RecordingReport& report) {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).key("products").begin_array();
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).key("products").begin_array();
     write_json(json, report);
     json.end_array().end_object();
     write_out(streams_, json.text());
@@ -179,7 +182,7 @@ class Merger {
   const MergeArguments& arguments_;
   Streams& streams_;
   std::vector<fs::path> closed_;  // Folders whose doors are held.
-  std::vector<RawFile> doors_;
+  std::vector<core::RawFile> doors_;
 };
 
 }  // namespace

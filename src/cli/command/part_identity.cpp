@@ -17,23 +17,23 @@ namespace {
 // The points of functions that the script only names the file of.
 class DataFiles {
  public:
-  explicit DataFiles(Checksum& sum) : sum_(sum) {}
+  explicit DataFiles(core::Checksum& sum) : sum_(sum) {}
 
   template <std::size_t N>
-  void add(const UserFunction<N>& function) {
+  void add(const scene::UserFunction<N>& function) {
     if (function.file.empty()) return;
-    for (const SampledFunction& part : function.part) sum_.add(std::as_bytes(std::span(part.knots)));
+    for (const core::SampledFunction& part : function.part) sum_.add(std::as_bytes(std::span(part.knots)));
   }
 
-  void add(const Scene& scene) {
-    for (const Platform& p : scene.platforms) {
+  void add(const scene::Scene& scene) {
+    for (const scene::Platform& p : scene.platforms) {
       add(p.trajectory_m);
       add(p.rotation_deg);
       add(p.position_envelope);
       add(p.rotation_envelope);
     }
-    for (const Target& target : scene.targets) add(target.gain_db);
-    for (const Radar& r : scene.radars) {
+    for (const scene::Target& target : scene.targets) add(target.gain_db);
+    for (const scene::Radar& r : scene.radars) {
       add(r.pulse_iq);
       add(r.envelope_gain);
       add(r.pri_s);
@@ -47,24 +47,24 @@ class DataFiles {
   }
 
  private:
-  Checksum& sum_;
+  core::Checksum& sum_;
 };
 
 }  // namespace
 
-std::string script_sum(const Scene& scene, const std::string& script) {
-  Checksum sum;
+std::string script_sum(const scene::Scene& scene, const std::string& script) {
+  core::Checksum sum;
   sum.add(script);
   DataFiles(sum).add(scene);
   return fmt::format("{:016x}", sum.value());
 }
 
-Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
-                     const StoredProduct& stored) {
-  const Product& product = stored.product;
-  const RunOptions& options = product.options;
+raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
+                             const raster::StoredProduct& stored) {
+  const simulate::Product& product = stored.product;
+  const scene::RunOptions& options = product.options;
   return {
-      {"program", program_version},
+      {"program", core::program_version},
       {"simulation", std::to_string(simulation + 1)},
       {"rows", std::to_string(product.rows)},
       {"columns", std::to_string(product.columns)},
@@ -74,10 +74,10 @@ Identity identity_of(const Scene& scene, std::size_t simulation, const std::stri
       {"seed", std::to_string(options.seed)},
       {"profile", profile_word(options.profile)},
       {"pulse", pulse_word(options.pulse)},
-      {"tolerance", format_number(options.tolerance)},
+      {"tolerance", core::format_number(options.tolerance)},
       {"engine", product.engine},
-      {"--simd", simd_level()},
-      {"LSB", product.lsb_v > 0.0 ? format_number(product.lsb_v) + " V" : "estimated"},
+      {"--simd", simulate::simd_level()},
+      {"LSB", product.lsb_v > 0.0 ? core::format_number(product.lsb_v) + " V" : "estimated"},
       {"script", script_sum(scene, script)},
   };
 }

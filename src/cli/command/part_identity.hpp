@@ -11,11 +11,11 @@ namespace sarsim::cli {
 /// Everything that decides the bytes of a recording: what parts that belong together have in common.
 /// @param simulation  its number in the scene, from 0
 /// @param script      the scene as text (write_script)
-[[nodiscard]] Identity identity_of(const Scene& scene, std::size_t simulation, const std::string& script,
-                                   const StoredProduct& stored);
+[[nodiscard]] raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
+                                           const raster::StoredProduct& stored);
 
 /// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files hold.
 /// @param script  the scene as text (write_script)
-[[nodiscard]] std::string script_sum(const Scene& scene, const std::string& script);
+[[nodiscard]] std::string script_sum(const scene::Scene& scene, const std::string& script);
 
 }  // namespace sarsim::cli

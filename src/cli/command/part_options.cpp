@@ -19,8 +19,8 @@ constexpr std::int64_t most_parts = 1'000'000;
 
 PartChoice::Share share_of(const std::string& text) {
   const std::size_t slash = text.find('/');
-  const auto number = parse_integer(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  const auto number = core::parse_integer(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
   if (!number || !count || *number < 1 || *number > *count || *count > most_parts)
     refuse("--part", text, "a part such as 3/8: the third of eight");
   return {*number, *count};
@@ -33,8 +33,8 @@ PartChoice::Span span_of(const std::string& text) {
   PartChoice::Span span;
   const std::string begin = text.substr(0, colon);
   const std::string end = text.substr(colon + 1);
-  const auto first = begin.empty() ? std::optional<std::int64_t>(1) : parse_integer(begin);
-  if (!end.empty()) span.last = parse_integer(end);
+  const auto first = begin.empty() ? std::optional<std::int64_t>(1) : core::parse_integer(begin);
+  if (!end.empty()) span.last = core::parse_integer(end);
   if (!first || *first < 1 || (!end.empty() && (!span.last || *span.last < *first))) refuse("--pulses", text, expected);
   span.first = *first;
   return span;
@@ -56,7 +56,7 @@ void add_part_options(CLI::App& app, PartChoice& choice) {
   app.add_flag("--part-file", choice.own_file, "keep the share in a file of its own, for sarsim merge");
   app.add_flag("--resume", choice.resume, "keep a journal, and go on where an earlier run of it ended");
   const auto read = [&choice](const std::string& text) {
-    choice.save_every_s = parse_number(text);
+    choice.save_every_s = core::parse_number(text);
     if (!choice.save_every_s || *choice.save_every_s < 0.0 || *choice.save_every_s > 86400.0)
       refuse("--save-every", text, "a number of seconds from 0 to 86400");
   };
@@ -64,7 +64,7 @@ void add_part_options(CLI::App& app, PartChoice& choice) {
       ->type_name("S");
 }
 
-RowRange rows_of(const PartChoice& choice, std::size_t rows) {
+simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows) {
   if (choice.share) {
     const auto number = static_cast<std::size_t>(choice.share->number);
     const auto count = static_cast<std::size_t>(choice.share->count);

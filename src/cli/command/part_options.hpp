@@ -39,7 +39,7 @@ void add_part_options(CLI::App& app, PartChoice& choice);
 
 /// The rows of a recording that are chosen; none where it has not so many. Shares differ by one row at most, and
 /// shares 1 to N are the whole.
-[[nodiscard]] RowRange rows_of(const PartChoice& choice, std::size_t rows);
+[[nodiscard]] simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows);
 
 /// "3/8", "101:200"; "1/1" for the whole.
 [[nodiscard]] std::string words_of(const PartChoice& choice);

@@ -22,7 +22,7 @@ TEST(RowsOf, SharesAreTheWholeWithoutOverlapAndDifferByOneRowAtMost) {
     for (const std::int64_t count : {1, 2, 3, 7, 64}) {
       std::size_t next = 0;
       for (std::int64_t number = 1; number <= count; ++number) {
-        const RowRange range = rows_of(share(number, count), rows);
+        const simulate::RowRange range = rows_of(share(number, count), rows);
         EXPECT_EQ(range.first, next);
         EXPECT_GE(range.count, rows / static_cast<std::size_t>(count));
         EXPECT_LE(range.count, rows / static_cast<std::size_t>(count) + 1);
@@ -33,12 +33,12 @@ TEST(RowsOf, SharesAreTheWholeWithoutOverlapAndDifferByOneRowAtMost) {
 }
 
 TEST(RowsOf, PulsesCountFromOneWithBothEnds) {
-  EXPECT_EQ(rows_of(pulses(101, 200), 1000), (RowRange{100, 100}));
-  EXPECT_EQ(rows_of(pulses(1, 1), 1000), (RowRange{0, 1}));
-  EXPECT_EQ(rows_of(pulses(991, std::nullopt), 1000), (RowRange{990, 10}));
-  EXPECT_EQ(rows_of(pulses(991, 2000), 1000), (RowRange{990, 10}));
+  EXPECT_EQ(rows_of(pulses(101, 200), 1000), (simulate::RowRange{100, 100}));
+  EXPECT_EQ(rows_of(pulses(1, 1), 1000), (simulate::RowRange{0, 1}));
+  EXPECT_EQ(rows_of(pulses(991, std::nullopt), 1000), (simulate::RowRange{990, 10}));
+  EXPECT_EQ(rows_of(pulses(991, 2000), 1000), (simulate::RowRange{990, 10}));
   EXPECT_EQ(rows_of(pulses(1001, 2000), 1000).count, 0U);
-  EXPECT_EQ(rows_of({}, 1000), (RowRange{0, 1000}));
+  EXPECT_EQ(rows_of({}, 1000), (simulate::RowRange{0, 1000}));
 }
 
 TEST(PartNames, TellSharesApart) {

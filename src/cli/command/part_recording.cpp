@@ -16,18 +16,18 @@ namespace {
 // What encodes the rows of a part: as the file will hold them, or as volts that somebody converts later.
 class PartEncoder {
  public:
-  explicit PartEncoder(const StoredProduct& stored)
-      : final_(stored.estimate_lsb ? nullptr : make_discarding_sink(stored.product, stored.options)) {}
+  explicit PartEncoder(const raster::StoredProduct& stored)
+      : final_(stored.estimate_lsb ? nullptr : raster::make_discarding_sink(stored.product, stored.options)) {}
 
-  [[nodiscard]] const Sink& sink() const {
+  [[nodiscard]] const simulate::Sink& sink() const {
     if (final_) return *final_;
     return volts_;
   }
 
  private:
-  std::unique_ptr<Sink> final_;
-  Recording unused_;
-  MemorySink volts_{unused_};
+  std::unique_ptr<simulate::Sink> final_;
+  simulate::Recording unused_;
+  simulate::MemorySink volts_{unused_};
 };
 
 // One share on its way.
@@ -36,7 +36,7 @@ class PartMaker {
   PartMaker(const PartJob& job, const PartWorkshop& workshop) : job_(job), workshop_(workshop) {}
 
   PartResult make() {
-    const double begin_s = now_s();
+    const double begin_s = core::now_s();
     result_.range = rows_of(job_.choice, job_.plan.rows);
     if (result_.range.count == 0) return result_;
     together([&] { expect_alike(); });
@@ -58,7 +58,7 @@ class PartMaker {
         if (leads()) finish();
       });
     }
-    result_.seconds = now_s() - begin_s;
+    result_.seconds = core::now_s() - begin_s;
     return result_;
   }
 
@@ -70,14 +70,14 @@ class PartMaker {
   void together(const Step& step) {
     try {
       step();
-    } catch (const UnfitParts& unfit) {
+    } catch (const raster::UnfitParts& unfit) {
       static_cast<void>(tell_others(false));
       throw BadInput(unfit.problems);
     } catch (...) {
       static_cast<void>(tell_others(false));
       throw;
     }
-    if (!tell_others(true)) throw BadInput(Problems());  // Who is not well says why.
+    if (!tell_others(true)) throw BadInput(core::Problems());  // Who is not well says why.
   }
 
   [[nodiscard]] bool tell_others(bool well) { return workshop_.team == nullptr || workshop_.team->all_well(well); }
@@ -88,12 +88,12 @@ class PartMaker {
 
   // Processes on different machines must mean the same.
   void expect_alike() {
-    JournalHead head;
+    raster::JournalHead head;
     head.identity = job_.identity;
-    const auto leaders = parse_journal("the leader", from_leader(text_of(head)));
-    Problems problems;
-    for (const std::string& difference :
-         differences(job_.identity, "on " + process_name(), std::get<Journal>(leaders).head.identity, "on the first"))
+    const auto leaders = raster::parse_journal("the leader", from_leader(raster::text_of(head)));
+    core::Problems problems;
+    for (const std::string& difference : raster::differences(
+             job_.identity, "on " + process_name(), std::get<raster::Journal>(leaders).head.identity, "on the first"))
       problems.push_back(problem("the processes differ: " + difference, "give all of them the same files and options"));
     if (!problems.empty()) throw BadInput(std::move(problems));
   }
@@ -112,38 +112,38 @@ class PartMaker {
     if (!std::filesystem::exists(job_.output, ignored)) return;
     if (!std::filesystem::is_regular_file(job_.output, ignored))
       throw BadInput({problem("parts can only become a file", "run without --part, --pulses and --resume")});
-    const auto receipt = read_receipt(job_.output, job_.product);
+    const auto receipt = raster::read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {
       if (job_.force) return;
       throw BadInput(
           {problem("the output exists already", "replace it with --force, or choose another folder with --out")});
     }
-    const auto changes = differences(job_.identity, "now", receipt->identity, "in the file");
+    const auto changes = raster::differences(job_.identity, "now", receipt->identity, "in the file");
     if (changes.empty()) {
       result_.finished_before = true;
       result_.there = job_.plan.rows;
       result_.whole = receipt->report;
-      remove_parts(parts_folder_of(job_.output));
+      raster::remove_parts(raster::parts_folder_of(job_.output));
       return;
     }
     if (job_.force) return;
-    Problems problems;
+    core::Problems problems;
     for (const std::string& change : changes)
       problems.push_back(problem("the output is finished, but of another run: " + change,
                                  "replace it with --force, or choose another folder with --out"));
     throw BadInput(std::move(problems));
   }
 
-  [[nodiscard]] Problem problem(std::string message, std::string hint) const {
-    Problem p;
+  [[nodiscard]] core::Problem problem(std::string message, std::string hint) const {
+    core::Problem p;
     p.message = std::move(message);
     p.found = job_.output.string();
     p.hint = std::move(hint);
     return p;
   }
 
-  [[nodiscard]] PartTask task() const {
-    PartTask task;
+  [[nodiscard]] raster::PartTask task() const {
+    raster::PartTask task;
     task.output = job_.output;
     task.name = file_name_of(job_.choice);
     task.words = words_of(job_.choice);
@@ -163,7 +163,7 @@ class PartMaker {
     return task;
   }
 
-  [[nodiscard]] WorkControl work() const { return {workshop_.threads, workshop_.streams.stop}; }
+  [[nodiscard]] core::WorkControl work() const { return {workshop_.threads, workshop_.streams.stop}; }
 
   void enter() {
     if (job_.output.has_parent_path()) std::filesystem::create_directories(job_.output.parent_path());
@@ -179,39 +179,40 @@ class PartMaker {
     try {
       ProgressDisplay display(workshop_.streams.err, workshop_.style, label());
       std::size_t total = 0;
-      for (const RowRange& range : part_->missing()) total += range.count;
+      for (const simulate::RowRange& range : part_->missing()) total += range.count;
       const auto show = [&](std::size_t done) {
         if (total > 0) display.update({done, total, job_.plan.columns});
       };
       if (workshop_.team == nullptr) {
-        for (const RowRange& range : part_->missing()) make_rows(range, encoder, show);
+        for (const simulate::RowRange& range : part_->missing()) make_rows(range, encoder, show);
       } else {
         workshop_.team->deal(
-            part_->missing(), [&](RowRange range) { make_rows(range, encoder, {}); },
-            [&](const Progress& progress) { show(progress.done); });
+            part_->missing(), [&](simulate::RowRange range) { make_rows(range, encoder, {}); },
+            [&](const core::Progress& progress) { show(progress.done); });
         result_.made = total;
       }
       part_->writer().settle();
-    } catch (const Interrupted&) {
+    } catch (const core::Interrupted&) {
       keep();
       throw;
     } catch (const std::exception&) {
       keep();
       workshop_.streams.err << fmt::format("{}: what is done is kept in {}; go on with --resume\n",
-                                           job_.output.string(), parts_folder_of(job_.output).string());
+                                           job_.output.string(), raster::parts_folder_of(job_.output).string());
       throw;
     }
   }
 
-  void make_rows(RowRange range, const PartEncoder& encoder, const std::function<void(std::size_t)>& progress) {
+  void make_rows(simulate::RowRange range, const PartEncoder& encoder,
+                 const std::function<void(std::size_t)>& progress) {
     const std::size_t before = result_.made;
     const double lsb_v = job_.product.estimate_lsb ? 0.0 : job_.plan.simulation.lsb_v;
-    const RunControl control{workshop_.threads, workshop_.streams.stop, [&](const Progress& p) {
-                               result_.made = before + p.done;
-                               if (progress) progress(result_.made);
-                             }};
-    run_rows(job_.plan, range, lsb_v, encoder.sink(), control,
-             [&](const EncodedRows& rows) { part_->writer().take(rows); });
+    const simulate::RunControl control{workshop_.threads, workshop_.streams.stop, [&](const core::Progress& p) {
+                                         result_.made = before + p.done;
+                                         if (progress) progress(result_.made);
+                                       }};
+    simulate::run_rows(job_.plan, range, lsb_v, encoder.sink(), control,
+                       [&](const simulate::EncodedRows& rows) { part_->writer().take(rows); });
   }
 
   // Something ends the work early: what is done shall stay.
@@ -226,9 +227,9 @@ class PartMaker {
   void finish() {
     result_.journal_seconds = part_->writer().settling_s();
     ProgressDisplay display(workshop_.streams.err, workshop_.style, job_.output.string() + " (joining its parts)");
-    const RunControl control{workshop_.threads, workshop_.streams.stop,
-                             [&](const Progress& progress) { display.update(progress); }};
-    const PartOutcome outcome = part_->finish(job_.force, control);
+    const simulate::RunControl control{workshop_.threads, workshop_.streams.stop,
+                                       [&](const core::Progress& progress) { display.update(progress); }};
+    const raster::PartOutcome outcome = part_->finish(job_.force, control);
     result_.there = outcome.rows_there;
     result_.elsewhere = outcome.elsewhere;
     if (outcome.joined) result_.whole = outcome.joined->report;
@@ -242,7 +243,7 @@ class PartMaker {
   const PartJob& job_;
   const PartWorkshop& workshop_;
   PartResult result_;
-  std::optional<PartRun> part_;
+  std::optional<raster::PartRun> part_;
 };
 
 }  // namespace
@@ -250,8 +251,8 @@ class PartMaker {
 PartResult make_part(const PartJob& job, const PartWorkshop& workshop) {
   try {
     return PartMaker(job, workshop).make();
-  } catch (const Interrupted&) {
-    throw KeptInterruption(parts_folder_of(job.output).string());
+  } catch (const core::Interrupted&) {
+    throw KeptInterruption(raster::parts_folder_of(job.output).string());
   }
 }
 
@@ -262,18 +263,18 @@ std::string part_text(const PartJob& job, const PartResult& result) {
     return fmt::format("{}: part {} has none of its {} pulses\n", output, words_of(job.choice), job.plan.rows);
   std::string text =
       fmt::format("{}: part {}: pulses {} to {} are made, {} of them now, in {}\n", output, words_of(job.choice),
-                  result.range.first + 1, result.range.end(), result.made, duration_text(result.seconds));
+                  result.range.first + 1, result.range.end(), result.made, core::duration_text(result.seconds));
   if (result.elsewhere)
     text += fmt::format("{}: complete; another part has put it together\n", output);
   else if (!result.whole && job.choice.own_file)
-    text += fmt::format("  kept in {}, for sarsim merge\n", parts_folder_of(job.output).string());
+    text += fmt::format("  kept in {}, for sarsim merge\n", raster::parts_folder_of(job.output).string());
   else if (!result.whole)
     text += fmt::format("  {} of {} pulses are there; the part that comes last completes the file\n", result.there,
                         job.plan.rows);
   return text;
 }
 
-void write_json(JsonWriter& json, const PartJob& job, const PartResult& result) {
+void write_json(core::JsonWriter& json, const PartJob& job, const PartResult& result) {
   json.begin_object().member("kind", "part").member("file", job.output.string());
   json.member("part", words_of(job.choice)).member("rows", job.plan.rows);
   json.member("first_row", result.range.first).member("part_rows", result.range.count);

@@ -15,10 +15,10 @@ namespace sarsim::cli {
 
 /// A recording of which a share is made.
 struct PartJob {
-  const Plan& plan;
+  const simulate::Plan& plan;
   std::filesystem::path output;
-  StoredProduct product;
-  Identity identity;
+  raster::StoredProduct product;
+  raster::Identity identity;
   const PartChoice& choice;
   bool force = false;
 };
@@ -33,13 +33,13 @@ struct PartWorkshop {
 
 /// What came of it.
 struct PartResult {
-  RowRange range;                  ///< The share.
-  std::size_t made = 0;            ///< Rows computed by this process.
-  std::size_t rejected = 0;        ///< Rows that were vouched for but damaged.
-  std::size_t there = 0;           ///< Rows of the recording that are vouched for now.
-  bool finished_before = false;    ///< The recording is complete, and was when it began.
-  bool elsewhere = false;          ///< The recording is complete; another process has seen to it.
-  std::optional<RunReport> whole;  ///< The recording is complete: its report.
+  simulate::RowRange range;                  ///< The share.
+  std::size_t made = 0;                      ///< Rows computed by this process.
+  std::size_t rejected = 0;                  ///< Rows that were vouched for but damaged.
+  std::size_t there = 0;                     ///< Rows of the recording that are vouched for now.
+  bool finished_before = false;              ///< The recording is complete, and was when it began.
+  bool elsewhere = false;                    ///< The recording is complete; another process has seen to it.
+  std::optional<simulate::RunReport> whole;  ///< The recording is complete: its report.
   double seconds = 0.0;
   std::size_t journal_entries = 0;  ///< Written by this process.
   double journal_seconds = 0.0;     ///< Spent on bringing rows and journal to the disk.
@@ -55,6 +55,6 @@ struct PartResult {
 [[nodiscard]] std::string part_text(const PartJob& job, const PartResult& result);
 
 /// The same as one JSON object.
-void write_json(JsonWriter& json, const PartJob& job, const PartResult& result);
+void write_json(core::JsonWriter& json, const PartJob& job, const PartResult& result);
 
 }  // namespace sarsim::cli

@@ -75,10 +75,10 @@ std::string program() {
   return !failure && fs::exists(beside, failure) ? beside.string() : program_name;
 }
 
-void write_figure(const fs::path& file, const Figure& figure) {
-  const std::string bytes = figure_bytes(figure);
+void write_figure(const fs::path& file, const picture::Figure& figure) {
+  const std::string bytes = picture::figure_bytes(figure);
   try {
-    OutputFile output(file, false);
+    core::OutputFile output(file, false);
     output.write(std::as_bytes(std::span(bytes)));
     output.commit();
   } catch (const std::system_error& error) {
@@ -145,7 +145,7 @@ std::optional<int> status_of(const std::vector<std::string>& arguments, const fs
 
 }  // namespace
 
-void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle& style) {
+void draw_picture(const picture::Figure& figure, const fs::path& out, const PictureStyle& style) {
   const Workshop workshop;
   const fs::path handed = workshop.file("figure");
   // Whatever ends the program that draws leaves nothing beside the picture.
@@ -169,7 +169,7 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
         "pictures are drawn by sarsim-gui, which is not installed: install it, or build with Qt 6 and QCustomPlot "
         "(tools/install-deps gui)");
   if (*status != 0) {
-    if (received_signal() != 0) throw Interrupted();
+    if (received_signal() != 0) throw core::Interrupted();
     std::string words = words_of(workshop.file("errors"));
     if (workshop.is_named_in(words)) words += "; TMPDIR names another folder for temporary files";
     throw std::runtime_error(
@@ -177,7 +177,7 @@ void draw_picture(const Figure& figure, const fs::path& out, const PictureStyle&
                     words.empty() ? fmt::format("{} ended with status {}", program_name, *status) : words));
   }
   const std::string bytes = bytes_of(drawn);
-  OutputFile picture(out, true);
+  core::OutputFile picture(out, true);
   picture.write(std::as_bytes(std::span(bytes)));
   picture.commit();
 }

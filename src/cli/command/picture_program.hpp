@@ -18,6 +18,6 @@ struct PictureStyle {
 /// display. The command line itself knows nothing of windows and fonts.
 /// @throws std::runtime_error where the program is not installed or temporary files cannot be written, with what to do,
 /// or with what the program says; std::system_error where the picture cannot be written
-void draw_picture(const Figure& figure, const std::filesystem::path& out, const PictureStyle& style);
+void draw_picture(const picture::Figure& figure, const std::filesystem::path& out, const PictureStyle& style);
 
 }  // namespace sarsim::cli

@@ -35,7 +35,7 @@ std::string word_of(PlotKind kind) {
 
 void write_table(const PlotArguments& a, const std::string& table) {
   if (a.csv.empty()) return;
-  OutputFile file(a.csv, a.force);
+  core::OutputFile file(a.csv, a.force);
   file.write(std::as_bytes(std::span(table)));
   file.commit();
 }
@@ -137,10 +137,10 @@ void expect_used(const PlotArguments& a) {
                               {"--limits", !a.limits.empty(), colours},
                               {"--percentile", a.percentile.has_value(), colours},
                               {"--peak", a.peak, colours}};
-  Problems problems;
+  core::Problems problems;
   for (const Use& use : uses) {
     if (!use.given || std::ranges::find(use.kinds, a.kind) != use.kinds.end()) continue;
-    Problem problem;
+    core::Problem problem;
     problem.message = fmt::format("{} means nothing for --kind {}", use.option, word_of(a.kind));
     for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
     problems.push_back(std::move(problem));
@@ -149,10 +149,10 @@ void expect_used(const PlotArguments& a) {
 }
 
 // What --show says by itself.
-DisplayQuantity shown_quantity(const PlotArguments& a) {
+picture::DisplayQuantity shown_quantity(const PlotArguments& a) {
   const bool in_decibels = a.kind == PlotKind::profile || a.kind == PlotKind::range_doppler ||
                            a.kind == PlotKind::spectrum || a.kind == PlotKind::sent;
-  return a.quantity.value_or(in_decibels ? DisplayQuantity::decibels : DisplayQuantity::magnitude);
+  return a.quantity.value_or(in_decibels ? picture::DisplayQuantity::decibels : picture::DisplayQuantity::magnitude);
 }
 
 // Of two options that contradict each other, one would be ignored.
@@ -160,7 +160,7 @@ void expect_no_contradiction(const PlotArguments& a) {
   if (a.screen && (a.recorded || a.rate_hz))
     throw BadInput(fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
                    "leave one of them out");
-  if (a.span_db && shown_quantity(a) != DisplayQuantity::decibels)
+  if (a.span_db && shown_quantity(a) != picture::DisplayQuantity::decibels)
     throw BadInput("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
 }
 
@@ -188,7 +188,7 @@ void expect_used_by_input(const PlotArguments& a) {
                                    {"--bits", samples.bits.has_value(), false},
                                    {"--lsb", samples.lsb_v.has_value(), false},
                                    {"--script", !samples.script.empty(), false}};
-  Problems problems;
+  core::Problems problems;
   for (const InputUse& use : uses) {
     if (!use.given || use.of_script == script) continue;
     problems.push_back({});
@@ -201,7 +201,7 @@ void expect_used_by_input(const PlotArguments& a) {
 }
 
 // The name of the input, and what is seen of it where that is not the whole.
-std::string title_for(const PlotArguments& a, const Figure& figure) {
+std::string title_for(const PlotArguments& a, const picture::Figure& figure) {
   if (a.title) return *a.title;
   const std::string name = fs::path(a.input).filename().string();
   return figure.title.empty() ? name : name + ": " + figure.title;
@@ -238,10 +238,11 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
       add_integer(app, "--simulation", a.simulation, 1, 1'000'000,
                   "which simulation of the script (default: the first, or the one that wrote the file)");
   add_text(app, "--radar", a.radar, "NAME", "any window of this radar instead of a simulation")->excludes(simulation);
-  add_choice<Processing>(
-      app, "--data", a.processing,
-      {{"raw", Processing::raw}, {"compressed", Processing::matched_filter}, {"srp", Processing::srp}},
-      "raw return or range compressed");
+  add_choice<scene::Processing>(app, "--data", a.processing,
+                                {{"raw", scene::Processing::raw},
+                                 {"compressed", scene::Processing::matched_filter},
+                                 {"srp", scene::Processing::srp}},
+                                "raw return or range compressed");
   add_two_reals(app, "--range", a.range_m, "FROM TO", "slant ranges that are seen, m");
   add_two_reals(app, "--time", a.time_s, "FROM TO", "azimuth times that are seen, s");
   add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "of a focused image, what is seen along the track, m");
@@ -256,21 +257,23 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
 }
 
 void add_choice_of_values(CLI::App& app, PlotArguments& a) {
-  add_choice<DisplayQuantity>(app, "--show", a.quantity,
-                              {{"real", DisplayQuantity::real},
-                               {"imaginary", DisplayQuantity::imaginary},
-                               {"magnitude", DisplayQuantity::magnitude},
-                               {"phase", DisplayQuantity::phase},
-                               {"db", DisplayQuantity::decibels}},
-                              "what of the samples (default: real of a script, magnitude of files and antennas, db of "
-                              "profiles and spectra)");
-  add_choice<ProfileMean>(app, "--mean", a.mean, {{"power", ProfileMean::power}, {"coherent", ProfileMean::coherent}},
-                          "how a profile is averaged (default: power)");
-  add_choice<SpectrumWindow>(app, "--window", a.window,
-                             {{"rectangular", SpectrumWindow::rectangular},
-                              {"hann", SpectrumWindow::hann},
-                              {"hamming", SpectrumWindow::hamming}},
-                             "weights of spectra and range-Doppler maps (default: hann)");
+  add_choice<picture::DisplayQuantity>(
+      app, "--show", a.quantity,
+      {{"real", picture::DisplayQuantity::real},
+       {"imaginary", picture::DisplayQuantity::imaginary},
+       {"magnitude", picture::DisplayQuantity::magnitude},
+       {"phase", picture::DisplayQuantity::phase},
+       {"db", picture::DisplayQuantity::decibels}},
+      "what of the samples (default: real of a script, magnitude of files and antennas, db of "
+      "profiles and spectra)");
+  add_choice<picture::ProfileMean>(
+      app, "--mean", a.mean, {{"power", picture::ProfileMean::power}, {"coherent", picture::ProfileMean::coherent}},
+      "how a profile is averaged (default: power)");
+  add_choice<picture::SpectrumWindow>(app, "--window", a.window,
+                                      {{"rectangular", picture::SpectrumWindow::rectangular},
+                                       {"hann", picture::SpectrumWindow::hann},
+                                       {"hamming", picture::SpectrumWindow::hamming}},
+                                      "weights of spectra and range-Doppler maps (default: hann)");
   add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");
   app.add_flag("--wrapped", a.wrapped, "phases within half a turn, not joined to a line");
   add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");
@@ -281,15 +284,17 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
 }
 
 void add_look(CLI::App& app, PlotArguments& a) {
-  add_choice<DrawAs>(app, "--draw", a.draw_as,
-                     {{"auto", DrawAs::automatic},
-                      {"pixels", DrawAs::pixels},
-                      {"pulses", DrawAs::curves_per_pulse},
-                      {"ranges", DrawAs::curves_per_range}},
-                     "colours, or a curve for each pulse or range (default: curves where pulses are far apart)");
-  std::vector<std::pair<std::string, ColourMap>> maps;
-  for (const ColourMapInfo& info : colour_maps()) maps.emplace_back(info.name, info.map);
-  add_choice<ColourMap>(app, "--colours", a.map, maps, "map of colours (default: one that suits what is shown)");
+  add_choice<picture::DrawAs>(
+      app, "--draw", a.draw_as,
+      {{"auto", picture::DrawAs::automatic},
+       {"pixels", picture::DrawAs::pixels},
+       {"pulses", picture::DrawAs::curves_per_pulse},
+       {"ranges", picture::DrawAs::curves_per_range}},
+      "colours, or a curve for each pulse or range (default: curves where pulses are far apart)");
+  std::vector<std::pair<std::string, picture::ColourMap>> maps;
+  for (const picture::ColourMapInfo& info : picture::colour_maps()) maps.emplace_back(info.name, info.map);
+  add_choice<picture::ColourMap>(app, "--colours", a.map, maps,
+                                 "map of colours (default: one that suits what is shown)");
   app.add_flag("--invert", a.inverted, "colours in the opposite order");
   app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them");
   add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)",
@@ -301,7 +306,7 @@ void add_look(CLI::App& app, PlotArguments& a) {
   app.add_option("--size", a.size, "pixels (default: 1000 700)")
       ->expected(2)
       ->check([](const std::string& text) {
-        const auto pixels = parse_integer(text);
+        const auto pixels = core::parse_integer(text);
         return pixels && *pixels >= 64 && *pixels <= 20000
                    ? std::string()
                    : fmt::format("'{}' is not a whole number from 64 to 20000", text);
@@ -321,7 +326,7 @@ void add_look(CLI::App& app, PlotArguments& a) {
 
 }  // namespace
 
-PlotSize plot_pixels(const PlotArguments& a) {
+picture::PlotSize plot_pixels(const PlotArguments& a) {
   const double scale = a.scale.value_or(1.0);
   const auto left = [scale](std::int64_t all, double taken) {
     return static_cast<std::size_t>(std::max(16.0, (static_cast<double>(all) - taken) * scale));
@@ -329,18 +334,19 @@ PlotSize plot_pixels(const PlotArguments& a) {
   return {left(a.size[0], 170.0), left(a.size[1], 150.0)};
 }
 
-void take_look(const PlotArguments& a, DisplayQuantity usual, EchoWindow& window) {
+void take_look(const PlotArguments& a, picture::DisplayQuantity usual, picture::EchoWindow& window) {
   window.quantity = a.quantity.value_or(usual);
-  const ColourMapKind kind = kind_for(window.quantity);
-  window.map = a.map.value_or(kind == ColourMapKind::diverging ? (a.dark ? ColourMap::balance_dark : ColourMap::balance)
-                              : kind == ColourMapKind::cyclic  ? ColourMap::cycle
-                                                               : ColourMap::ocean);
+  const picture::ColourMapKind kind = picture::kind_for(window.quantity);
+  window.map = a.map.value_or(kind == picture::ColourMapKind::diverging
+                                  ? (a.dark ? picture::ColourMap::balance_dark : picture::ColourMap::balance)
+                              : kind == picture::ColourMapKind::cyclic ? picture::ColourMap::cycle
+                                                                       : picture::ColourMap::ocean);
   window.inverted = a.inverted;
-  window.draw_as = a.draw_as.value_or(DrawAs::automatic);
-  if (a.peak) window.pixel_rule = PixelRule::peak;
+  window.draw_as = a.draw_as.value_or(picture::DrawAs::automatic);
+  if (a.peak) window.pixel_rule = picture::PixelRule::peak;
   if (a.span_db) window.decibels.range_db = *a.span_db;
   if (a.percentile) window.limits.percentile = *a.percentile;
-  if (a.limits.size() == 2) window.limits = {LimitRule::Kind::manual, 100.0, a.limits[0], a.limits[1]};
+  if (a.limits.size() == 2) window.limits = {picture::LimitRule::Kind::manual, 100.0, a.limits[0], a.limits[1]};
 }
 
 Action add_plot(CLI::App& app) {

@@ -37,7 +37,7 @@ struct PlotArguments {
   // Which samples.
   std::string radar;
   std::optional<std::int64_t> simulation;
-  std::optional<Processing> processing;
+  std::optional<scene::Processing> processing;
   std::optional<double> rate_hz;
   std::vector<double> range_m;
   std::vector<double> time_s;
@@ -49,9 +49,9 @@ struct PlotArguments {
   bool recorded = false;
   bool screen = false;
   // What of them.
-  std::optional<DisplayQuantity> quantity;
-  std::optional<ProfileMean> mean;
-  std::optional<SpectrumWindow> window;
+  std::optional<picture::DisplayQuantity> quantity;
+  std::optional<picture::ProfileMean> mean;
+  std::optional<picture::SpectrumWindow> window;
   std::optional<std::int64_t> padding;
   bool wrapped = false;
   std::optional<std::int64_t> peaks;
@@ -59,8 +59,8 @@ struct PlotArguments {
   bool compare = false;
   std::vector<double> angles_deg;
   // How it looks.
-  std::optional<DrawAs> draw_as;
-  std::optional<ColourMap> map;
+  std::optional<picture::DrawAs> draw_as;
+  std::optional<picture::ColourMap> map;
   std::optional<double> span_db;
   std::optional<double> percentile;
   std::vector<double> limits;
@@ -76,15 +76,15 @@ struct PlotArguments {
 
 /// A figure and, where --csv asks for it, its values as text.
 struct Plotted {
-  Figure figure;
+  picture::Figure figure;
   std::string table;
 };
 
 /// What the axes, colour bar and titles leave of a picture of this size, about.
-[[nodiscard]] PlotSize plot_pixels(const PlotArguments& arguments);
+[[nodiscard]] picture::PlotSize plot_pixels(const PlotArguments& arguments);
 
 /// Quantity, colours, limits and draw-as into a window.
-void take_look(const PlotArguments& arguments, DisplayQuantity usual, EchoWindow& window);
+void take_look(const PlotArguments& arguments, picture::DisplayQuantity usual, picture::EchoWindow& window);
 
 /// Of a script; throws BadInput for what it does not have.
 [[nodiscard]] Plotted plot_scene(const PlotArguments& arguments, Streams& streams);

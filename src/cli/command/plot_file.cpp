@@ -23,68 +23,68 @@ namespace {
 
 // An image that a command of ours made: rows along the track, bursts, northings ... instead of pulses.
 struct FocusedPlaces {
-  ImagePlaces azimuth;
-  ImagePlaces range;
+  picture::ImagePlaces azimuth;
+  picture::ImagePlaces range;
   double azimuth_centre_per_m = 0.0;  // middles of the image's spectrum
   double range_centre_per_m = 0.0;
 };
 
 // What a file is, and where its samples are.
 struct Input {
-  std::shared_ptr<ImageSource> source;
+  std::shared_ptr<raster::ImageSource> source;
   std::optional<FocusedPlaces> focused;
-  std::optional<SampleAxes> axes;  // times, carriers and ranges; of the file or of its script
+  std::optional<raster::SampleAxes> axes;  // times, carriers and ranges; of the file or of its script
   double sample_rate_hz = 0.0;
 };
 
 // The header that says how a focused image is laid out, or nothing where there is none.
-std::optional<EnviHeader> focused_header(const std::string& path) {
+std::optional<raster::EnviHeader> focused_header(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
-  if ((ending != ".img" && ending != ".npy") || !has_envi_header(path)) return std::nullopt;
-  auto [image, problems] = EnviImage::open(path);
+  if ((ending != ".img" && ending != ".npy") || !raster::has_envi_header(path)) return std::nullopt;
+  auto [image, problems] = raster::EnviImage::open(path);
   if (!image) throw BadInput(std::move(problems));
   return image->header();
 }
 
 // Where the header says the places of an axis, or the numbers of its rows or columns.
-ImagePlaces places_said(const EnviHeader& header, const ImagePlaces& wanted, const std::string& key,
-                        const std::string& otherwise) {
-  const auto first = parse_number(header.field(key + " first " + wanted.unit).value_or(""));
-  const auto step = parse_number(header.field(key + " step " + wanted.unit).value_or(""));
+picture::ImagePlaces places_said(const raster::EnviHeader& header, const picture::ImagePlaces& wanted,
+                                 const std::string& key, const std::string& otherwise) {
+  const auto first = core::parse_number(header.field(key + " first " + wanted.unit).value_or(""));
+  const auto step = core::parse_number(header.field(key + " step " + wanted.unit).value_or(""));
   if (!first || !step || *step == 0.0) return {otherwise, ""};
   return {wanted.label, wanted.unit, *first, *step};
 }
 
 // Search pictures, range-Doppler maps and range profiles.
-FocusedPlaces places_of_product(const EnviHeader& header) {
+FocusedPlaces places_of_product(const raster::EnviHeader& header) {
   if (header.field("map") == "ppi")
     return {places_said(header, {"North", "m"}, "y", "Row"), places_said(header, {"East", "m"}, "x", "Column")};
-  const ImagePlaces range = places_said(header, {"Slant range", "m"}, "range", "Column");
+  const picture::ImagePlaces range = places_said(header, {"Slant range", "m"}, "range", "Column");
   if (!header.field("map")) return {{"Profile", "", 1.0}, range};
   if (header.field("intervals") != "1") return {{"Row of all maps", "", 1.0}, range};
-  ImagePlaces doppler = places_said(header, {"Doppler frequency", "hz"}, "doppler", "Row");
+  picture::ImagePlaces doppler = places_said(header, {"Doppler frequency", "hz"}, "doppler", "Row");
   if (doppler.unit == "hz") doppler.unit = "Hz";
   return {doppler, range};
 }
 
-FocusedPlaces places_of(const EnviHeader& header, const std::string& path) {
+FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& path) {
   if (!header.field("image plane")) return places_of_product(header);
-  FocusedImage image;
+  signal::FocusedImage image;
   ImageOrigin origin;
-  read_header(header, envi_header_of(path).string(), image, origin);
+  read_header(header, raster::envi_header_of(path).string(), image, origin);
   const bool turning = is_of_turning_target(origin);
   const char* along = turning ? "Cross-range" : "Azimuth";
-  const char* range = turning                                        ? "Along the line of sight"
-                      : image.frame.plane == ImagePlane::slant_range ? "Slant range"
-                                                                     : "Ground range";
+  const char* range = turning                                                ? "Along the line of sight"
+                      : image.frame.plane == signal::ImagePlane::slant_range ? "Slant range"
+                                                                             : "Ground range";
   return {{along, "m", image.azimuth.first_m, image.azimuth.step_m},
           {range, "m", image.range.first_m, image.range.step_m},
           image.azimuth.spectrum_centre_per_m,
           image.range.spectrum_centre_per_m};
 }
 
-SampleAxes axes_of(const Plan& plan) {
-  SampleAxes axes;
+raster::SampleAxes axes_of(const simulate::Plan& plan) {
+  raster::SampleAxes axes;
   for (std::size_t r = 0; r < plan.rows; ++r) {
     const std::int64_t pulse = plan.first_pulse_of_row(r);
     axes.row_time_s.push_back(plan.radar.repetition.send_time_s(pulse));
@@ -104,29 +104,29 @@ void expect_no_hints(const PlotArguments& a) {
 Input opened(const PlotArguments& a, Streams& streams) {
   Input input;
   const auto header = focused_header(a.input);
-  ImageHints hints;
+  raster::ImageHints hints;
   if (header) {
     expect_no_hints(a);
-    hints.raw = layout_of(*header);
+    hints.raw = picture::layout_of(*header);
     input.focused = places_of(*header, a.input);
   } else {
     hints.samples = hints_for(a.input, a.samples, a.simulation);
   }
-  OpenedImage opened = ImageSource::open(a.input, hints);
-  if (!opened.source) throw BadInput(ranked(std::move(opened.problems)));
-  print_problems(streams, ranked(std::move(opened.problems)));
+  raster::OpenedImage opened = raster::ImageSource::open(a.input, hints);
+  if (!opened.source) throw BadInput(core::ranked(std::move(opened.problems)));
+  print_problems(streams, core::ranked(std::move(opened.problems)));
   opened.source->wait_until_indexed(streams.stop);
   // A picture of a part of the rows would be taken for one of all.
-  Problems found = opened.source->problems();
-  if (has_errors(found)) throw BadInput(ranked(std::move(found)));
-  print_problems(streams, ranked(std::move(found)));
+  core::Problems found = opened.source->problems();
+  if (core::has_errors(found)) throw BadInput(core::ranked(std::move(found)));
+  print_problems(streams, core::ranked(std::move(found)));
   if (opened.source->rows() == 0 || opened.source->columns() == 0) throw BadInput(a.input + " holds no samples");
   input.source = std::move(opened.source);
   if (header) return input;
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !a.samples.script.empty()) {
-    const Plan plan = plan_of_file(a.input, a.samples.script, a.simulation);
+    const simulate::Plan plan = plan_of_file(a.input, a.samples.script, a.simulation);
     input.axes = axes_of(plan);
     input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   }
@@ -139,7 +139,7 @@ Input opened(const PlotArguments& a, Streams& streams) {
 // ---- Which part -------------------------------------------------------------------------------------------------
 
 // Rows or columns whose places are between two limits.
-IndexSpan between(const std::vector<double>& places, std::vector<double> limits, const char* option) {
+simulate::IndexSpan between(const std::vector<double>& places, std::vector<double> limits, const char* option) {
   if (limits.empty()) return {0, places.size()};
   std::ranges::sort(limits);
   const auto inside = [&](double place) { return place >= limits[0] && place <= limits[1]; };
@@ -151,7 +151,7 @@ IndexSpan between(const std::vector<double>& places, std::vector<double> limits,
   return {static_cast<std::size_t>(first - places.begin()), static_cast<std::size_t>(last - places.begin())};
 }
 
-std::vector<double> even_places(const ImagePlaces& places, std::size_t count) {
+std::vector<double> even_places(const picture::ImagePlaces& places, std::size_t count) {
   std::vector<double> list;
   for (std::size_t i = 0; i < count; ++i) list.push_back(places.first + places.step * static_cast<double>(i));
   return list;
@@ -166,8 +166,8 @@ bool has_times(const Input& input) {
 
 // The samples of a file, with the names of their places, cut to what --range, --time and --azimuth leave.
 struct Part {
-  IndexSpan rows;
-  IndexSpan columns;
+  simulate::IndexSpan rows;
+  simulate::IndexSpan columns;
   PlotSamples samples;
 };
 
@@ -216,28 +216,30 @@ std::vector<double> cut_out(const std::vector<double>& list, std::size_t begin, 
 }
 
 // Reads rows and columns of a part; outlives what it is made from.
-std::function<EchoBlock(IndexSpan, IndexSpan)> reader_of(const Input& input, const Part& part, double scale,
-                                                         const StopFlag* stop) {
-  return [input, part_rows = part.rows, part_columns = part.columns, row_place = part.samples.row_place,
-          column_place = part.samples.column_place, scale, stop](IndexSpan rows, IndexSpan columns) {
-    EchoBlock block;
-    block.rows = rows.end - rows.begin;
-    block.columns = columns.end - columns.begin;
-    block.time_s = cut_out(row_place, rows.begin, rows.end);
-    block.range_m = cut_out(column_place, columns.begin, columns.end);
-    const std::size_t first = part_rows.begin + rows.begin;
-    if (input.axes) block.carrier_hz = cut_out(input.axes->row_carrier_hz, first, first + block.rows);
-    block.sample_rate_hz = input.sample_rate_hz;
-    block.light_speed_mps = exact_light_speed_mps;
-    std::vector<std::complex<float>> read(block.rows * block.columns);
-    const ImageWindow window{first, block.rows, part_columns.begin + columns.begin, block.columns, 1, 1};
-    input.source->read_window(window, read, {thread_count(0), stop});
-    for (const std::complex<float>& sample : read) block.samples.push_back(scale * std::complex<double>(sample));
-    return block;
-  };
+std::function<picture::EchoBlock(simulate::IndexSpan, simulate::IndexSpan)> reader_of(const Input& input,
+                                                                                      const Part& part, double scale,
+                                                                                      const core::StopFlag* stop) {
+  return
+      [input, part_rows = part.rows, part_columns = part.columns, row_place = part.samples.row_place,
+       column_place = part.samples.column_place, scale, stop](simulate::IndexSpan rows, simulate::IndexSpan columns) {
+        picture::EchoBlock block;
+        block.rows = rows.end - rows.begin;
+        block.columns = columns.end - columns.begin;
+        block.time_s = cut_out(row_place, rows.begin, rows.end);
+        block.range_m = cut_out(column_place, columns.begin, columns.end);
+        const std::size_t first = part_rows.begin + rows.begin;
+        if (input.axes) block.carrier_hz = cut_out(input.axes->row_carrier_hz, first, first + block.rows);
+        block.sample_rate_hz = input.sample_rate_hz;
+        block.light_speed_mps = core::exact_light_speed_mps;
+        std::vector<std::complex<float>> read(block.rows * block.columns);
+        const raster::ImageWindow window{first, block.rows, part_columns.begin + columns.begin, block.columns, 1, 1};
+        input.source->read_window(window, read, {core::thread_count(0), stop});
+        for (const std::complex<float>& sample : read) block.samples.push_back(scale * std::complex<double>(sample));
+        return block;
+      };
 }
 
-Part chosen_part(const PlotArguments& a, const Input& input, const StopFlag* stop) {
+Part chosen_part(const PlotArguments& a, const Input& input, const core::StopFlag* stop) {
   expect_places(a, input);
   Part part;
   PlotSamples& samples = part.samples;
@@ -247,7 +249,7 @@ Part chosen_part(const PlotArguments& a, const Input& input, const StopFlag* sto
   part.columns = between(samples.column_place, a.range_m, "--range");
   samples.row_place = cut_out(samples.row_place, part.rows.begin, part.rows.end);
   samples.column_place = cut_out(samples.column_place, part.columns.begin, part.columns.end);
-  const ImageInfo& info = input.source->info();
+  const raster::ImageInfo& info = input.source->info();
   const double volts = info.counts ? info.lsb_v.value_or(0.0) : 1.0;
   if (!(volts > 0.0)) samples.look.unit = "counts";
   samples.read = reader_of(input, part, volts > 0.0 ? volts : 1.0, stop);
@@ -265,16 +267,16 @@ struct FineLine {
   std::vector<std::complex<double>> value;
 };
 
-FineLine fine_line(const Input& input, bool along_range, std::size_t number, const StopFlag* stop) {
-  const ImagePlaces& places = along_range ? input.focused->range : input.focused->azimuth;
+FineLine fine_line(const Input& input, bool along_range, std::size_t number, const core::StopFlag* stop) {
+  const picture::ImagePlaces& places = along_range ? input.focused->range : input.focused->azimuth;
   const double centre = along_range ? input.focused->range_centre_per_m : input.focused->azimuth_centre_per_m;
   const std::size_t count = along_range ? input.source->columns() : input.source->rows();
   std::vector<std::complex<float>> read(count);
   input.source->read_window(
-      along_range ? ImageWindow{number, 1, 0, count, 1, 1} : ImageWindow{0, count, number, 1, 1, 1}, read,
-      {thread_count(0), stop});
+      along_range ? raster::ImageWindow{number, 1, 0, count, 1, 1} : raster::ImageWindow{0, count, number, 1, 1, 1},
+      read, {core::thread_count(0), stop});
   FineLine line;
-  line.value = finer(std::vector<std::complex<double>>(read.begin(), read.end()), centre * places.step, finer_by);
+  line.value = core::finer(std::vector<std::complex<double>>(read.begin(), read.end()), centre * places.step, finer_by);
   // Behind the last sample the line would lead back to the first.
   line.value.resize((count - 1) * finer_by + 1);
   for (std::size_t i = 0; i < line.value.size(); ++i)
@@ -283,7 +285,7 @@ FineLine fine_line(const Input& input, bool along_range, std::size_t number, con
 }
 
 // Gives a cut the finer places of its line, inside the part.
-void make_finer(const PlotArguments& a, const Input& input, Part& part, const StopFlag* stop) {
+void make_finer(const PlotArguments& a, const Input& input, Part& part, const core::StopFlag* stop) {
   const bool along_range = a.kind == PlotKind::pulse;
   PlotSamples& samples = part.samples;
   const std::size_t first_line = along_range ? part.rows.begin : part.columns.begin;
@@ -297,11 +299,11 @@ void make_finer(const PlotArguments& a, const Input& input, Part& part, const St
   std::ranges::copy_if(all.place, std::back_inserter(kept), inside);
   places = std::move(kept);
   samples.read = [input, along_range, first_line, first, rows_at = samples.row_place, columns_at = samples.column_place,
-                  stop](IndexSpan rows, IndexSpan columns) {
+                  stop](simulate::IndexSpan rows, simulate::IndexSpan columns) {
     const std::size_t number = first_line + (along_range ? rows.begin : columns.begin);
-    const IndexSpan span = along_range ? columns : rows;
+    const simulate::IndexSpan span = along_range ? columns : rows;
     const FineLine line = fine_line(input, along_range, number, stop);
-    EchoBlock block;
+    picture::EchoBlock block;
     block.rows = rows.end - rows.begin;
     block.columns = columns.end - columns.begin;
     block.time_s = cut_out(rows_at, rows.begin, rows.end);
@@ -312,11 +314,11 @@ void make_finer(const PlotArguments& a, const Input& input, Part& part, const St
   };
 }
 
-Plotted picture(const PlotArguments& a, const Input& input, const Part& part, const StopFlag* stop) {
+Plotted picture(const PlotArguments& a, const Input& input, const Part& part, const core::StopFlag* stop) {
   if (!a.csv.empty()) throw BadInput("the picture of a file has no table", "sarsim convert gives its values as CSV");
-  EchoWindow look;
-  take_look(a, DisplayQuantity::magnitude, look);
-  ImageLook wanted;
+  picture::EchoWindow look;
+  take_look(a, picture::DisplayQuantity::magnitude, look);
+  picture::ImageLook wanted;
   wanted.first_row = part.rows.begin;
   wanted.rows = part.rows.end - part.rows.begin;
   wanted.first_column = part.columns.begin;
@@ -336,12 +338,12 @@ Plotted picture(const PlotArguments& a, const Input& input, const Part& part, co
     const auto even = [](const char* label, const char* unit, const std::vector<double>& places) {
       const double step =
           places.size() < 2 ? 1.0 : (places.back() - places.front()) / static_cast<double>(places.size() - 1);
-      return ImagePlaces{label, unit, places.front(), step};
+      return picture::ImagePlaces{label, unit, places.front(), step};
     };
     wanted.row_places = even("Azimuth time", "s", input.axes->row_time_s);
     wanted.column_places = even("Slant range", "m", input.axes->column_range_m);
   }
-  return {image_figure(*input.source, wanted, plot_pixels(a), {0, stop}), {}};
+  return {picture::image_figure(*input.source, wanted, plot_pixels(a), {0, stop}), {}};
 }
 
 }  // namespace
@@ -354,7 +356,7 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   Part part = chosen_part(a, input, streams.stop);
   if (a.kind == PlotKind::picture) return picture(a, input, part, streams.stop);
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
-  const bool complex = input.source->info().value == ImageValue::complex;
+  const bool complex = input.source->info().value == raster::ImageValue::complex;
   if (input.focused && cut && complex && !a.recorded) {
     make_finer(a, input, part, streams.stop);
     // So many rows, with what lies between them.

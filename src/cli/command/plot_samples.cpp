@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_samples = std::size_t{1} << 25U;
 
 // The place nearest to the wanted one; the middle where none is wanted.
-std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted, const CutPlaces& names) {
+std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted, const picture::CutPlaces& names) {
   if (!wanted) return places.size() / 2;
   const auto [low, high] = std::ranges::minmax(places);
   const double spacing = places.size() < 2 ? 1.0 : (high - low) / static_cast<double>(places.size() - 1);
@@ -27,18 +27,18 @@ std::size_t nearest(const std::vector<double>& places, std::optional<double> wan
 }
 
 // So many rows about the chosen one, moved so that they are there; all where nothing is chosen.
-IndexSpan burst(const PlotArguments& a, std::size_t row, std::size_t rows) {
+simulate::IndexSpan burst(const PlotArguments& a, std::size_t row, std::size_t rows) {
   const auto count = a.pulses ? std::min(static_cast<std::size_t>(*a.pulses), rows) : rows;
   const std::size_t begin = std::min(row - std::min(row, count / 2), rows - count);
   return {begin, begin + count};
 }
 
-RadarViewChoice choice_of(const PlotArguments& a) {
-  RadarViewChoice choice;
-  choice.mean = a.mean.value_or(ProfileMean::power);
-  choice.window = a.window.value_or(SpectrumWindow::hann);
+picture::RadarViewChoice choice_of(const PlotArguments& a) {
+  picture::RadarViewChoice choice;
+  choice.mean = a.mean.value_or(picture::ProfileMean::power);
+  choice.window = a.window.value_or(picture::SpectrumWindow::hann);
   choice.padding = static_cast<std::size_t>(a.padding.value_or(1));
-  choice.decibels = a.quantity.value_or(DisplayQuantity::decibels) == DisplayQuantity::decibels;
+  choice.decibels = a.quantity.value_or(picture::DisplayQuantity::decibels) == picture::DisplayQuantity::decibels;
   choice.unwrapped = !a.wrapped;
   choice.range_db = a.span_db.value_or(60.0);
   return choice;
@@ -47,19 +47,21 @@ RadarViewChoice choice_of(const PlotArguments& a) {
 void expect_quantity(const PlotArguments& a) {
   const bool levels = a.kind == PlotKind::profile || a.kind == PlotKind::spectrum;
   if (!a.quantity || a.kind == PlotKind::pulse || a.kind == PlotKind::range) return;
-  if (levels && (*a.quantity == DisplayQuantity::decibels || *a.quantity == DisplayQuantity::magnitude)) return;
-  if (a.kind == PlotKind::range_doppler && *a.quantity == DisplayQuantity::decibels) return;
-  if (a.kind == PlotKind::phase && *a.quantity == DisplayQuantity::phase) return;
-  throw BadInput(fmt::format("--show: {} is not shown by this kind of plot", title_of(*a.quantity)),
+  if (levels &&
+      (*a.quantity == picture::DisplayQuantity::decibels || *a.quantity == picture::DisplayQuantity::magnitude))
+    return;
+  if (a.kind == PlotKind::range_doppler && *a.quantity == picture::DisplayQuantity::decibels) return;
+  if (a.kind == PlotKind::phase && *a.quantity == picture::DisplayQuantity::phase) return;
+  throw BadInput(fmt::format("--show: {} is not shown by this kind of plot", picture::title_of(*a.quantity)),
                  levels                              ? "profiles and spectra are shown as magnitude or db"
                  : a.kind == PlotKind::range_doppler ? "range-Doppler maps are shown in db"
                                                      : "phase histories are shown as phase");
 }
 
 // Counts are no volts: the words that figures of volts have are exchanged.
-void say_unit(Figure& figure, const std::string& unit) {
+void say_unit(picture::Figure& figure, const std::string& unit) {
   if (unit == "V") return;
-  for (FigurePanel& panel : figure.panels) {
+  for (picture::FigurePanel& panel : figure.panels) {
     if (panel.y.unit == "V") panel.y.unit = unit;
     if (panel.y.unit == "W/Hz") panel.y.unit = unit + "^2/Hz";
     if (panel.y.label == "Level above 1 V") panel.y.label = "Level above 1 " + unit;
@@ -67,7 +69,8 @@ void say_unit(Figure& figure, const std::string& unit) {
   }
 }
 
-EchoBlock read_block(const PlotSamples& samples, IndexSpan rows, IndexSpan columns, std::size_t times) {
+picture::EchoBlock read_block(const PlotSamples& samples, simulate::IndexSpan rows, simulate::IndexSpan columns,
+                              std::size_t times) {
   const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
   if (count * static_cast<double>(times) > static_cast<double>(most_samples))
     throw BadInput(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
@@ -76,16 +79,16 @@ EchoBlock read_block(const PlotSamples& samples, IndexSpan rows, IndexSpan colum
   return samples.read(rows, columns);
 }
 
-Figure radar_view(const PlotArguments& a, const PlotSamples& samples, std::size_t row, std::size_t column) {
-  const RadarViewChoice choice = choice_of(a);
-  const IndexSpan all{0, samples.column_place.size()};
-  const IndexSpan rows = burst(a, row, samples.row_place.size());
+picture::Figure radar_view(const PlotArguments& a, const PlotSamples& samples, std::size_t row, std::size_t column) {
+  const picture::RadarViewChoice choice = choice_of(a);
+  const simulate::IndexSpan all{0, samples.column_place.size()};
+  const simulate::IndexSpan rows = burst(a, row, samples.row_place.size());
   switch (a.kind) {
-    case PlotKind::profile: return range_profile_figure(read_block(samples, rows, all, 1), choice);
+    case PlotKind::profile: return picture::range_profile_figure(read_block(samples, rows, all, 1), choice);
     case PlotKind::range_doppler:
-      return range_doppler_figure(read_block(samples, rows, all, choice.padding), column, choice);
-    case PlotKind::spectrum: return spectrum_figure(read_block(samples, {row, row + 1}, all, 1), 0, choice);
-    default: return phase_figure(read_block(samples, rows, {column, column + 1}, 1), 0, choice);
+      return picture::range_doppler_figure(read_block(samples, rows, all, choice.padding), column, choice);
+    case PlotKind::spectrum: return picture::spectrum_figure(read_block(samples, {row, row + 1}, all, 1), 0, choice);
+    default: return picture::phase_figure(read_block(samples, rows, {column, column + 1}, 1), 0, choice);
   }
 }
 
@@ -110,16 +113,18 @@ Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
   const std::size_t column = nearest(samples.column_place, a.at_m, samples.look.columns);
   Plotted plotted;
   if (a.kind == PlotKind::pulse || a.kind == PlotKind::range) {
-    CutLook look = samples.look;
+    picture::CutLook look = samples.look;
     look.quantity = a.quantity.value_or(look.quantity);
     look.span_db = a.span_db.value_or(look.span_db);
     look.peaks = static_cast<std::size_t>(a.peaks.value_or(0));
     const bool pulse = a.kind == PlotKind::pulse;
-    const IndexSpan rows = pulse ? IndexSpan{row, row + 1} : burst(a, row, samples.row_place.size());
-    const IndexSpan columns = pulse ? IndexSpan{0, samples.column_place.size()} : IndexSpan{column, column + 1};
-    const EchoBlock block = read_block(samples, rows, columns, 1);
-    plotted.figure = pulse ? row_figure(block, 0, look) : column_figure(block, 0, look);
-    if (!a.csv.empty()) plotted.table = sample_table(block, look, !pulse, pulse, ',');
+    const simulate::IndexSpan rows =
+        pulse ? simulate::IndexSpan{row, row + 1} : burst(a, row, samples.row_place.size());
+    const simulate::IndexSpan columns =
+        pulse ? simulate::IndexSpan{0, samples.column_place.size()} : simulate::IndexSpan{column, column + 1};
+    const picture::EchoBlock block = read_block(samples, rows, columns, 1);
+    plotted.figure = pulse ? picture::row_figure(block, 0, look) : picture::column_figure(block, 0, look);
+    if (!a.csv.empty()) plotted.table = picture::sample_table(block, look, !pulse, pulse, ',');
     return plotted;
   }
   if (!samples.timed)
@@ -127,7 +132,7 @@ Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
                    "name the script that wrote it with --script, or use an HDF5 file");
   plotted.figure = radar_view(a, samples, row, column);
   say_unit(plotted.figure, samples.look.unit);
-  if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');
+  if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }
 

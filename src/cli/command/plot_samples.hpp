@@ -13,9 +13,9 @@ namespace sarsim::cli {
 struct PlotSamples {
   std::vector<double> row_place;     ///< Time of each row; azimuth or number, where `look.rows` says so.
   std::vector<double> column_place;  ///< Range of each column, or its number.
-  CutLook look;                      ///< Names of the places and unit of the samples.
+  picture::CutLook look;             ///< Names of the places and unit of the samples.
   bool timed = true;                 ///< Rows have times, columns ranges, and the carriers are known.
-  std::function<EchoBlock(IndexSpan rows, IndexSpan columns)> read;
+  std::function<picture::EchoBlock(simulate::IndexSpan rows, simulate::IndexSpan columns)> read;
 };
 
 /// Whether a kind is made of samples by `plot_samples`.

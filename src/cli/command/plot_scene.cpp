@@ -24,7 +24,7 @@ namespace {
 
 // ---- Which samples ----------------------------------------------------------------------------------------------
 
-Simulation chosen_simulation(const PlotArguments& a, const Scene& scene) {
+scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& scene) {
   if (a.simulation) {
     const auto number = static_cast<std::size_t>(*a.simulation);
     if (number > scene.simulations.size())
@@ -36,34 +36,34 @@ Simulation chosen_simulation(const PlotArguments& a, const Scene& scene) {
   }
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
   if (scene.radars.empty()) throw BadInput(a.input + ": the script has no radar", "add a $RADAR");
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = scene.radars[a.radar.empty() ? 0 : radar_named(scene, a.radar)].name;
   return simulation;
 }
 
-EchoWindow chosen_window(const PlotArguments& a, const Scene& scene, bool& show_all) {
-  const Simulation simulation = chosen_simulation(a, scene);
-  EchoWindow window = window_of(simulation);
+picture::EchoWindow chosen_window(const PlotArguments& a, const scene::Scene& scene, bool& show_all) {
+  const scene::Simulation simulation = chosen_simulation(a, scene);
+  picture::EchoWindow window = picture::window_of(simulation);
   const bool stored = simulation.sample_rate_hz > 0.0;
   show_all = !stored && a.range_m.empty();
-  if (!stored) window = new_echo_window(simulation.radar, a.processing.value_or(Processing::raw));
+  if (!stored) window = picture::new_echo_window(simulation.radar, a.processing.value_or(scene::Processing::raw));
   if (a.processing) window.recording.processing = *a.processing;
-  if (a.screen) window.sampling.kind = Sampling::Kind::screen;
+  if (a.screen) window.sampling.kind = picture::Sampling::Kind::screen;
   if (a.rate_hz) {
-    window.sampling = {Sampling::Kind::rate, *a.rate_hz, 1.0};
+    window.sampling = {picture::Sampling::Kind::rate, *a.rate_hz, 1.0};
     window.recording.sample_rate_hz = *a.rate_hz;
   }
-  EchoView view = view_of(window);
+  picture::EchoView view = picture::view_of(window);
   if (!a.range_m.empty()) std::tie(view.range_start_m, view.range_end_m) = std::pair(a.range_m[0], a.range_m[1]);
   if (!a.time_s.empty()) std::tie(view.time_start_s, view.time_end_s) = std::pair(a.time_s[0], a.time_s[1]);
-  set_view(window, mended(view));
-  take_look(a, DisplayQuantity::real, window);
+  picture::set_view(window, picture::mended(view));
+  take_look(a, picture::DisplayQuantity::real, window);
   return window;
 }
 
 // What is wrong with the recording, with the options that stand in for its values.
-BadInput with_options(Problems problems) {
-  for (Problem& problem : problems) {
+BadInput with_options(core::Problems problems) {
+  for (core::Problem& problem : problems) {
     const std::string& field = problem.subject.field;
     const bool sampled = field.starts_with("range") || field.starts_with("sample_rate");
     if (!sampled && !field.starts_with("time")) continue;
@@ -74,12 +74,14 @@ BadInput with_options(Problems problems) {
 }
 
 // The echo matrix of a window, as a simulation window computes it.
-std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const StopFlag* stop) {
+std::shared_ptr<const picture::EchoMatrix> computed(const picture::PreviewRequest& request,
+                                                    const core::StopFlag* stop) {
   std::mutex lock;
   std::condition_variable changed;
-  std::optional<PreviewEvent> end;
-  Preview preview([&](const PreviewEvent& event) {
-    if (event.kind != PreviewEvent::Kind::finished && event.kind != PreviewEvent::Kind::failed) return;
+  std::optional<picture::PreviewEvent> end;
+  picture::Preview preview([&](const picture::PreviewEvent& event) {
+    if (event.kind != picture::PreviewEvent::Kind::finished && event.kind != picture::PreviewEvent::Kind::failed)
+      return;
     const std::scoped_lock hold(lock);
     end = event;
     changed.notify_all();
@@ -89,15 +91,15 @@ std::shared_ptr<const EchoMatrix> computed(const PreviewRequest& request, const 
     std::unique_lock hold(lock);
     while (!end) {
       changed.wait_for(hold, std::chrono::milliseconds(50));
-      if (stop != nullptr && stop->requested()) throw Interrupted();
+      if (stop != nullptr && stop->requested()) throw core::Interrupted();
     }
   }
-  if (end->kind == PreviewEvent::Kind::failed) throw with_options(std::move(end->problems));
+  if (end->kind == picture::PreviewEvent::Kind::failed) throw with_options(std::move(end->problems));
   return end->matrix;
 }
 
-EchoBlock block_of(const EchoMatrix& matrix) {
-  EchoBlock block;
+picture::EchoBlock block_of(const picture::EchoMatrix& matrix) {
+  picture::EchoBlock block;
   block.rows = matrix.rows();
   block.columns = matrix.columns();
   for (std::size_t r = 0; r < block.rows; ++r) {
@@ -110,25 +112,25 @@ EchoBlock block_of(const EchoMatrix& matrix) {
 
 constexpr std::size_t samples_per_pixel = 4;  // of curves
 
-Plotted picture(const PlotArguments& a, const Scene& scene, const StopFlag* stop) {
+Plotted picture(const PlotArguments& a, const scene::Scene& scene, const core::StopFlag* stop) {
   bool show_all = false;
-  const EchoWindow window = chosen_window(a, scene, show_all);
+  const picture::EchoWindow window = chosen_window(a, scene, show_all);
   // One sample of many shows as much on the screen's grid, unless those in between or the very values are wanted.
   const bool exact = a.rate_hz || a.peak || !a.csv.empty();
-  PreviewRequest request{std::make_shared<Scene>(scene),
-                         window,
-                         plot_pixels(a),
-                         Engine::automatic,
-                         show_all,
-                         exact ? LongRows::computed : LongRows::by_screen};
+  picture::PreviewRequest request{std::make_shared<scene::Scene>(scene),
+                                  window,
+                                  plot_pixels(a),
+                                  simulate::Engine::automatic,
+                                  show_all,
+                                  exact ? picture::LongRows::computed : picture::LongRows::by_screen};
   auto matrix = computed(request, stop);
   // Curves show what lies between the pixels of a chirp.
-  if (!a.screen && drawn_as(window, *matrix) == DrawAs::curves_per_pulse) {
+  if (!a.screen && picture::drawn_as(window, *matrix) == picture::DrawAs::curves_per_pulse) {
     request.size.width_px *= samples_per_pixel;
     matrix = computed(request, stop);
   }
-  Plotted plotted{echo_figure(*matrix, window), {}};
-  if (!a.csv.empty()) plotted.table = sample_table(block_of(*matrix), {}, true, true, ',');
+  Plotted plotted{picture::echo_figure(*matrix, window), {}};
+  if (!a.csv.empty()) plotted.table = picture::sample_table(block_of(*matrix), {}, true, true, ',');
   return plotted;
 }
 
@@ -136,53 +138,56 @@ Plotted picture(const PlotArguments& a, const Scene& scene, const StopFlag* stop
 
 // Every range at which something can answer: two pulses before the nearest target to two behind the farthest, as in a
 // new window.
-void show_all_targets(const Scene& scene, EchoWindow& window, const StopFlag* stop) {
-  EchoWindow asked = window;
-  asked.sampling.kind = Sampling::Kind::screen;
-  const auto matrix = computed({std::make_shared<Scene>(scene), asked, {16, 16}, Engine::automatic, true}, stop);
-  set_view(window, view_of(matrix->window()));
+void show_all_targets(const scene::Scene& scene, picture::EchoWindow& window, const core::StopFlag* stop) {
+  picture::EchoWindow asked = window;
+  asked.sampling.kind = picture::Sampling::Kind::screen;
+  const auto matrix =
+      computed({std::make_shared<scene::Scene>(scene), asked, {16, 16}, simulate::Engine::automatic, true}, stop);
+  picture::set_view(window, picture::view_of(matrix->window()));
 }
 
-std::shared_ptr<const Plan> chosen_plan(const PlotArguments& a, SceneInput& input, const StopFlag* stop) {
+std::shared_ptr<const simulate::Plan> chosen_plan(const PlotArguments& a, SceneInput& input,
+                                                  const core::StopFlag* stop) {
   bool show_all = false;
-  EchoWindow window = chosen_window(a, input.scene, show_all);
+  picture::EchoWindow window = chosen_window(a, input.scene, show_all);
   if (show_all) show_all_targets(input.scene, window, stop);
-  resolve_once(input, {thread_count(0), stop});
-  PlotSize size = plot_pixels(a);
+  resolve_once(input, {core::thread_count(0), stop});
+  picture::PlotSize size = plot_pixels(a);
   // Cuts are smooth; a profile, spectrum or phase is of the samples that a run saves.
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
   const bool smooth = a.screen || (cut && !a.recorded);
   if (!smooth) size.width_px = 1;
   if (smooth && !a.screen) size.width_px *= samples_per_pixel;
-  if (!smooth && window.sampling.kind == Sampling::Kind::screen) window.sampling = {Sampling::Kind::multiple, 0.0, 1.0};
-  ShownPlan planned =
-      plan_shown(input.scene, input.resolved, window, size, Engine::automatic, LongRows::computed, stop);
+  if (!smooth && window.sampling.kind == picture::Sampling::Kind::screen)
+    window.sampling = {picture::Sampling::Kind::multiple, 0.0, 1.0};
+  picture::ShownPlan planned = picture::plan_shown(input.scene, input.resolved, window, size,
+                                                   simulate::Engine::automatic, picture::LongRows::computed, stop);
   if (!planned.plan) throw with_options(std::move(planned.problems));
   return planned.plan;
 }
 
-Plotted of_samples(const PlotArguments& a, SceneInput& input, const StopFlag* stop) {
+Plotted of_samples(const PlotArguments& a, SceneInput& input, const core::StopFlag* stop) {
   const auto plan = chosen_plan(a, input, stop);
   PlotSamples samples;
-  samples.look.quantity = DisplayQuantity::real;
+  samples.look.quantity = picture::DisplayQuantity::real;
   samples.column_place = plan->column_range_m;
   for (std::size_t r = 0; r < plan->rows; ++r)
     samples.row_place.push_back(plan->radar.repetition.send_time_s(plan->first_pulse_of_row(r)));
-  samples.read = [plan, stop](IndexSpan rows, IndexSpan columns) {
-    return echo_block(*plan, rows, columns, {thread_count(0), stop});
+  samples.read = [plan, stop](simulate::IndexSpan rows, simulate::IndexSpan columns) {
+    return picture::echo_block(*plan, rows, columns, {core::thread_count(0), stop});
   };
   return plot_samples(a, samples);
 }
 
 // ---- Antennas, pulses, functions --------------------------------------------------------------------------------
 
-std::size_t chosen_radar(const PlotArguments& a, const Scene& scene) {
+std::size_t chosen_radar(const PlotArguments& a, const scene::Scene& scene) {
   if (!a.radar.empty() || scene.radars.empty()) return radar_named(scene, a.radar);
   return radar_named(scene, chosen_simulation(a, scene).radar);
 }
 
 // Offsets repeat after a turn.
-void take_angles(const PlotArguments& a, AntennaLook& look) {
+void take_angles(const PlotArguments& a, picture::AntennaLook& look) {
   constexpr double turn_deg = 360.0;
   if (a.angles_deg.size() != 2) return;
   std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
@@ -192,53 +197,54 @@ void take_angles(const PlotArguments& a, AntennaLook& look) {
   if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
 }
 
-Plotted of_radar(const PlotArguments& a, SceneInput& input, const StopFlag* stop) {
+Plotted of_radar(const PlotArguments& a, SceneInput& input, const core::StopFlag* stop) {
   const std::size_t number = chosen_radar(a, input.scene);
-  resolve_once(input, {thread_count(0), stop});
-  const ResolvedRadar radar = resolve_radar(input.scene, *input.resolved, number);
+  resolve_once(input, {core::thread_count(0), stop});
+  const simulate::ResolvedRadar radar = simulate::resolve_radar(input.scene, *input.resolved, number);
   Plotted plotted;
   if (a.kind == PlotKind::sent) {
-    plotted.figure = sent_pulse_figure(radar.pulse, a.span_db.value_or(60.0));
+    plotted.figure = picture::sent_pulse_figure(radar.pulse, a.span_db.value_or(60.0));
   } else {
-    AntennaLook look;
+    picture::AntennaLook look;
     look.quantity = a.quantity.value_or(look.quantity);
     look.span_db = a.span_db.value_or(look.span_db);
-    if (look.quantity == DisplayQuantity::imaginary || look.quantity == DisplayQuantity::phase)
+    if (look.quantity == picture::DisplayQuantity::imaginary || look.quantity == picture::DisplayQuantity::phase)
       throw BadInput("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
     take_angles(a, look);
-    plotted.figure = antenna_figure(radar, input.resolved->conventions.pattern, look);
+    plotted.figure = picture::antenna_figure(radar, input.resolved->conventions.pattern, look);
   }
-  if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');
+  if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }
 
 // A user-defined function that a script uses.
 struct UsedFunction {
-  AnyObject object;
+  scene::AnyObject object;
   std::string name;   ///< "Plane:trajectory_m"
   std::string field;  ///< "trajectory_m"
 };
 
-std::vector<UsedFunction> used_functions(const Scene& scene) {
+std::vector<UsedFunction> used_functions(const scene::Scene& scene) {
   std::vector<UsedFunction> used;
-  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::radar, ObjectKind::target})
-    for (std::size_t i = 0; i < count_of(scene, kind); ++i) {
-      const AnyObject object = object_of(scene, {kind, i});
+  for (const scene::ObjectKind kind :
+       {scene::ObjectKind::platform, scene::ObjectKind::radar, scene::ObjectKind::target})
+    for (std::size_t i = 0; i < scene::count_of(scene, kind); ++i) {
+      const scene::AnyObject object = scene::object_of(scene, {kind, i});
       const std::string name =
-          kind == ObjectKind::target ? fmt::format("target:{}", i + 1) : label_of(scene, {kind, i});
-      for (const Field& field : fields_of(kind))
-        if (field.kind == FieldKind::function && field_applies(object, field.id))
+          kind == scene::ObjectKind::target ? fmt::format("target:{}", i + 1) : scene::label_of(scene, {kind, i});
+      for (const scene::Field& field : scene::fields_of(kind))
+        if (field.kind == scene::FieldKind::function && scene::field_applies(object, field.id))
           used.push_back({object, name + ":" + field.id, field.id});
     }
   return used;
 }
 
 bool begins_with(std::string_view text, std::string_view beginning) {
-  return text.size() >= beginning.size() && equal_ignoring_case(text.substr(0, beginning.size()), beginning);
+  return text.size() >= beginning.size() && core::equal_ignoring_case(text.substr(0, beginning.size()), beginning);
 }
 
 // By its whole name, the beginning of it, or the same of the field alone.
-UsedFunction chosen_function(const PlotArguments& a, const Scene& scene) {
+UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) {
   std::vector<UsedFunction> all = used_functions(scene);
   if (all.empty())
     throw BadInput(a.input + ": the script uses no user-defined function", "trajectories and user patterns are some");
@@ -246,8 +252,8 @@ UsedFunction chosen_function(const PlotArguments& a, const Scene& scene) {
   for (const UsedFunction& one : all)
     if (begins_with(one.name, a.function) || begins_with(one.field, a.function)) found.push_back(one);
   if (found.size() == 1) return found[0];
-  const auto whole =
-      std::ranges::find_if(found, [&](const UsedFunction& one) { return equal_ignoring_case(one.name, a.function); });
+  const auto whole = std::ranges::find_if(
+      found, [&](const UsedFunction& one) { return core::equal_ignoring_case(one.name, a.function); });
   if (whole != found.end()) return *whole;
   std::string names;
   for (const UsedFunction& one : found.empty() ? all : found) names += (names.empty() ? "" : ", ") + one.name;
@@ -260,10 +266,10 @@ UsedFunction chosen_function(const PlotArguments& a, const Scene& scene) {
 Plotted of_function(const PlotArguments& a, const SceneInput& input) {
   const UsedFunction function = chosen_function(a, input.scene);
   Plotted plotted;
-  plotted.figure =
-      function_figure(function_info(function.object, function.field), function_of(function.object, function.field),
-                      conventions_of(input.scene.options.profile).low_pass, a.compare);
-  if (!a.csv.empty()) plotted.table = curves_table(plotted.figure, ',');
+  plotted.figure = picture::function_figure(scene::function_info(function.object, function.field),
+                                            scene::function_of(function.object, function.field),
+                                            simulate::conventions_of(input.scene.options.profile).low_pass, a.compare);
+  if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }
 

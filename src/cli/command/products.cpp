@@ -18,20 +18,20 @@ std::vector<ProductJob> all_products(const OutputNames& names) {
   return jobs;
 }
 
-const std::string& scripted_name(const Scene& scene, const ProductJob& job) {
+const std::string& scripted_name(const scene::Scene& scene, const ProductJob& job) {
   return job.table ? scene.geometries[job.index].file : scene.simulations[job.index].file;
 }
 
-bool is_called(const Scene& scene, const ProductJob& job, const std::string& word) {
+bool is_called(const scene::Scene& scene, const ProductJob& job, const std::string& word) {
   const std::string& name = scripted_name(scene, job);
-  return equal_ignoring_case(name, word) || equal_ignoring_case(base_name(name), word) || job.path == word ||
-         job.path.filename() == word;
+  return core::equal_ignoring_case(name, word) || core::equal_ignoring_case(base_name(name), word) ||
+         job.path == word || job.path.filename() == word;
 }
 
-[[noreturn]] void refuse(const Scene& scene, const std::vector<ProductJob>& jobs, const std::string& word) {
+[[noreturn]] void refuse(const scene::Scene& scene, const std::vector<ProductJob>& jobs, const std::string& word) {
   std::vector<std::string> names;
   for (const ProductJob& job : jobs) names.push_back(base_name(scripted_name(scene, job)));
-  const std::string nearest = nearest_word(word, names);
+  const std::string nearest = core::nearest_word(word, names);
   const std::size_t count = scene.simulations.size();
   std::string hint = count == 0
                          ? "the script has no simulation"
@@ -42,13 +42,13 @@ bool is_called(const Scene& scene, const ProductJob& job, const std::string& wor
 
 }  // namespace
 
-std::vector<ProductJob> chosen_products(const Scene& scene, const OutputNames& names,
+std::vector<ProductJob> chosen_products(const scene::Scene& scene, const OutputNames& names,
                                         const std::vector<std::string>& words) {
   const std::vector<ProductJob> jobs = all_products(names);
   if (words.empty()) return jobs;
   std::vector<bool> chosen(jobs.size(), false);
   for (const std::string& word : words) {
-    const auto number = parse_integer(word);
+    const auto number = core::parse_integer(word);
     bool any = false;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       const bool numbered = number && !jobs[i].table && static_cast<std::int64_t>(jobs[i].index) + 1 == *number;

@@ -7,8 +7,8 @@
 namespace sarsim::cli {
 namespace {
 
-Scene three_products() {
-  Scene scene;
+scene::Scene three_products() {
+  scene::Scene scene;
   scene.simulations.resize(2);
   scene.simulations[0].file = "first.asc";
   scene.simulations[1].file = "c:\\old\\second.asc";
@@ -18,7 +18,7 @@ Scene three_products() {
 }
 
 std::vector<ProductJob> chosen(const std::vector<std::string>& words) {
-  const Scene scene = three_products();
+  const scene::Scene scene = three_products();
   return chosen_products(scene, output_names(scene, {}), words);
 }
 

@@ -23,27 +23,27 @@ namespace {
 
 constexpr int count_bits = 16;
 
-void look_at(const StopFlag* stop) {
-  if (stop != nullptr && stop->requested()) throw Interrupted();
+void look_at(const core::StopFlag* stop) {
+  if (stop != nullptr && stop->requested()) throw core::Interrupted();
 }
 
-EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& origin) {
-  EnviHeader header;
+raster::EnviHeader header_of(const workflow::ProfileSeries& series, const ProfileOrigin& origin) {
+  raster::EnviHeader header;
   header.samples = series.axis.count;
   header.lines = series.rows.size();
   header.description = fmt::format("Synthetic range profiles by sarsim {}: lines are {}, samples are slant ranges",
-                                   program_version, origin.set);
+                                   core::program_version, origin.set);
   std::string times;
-  for (const ProfileRow& row : series.rows) {
+  for (const workflow::ProfileRow& row : series.rows) {
     if (!times.empty()) times += ", ";
-    append_number(times, row.time_s);
+    core::append_number(times, row.time_s);
   }
-  header.fields = {{"range first m", format_number(series.axis.first_m)},
-                   {"range step m", format_number(series.axis.step_m)},
+  header.fields = {{"range first m", core::format_number(series.axis.first_m)},
+                   {"range step m", core::format_number(series.axis.step_m)},
                    {"time s", times},
-                   {"carrier hz", format_number(series.centre_hz)},
-                   {"bandwidth hz", format_number(series.band_hz)},
-                   {"light speed mps", format_number(origin.light_speed_mps)},
+                   {"carrier hz", core::format_number(series.centre_hz)},
+                   {"bandwidth hz", core::format_number(series.band_hz)},
+                   {"light speed mps", core::format_number(origin.light_speed_mps)},
                    {"source", origin.source},
                    {"script", origin.script},
                    {"simulation", fmt::format("{}", origin.simulation + 1)},
@@ -52,9 +52,9 @@ EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   return header;
 }
 
-void write_envi(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
-                const StopFlag* stop) {
-  EnviWriter writer(path, header_of(series, origin), replace);
+void write_envi(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
+                const core::StopFlag* stop) {
+  raster::EnviWriter writer(path, header_of(series, origin), replace);
   std::vector<std::complex<float>> row(series.axis.count);
   for (std::size_t r = 0; r < series.rows.size(); ++r) {
     look_at(stop);
@@ -64,43 +64,43 @@ void write_envi(const ProfileSeries& series, const ProfileOrigin& origin, const 
   writer.finish();
 }
 
-std::string column_name(const ProfileRow& row, const std::string& set) {
+std::string column_name(const workflow::ProfileRow& row, const std::string& set) {
   if (set == "encounter") return "encounter_v";
   if (set == "scans") return fmt::format("scan_{}_v", row.scan + 1);
   return fmt::format("burst_{}_v", row.burst + 1);
 }
 
-void write_csv(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
-               const StopFlag* stop) {
-  OutputFile file(path, replace);
+void write_csv(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
+               const core::StopFlag* stop) {
+  core::OutputFile file(path, replace);
   const auto put = [&file](const std::string& text) { file.write(std::as_bytes(std::span(text))); };
   std::string line = "range_m";
-  for (const ProfileRow& row : series.rows) {
+  for (const workflow::ProfileRow& row : series.rows) {
     line += ',';
     line += column_name(row, origin.set);
   }
   put(line + "\n");
   for (std::size_t k = 0; k < series.axis.count; ++k) {
     look_at(stop);
-    line = format_number(series.axis.at(static_cast<double>(k)));
+    line = core::format_number(series.axis.at(static_cast<double>(k)));
     for (std::size_t r = 0; r < series.rows.size(); ++r) {
       line += ',';
-      append_number(line, std::abs(series.row(r)[k]));
+      core::append_number(line, std::abs(series.row(r)[k]));
     }
     put(line + "\n");
   }
   file.commit();
 }
 
-Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
-  Product product;
+simulate::Product product_of(const workflow::ProfileSeries& series, const ProfileOrigin& origin) {
+  simulate::Product product;
   product.radar = origin.radar;
   product.options = origin.run;
-  product.processing = Processing::srp;
+  product.processing = scene::Processing::srp;
   product.rows = series.rows.size();
   product.columns = series.axis.count;
   std::vector<double> times;
-  for (const ProfileRow& row : series.rows) times.push_back(row.time_s);
+  for (const workflow::ProfileRow& row : series.rows) times.push_back(row.time_s);
   product.row_time_s = [times](std::size_t row) { return times[row]; };
   product.row_carrier_hz = [carrier = series.centre_hz](std::size_t) { return carrier; };
   product.column_range_m = [axis = series.axis](std::size_t column) { return axis.at(static_cast<double>(column)); };
@@ -110,22 +110,22 @@ Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   return product;
 }
 
-void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, FileFormat format, const fs::path& path,
-                   bool replace, const StopFlag* stop) {
-  Product product = product_of(series, origin);
-  RunReport report;
+void write_samples(const workflow::ProfileSeries& series, const ProfileOrigin& origin, scene::FileFormat format,
+                   const fs::path& path, bool replace, const core::StopFlag* stop) {
+  simulate::Product product = product_of(series, origin);
+  simulate::RunReport report;
   report.rows = product.rows;
   report.columns = product.columns;
   for (const auto& value : series.values) report.maximum_v = std::max(report.maximum_v, std::abs(value));
-  product.lsb_v = report.maximum_v > 0.0 ? report.maximum_v / full_scale_count(count_bits) : 1.0;
+  product.lsb_v = report.maximum_v > 0.0 ? report.maximum_v / radar::full_scale_count(count_bits) : 1.0;
   report.lsb_v = report.best_lsb_v = product.lsb_v;
-  report.range_used = report.maximum_v / (product.lsb_v * full_scale_count(count_bits));
-  const std::unique_ptr<Sink> sink = make_sink(path, product, {.format = format, .replace = replace});
-  ConversionTally tally;
+  report.range_used = report.maximum_v / (product.lsb_v * radar::full_scale_count(count_bits));
+  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(path, product, {.format = format, .replace = replace});
+  radar::ConversionTally tally;
   std::vector<std::int64_t> counts(sink->wants_counts() ? 2 * product.columns : 0);
   for (std::size_t r = 0; r < product.rows; ++r) {
     look_at(stop);
-    Converter{count_bits, product.lsb_v}.convert(series.row(r), counts, tally);
+    radar::Converter{count_bits, product.lsb_v}.convert(series.row(r), counts, tally);
     sink->append(sink->encode({r, 1, product.columns, series.row(r), counts}), r, 1);
   }
   report.zero = tally.zero;
@@ -139,11 +139,11 @@ std::vector<fs::path> files_of_profiles(const fs::path& path) {
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
-void write_profiles(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
-                    const StopFlag* stop) {
-  const auto format = format_from_path(path);
+void write_profiles(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path,
+                    bool replace, const core::StopFlag* stop) {
+  const auto format = raster::format_from_path(path);
   if (!format) return write_envi(series, origin, path, replace, stop);
-  if (*format == FileFormat::csv) return write_csv(series, origin, path, replace, stop);
+  if (*format == scene::FileFormat::csv) return write_csv(series, origin, path, replace, stop);
   write_samples(series, origin, *format, path, replace, stop);
 }
 

@@ -20,7 +20,7 @@ struct ProfileOrigin {
   std::string window;
   double light_speed_mps = 0.0;
   std::string radar;  ///< This and what follows stand in HDF5 files alone.
-  RunOptions run;
+  scene::RunOptions run;
 };
 
 /// Files that profiles become under a name: data, and the header of ENVI.
@@ -28,7 +28,7 @@ struct ProfileOrigin {
 
 /// Writes profiles in the format that the path's extension says (docs/formats/range-profiles.md): ENVI with a header,
 /// CSV as magnitudes against range, the others as recordings of processing SRP. Throws Interrupted, and like the sinks.
-void write_profiles(const ProfileSeries& series, const ProfileOrigin& origin, const std::filesystem::path& path,
-                    bool replace, const StopFlag* stop);
+void write_profiles(const workflow::ProfileSeries& series, const ProfileOrigin& origin,
+                    const std::filesystem::path& path, bool replace, const core::StopFlag* stop);
 
 }  // namespace sarsim::cli

@@ -59,18 +59,19 @@ const char* word_of(Set set) {
 class ProfilesRun {
  public:
   ProfilesRun(const ProfilesArguments& arguments, Streams& streams) : arguments_(arguments), streams_(streams) {
-    control_ = {thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
+    control_ = {core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))), streams.stop};
   }
 
   ExitStatus run() {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
     expect_free_outputs(named_sources(arguments_.input));
-    input_ = open_stepped_input(arguments_.input, SteppedUse::profiles, control_);
+    input_ = open_stepped_input(arguments_.input, workflow::SteppedUse::profiles, control_);
     expect_free_outputs(input_.sources);
     if (arguments_.window.empty()) options_.window = input_.rows.plan->radar.window;
     expect_ranges();
-    if (options_.velocity == SeriesOptions::Velocity::estimated) expect_searchable(options_.fastest_mps, input_.rows);
+    if (options_.velocity == workflow::SeriesOptions::Velocity::estimated)
+      expect_searchable(options_.fastest_mps, input_.rows);
     find_problems();
     series_ = profiles();
     expect_scans();
@@ -95,7 +96,7 @@ class ProfilesRun {
     const double decibels = arguments_.illumination_db.value_or(6.0);
     if (!(decibels >= 0.0)) throw BadInput("--illumination: decibels below the strongest burst are not negative");
     options_.illuminated_share = std::pow(10.0, -0.1 * decibels);
-    const bool compensated = options_.velocity != SeriesOptions::Velocity::none;
+    const bool compensated = options_.velocity != workflow::SeriesOptions::Velocity::none;
     // A mean of profiles in which the target is elsewhere would be of no use.
     options_.align = arguments_.align || (set() != Set::bursts && compensated);
     if (options_.align && !compensated)
@@ -115,7 +116,7 @@ class ProfilesRun {
   }
 
   void expect_ranges() {
-    const RangeStretch shown = shown_ranges(input_.rows);
+    const workflow::RangeStretch shown = workflow::shown_ranges(input_.rows);
     if (!(shown.to_m > shown.from_m))
       throw BadInput("the recording is too short: no range of the script's window has half of its echo in it",
                      "record a longer range window");
@@ -134,43 +135,46 @@ class ProfilesRun {
       throw BadInput(fmt::format("a profile of {:.3g} bins cannot be held", bins),
                      "choose fewer ranges with --from and --to, or less --oversampling");
     if (from_m < shown.from_m || to_m > shown.to_m)
-      input_.problems.push_back(
-          problem_of(Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
-                     stretch_text({from_m, to_m}), recorded, {}));
+      input_.problems.push_back(core::problem_of(
+          core::Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
+          stretch_text({from_m, to_m}), recorded, {}));
     else
       remark_on_window(shown);
   }
 
   // What of the script's window is not in the recording, where the user did not choose ranges.
-  void remark_on_window(const RangeStretch& shown) {
-    const RangeStretch window{input_.rows.from_m, input_.rows.to_m};
+  void remark_on_window(const workflow::RangeStretch& shown) {
+    const workflow::RangeStretch window{input_.rows.from_m, input_.rows.to_m};
     const bool short_begin = !options_.from_m && shown.from_m > window.from_m;
     const bool short_end = !options_.to_m && shown.to_m < window.to_m;
     if (!short_begin && !short_end) return;
-    input_.problems.push_back(problem_of(
-        Severity::note, "the recorded samples do not show all of the script's window: profiles end with what they show",
+    input_.problems.push_back(core::problem_of(
+        core::Severity::note,
+        "the recorded samples do not show all of the script's window: profiles end with what they show",
         stretch_text(shown), stretch_text(window), "to see the rest, simulate the script, or record a longer window"));
   }
 
-  static std::string stretch_text(const RangeStretch& ranges) {
-    const auto to_millimetres = [](double range_m) { return format_number(std::round(range_m * 1e3) / 1e3); };
+  static std::string stretch_text(const workflow::RangeStretch& ranges) {
+    const auto to_millimetres = [](double range_m) { return core::format_number(std::round(range_m * 1e3) / 1e3); };
     return fmt::format("{} m to {} m", to_millimetres(ranges.from_m), to_millimetres(ranges.to_m));
   }
 
   void find_problems() {
     std::optional<double> speed;
-    if (options_.velocity == SeriesOptions::Velocity::given) speed = options_.speed_mps;
-    if (options_.velocity == SeriesOptions::Velocity::scene || options_.velocity == SeriesOptions::Velocity::estimated)
-      speed = mean_speed_mps(input_.rows, input_.rows.bursts / 2, 1);
-    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::profiles, speed),
+    if (options_.velocity == workflow::SeriesOptions::Velocity::given) speed = options_.speed_mps;
+    if (options_.velocity == workflow::SeriesOptions::Velocity::scene ||
+        options_.velocity == workflow::SeriesOptions::Velocity::estimated)
+      speed = workflow::mean_speed_mps(input_.rows, input_.rows.bursts / 2, 1);
+    std::ranges::move(workflow::remarks_on_stepped(input_.rows, workflow::SteppedUse::profiles, speed),
                       std::back_inserter(input_.problems));
-    input_.problems = ranked(std::move(input_.problems));
+    input_.problems = core::ranked(std::move(input_.problems));
     if (!arguments_.quiet) print_problems(streams_, input_.problems);
   }
 
-  [[nodiscard]] ProfileSeries profiles() {
+  [[nodiscard]] workflow::ProfileSeries profiles() {
     ProgressDisplay display(streams_.err, display_style(streams_, arguments_.quiet), output().string());
-    return make_profiles(input_.rows, options_, control_, [&display](const Progress& p) { display.update(p); });
+    return workflow::make_profiles(input_.rows, options_, control_,
+                                   [&display](const core::Progress& p) { display.update(p); });
   }
 
   void expect_scans() const {
@@ -191,15 +195,16 @@ class ProfilesRun {
                                input_.rows.plan->scene->options};
     if (output().has_parent_path()) fs::create_directories(output().parent_path());
     if (set() == Set::bursts) return write_profiles(series_, origin, output(), arguments_.force, streams_.stop);
-    const ProfileSeries means = set() == Set::scans ? mean_of_scans(series_) : mean_of_encounter(series_);
+    const workflow::ProfileSeries means =
+        set() == Set::scans ? workflow::mean_of_scans(series_) : workflow::mean_of_encounter(series_);
     write_profiles(means, origin, output(), arguments_.force, streams_.stop);
   }
 
   // The row that is held against the scene.
   [[nodiscard]] std::size_t held_row() const {
-    if (!arguments_.burst) return typical_row(series_);
+    if (!arguments_.burst) return workflow::typical_row(series_);
     const auto wanted = static_cast<std::size_t>(*arguments_.burst - 1);
-    const auto found = std::ranges::find(series_.rows, wanted, &ProfileRow::burst);
+    const auto found = std::ranges::find(series_.rows, wanted, &workflow::ProfileRow::burst);
     if (found == series_.rows.end())
       throw BadInput(fmt::format("--burst: burst {} is not illuminated", wanted + 1),
                      fmt::format("the recording has {} bursts; illuminated are {} to {}", input_.rows.bursts,
@@ -209,7 +214,7 @@ class ProfilesRun {
 
   void report(double seconds) const {
     const std::size_t row = held_row_;
-    const std::vector<HeldTarget> targets = hold_against_scene(input_.rows, series_, options_, row);
+    const std::vector<workflow::HeldTarget> targets = workflow::hold_against_scene(input_.rows, series_, options_, row);
     if (!arguments_.quiet) streams_.err << summary(seconds);
     if (arguments_.json)
       write_out(streams_, json_text(targets, row, seconds));
@@ -219,22 +224,22 @@ class ProfilesRun {
   }
 
   [[nodiscard]] std::string summary(double seconds) const {
-    const ProfileAxis& axis = series_.axis;
-    const SteppedLimits& limits = series_.limits;
+    const signal::ProfileAxis& axis = series_.axis;
+    const signal::SteppedLimits& limits = series_.limits;
     std::string text = fmt::format(
         "{}: {} of {} bursts in {} scan{}, {} bins from {:.6g} to {:.6g} m, {:.3g} m apart, {}\n", output().string(),
         series_.rows.size(), input_.rows.bursts, series_.scans.size(), series_.scans.size() == 1 ? "" : "s", axis.count,
-        axis.first_m, axis.at(static_cast<double>(axis.count) - 1.0), axis.step_m, duration_text(seconds));
+        axis.first_m, axis.at(static_cast<double>(axis.count) - 1.0), axis.step_m, core::duration_text(seconds));
     text += fmt::format(
         "band {} about {}: resolution {:.4g} m; steps repeat every {:.4g} m; speed shifts by {:.4g} m and smears over "
         "{:.4g} m for each m/s\n",
-        with_prefix(series_.band_hz, "Hz", 4), with_prefix(series_.centre_hz, "Hz", 5), limits.resolution_m,
+        core::with_prefix(series_.band_hz, "Hz", 4), core::with_prefix(series_.centre_hz, "Hz", 5), limits.resolution_m,
         limits.unambiguous_range_m, limits.shift_m_per_mps, limits.smear_m_per_mps);
     for (std::size_t s = 0; s < series_.scans.size(); ++s) {
-      const ScanRecord& scan = series_.scans[s];
+      const workflow::ScanRecord& scan = series_.scans[s];
       text += fmt::format("scan {}: bursts {} to {}, {:.6g} to {:.6g} s", s + 1, scan.bursts.first + 1,
                           scan.bursts.last + 1, scan.from_s, scan.to_s);
-      if (options_.velocity != SeriesOptions::Velocity::none)
+      if (options_.velocity != workflow::SeriesOptions::Velocity::none)
         text += fmt::format(", compensated {:.6g} m/s", scan.speed_mps);
       if (scan.estimate) text += fmt::format(" +- {:.2g} m/s", scan.estimate->uncertainty_mps);
       text += '\n';
@@ -243,11 +248,11 @@ class ProfilesRun {
   }
 
   // Targets against the profile of one burst.
-  [[nodiscard]] std::string table(const std::vector<HeldTarget>& targets, std::size_t row) const {
+  [[nodiscard]] std::string table(const std::vector<workflow::HeldTarget>& targets, std::size_t row) const {
     std::string text = fmt::format("burst {} at {:.6g} s:\n{:>6} {:>12} {:>10} {:>12} {:>9} {:>12} {:>9} {:>8} {:>9}\n",
                                    series_.rows[row].burst + 1, series_.rows[row].time_s, "target", "range m",
                                    "speed m/s", "expected m", "bin", "found m", "error m", "width m", "error dB");
-    for (const HeldTarget& target : targets) {
+    for (const workflow::HeldTarget& target : targets) {
       text += fmt::format("{:>6} {:>12.3f} {:>10.2f} {:>12.3f} {:>9.2f}", target.truth.target + 1, target.truth.range_m,
                           target.truth.speed_mps, target.expected_m, target.expected_bin);
       if (target.found)
@@ -260,13 +265,14 @@ class ProfilesRun {
     return text;
   }
 
-  [[nodiscard]] std::string json_text(const std::vector<HeldTarget>& targets, std::size_t row, double seconds) const {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("source", arguments_.input.path);
+  [[nodiscard]] std::string json_text(const std::vector<workflow::HeldTarget>& targets, std::size_t row,
+                                      double seconds) const {
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("source", arguments_.input.path);
     json.key("files").begin_array();
     for (const fs::path& path : files_of_profiles(output())) json.value(path.string());
     json.end_array().member("set", word_of(set()));
-    const SteppedLimits& limits = series_.limits;
+    const signal::SteppedLimits& limits = series_.limits;
     json.member("bursts", series_.rows.size()).member("columns", series_.axis.count);
     json.member("range_first_m", series_.axis.first_m).member("range_step_m", series_.axis.step_m);
     json.member("carrier_hz", series_.centre_hz).member("bandwidth_hz", series_.band_hz);
@@ -274,14 +280,14 @@ class ProfilesRun {
     json.member("shift_m_per_mps", limits.shift_m_per_mps).member("smear_m_per_mps", limits.smear_m_per_mps);
     json.member("tolerable_speed_mps", limits.tolerable_mps).member("ambiguous_speed_mps", limits.ambiguous_mps);
     json.key("scans").begin_array();
-    for (const ScanRecord& scan : series_.scans) write_scan(json, scan);
+    for (const workflow::ScanRecord& scan : series_.scans) write_scan(json, scan);
     json.end_array().member("burst", series_.rows[row].burst + 1).member("time_s", series_.rows[row].time_s);
     json.key("targets").begin_array();
-    for (const HeldTarget& target : targets) write_target(json, target);
+    for (const workflow::HeldTarget& target : targets) write_target(json, target);
     json.end_array().key("peaks").begin_array();
     constexpr std::size_t most_peaks = 20;
-    for (const ProfilePeak& peak :
-         highest_peaks(series_.row(row), series_.axis, most_peaks, limits.resolution_m, 0.03)) {
+    for (const signal::ProfilePeak& peak :
+         signal::highest_peaks(series_.row(row), series_.axis, most_peaks, limits.resolution_m, 0.03)) {
       json.begin_object().member("range_m", peak.range_m).member("amplitude_v", peak.amplitude);
       json.member("phase_rad", peak.phase_rad).member("width_m", peak.width_m).end_object();
     }
@@ -290,7 +296,7 @@ class ProfilesRun {
     return json.end_object().text();
   }
 
-  static void write_scan(JsonWriter& json, const ScanRecord& scan) {
+  static void write_scan(core::JsonWriter& json, const workflow::ScanRecord& scan) {
     json.begin_object().member("first_burst", scan.bursts.first + 1).member("last_burst", scan.bursts.last + 1);
     json.member("from_s", scan.from_s).member("to_s", scan.to_s).member("speed_mps", scan.speed_mps);
     if (scan.estimate)
@@ -300,7 +306,7 @@ class ProfilesRun {
     json.end_object();
   }
 
-  static void write_target(JsonWriter& json, const HeldTarget& target) {
+  static void write_target(core::JsonWriter& json, const workflow::HeldTarget& target) {
     json.begin_object().member("target", target.truth.target + 1).member("range_m", target.truth.range_m);
     json.member("speed_mps", target.truth.speed_mps).member("amplitude_v", target.truth.amplitude);
     json.member("expected_m", target.expected_m).member("expected_bin", target.expected_bin);
@@ -320,10 +326,10 @@ class ProfilesRun {
 
   const ProfilesArguments& arguments_;
   Streams& streams_;
-  WorkControl control_;
-  SeriesOptions options_;
+  core::WorkControl control_;
+  workflow::SeriesOptions options_;
   SteppedInput input_;
-  ProfileSeries series_;
+  workflow::ProfileSeries series_;
   std::size_t held_row_ = 0;
 };
 

@@ -46,7 +46,7 @@ struct RunArguments {
   std::string folder = ".";
   SceneOverrides overrides;
   std::optional<std::int64_t> threads;
-  std::optional<Engine> engine;
+  std::optional<simulate::Engine> engine;
   std::string simd;
   bool force = false;
   bool quiet = false;
@@ -67,7 +67,7 @@ class Runner {
         streams_(streams),
         team_(team),
         journaled_(team != nullptr || arguments.part.journaled()) {
-    threads_ = thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
+    threads_ = core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
     if (team != nullptr && arguments.threads.value_or(0) == 0)
       threads_ = std::max(threads_ / team->processes_here(), 1U);
   }
@@ -79,11 +79,11 @@ class Runner {
     } catch (const BadInput& error) {
       finish_json("bad input", error.problems);
       throw;
-    } catch (const ImpossibleEcho& error) {
+    } catch (const simulate::ImpossibleEcho& error) {
       take_problems({error.problem});
       finish_json("bad input", input_.problems);
       throw BadInput({input_.problems.front()});
-    } catch (const Interrupted&) {
+    } catch (const core::Interrupted&) {
       finish_json("interrupted", input_.problems);
       throw;
     } catch (const std::exception&) {
@@ -105,7 +105,7 @@ class Runner {
       if (team_ != nullptr) static_cast<void>(team_->all_well(false));
       throw;
     }
-    if (team_ != nullptr && !team_->all_well(true)) throw BadInput(Problems());
+    if (team_ != nullptr && !team_->all_well(true)) throw BadInput(core::Problems());
   }
 
   void expect_partable() const {
@@ -130,19 +130,20 @@ class Runner {
       job.table ? make_table(job) : make_recording(job);
   }
 
-  [[nodiscard]] Plan planned(std::size_t simulation) {
+  [[nodiscard]] simulate::Plan planned(std::size_t simulation) {
     if (kept_plan_ && kept_plan_->first == simulation) {
-      Plan plan = std::move(kept_plan_->second);
+      simulate::Plan plan = std::move(kept_plan_->second);
       kept_plan_.reset();
       return plan;
     }
-    return make_plan(input_.scene, simulation, input_.resolved, arguments_.engine.value_or(Engine::automatic));
+    return simulate::make_plan(input_.scene, simulation, input_.resolved,
+                               arguments_.engine.value_or(simulate::Engine::automatic));
   }
 
   void prepare() {
     OutputNames names;
     // What is not made is not looked at either.
-    const auto choose = [&](const Scene& scene) {
+    const auto choose = [&](const scene::Scene& scene) {
       names = output_names(scene, {arguments_.folder, arguments_.keep_paths, arguments_.overrides.format});
       jobs_ = chosen_products(scene, names, arguments_.products);
       WantedProducts wanted;
@@ -152,7 +153,7 @@ class Runner {
     input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::echoes, {threads_, streams_.stop}, choose);
     expect_sound();
     if (jobs_.empty()) expect_objects();
-    std::erase_if(names.problems, [this](const Problem& p) { return !concerns_any(p); });
+    std::erase_if(names.problems, [this](const core::Problem& p) { return !concerns_any(p); });
     take_problems(names.problems);
     expect_sound();
     expect_usable(input_, arguments_.strict);
@@ -164,7 +165,7 @@ class Runner {
 
   // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
   void expect_objects() const {
-    const Scene& scene = input_.scene;
+    const scene::Scene& scene = input_.scene;
     if (scene.platforms.empty() && scene.targets.empty() && scene.surfaces.empty() && scene.radars.empty()) {
       BadInput nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
       nothing.problems.front().place.file = arguments_.scene;
@@ -176,27 +177,27 @@ class Runner {
 
   // Errors end the run; where only they are wanted, without what else was found.
   void expect_sound() {
-    if (arguments_.quiet && has_errors(input_.problems))
-      std::erase_if(input_.problems, [](const Problem& p) { return p.severity != Severity::error; });
+    if (arguments_.quiet && core::has_errors(input_.problems))
+      std::erase_if(input_.problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
     expect_usable(input_);
   }
 
-  void take_problems(Problems more) {
-    locate(more, input_.places);
+  void take_problems(core::Problems more) {
+    scene::locate(more, input_.places);
     std::ranges::move(more, std::back_inserter(input_.problems));
-    input_.problems = ranked(std::move(input_.problems));
+    input_.problems = core::ranked(std::move(input_.problems));
   }
 
-  [[nodiscard]] bool concerns(const Problem& problem, const ProductJob& job) const {
+  [[nodiscard]] bool concerns(const core::Problem& problem, const ProductJob& job) const {
     return problem.subject.kind == (job.table ? "geometry" : "simulation") && problem.subject.index == job.index;
   }
 
-  [[nodiscard]] bool concerns_any(const Problem& problem) const {
+  [[nodiscard]] bool concerns_any(const core::Problem& problem) const {
     return std::ranges::any_of(jobs_, [&](const ProductJob& job) { return concerns(problem, job); });
   }
 
   void expect_free_outputs() {
-    Problems problems;
+    core::Problems problems;
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || arguments_.part.resume || !makes_tables());
@@ -216,15 +217,15 @@ class Runner {
     double bytes_wanted = 0.0;
     std::optional<std::size_t> most_rows;
     std::string lines;
-    Problems missing;
+    core::Problems missing;
     for (const ProductJob& job : jobs_) {
       if (job.table) {
         bytes_wanted += smallest_table_bytes(input_.scene.geometries[job.index]);
         continue;
       }
-      Plan plan = planned(job.index);
+      simulate::Plan plan = planned(job.index);
       most_rows = std::max(most_rows.value_or(0), plan.rows);
-      const double bytes = expected_bytes(product_of(plan, {}), sink_options(plan.simulation));
+      const double bytes = raster::expected_bytes(simulate::product_of(plan, {}), sink_options(plan.simulation));
       bytes_wanted += room_bytes(job, plan, bytes);
       lines += announcement(job, plan, bytes);
       add_missing_pulses(job, plan, missing);
@@ -233,66 +234,68 @@ class Runner {
     }
     const auto& span = arguments_.part.span;
     if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
-      throw BadInput({problem_of(Severity::error, "no recording has as many pulses as --pulses asks for",
-                                 words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
+      throw BadInput({core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
+                                       words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
     if (!arguments_.quiet) print_problems(streams_, missing);
     if (!arguments_.quiet) streams_.err << lines;
     take_problems(std::move(missing));
     expect_usable(input_, arguments_.strict);
     if (!arguments_.discard)
-      expect_room(arguments_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
+      core::expect_room(arguments_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
   }
 
-  void add_missing_pulses(const ProductJob& job, const Plan& plan, Problems& missing) const {
+  void add_missing_pulses(const ProductJob& job, const simulate::Plan& plan, core::Problems& missing) const {
     const auto& span = arguments_.part.span;
     if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.rows) return;
-    missing.push_back(problem_of(Severity::warning,
-                                 fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
-                                 words_of(arguments_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
+    missing.push_back(core::problem_of(core::Severity::warning,
+                                       fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
+                                       words_of(arguments_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
   }
 
   // What a recording needs on the disk at least.
-  [[nodiscard]] double room_bytes(const ProductJob& job, const Plan& plan, double bytes) const {
-    const FileFormat format = plan.simulation.format;
-    const bool text = format != FileFormat::binary && format != FileFormat::npy && format != FileFormat::hdf5;
+  [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
+    const scene::FileFormat format = plan.simulation.format;
+    const bool text =
+        format != scene::FileFormat::binary && format != scene::FileFormat::npy && format != scene::FileFormat::hdf5;
     // The size of text is an estimate from above.
     const double least = text ? 0.4 * bytes : bytes;
     if (!journaled_) return least;
-    if (fs::exists(parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
+    if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
     const double rows = static_cast<double>(plan.rows);
     const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count);
     if (estimates_lsb(plan.simulation)) return 16.0 * made * static_cast<double>(plan.columns);
     return text || arguments_.part.own_file ? least * made / rows : least;
   }
 
-  [[nodiscard]] bool estimates_lsb(const Simulation& simulation) const {
-    return simulation.lsb_v <= 0.0 && holds_counts(simulation.format, arguments_.counts);
+  [[nodiscard]] bool estimates_lsb(const scene::Simulation& simulation) const {
+    return simulation.lsb_v <= 0.0 && raster::holds_counts(simulation.format, arguments_.counts);
   }
 
-  [[nodiscard]] std::string announcement(const ProductJob& job, const Plan& plan, double bytes) const {
+  [[nodiscard]] std::string announcement(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
     const bool twice = estimates_lsb(plan.simulation) && !journaled_;
     const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count) / static_cast<double>(plan.rows);
-    const double seconds = made * estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
+    const double seconds =
+        made * simulate::estimated_cost(plan, threads_).seconds_one_thread / threads_ * (twice ? 2.0 : 1.0);
     return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}\n", job.path.string(), plan.radar.name,
-                       processing_word(plan.simulation.processing), plan.rows, plan.columns, bytes_text(bytes),
-                       about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
+                       processing_word(plan.simulation.processing), plan.rows, plan.columns, core::bytes_text(bytes),
+                       core::about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
   }
 
   // No line of a table is shorter than its pulse number and its end.
-  [[nodiscard]] double smallest_table_bytes(const GeometryTable& table) const {
-    const std::size_t radar = find_radar(input_.scene, table.radar);
-    if (radar == not_found) return 0.0;
-    const PulseRange pulses =
-        resolve_radar(input_.scene, *input_.resolved, radar).repetition.pulses_in(table.time_start_s, table.time_end_s);
+  [[nodiscard]] double smallest_table_bytes(const scene::GeometryTable& table) const {
+    const std::size_t radar = scene::find_radar(input_.scene, table.radar);
+    if (radar == scene::not_found) return 0.0;
+    const radar::PulseRange pulses = simulate::resolve_radar(input_.scene, *input_.resolved, radar)
+                                         .repetition.pulses_in(table.time_start_s, table.time_end_s);
     return 10.0 * static_cast<double>(pulses.count());
   }
 
-  [[nodiscard]] SinkOptions sink_options(const Simulation& simulation) const {
+  [[nodiscard]] raster::SinkOptions sink_options(const scene::Simulation& simulation) const {
     return {simulation.format, arguments_.force, arguments_.counts, arguments_.header};
   }
 
-  [[nodiscard]] RunControl control(ProgressDisplay& display) const {
-    return {threads_, streams_.stop, [&display](const Progress& progress) { display.update(progress); }};
+  [[nodiscard]] simulate::RunControl control(ProgressDisplay& display) const {
+    return {threads_, streams_.stop, [&display](const core::Progress& progress) { display.update(progress); }};
   }
 
   [[nodiscard]] ProgressDisplay::Style style() const {
@@ -300,48 +303,49 @@ class Runner {
     return streams_.terminal ? ProgressDisplay::Style::bar : ProgressDisplay::Style::lines;
   }
 
-  [[nodiscard]] std::unique_ptr<Sink> sink_of(const ProductJob& job, const Product& product,
-                                              const Simulation& simulation) const {
-    if (arguments_.discard) return make_discarding_sink(product, sink_options(simulation));
+  [[nodiscard]] std::unique_ptr<simulate::Sink> sink_of(const ProductJob& job, const simulate::Product& product,
+                                                        const scene::Simulation& simulation) const {
+    if (arguments_.discard) return raster::make_discarding_sink(product, sink_options(simulation));
     if (job.path.has_parent_path()) fs::create_directories(job.path.parent_path());
-    return make_sink(job.path, product, sink_options(simulation));
+    return raster::make_sink(job.path, product, sink_options(simulation));
   }
 
   // The LSB that the sink's counts need; 0 where neither script nor sink want one.
-  [[nodiscard]] double lsb_v(const Plan& plan, const Sink& sink, const std::string& name) const {
+  [[nodiscard]] double lsb_v(const simulate::Plan& plan, const simulate::Sink& sink, const std::string& name) const {
     if (plan.simulation.lsb_v > 0.0 || !sink.wants_counts()) return plan.simulation.lsb_v;
     ProgressDisplay display(streams_.err, style(), name + " (finding the largest magnitude)");
-    return resolved_lsb_v(plan, control(display));
+    return simulate::resolved_lsb_v(plan, control(display));
   }
 
   void make_recording(const ProductJob& job) {
-    const double begin_s = now_s();
-    const Plan plan = planned(job.index);
-    const bool with_script = plan.simulation.format == FileFormat::hdf5;
-    const Product product = product_of(plan, with_script ? script() : std::string());
-    const std::unique_ptr<Sink> sink = sink_of(job, product, plan.simulation);
+    const double begin_s = core::now_s();
+    const simulate::Plan plan = planned(job.index);
+    const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+    const simulate::Product product = simulate::product_of(plan, with_script ? script() : std::string());
+    const std::unique_ptr<simulate::Sink> sink = sink_of(job, product, plan.simulation);
     RecordingReport report = report_on(job, plan, product);
     report.counts = sink->wants_counts();
     const double lsb = lsb_v(plan, *sink, job.path.string());
     {
       ProgressDisplay display(streams_.err, style(), job.path.string());
-      report.run = sarsim::run(plan, lsb, *sink, control(display));
+      report.run = sarsim::simulate::run(plan, lsb, *sink, control(display));
     }
     if (!arguments_.discard) take_file(job.path, report.file, report.bytes);
-    report.seconds = now_s() - begin_s;
+    report.seconds = core::now_s() - begin_s;
     tell(report);
   }
 
   // What a report says before anything was computed.
-  [[nodiscard]] RecordingReport report_on(const ProductJob& job, const Plan& plan, const Product& product) const {
+  [[nodiscard]] RecordingReport report_on(const ProductJob& job, const simulate::Plan& plan,
+                                          const simulate::Product& product) const {
     RecordingReport report;
     report.simulation = plan.simulation;
     report.simulation.radar = plan.radar.name;
     report.options = input_.scene.options;
     report.engine = product.engine;
     report.engine_reason = plan.engine.reason;
-    std::ranges::copy_if(input_.problems, std::back_inserter(report.warnings), [&](const Problem& p) {
-      return p.severity == Severity::warning && (p.subject.kind != "simulation" || concerns(p, job));
+    std::ranges::copy_if(input_.problems, std::back_inserter(report.warnings), [&](const core::Problem& p) {
+      return p.severity == core::Severity::warning && (p.subject.kind != "simulation" || concerns(p, job));
     });
     return report;
   }
@@ -353,29 +357,30 @@ class Runner {
 
   // The text of the scene as understood, made when it is first needed.
   const std::string& script() {
-    if (script_.empty()) script_ = write_script(input_.scene, {threads_, streams_.stop});
+    if (script_.empty()) script_ = scene::write_script(input_.scene, {threads_, streams_.stop});
     return script_;
   }
 
   void make_part_of(const ProductJob& job) {
-    const double begin_s = now_s();
-    const Plan plan = planned(job.index);
-    StoredProduct stored;
-    stored.product = product_of(plan, plan.simulation.format == FileFormat::hdf5 ? script() : std::string());
+    const double begin_s = core::now_s();
+    const simulate::Plan plan = planned(job.index);
+    raster::StoredProduct stored;
+    stored.product =
+        simulate::product_of(plan, plan.simulation.format == scene::FileFormat::hdf5 ? script() : std::string());
     stored.options = sink_options(plan.simulation);
     stored.estimate_lsb = estimates_lsb(plan.simulation);
     stored.engine_reason = plan.engine.reason;
-    const Identity identity = identity_of(input_.scene, job.index, script(), stored);
+    const raster::Identity identity = identity_of(input_.scene, job.index, script(), stored);
     const PartJob part{plan, job.path, stored, identity, arguments_.part, arguments_.force};
     const PartResult result = make_part(part, {streams_, style(), threads_, team_});
     if (!arguments_.quiet) streams_.err << part_text(part, result);
     write_json(products_, part, result);
     if (!result.whole) return;
     RecordingReport report = report_on(job, plan, stored.product);
-    report.counts = stored.estimate_lsb || holds_counts(plan.simulation.format, arguments_.counts);
+    report.counts = stored.estimate_lsb || raster::holds_counts(plan.simulation.format, arguments_.counts);
     report.run = *result.whole;
     take_file(job.path, report.file, report.bytes);
-    report.seconds = result.finished_before ? result.whole->seconds : now_s() - begin_s;
+    report.seconds = result.finished_before ? result.whole->seconds : core::now_s() - begin_s;
     tell(report);
   }
 
@@ -387,25 +392,25 @@ class Runner {
   [[nodiscard]] bool makes_tables() const { return arguments_.part.first() && (team_ == nullptr || team_->leads()); }
 
   void make_table(const ProductJob& job) {
-    const double begin_s = now_s();
-    const GeometryTable& table = input_.scene.geometries[job.index];
+    const double begin_s = core::now_s();
+    const scene::GeometryTable& table = input_.scene.geometries[job.index];
     TableReport report;
     report.radar = table.radar;
     if (arguments_.discard) {
       const auto count = [&](std::string_view piece) { report.bytes += static_cast<double>(piece.size()); };
-      write_geometry_text(input_.scene, table, count, streams_.stop);
+      simulate::write_geometry_text(input_.scene, table, count, streams_.stop);
     } else {
       if (job.path.has_parent_path()) fs::create_directories(job.path.parent_path());
-      OutputFile file(job.path, arguments_.force || arguments_.part.resume);
+      core::OutputFile file(job.path, arguments_.force || arguments_.part.resume);
       const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
-      write_geometry_text(input_.scene, table, write, streams_.stop);
+      simulate::write_geometry_text(input_.scene, table, write, streams_.stop);
       file.commit();
       take_file(job.path, report.file, report.bytes);
     }
-    report.seconds = now_s() - begin_s;
+    report.seconds = core::now_s() - begin_s;
     if (!arguments_.quiet)
       streams_.err << fmt::format("{}: geometry table of {}, {}\n", job.path.string(), table.radar,
-                                  bytes_text(report.bytes));
+                                  core::bytes_text(report.bytes));
     write_json(products_, report);
   }
 
@@ -417,7 +422,7 @@ class Runner {
     if (!failure) bytes = static_cast<double>(size);
   }
 
-  void finish_json(const char* status, const Problems& problems) {
+  void finish_json(const char* status, const core::Problems& problems) {
     if (!arguments_.json) return;
     products_.end_array().member("status", status).key("problems");
     write_json(products_, problems);
@@ -426,9 +431,9 @@ class Runner {
     flush_out(streams_);
   }
 
-  static JsonWriter begun_json(const std::string& script) {
-    JsonWriter json;
-    json.begin_object().member("sarsim", program_version).member("script", script).key("products").begin_array();
+  static core::JsonWriter begun_json(const std::string& script) {
+    core::JsonWriter json;
+    json.begin_object().member("sarsim", core::program_version).member("script", script).key("products").begin_array();
     return json;
   }
 
@@ -440,8 +445,9 @@ class Runner {
   std::string script_;
   SceneInput input_;
   std::vector<ProductJob> jobs_;
-  std::optional<std::pair<std::size_t, Plan>> kept_plan_;  // of a simulation; made to be announced, run afterwards
-  JsonWriter products_ = begun_json(arguments_.scene);
+  std::optional<std::pair<std::size_t, simulate::Plan>>
+      kept_plan_;  // of a simulation; made to be announced, run afterwards
+  core::JsonWriter products_ = begun_json(arguments_.scene);
 };
 
 void add_run_options(CLI::App& app, RunArguments& a) {

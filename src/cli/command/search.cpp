@@ -39,27 +39,29 @@ class SearchRun {
       : arguments_(arguments), streams_(streams), work_(arguments.search, streams, "-ppi") {}
 
   ExitStatus run() {
-    work_.open(dwell_pulses, [&](const PulseRows& rows) {
+    work_.open(workflow::dwell_pulses, [&](const workflow::PulseRows& rows) {
       expect_turns(rows);
       expect_picture();
       if (arguments_.search.no_map) return 0.0;
-      const PpiGrid grid = picture_grid(rows, picture_arguments(arguments_));
+      const signal::PpiGrid grid = picture_grid(rows, picture_arguments(arguments_));
       return sizeof(float) * static_cast<double>(grid.rows) * static_cast<double>(grid.columns);
     });
     std::optional<SearchPicture> picture;
     if (!arguments_.search.no_map) picture.emplace(work_.rows(), picture_arguments(arguments_));
-    work_.detect([this](const SearchInterval& i, const SearchDetection& d) { return place_of(i, d); },
-                 [&](const SearchInterval& interval) {
-                   if (picture) picture->take(interval);
-                 });
+    work_.detect(
+        [this](const workflow::SearchInterval& i, const workflow::SearchDetection& d) { return place_of(i, d); },
+        [&](const workflow::SearchInterval& interval) {
+          if (picture) picture->take(interval);
+        });
     if (picture) write(*picture);
     report(picture);
     return exit_done;
   }
 
  private:
-  [[nodiscard]] GroundPlace place_of(const SearchInterval& interval, const SearchDetection& detection) const {
-    const Vec3& radar_m = interval.radar_world_m;
+  [[nodiscard]] GroundPlace place_of(const workflow::SearchInterval& interval,
+                                     const workflow::SearchDetection& detection) const {
+    const core::Vec3& radar_m = interval.radar_world_m;
     const double ground_m = ground_range_m(detection.range_m, radar_m.z - arguments_.height_m.value_or(0.0));
     return {radar_m.x + ground_m * std::sin(detection.azimuth_rad),
             radar_m.y + ground_m * std::cos(detection.azimuth_rad)};
@@ -76,14 +78,14 @@ class SearchRun {
   }
 
   // Before anything is computed: a rotating antenna says how often it turns, others are followed from pulse to pulse.
-  void expect_turns(const PulseRows& rows) const {
+  void expect_turns(const workflow::PulseRows& rows) const {
     if (!arguments_.scan) return;
-    const Beam& beam = rows.plan->radar.beam;
-    if (beam.kind != Beam::Kind::rotating) return expect_turns(turns_of_beam(rows));
-    const Repetition& repetition = rows.plan->radar.repetition;
-    const PulseRange& pulses = rows.plan->pulses;
+    const radar::Beam& beam = rows.plan->radar.beam;
+    if (beam.kind != radar::Beam::Kind::rotating) return expect_turns(turns_of_beam(rows));
+    const radar::Repetition& repetition = rows.plan->radar.repetition;
+    const radar::PulseRange& pulses = rows.plan->pulses;
     const double time_s = repetition.send_time_s(pulses.last) - repetition.send_time_s(pulses.first);
-    expect_turns(std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * pi) + 1e-9) + 1.0);
+    expect_turns(std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * core::pi) + 1e-9) + 1.0);
   }
 
   void expect_turns(double turns) const {
@@ -95,27 +97,28 @@ class SearchRun {
   void write(SearchPicture& picture) const {
     picture.finish();
     expect_turns(static_cast<double>(picture.scans()));
-    const PpiGrid& grid = picture.picture().grid();
+    const signal::PpiGrid& grid = picture.picture().grid();
     const std::vector<float>& values = picture.picture().values();
     const double largest = static_cast<double>(*std::ranges::max_element(values));
     ImageWriter image(work_.output(), content_of_image(grid), arguments_.search.force, largest);
     std::vector<std::complex<float>> row(grid.columns);
     for (std::size_t r = 0; r < grid.rows; ++r) {
-      if (streams_.stop != nullptr && streams_.stop->requested()) throw Interrupted();
+      if (streams_.stop != nullptr && streams_.stop->requested()) throw core::Interrupted();
       for (std::size_t c = 0; c < grid.columns; ++c) row[c] = values[r * grid.columns + c];
       image.append(row);
     }
     image.finish();
   }
 
-  [[nodiscard]] ImageContent content_of_image(const PpiGrid& grid) const {
+  [[nodiscard]] ImageContent content_of_image(const signal::PpiGrid& grid) const {
     const auto number = [](double value) { return fmt::format("{}", value); };
     ImageContent content;
     content.header.lines = grid.rows;
     content.header.samples = grid.columns;
-    content.header.pixel = EnviHeader::Pixel::real_float;
-    content.header.description = fmt::format(
-        "Plan position indicator by sarsim {}: lines from north to south, samples from west to east", program_version);
+    content.header.pixel = raster::EnviHeader::Pixel::real_float;
+    content.header.description =
+        fmt::format("Plan position indicator by sarsim {}: lines from north to south, samples from west to east",
+                    core::program_version);
     content.header.fields = {{"map", "ppi"},
                              {"x first m", number(grid.first_x_m)},
                              {"x step m", number(grid.pixel_m)},
@@ -135,13 +138,13 @@ class SearchRun {
   void report(const std::optional<SearchPicture>& picture) {
     std::string text;
     if (picture) {
-      const PpiGrid& grid = picture->picture().grid();
+      const signal::PpiGrid& grid = picture->picture().grid();
       text = fmt::format("{}, {} x {} pixels of {:.4g} m, ", counted(picture->scans(), "turn"), grid.rows, grid.columns,
                          grid.pixel_m);
     }
-    work_.report(text, [&](JsonWriter& json) {
+    work_.report(text, [&](core::JsonWriter& json) {
       if (!picture) return;
-      const PpiGrid& grid = picture->picture().grid();
+      const signal::PpiGrid& grid = picture->picture().grid();
       json.member("rows", grid.rows).member("columns", grid.columns).member("scans", picture->scans());
       json.member("x_first_m", grid.first_x_m).member("x_step_m", grid.pixel_m);
       json.member("y_first_m", grid.first_y_m).member("y_step_m", -grid.pixel_m);

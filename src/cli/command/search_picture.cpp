@@ -16,10 +16,10 @@ namespace {
 
 constexpr double most_pixels_to_a_side = 1000.0;  // by default
 constexpr double most_pixels = 30000.0;           // of a picture's edge
-constexpr double widest_half_sector_rad = 0.25 * pi;
+constexpr double widest_half_sector_rad = 0.25 * core::pi;
 
-Vec3 radar_at(const PulseRows& rows, std::size_t pulse) {
-  PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+core::Vec3 radar_at(const workflow::PulseRows& rows, std::size_t pulse) {
+  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   geometry.set_pulse(rows.number(pulse));
   return geometry.radar_pose().position_world_m;
 }
@@ -36,7 +36,7 @@ std::vector<double> ends_of(const std::vector<double>& range_m) {
 
 double above_zero(const char* option, double value) {
   if (value > 0.0) return value;
-  throw BadInput(fmt::format("{} {}: must be above 0", option, format_number(value)));
+  throw BadInput(fmt::format("{} {}: must be above 0", option, core::format_number(value)));
 }
 
 }  // namespace
@@ -45,10 +45,10 @@ double ground_range_m(double slant_m, double height_m) {
   return std::sqrt(std::max(0.0, slant_m * slant_m - height_m * height_m));
 }
 
-PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments) {
-  const Vec3 begin_m = radar_at(rows, 0);
-  const Vec3 end_m = radar_at(rows, rows.pulses() - 1);
-  const Vec3 middle_m = 0.5 * (begin_m + end_m);
+signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArguments& arguments) {
+  const core::Vec3 begin_m = radar_at(rows, 0);
+  const core::Vec3 end_m = radar_at(rows, rows.pulses() - 1);
+  const core::Vec3 middle_m = 0.5 * (begin_m + end_m);
   const double reach_m = ground_range_m(rows.range_m.back(), middle_m.z - arguments.height_m.value_or(0.0));
   if (!(reach_m > 0.0))
     throw BadInput("the ground is farther away than the recorded ranges reach",
@@ -62,41 +62,42 @@ PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments) {
   if (2.0 * extent_m / pixel_m > most_pixels)
     throw BadInput(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
                    fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / most_pixels));
-  return ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
+  return signal::ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 
-double turns_of_beam(const PulseRows& rows) {
-  PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+double turns_of_beam(const workflow::PulseRows& rows) {
+  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   double first_rad = 0.0;
   double last_rad = 0.0;
   double farthest_rad = 0.0;
   for (std::size_t pulse = 0; pulse < rows.pulses(); ++pulse) {
     geometry.set_pulse(rows.number(pulse));
-    double beam_rad = azimuth_rad(geometry.pointing().axis_world());
+    double beam_rad = core::azimuth_rad(geometry.pointing().axis_world());
     if (pulse == 0) first_rad = last_rad = beam_rad;
-    beam_rad += 2.0 * pi * std::round((last_rad - beam_rad) / (2.0 * pi));
+    beam_rad += 2.0 * core::pi * std::round((last_rad - beam_rad) / (2.0 * core::pi));
     last_rad = beam_rad;
     farthest_rad = std::max(farthest_rad, std::abs(beam_rad - first_rad));
   }
-  return std::floor(farthest_rad / (2.0 * pi) + 1e-9) + 1.0;
+  return std::floor(farthest_rad / (2.0 * core::pi) + 1e-9) + 1.0;
 }
 
-SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& arguments)
+SearchPicture::SearchPicture(const workflow::PulseRows& rows, const PictureArguments& arguments)
     : rows_(rows),
       height_m_(arguments.height_m.value_or(0.0)),
-      still_rad_(beam_width_rad(*rows.plan)),
+      still_rad_(workflow::beam_width_rad(*rows.plan)),
       scan_(arguments.scan),
       picture_(picture_grid(rows, arguments)) {
-  constexpr double usual_width_rad = pi / 180.0;
+  constexpr double usual_width_rad = core::pi / 180.0;
   if (still_rad_ <= 0.0) still_rad_ = usual_width_rad;
 }
 
-SearchPicture::Line SearchPicture::line_of(const SearchInterval& interval) const {
+SearchPicture::Line SearchPicture::line_of(const workflow::SearchInterval& interval) const {
   Line line;
   line.x_m = interval.radar_world_m.x;
   line.y_m = interval.radar_world_m.y;
-  line.azimuth_rad = azimuth_rad(interval.beam_world);
-  if (waiting_) line.azimuth_rad += 2.0 * pi * std::round((waiting_->azimuth_rad - line.azimuth_rad) / (2.0 * pi));
+  line.azimuth_rad = core::azimuth_rad(interval.beam_world);
+  if (waiting_)
+    line.azimuth_rad += 2.0 * core::pi * std::round((waiting_->azimuth_rad - line.azimuth_rad) / (2.0 * core::pi));
   for (const double end_m : ends_of(rows_.range_m))
     line.edges_m.push_back(ground_range_m(end_m, interval.radar_world_m.z - height_m_));
   const std::size_t samples = interval.map.samples;
@@ -108,7 +109,7 @@ SearchPicture::Line SearchPicture::line_of(const SearchInterval& interval) const
   return line;
 }
 
-void SearchPicture::take(const SearchInterval& interval) {
+void SearchPicture::take(const workflow::SearchInterval& interval) {
   Line line = line_of(interval);
   if (!waiting_) {
     first_azimuth_rad_ = line.azimuth_rad;
@@ -134,7 +135,7 @@ void SearchPicture::paint(const Line& line, double before_rad, double after_rad)
   const double turned = std::abs(line.azimuth_rad - first_azimuth_rad_);
   farthest_turn_rad_ = std::max(farthest_turn_rad_, turned);
   constexpr double rounding = 1e-9;
-  if (scan_ && static_cast<std::size_t>(turned / (2.0 * pi) + rounding) != *scan_) return;
+  if (scan_ && static_cast<std::size_t>(turned / (2.0 * core::pi) + rounding) != *scan_) return;
   const auto half = [](double step_rad) { return std::min(0.5 * std::abs(step_rad), widest_half_sector_rad); };
   double begin = half(before_rad);
   double end = half(after_rad);
@@ -144,7 +145,7 @@ void SearchPicture::paint(const Line& line, double before_rad, double after_rad)
 }
 
 std::size_t SearchPicture::scans() const {
-  return static_cast<std::size_t>(farthest_turn_rad_ / (2.0 * pi) + 1e-9) + 1;
+  return static_cast<std::size_t>(farthest_turn_rad_ / (2.0 * core::pi) + 1e-9) + 1;
 }
 
 }  // namespace sarsim::cli

@@ -23,24 +23,24 @@ struct PictureArguments {
 /// The grid of a picture: about where the radar is in the middle of the recording, as far as the recorded ranges reach,
 /// unless the arguments say otherwise; pixels of a range sample, or of a thousandth of the reach where that is more.
 /// Throws BadInput for arguments that make no sense.
-[[nodiscard]] PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments);
+[[nodiscard]] signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArguments& arguments);
 
 /// Whole and begun turns that the beam makes over all pulses; 1 where it does not turn.
-[[nodiscard]] double turns_of_beam(const PulseRows& rows);
+[[nodiscard]] double turns_of_beam(const workflow::PulseRows& rows);
 
 /// Paints intervals as they come: each is a line whose strength is the largest over its Doppler frequencies, and whose
 /// sector reaches half way to its neighbours. A beam that stands still is as wide as it is.
 class SearchPicture {
  public:
   /// Keeps a reference to the rows.
-  SearchPicture(const PulseRows& rows, const PictureArguments& arguments);
+  SearchPicture(const workflow::PulseRows& rows, const PictureArguments& arguments);
 
   /// Paints the interval before this one, whose sector is known now.
-  void take(const SearchInterval& interval);
+  void take(const workflow::SearchInterval& interval);
   /// Paints the last interval.
   void finish();
 
-  [[nodiscard]] const PpiPicture& picture() const { return picture_; }
+  [[nodiscard]] const signal::PpiPicture& picture() const { return picture_; }
   /// Lines painted.
   [[nodiscard]] std::size_t lines() const { return lines_; }
   /// Whole and begun turns that the antenna made.
@@ -55,14 +55,14 @@ class SearchPicture {
     std::vector<double> edges_m;
     std::vector<float> strengths;
   };
-  [[nodiscard]] Line line_of(const SearchInterval& interval) const;
+  [[nodiscard]] Line line_of(const workflow::SearchInterval& interval) const;
   void paint(const Line& line, double before_rad, double after_rad);
 
-  const PulseRows& rows_;
+  const workflow::PulseRows& rows_;
   double height_m_;
   double still_rad_;  // width of a beam that does not turn
   std::optional<std::size_t> scan_;
-  PpiPicture picture_;
+  signal::PpiPicture picture_;
   std::optional<Line> waiting_;
   double first_azimuth_rad_ = 0.0;
   double before_rad_ = 0.0;  // from the waiting line to the one before

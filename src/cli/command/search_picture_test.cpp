@@ -12,23 +12,23 @@ namespace sarsim::cli {
 namespace {
 
 // A beam of 4 degrees that turns once in 1000 pulses, on a platform at a height, over one target on the ground.
-Scene turning_scene(double height_m, const Vec3& target_m, double turns = 1.0) {
-  Scene scene;
-  scene.platforms.push_back(resting("Earth", {}));
-  scene.platforms.push_back(resting("Plane", {100.0, -200.0, height_m}));
-  scene.targets.push_back(target_on("Earth", target_m));
-  Radar radar;
+scene::Scene turning_scene(double height_m, const core::Vec3& target_m, double turns = 1.0) {
+  scene::Scene scene;
+  scene.platforms.push_back(simulate::resting("Earth", {}));
+  scene.platforms.push_back(simulate::resting("Plane", {100.0, -200.0, height_m}));
+  scene.targets.push_back(simulate::target_on("Earth", target_m));
+  scene::Radar radar;
   radar.platform = "Plane";
   radar.pulse_width_s = 0.5e-6;
   radar.prf_hz = 1000.0;
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(4.0);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(80.0);
-  radar.beam = Radar::Beam::rotating;
-  radar.beam_elevation = Angle::from_deg(-30.0);
-  radar.beam_rate = Angle::from_deg(360.0);
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(4.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(80.0);
+  radar.beam = scene::Radar::Beam::rotating;
+  radar.beam_elevation = core::Angle::from_deg(-30.0);
+  radar.beam_rate = core::Angle::from_deg(360.0);
   scene.radars.push_back(radar);
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 2500.0;
   simulation.range_end_m = 6000.0;
@@ -39,22 +39,23 @@ Scene turning_scene(double height_m, const Vec3& target_m, double turns = 1.0) {
 }
 
 struct Painted {
-  Vec3 place_m;  // of the brightest pixel
+  core::Vec3 place_m;  // of the brightest pixel
   std::size_t lines = 0;
   std::size_t scans = 0;
   std::size_t pixels = 0;  // above half of it
 };
 
-Painted painted(const Scene& scene, const PictureArguments& arguments, std::size_t pulses = 5) {
-  const PulseRows rows = pulse_rows_of(scene);
-  SearchOptions options;
+Painted painted(const scene::Scene& scene, const PictureArguments& arguments, std::size_t pulses = 5) {
+  const workflow::PulseRows rows = workflow::pulse_rows_of(scene);
+  workflow::SearchOptions options;
   options.pulses = pulses;
   options.detect = false;
   SearchPicture picture(rows, arguments);
-  each_interval(rows, options, {2, nullptr}, {}, [&](const SearchInterval& interval) { picture.take(interval); });
+  workflow::each_interval(rows, options, {2, nullptr}, {},
+                          [&](const workflow::SearchInterval& interval) { picture.take(interval); });
   picture.finish();
   const auto& values = picture.picture().values();
-  const PpiGrid& grid = picture.picture().grid();
+  const signal::PpiGrid& grid = picture.picture().grid();
   const auto at = static_cast<std::size_t>(std::ranges::max_element(values) - values.begin());
   Painted result;
   result.place_m = {grid.x_m(at % grid.columns), grid.y_m(at / grid.columns), 0.0};
@@ -67,7 +68,7 @@ Painted painted(const Scene& scene, const PictureArguments& arguments, std::size
 
 TEST(SearchPicture, ShowsTargetsOnTheGroundBelowARadarInTheAir) {
   // 4 km along the ground and 3 km below are 5 km of slant range.
-  const Vec3 target_m{100.0 + 4000.0 * std::sin(2.2), -200.0 + 4000.0 * std::cos(2.2), 0.0};
+  const core::Vec3 target_m{100.0 + 4000.0 * std::sin(2.2), -200.0 + 4000.0 * std::cos(2.2), 0.0};
   const Painted picture = painted(turning_scene(3000.0, target_m), {});
   // A sample of 75 m of slant range is 94 m on the ground; the beam is met within half a line, 0.9 degrees.
   EXPECT_NEAR(std::hypot(picture.place_m.x - 100.0, picture.place_m.y + 200.0), 4000.0, 110.0);
@@ -77,7 +78,7 @@ TEST(SearchPicture, ShowsTargetsOnTheGroundBelowARadarInTheAir) {
 }
 
 TEST(SearchPicture, ShowsThePlaneOfItsHeight) {
-  const Vec3 target_m{100.0, 3800.0, 1000.0};
+  const core::Vec3 target_m{100.0, 3800.0, 1000.0};
   PictureArguments arguments;
   arguments.height_m = 1000.0;
   EXPECT_NEAR(painted(turning_scene(3000.0, target_m), arguments).place_m.y, 3800.0, 110.0);
@@ -87,9 +88,9 @@ TEST(SearchPicture, ShowsThePlaneOfItsHeight) {
 
 TEST(SearchPicture, ChoosesATurn) {
   // 600 m/s away from a radar at (100, -200): the beam meets it in the south, at 0.5, 1.5 and 2.5 s.
-  Scene scene = turning_scene(0.0, {}, 3.0);
-  scene.platforms.push_back(moving("Boat", {100.0, -3700.0, 0.0}, {0.0, -600.0, 0.0}));
-  scene.targets[0] = target_on("Boat", {});
+  scene::Scene scene = turning_scene(0.0, {}, 3.0);
+  scene.platforms.push_back(simulate::moving("Boat", {100.0, -3700.0, 0.0}, {0.0, -600.0, 0.0}));
+  scene.targets[0] = simulate::target_on("Boat", {});
   for (std::size_t scan = 0; scan < 3; ++scan) {
     PictureArguments arguments;
     arguments.scan = scan;
@@ -103,12 +104,12 @@ TEST(SearchPicture, ChoosesATurn) {
 }
 
 TEST(SearchPicture, DrawsABeamThatStandsStillAsWideAsItIs) {
-  Scene scene = turning_scene(0.0, {100.0, 3800.0, 0.0});
-  scene.radars[0].beam = Radar::Beam::fixed;
-  scene.radars[0].beam_elevation = Angle();
+  scene::Scene scene = turning_scene(0.0, {100.0, 3800.0, 0.0});
+  scene.radars[0].beam = scene::Radar::Beam::fixed;
+  scene.radars[0].beam_elevation = core::Angle();
   const Painted still = painted(scene, {}, 100);
   EXPECT_EQ(still.scans, 1u);
-  EXPECT_NEAR(still.place_m.x, 100.0, 4000.0 * 2.1 * pi / 180.0);
+  EXPECT_NEAR(still.place_m.x, 100.0, 4000.0 * 2.1 * core::pi / 180.0);
   EXPECT_NEAR(still.place_m.y, 3800.0, 100.0);
   // One cell of range and 4 degrees are 75 m by 279 m, on pixels of 75 m.
   EXPECT_GE(still.pixels, 3u);
@@ -116,7 +117,7 @@ TEST(SearchPicture, DrawsABeamThatStandsStillAsWideAsItIs) {
 }
 
 TEST(PictureGrid, RefusesWhatCannotBeShown) {
-  const PulseRows rows = pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
+  const workflow::PulseRows rows = workflow::pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
   const auto refuses = [&](const PictureArguments& arguments) {
     EXPECT_THROW((void)picture_grid(rows, arguments), BadInput);
   };
@@ -124,7 +125,7 @@ TEST(PictureGrid, RefusesWhatCannotBeShown) {
   refuses({.pixel_m = 0.01});
   refuses({.extent_m = -1.0});
   refuses({.height_m = 10000.0});
-  const PpiGrid grid = picture_grid(rows, {.pixel_m = 50.0, .extent_m = 1000.0});
+  const signal::PpiGrid grid = picture_grid(rows, {.pixel_m = 50.0, .extent_m = 1000.0});
   EXPECT_EQ(grid.columns, 41u);
   EXPECT_EQ(grid.x_m(20), 100.0);
 }

@@ -7,9 +7,9 @@ namespace sarsim::cli {
 
 /// Bursts, read or computed when they are asked for.
 struct SteppedInput {
-  SteppedRows rows;
+  workflow::SteppedRows rows;
   std::size_t simulation = 0;                  ///< Position in the script's list.
-  Problems problems;                           ///< Warnings about script and file.
+  core::Problems problems;                     ///< Warnings about script and file.
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
@@ -17,7 +17,7 @@ struct SteppedInput {
 void add_stepped_input_arguments(CLI::App& app, RecordingArguments& arguments);
 
 /// Opens what the arguments name; throws BadInput with all problems where it cannot be used.
-[[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use,
-                                              const WorkControl& control);
+[[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, workflow::SteppedUse use,
+                                              const core::WorkControl& control);
 
 }  // namespace sarsim::cli

@@ -9,23 +9,23 @@
 namespace sarsim::cli {
 
 VelocityChoice velocity_choice(const std::string& text) {
-  using Velocity = SeriesOptions::Velocity;
-  if (equal_ignoring_case(text, "none")) return {};
-  if (equal_ignoring_case(text, "scene")) return {Velocity::scene, 0.0};
-  if (equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0};
-  const auto number = parse_number(text);
+  using Velocity = workflow::SeriesOptions::Velocity;
+  if (core::equal_ignoring_case(text, "none")) return {};
+  if (core::equal_ignoring_case(text, "scene")) return {Velocity::scene, 0.0};
+  if (core::equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0};
+  const auto number = core::parse_number(text);
   if (number && std::abs(*number) < 1e6) return {Velocity::given, *number};
   throw BadInput(fmt::format("--velocity: '{}' is none", text),
                  "none, scene, estimated or a number of m/s, positive receding");
 }
 
-void expect_searchable(double fastest_mps, const SteppedRows& rows) {
-  const double most_mps = fastest_searched_mps(rows);
+void expect_searchable(double fastest_mps, const workflow::SteppedRows& rows) {
+  const double most_mps = workflow::fastest_searched_mps(rows);
   if (fastest_mps <= most_mps) return;
   throw BadInput(
       fmt::format("--fastest: bursts this long tell so many speeds up to {} m/s apart that they cannot all be "
                   "tried",
-                  format_number(fastest_mps)),
+                  core::format_number(fastest_mps)),
       fmt::format("at most {:.6g} m/s", most_mps));
 }
 

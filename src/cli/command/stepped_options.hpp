@@ -10,7 +10,7 @@ namespace sarsim::cli {
 
 /// What --velocity says.
 struct VelocityChoice {
-  SeriesOptions::Velocity velocity = SeriesOptions::Velocity::none;
+  workflow::SeriesOptions::Velocity velocity = workflow::SeriesOptions::Velocity::none;
   double speed_mps = 0.0;
 };
 
@@ -18,7 +18,7 @@ struct VelocityChoice {
 [[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
 
 /// Throws BadInput where a search for the speed of such bursts would try too many.
-void expect_searchable(double fastest_mps, const SteppedRows& rows);
+void expect_searchable(double fastest_mps, const workflow::SteppedRows& rows);
 
 /// How progress is shown.
 [[nodiscard]] ProgressDisplay::Style display_style(const Streams& streams, bool quiet);

@@ -39,7 +39,7 @@ namespace {
 constexpr std::size_t most_problems_told = 20;
 
 void write_whole(const fs::path& path, const std::string& text, bool replace) {
-  OutputFile file(path, replace);
+  core::OutputFile file(path, replace);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
 }
@@ -49,9 +49,9 @@ class Sweeper {
  public:
   Sweeper(const SweepArguments& arguments, Streams& streams)
       : arguments_(arguments), streams_(streams), part_(read_part(arguments.part)) {
-    threads_ = thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
+    threads_ = core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
     rules_ = {arguments.folder,
-              arguments.engine.value_or(Engine::automatic),
+              arguments.engine.value_or(simulate::Engine::automatic),
               arguments.counts,
               arguments.header,
               arguments.force,
@@ -74,15 +74,15 @@ class Sweeper {
     if (arguments_.dry_run) return print_plan();
     expect_free_outputs();
     if (!arguments_.discard)
-      expect_room(arguments_.folder, sum_of(&ProductSize::least_bytes),
-                  "choose another folder with --out, or keep the tables alone with --discard");
+      core::expect_room(arguments_.folder, sum_of(&ProductSize::least_bytes),
+                        "choose another folder with --out, or keep the tables alone with --discard");
     announce();
     make_rows();
     return finish();
   }
 
  private:
-  [[nodiscard]] WorkControl all_threads() const { return {threads_, streams_.stop}; }
+  [[nodiscard]] core::WorkControl all_threads() const { return {threads_, streams_.stop}; }
 
   void read_script() {
     input_ = read_scene(arguments_.scene, arguments_.overrides, Scrutiny::reading, all_threads());
@@ -92,7 +92,7 @@ class Sweeper {
 
   void choose_products() {
     const OutputNames names = output_names(input_.scene, {".", false, arguments_.overrides.format});
-    if (has_errors(names.problems)) throw BadInput(names.problems);
+    if (core::has_errors(names.problems)) throw BadInput(names.problems);
     products_ = chosen_products(input_.scene, names, arguments_.products);
     if (products_.empty()) {
       BadInput nothing("the script asks for nothing that could vary", "add a $SIMULATION or a $GEOMETRY");
@@ -147,12 +147,12 @@ class Sweeper {
     for (std::size_t i = 0; i < variations_.size(); ++i)
       if (!all_done(i)) open.push_back(variations_[i]);
     checks_ = check_sweep({input_.scene, input_.places, *sweep_, products_, open, arguments_.counts,
-                           arguments_.engine.value_or(Engine::automatic)},
+                           arguments_.engine.value_or(simulate::Engine::automatic)},
                           all_threads());
     open_ = std::move(open);
-    const bool bad = has_errors(checks_.problems) ||
-                     (arguments_.strict && std::ranges::any_of(checks_.problems, [](const Problem& p) {
-                        return p.severity == Severity::warning;
+    const bool bad = core::has_errors(checks_.problems) ||
+                     (arguments_.strict && std::ranges::any_of(checks_.problems, [](const core::Problem& p) {
+                        return p.severity == core::Severity::warning;
                       }));
     if (bad) {
       if (arguments_.json) write_out(streams_, sweep_json(frame("bad input"), {}));
@@ -161,10 +161,10 @@ class Sweeper {
     if (!arguments_.quiet) print_problems(streams_, shortened(checks_.problems));
   }
 
-  [[nodiscard]] static Problems shortened(Problems problems) {
+  [[nodiscard]] static core::Problems shortened(core::Problems problems) {
     if (problems.size() <= most_problems_told) return problems;
-    Problem rest;
-    rest.severity = Severity::note;
+    core::Problem rest;
+    rest.severity = core::Severity::note;
     rest.message = fmt::format("{} more of this kind are not shown", problems.size() - most_problems_told);
     rest.hint = "vary less at once to see all of them";
     problems.resize(most_problems_told);
@@ -220,7 +220,7 @@ class Sweeper {
           text += "  geometry table\n";
         } else {
           const ProductSize& size = size_of(variations_[i], product);
-          text += fmt::format("  {} x {} samples, {}\n", size.rows, size.columns, bytes_text(size.bytes));
+          text += fmt::format("  {} x {} samples, {}\n", size.rows, size.columns, core::bytes_text(size.bytes));
         }
       }
     }
@@ -233,10 +233,10 @@ class Sweeper {
     if (fs::exists(folder) && !fs::is_directory(folder))
       throw BadInput("'" + arguments_.folder + "' is not a folder",
                      "name a folder with --out; it is made when missing");
-    Problems problems;
+    core::Problems problems;
     std::size_t more = 0;
     const auto look_at = [&](const fs::path& path, bool replace) {
-      for (Problem& problem : problems_of_output(path, {input_.sources, replace})) {
+      for (core::Problem& problem : problems_of_output(path, {input_.sources, replace})) {
         if (problems.empty())
           problems.push_back(std::move(problem));
         else
@@ -273,8 +273,8 @@ class Sweeper {
     if (part_.count > 1) text += fmt::format(", {} in part {} of {}", variations_.size(), part_.index + 1, part_.count);
     if (open_.size() < variations_.size()) text += fmt::format(", {} done before", variations_.size() - open_.size());
     text += fmt::format(
-        ", {} to run, {}, {}, {} at a time with {}\n", open_.size(), bytes_text(sum_of(&ProductSize::bytes)),
-        about_duration_text(sum_of(&ProductSize::seconds) / (jobs * threads)), jobs, counted(threads, "thread"));
+        ", {} to run, {}, {}, {} at a time with {}\n", open_.size(), core::bytes_text(sum_of(&ProductSize::bytes)),
+        core::about_duration_text(sum_of(&ProductSize::seconds) / (jobs * threads)), jobs, counted(threads, "thread"));
     streams_.err << text;
   }
 
@@ -292,7 +292,7 @@ class Sweeper {
   }
 
   void make_rows() {
-    begin_s_ = now_s();
+    begin_s_ = core::now_s();
     fs::create_directories(arguments_.folder);
     SweepJournal journal(beside(part_stem() + ".journal"), arguments_.resume);
     const auto [jobs, threads] = shares();
@@ -305,12 +305,12 @@ class Sweeper {
       if (row.done) journal.add(row);
     };
     try {
-      parallel_ranges(open_.size(), 1, {jobs, streams_.stop}, [&](std::size_t begin, std::size_t end) {
+      core::parallel_ranges(open_.size(), 1, {jobs, streams_.stop}, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) make_variation(open_[i], told);
         const std::scoped_lock hold(lock);
         display.update({++finished, open_.size(), samples});
       });
-    } catch (const Interrupted&) {
+    } catch (const core::Interrupted&) {
       if (!arguments_.quiet)
         streams_.err << fmt::format("sweep: {} of {} done; go on with --resume\n",
                                     variations_.size() - open_.size() + finished,
@@ -326,7 +326,7 @@ class Sweeper {
       SweepRow& row = rows_[place * products_.size() + product];
       if (!row.done) rows.push_back(&row);
     }
-    Problems none;  // `check_variations` has seen that there are none.
+    core::Problems none;  // `check_variations` has seen that there are none.
     run_variation(sweep_->scene(input_.scene, variation, none), products_, rows, rules_, streams_.stop, told);
   }
 
@@ -335,7 +335,7 @@ class Sweeper {
   }
 
   ExitStatus finish() {
-    Problems failures;
+    core::Problems failures;
     for (const SweepRow& row : rows_)
       if (!row.failure.empty()) {
         failures.push_back({});
@@ -348,7 +348,8 @@ class Sweeper {
     if (arguments_.json) write_out(streams_, sweep_json(table, rows_));
     if (!arguments_.quiet)
       streams_.err << fmt::format("{}: {} in {}\n", beside(part_stem() + ".csv").string(),
-                                  counted(variations_.size(), "variation"), duration_text(now_s() - begin_s_));
+                                  counted(variations_.size(), "variation"),
+                                  core::duration_text(core::now_s() - begin_s_));
     if (failures.empty()) return exit_done;
     print_problems(streams_, shortened(std::move(failures)));
     return exit_bad_input;

@@ -44,8 +44,8 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
 SweepPart read_part(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = text.find('/');
-  const auto index = parse_integer(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  const auto index = core::parse_integer(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
   if (!index || !count)
     throw BadInput(fmt::format("--part: '{}' is no part", text), "write K/N, for instance 2/4 for the second of four");
   if (*count < 1 || *count > static_cast<std::int64_t>(most_variations) || *index < 1 || *index > *count)

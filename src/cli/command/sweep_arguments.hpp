@@ -21,7 +21,7 @@ struct SweepArguments {
   std::string folder = ".";
   std::string table;  ///< Stem of the names of table and journal, in the folder.
   SceneOverrides overrides;
-  std::optional<Engine> engine;
+  std::optional<simulate::Engine> engine;
   std::string simd;
   std::optional<std::int64_t> threads;
   std::optional<std::int64_t> jobs;

@@ -16,8 +16,8 @@ namespace {
 // Room for the temporary name and for the file system's own limit of 255 bytes.
 constexpr std::size_t longest_name = 200;
 
-Problem mistake(const std::string& setting, std::string message, std::string hint = {}) {
-  Problem problem;
+core::Problem mistake(const std::string& setting, std::string message, std::string hint = {}) {
+  core::Problem problem;
   problem.message = fmt::format("--set {}: {}", setting.substr(0, 80), message);
   problem.hint = std::move(hint);
   return problem;
@@ -61,19 +61,19 @@ std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
 
 std::string SweepAxis::unit() const {
   if (!is_number()) return {};
-  const auto units = units_of(field.field->quantity);
+  const auto units = scene::units_of(field.field->quantity);
   return units.empty() ? std::string() : std::string(units.front());
 }
 
 std::string SweepAxis::table_text(std::size_t value) const {
   const std::string& text = values.at(value);
   if (!is_number() || is_seed()) return text;
-  const QuantityReading reading = read_quantity(text, field.field->quantity);
-  return reading.value ? format_number(*reading.value) : text;
+  const scene::QuantityReading reading = scene::read_quantity(text, field.field->quantity);
+  return reading.value ? core::format_number(*reading.value) : text;
 }
 
-Sweep::Sweep(const Scene& scene, const std::vector<std::string>& settings, bool paired) : paired_(paired) {
-  Problems problems;
+Sweep::Sweep(const scene::Scene& scene, const std::vector<std::string>& settings, bool paired) : paired_(paired) {
+  core::Problems problems;
   for (const std::string& setting : settings) add_axis(scene, setting, problems);
   if (settings.empty())
     throw BadInput("sweep: nothing varies", "say what does with --set, for instance --set seed=1..10");
@@ -81,7 +81,7 @@ Sweep::Sweep(const Scene& scene, const std::vector<std::string>& settings, bool 
   if (!problems.empty()) throw BadInput(std::move(problems));
 }
 
-void Sweep::add_axis(const Scene& scene, const std::string& setting, Problems& problems) {
+void Sweep::add_axis(const scene::Scene& scene, const std::string& setting, core::Problems& problems) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     problems.push_back(
@@ -91,18 +91,18 @@ void Sweep::add_axis(const Scene& scene, const std::string& setting, Problems& p
   SweepAxis axis;
   axis.name = trimmed(setting.substr(0, equals));
   const std::string values = trimmed(setting.substr(equals + 1));
-  axis.field = find_named_field(scene, axis.name, values);
+  axis.field = scene::find_named_field(scene, axis.name, values);
   if (axis.field.field == nullptr) {
     problems.push_back(mistake(setting, axis.field.failure));
     return;
   }
   for (const SweepAxis& other : axes_)
     if (other.field.field == axis.field.field &&
-        (axis.field.objects.empty() || std::ranges::any_of(axis.field.objects, [&](ObjectId id) {
+        (axis.field.objects.empty() || std::ranges::any_of(axis.field.objects, [&](scene::ObjectId id) {
            return std::ranges::find(other.field.objects, id) != other.field.objects.end();
          })))
       problems.push_back(mistake(setting, fmt::format("this field is set by {} already", other.name)));
-  ValueList list = read_value_list(values, *axis.field.field, most_variations);
+  scene::ValueList list = scene::read_value_list(values, *axis.field.field, most_variations);
   if (!list.failure.empty()) {
     problems.push_back(mistake(setting, list.failure));
     return;
@@ -118,7 +118,7 @@ void Sweep::add_axis(const Scene& scene, const std::string& setting, Problems& p
   axes_.push_back(std::move(axis));
 }
 
-void Sweep::set_size(bool paired, Problems& problems) {
+void Sweep::set_size(bool paired, core::Problems& problems) {
   strides_.assign(axes_.size(), 1);
   if (paired) {
     size_ = axes_.front().values.size();
@@ -133,7 +133,7 @@ void Sweep::set_size(bool paired, Problems& problems) {
   double size = 1.0;
   for (const SweepAxis& axis : axes_) size *= static_cast<double>(axis.values.size());
   if (size > static_cast<double>(most_variations)) {
-    Problem problem;
+    core::Problem problem;
     problem.message = fmt::format("the sweep would have {:.0f} variations", size);
     problem.expected = fmt::format("{} at most", most_variations);
     problem.hint = "vary less at once, or pair the values with --zip";
@@ -167,24 +167,24 @@ std::string Sweep::file_name(const std::string& stem, const std::string& extensi
   return fmt::format("{}_{:016x}{}", safe.substr(0, longest_name / 2), hash_of(values, hash_of(safe)), extension);
 }
 
-Scene Sweep::scene(const Scene& base, std::size_t variation, Problems& problems) const {
-  Scene scene = base;
+scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const {
+  scene::Scene scene = base;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const std::string& value = axes_[i].values[value_of(variation, i)];
-    if (const std::string failure = set_named_field(scene, axes_[i].field, value); !failure.empty())
+    if (const std::string failure = scene::set_named_field(scene, axes_[i].field, value); !failure.empty())
       problems.push_back(mistake(axes_[i].name + "=" + value, failure));
   }
   return scene;
 }
 
-bool Sweep::varies(const Subject& subject) const {
+bool Sweep::varies(const core::Subject& subject) const {
   return std::ranges::any_of(axes_, [&](const SweepAxis& axis) {
     const std::string_view id = axis.field.field->id;
     const bool field = id == subject.field || (id.starts_with(subject.field) && id.size() > subject.field.size() &&
                                                id[subject.field.size()] == '.' && !subject.field.empty());
     if (axis.field.objects.empty()) return field && subject.kind == "options";
-    return field && std::ranges::any_of(axis.field.objects, [&](ObjectId object) {
-             return name_of(object.kind) == subject.kind && object.index == subject.index;
+    return field && std::ranges::any_of(axis.field.objects, [&](scene::ObjectId object) {
+             return scene::name_of(object.kind) == subject.kind && object.index == subject.index;
            });
   });
 }

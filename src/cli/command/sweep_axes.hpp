@@ -16,14 +16,14 @@ inline constexpr std::size_t most_variations = 100000;
 /// A field and the values that it takes, one after the other.
 struct SweepAxis {
   std::string name;  ///< As typed: "Radar1.bandwidth".
-  NamedField field;
+  scene::NamedField field;
   std::vector<std::string> values;  ///< As `set_named_field` takes them.
   std::vector<std::string> words;   ///< The values as parts of file names; no two are alike.
 
   /// "Hz"; empty for pure numbers and for what is no number.
   [[nodiscard]] std::string unit() const;
   /// Whether the values are numbers of a quantity.
-  [[nodiscard]] bool is_number() const { return field.field->kind == FieldKind::quantity; }
+  [[nodiscard]] bool is_number() const { return field.field->kind == scene::FieldKind::quantity; }
   /// A value for tables: a number in the base unit, or the word itself.
   [[nodiscard]] std::string table_text(std::size_t value) const;
   /// Whether this is the seed, which `check` does not look at.
@@ -36,7 +36,7 @@ class Sweep {
  public:
   /// @param settings  texts "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp, scene/schema/value_list.hpp)
   /// @throws BadInput with everything that is wrong with them
-  Sweep(const Scene& scene, const std::vector<std::string>& settings, bool paired);
+  Sweep(const scene::Scene& scene, const std::vector<std::string>& settings, bool paired);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::vector<SweepAxis>& axes() const { return axes_; }
@@ -50,16 +50,16 @@ class Sweep {
   [[nodiscard]] std::string file_name(const std::string& stem, const std::string& extension,
                                       std::size_t variation) const;
   /// The scene with the values of a variation; where they cannot be set, `problems` says why.
-  [[nodiscard]] Scene scene(const Scene& base, std::size_t variation, Problems& problems) const;
+  [[nodiscard]] scene::Scene scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const;
   /// Whether a problem is about a field that varies, so that the script is not to blame.
-  [[nodiscard]] bool varies(const Subject& subject) const;
+  [[nodiscard]] bool varies(const core::Subject& subject) const;
 
   /// The first of the variations that differ from this one by the seed alone.
   [[nodiscard]] std::size_t first_alike(std::size_t variation) const;
 
  private:
-  void add_axis(const Scene& scene, const std::string& setting, Problems& problems);
-  void set_size(bool paired, Problems& problems);
+  void add_axis(const scene::Scene& scene, const std::string& setting, core::Problems& problems);
+  void set_size(bool paired, core::Problems& problems);
 
   std::vector<SweepAxis> axes_;
   std::vector<std::size_t> strides_;  // Of each axis in the number of a variation; paired: all 1.

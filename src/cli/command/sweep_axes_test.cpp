@@ -11,10 +11,10 @@ namespace {
 
 using testing::HasSubstr;
 
-Scene small_scene() {
-  Scene scene;
+scene::Scene small_scene() {
+  scene::Scene scene;
   scene.radars.resize(1);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.targets.resize(2);
   scene.simulations.resize(1);
   return scene;
@@ -25,7 +25,7 @@ std::string complaint(const std::vector<std::string>& settings, bool paired = fa
     (void)Sweep(small_scene(), settings, paired);
   } catch (const BadInput& error) {
     std::string text;
-    for (const Problem& problem : error.problems) text += to_string(problem) + "\n";
+    for (const core::Problem& problem : error.problems) text += core::to_string(problem) + "\n";
     return text;
   }
   return "none";
@@ -49,10 +49,10 @@ TEST(SweepAxes, PairWithZip) {
 }
 
 TEST(SweepAxes, SetTheValuesOfAVariation) {
-  const Scene base = small_scene();
+  const scene::Scene base = small_scene();
   const Sweep sweep(base, {"Radar1.bandwidth=10MHz,20MHz", "Target*.x=1km,2km"}, false);
-  Problems problems;
-  const Scene scene = sweep.scene(base, 3, problems);
+  core::Problems problems;
+  const scene::Scene scene = sweep.scene(base, 3, problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(scene.radars[0].bandwidth_hz, 20e6);
   EXPECT_EQ(scene.targets[0].position_m.x, 2000.0);
@@ -60,9 +60,9 @@ TEST(SweepAxes, SetTheValuesOfAVariation) {
 }
 
 TEST(SweepAxes, SetInTheOrderInWhichTheyAreGiven) {
-  const Scene base = small_scene();
+  const scene::Scene base = small_scene();
   const Sweep sweep(base, {"Radar1.pulse=Barker", "Radar1.barker_code=13"}, false);
-  Problems problems;
+  core::Problems problems;
   EXPECT_EQ(sweep.scene(base, 0, problems).radars[0].barker_code, 6);
   EXPECT_TRUE(problems.empty());
   const Sweep reversed(base, {"Radar1.barker_code=13", "Radar1.pulse=Barker"}, false);

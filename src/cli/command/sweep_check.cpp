@@ -20,7 +20,7 @@ namespace {
 
 // One cause, as the first variation that has it words it.
 struct Cause {
-  Problem problem;
+  core::Problem problem;
   std::size_t first = 0;  // Variation.
   std::size_t order = 0;  // Among the problems of that variation.
   std::size_t variations = 0;
@@ -29,10 +29,10 @@ struct Cause {
 // The causes met so far; the same whatever the order in which variations come.
 class Causes {
  public:
-  void add(std::size_t variation, std::size_t alike, const Problems& problems) {
+  void add(std::size_t variation, std::size_t alike, const core::Problems& problems) {
     const std::scoped_lock hold(lock_);
     for (std::size_t i = 0; i < problems.size(); ++i) {
-      const Problem& p = problems[i];
+      const core::Problem& p = problems[i];
       const auto [found, is_new] = causes_.try_emplace(
           Key{p.severity, p.message, p.subject.kind, p.subject.index, p.subject.field}, Cause{p, variation, i, 0});
       Cause& cause = found->second;
@@ -45,11 +45,11 @@ class Causes {
     }
   }
 
-  [[nodiscard]] Problems problems(const Sweep& sweep, std::size_t variations) const {
+  [[nodiscard]] core::Problems problems(const Sweep& sweep, std::size_t variations) const {
     std::vector<const Cause*> causes;
     for (const auto& [key, cause] : causes_) causes.push_back(&cause);
     std::ranges::sort(causes, {}, [](const Cause* c) { return std::tuple(c->problem.severity, c->first, c->order); });
-    Problems problems;
+    core::Problems problems;
     for (const Cause* cause : causes) {
       problems.push_back(cause->problem);
       if (cause->variations >= variations) continue;
@@ -65,7 +65,7 @@ class Causes {
   }
 
  private:
-  using Key = std::tuple<Severity, std::string, std::string, std::size_t, std::string>;
+  using Key = std::tuple<core::Severity, std::string, std::string, std::size_t, std::string>;
   std::map<Key, Cause> causes_;
   std::mutex lock_;
 };
@@ -81,56 +81,58 @@ std::vector<Object> picked(const std::vector<Object>& objects, const std::vector
 // Looks at one variation; used on several threads at once.
 class Looker {
  public:
-  Looker(const SweepToCheck& work, const StopFlag* stop) : work_(work), stop_(stop) {
+  Looker(const SweepToCheck& work, const core::StopFlag* stop) : work_(work), stop_(stop) {
     for (const ProductJob& job : work.products) (job.table ? tables_ : simulations_).push_back(job.index);
   }
 
   // What is not made is not looked at either: it may be as wrong as it likes.
-  Problems look(std::size_t variation, std::vector<ProductSize>& sizes) const {
-    const WorkControl alone{1, stop_};
-    Problems problems;
-    Scene scene = work_.sweep.scene(work_.base, variation, problems);
+  core::Problems look(std::size_t variation, std::vector<ProductSize>& sizes) const {
+    const core::WorkControl alone{1, stop_};
+    core::Problems problems;
+    scene::Scene scene = work_.sweep.scene(work_.base, variation, problems);
     if (!problems.empty()) return problems;
     scene.simulations = picked(scene.simulations, simulations_);
     scene.geometries = picked(scene.geometries, tables_);
-    problems = check(scene, alone);
-    if (!has_errors(problems)) {
-      const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene, alone));
-      std::ranges::move(survey(scene, resolved, alone), std::back_inserter(problems));
-      if (!has_errors(problems)) sizes = sizes_of(scene, resolved);
+    problems = scene::check(scene, alone);
+    if (!core::has_errors(problems)) {
+      const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene, alone));
+      std::ranges::move(simulate::survey(scene, resolved, alone), std::back_inserter(problems));
+      if (!core::has_errors(problems)) sizes = sizes_of(scene, resolved);
     }
     number_as_in_script(problems);
     locate_script_values(problems);
-    return ranked(std::move(problems));
+    return core::ranked(std::move(problems));
   }
 
  private:
   // @param scene  with the chosen products alone
-  [[nodiscard]] std::vector<ProductSize> sizes_of(const Scene& scene,
-                                                  const std::shared_ptr<const ResolvedScene>& resolved) const {
+  [[nodiscard]] std::vector<ProductSize> sizes_of(
+      const scene::Scene& scene, const std::shared_ptr<const simulate::ResolvedScene>& resolved) const {
     std::vector<ProductSize> sizes;
     std::size_t simulation = 0;
     for (const ProductJob& job : work_.products) {
       ProductSize size;
       if (!job.table) {
-        const Plan plan = make_plan(scene, simulation++, resolved, work_.engine, stop_);
+        const simulate::Plan plan = simulate::make_plan(scene, simulation++, resolved, work_.engine, stop_);
         size.rows = plan.rows;
         size.columns = plan.columns;
-        size.bytes = expected_bytes(product_of(plan, {}), {plan.simulation.format, false, work_.counts, false});
-        const FileFormat format = plan.simulation.format;
-        const bool exact = format == FileFormat::binary || format == FileFormat::npy || format == FileFormat::hdf5;
+        size.bytes = raster::expected_bytes(simulate::product_of(plan, {}),
+                                            {plan.simulation.format, false, work_.counts, false});
+        const scene::FileFormat format = plan.simulation.format;
+        const bool exact = format == scene::FileFormat::binary || format == scene::FileFormat::npy ||
+                           format == scene::FileFormat::hdf5;
         size.least_bytes = exact ? size.bytes : 0.4 * size.bytes;
-        const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(format, work_.counts);
-        size.seconds = estimated_cost(plan, 1).seconds_one_thread * (twice ? 2.0 : 1.0);
+        const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
+        size.seconds = simulate::estimated_cost(plan, 1).seconds_one_thread * (twice ? 2.0 : 1.0);
       }
       sizes.push_back(size);
     }
     return sizes;
   }
 
-  void number_as_in_script(Problems& problems) const {
-    for (Problem& problem : problems) {
-      Subject& subject = problem.subject;
+  void number_as_in_script(core::Problems& problems) const {
+    for (core::Problem& problem : problems) {
+      core::Subject& subject = problem.subject;
       if (subject.kind != "simulation" && subject.kind != "geometry") continue;
       const auto& positions = subject.kind == "simulation" ? simulations_ : tables_;
       if (subject.index < positions.size()) subject.index = positions[subject.index];
@@ -138,34 +140,34 @@ class Looker {
   }
 
   // A place in the script is of no help where the value does not stand there.
-  void locate_script_values(Problems& problems) const {
-    locate(problems, work_.places);
-    for (Problem& problem : problems)
+  void locate_script_values(core::Problems& problems) const {
+    scene::locate(problems, work_.places);
+    for (core::Problem& problem : problems)
       if (work_.sweep.varies(problem.subject)) problem.place = {};
   }
 
   const SweepToCheck& work_;
-  const StopFlag* stop_;
+  const core::StopFlag* stop_;
   std::vector<std::size_t> simulations_;  // Positions of those that are chosen.
   std::vector<std::size_t> tables_;
 };
 
 }  // namespace
 
-SweepChecks check_sweep(const SweepToCheck& work, const WorkControl& control) {
+SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& control) {
   std::map<std::size_t, std::size_t> representatives;  // First of those alike -> how many of them.
   for (const std::size_t variation : work.variations) ++representatives[work.sweep.first_alike(variation)];
   const std::vector<std::pair<std::size_t, std::size_t>> looked_at(representatives.begin(), representatives.end());
   std::vector<std::vector<ProductSize>> sizes(looked_at.size());
   Causes causes;
   const Looker looker(work, control.stop);
-  parallel_ranges(looked_at.size(), 1, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(looked_at.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       causes.add(looked_at[i].first, looked_at[i].second, looker.look(looked_at[i].first, sizes[i]));
   });
   SweepChecks checks;
   checks.problems = causes.problems(work.sweep, work.variations.size());
-  if (has_errors(checks.problems)) return checks;
+  if (core::has_errors(checks.problems)) return checks;
   for (const std::size_t variation : work.variations) {
     const auto found = std::ranges::lower_bound(looked_at, work.sweep.first_alike(variation), {},
                                                 &std::pair<std::size_t, std::size_t>::first);

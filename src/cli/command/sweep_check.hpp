@@ -23,24 +23,25 @@ struct ProductSize {
 
 /// What `check_sweep` works with.
 struct SweepToCheck {
-  const Scene& base;
-  const FieldPlaces& places;
+  const scene::Scene& base;
+  const scene::FieldPlaces& places;
   const Sweep& sweep;
   const std::vector<ProductJob>& products;
-  const std::vector<std::size_t>& variations;  ///< Those that are to be looked at, ascending.
-  bool counts = false;                         ///< As in SinkOptions.
-  Engine engine = Engine::automatic;           ///< That will run, for the time that is announced.
+  const std::vector<std::size_t>& variations;             ///< Those that are to be looked at, ascending.
+  bool counts = false;                                    ///< As in SinkOptions.
+  simulate::Engine engine = simulate::Engine::automatic;  ///< That will run, for the time that is announced.
 };
 
 /// What there is to know before the first variation is run.
 struct SweepChecks {
-  Problems problems;  ///< Each cause once, with the variations that have it; errors first, then by the first of them.
+  core::Problems
+      problems;  ///< Each cause once, with the variations that have it; errors first, then by the first of them.
   /// Of each of `variations`, and in it of each product; empty where there are errors.
   std::vector<std::vector<ProductSize>> sizes;
 };
 
 /// Looks at every variation as `sarsim check` looks at a script, on all threads; variations that differ by the seed
 /// alone are looked at once. The outcome does not depend on the number of threads.
-[[nodiscard]] SweepChecks check_sweep(const SweepToCheck& work, const WorkControl& control);
+[[nodiscard]] SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& control);
 
 }  // namespace sarsim::cli

@@ -22,38 +22,39 @@ struct Line {
 };
 
 // What may be written for a field.
-std::string takes(const Field& field) {
+std::string takes(const scene::Field& field) {
   switch (field.kind) {
-    case FieldKind::quantity: return fmt::format("{}", fmt::join(units_of(field.quantity), ", "));
-    case FieldKind::choice: return fmt::format("{}", fmt::join(field.choices, " | "));
-    case FieldKind::check: return "yes | no";
+    case scene::FieldKind::quantity: return fmt::format("{}", fmt::join(scene::units_of(field.quantity), ", "));
+    case scene::FieldKind::choice: return fmt::format("{}", fmt::join(field.choices, " | "));
+    case scene::FieldKind::check: return "yes | no";
     default: return {};
   }
 }
 
-void add_object(std::vector<Line>& lines, const Scene& scene, ObjectId id) {
-  const AnyObject object = object_of(scene, id);
-  const std::vector<Field>& fields = fields_of(id.kind);
-  const std::string address = address_of(scene, id);
-  for (const Field& field : fields)
-    if (field.kind != FieldKind::function && field_applies(object, field.id))
-      lines.push_back(
-          {fmt::format("{}.{}", address, short_name(fields, field)), field_text(object, field.id), takes(field)});
+void add_object(std::vector<Line>& lines, const scene::Scene& scene, scene::ObjectId id) {
+  const scene::AnyObject object = scene::object_of(scene, id);
+  const std::vector<scene::Field>& fields = scene::fields_of(id.kind);
+  const std::string address = scene::address_of(scene, id);
+  for (const scene::Field& field : fields)
+    if (field.kind != scene::FieldKind::function && scene::field_applies(object, field.id))
+      lines.push_back({fmt::format("{}.{}", address, scene::short_name(fields, field)),
+                       scene::field_text(object, field.id), takes(field)});
 }
 
 }  // namespace
 
-std::string field_list(const Scene& scene) {
+std::string field_list(const scene::Scene& scene) {
   std::vector<Line> lines;
-  for (const ObjectKind kind : all_object_kinds) {
-    const std::size_t count = count_of(scene, kind);
-    const bool points = kind == ObjectKind::target || kind == ObjectKind::surface;
+  for (const scene::ObjectKind kind : scene::all_object_kinds) {
+    const std::size_t count = scene::count_of(scene, kind);
+    const bool points = kind == scene::ObjectKind::target || kind == scene::ObjectKind::surface;
     const std::size_t listed = points ? std::min(count, most_listed) : count;
     for (std::size_t i = 0; i < listed; ++i) add_object(lines, scene, {kind, i});
     if (listed < count) lines.push_back({fmt::format("... and {} more", count - listed), "", ""});
   }
-  for (const Field& field : option_fields())
-    lines.push_back({short_name(option_fields(), field), field_text(scene.options, field.id), takes(field)});
+  for (const scene::Field& field : scene::option_fields())
+    lines.push_back(
+        {scene::short_name(scene::option_fields(), field), scene::field_text(scene.options, field.id), takes(field)});
   std::size_t name_width = 0;
   std::size_t value_width = 0;
   for (const Line& line : lines) {

@@ -9,6 +9,6 @@ namespace sarsim::cli {
 /// The fields of a scene that can be set, a line for each: its shortest name, its value and, for numbers, the units
 /// that are understood. Fields that mean nothing with the alternatives that are chosen are left out; of many targets or
 /// surfaces the first few are listed.
-[[nodiscard]] std::string field_list(const Scene& scene);
+[[nodiscard]] std::string field_list(const scene::Scene& scene);
 
 }  // namespace sarsim::cli

@@ -39,7 +39,7 @@ class CellReader {
 
   const std::string& word() { return cells_[next_++]; }
   double number() {
-    const auto value = parse_number(word());
+    const auto value = core::parse_number(word());
     good_ = good_ && value;
     return value.value_or(0.0);
   }
@@ -54,7 +54,7 @@ class CellReader {
   std::optional<std::int64_t> time() {
     const std::string& text = word();
     if (text == "-") return std::nullopt;
-    const auto value = parse_integer(text);
+    const auto value = core::parse_integer(text);
     good_ = good_ && value;
     return value;
   }
@@ -69,14 +69,14 @@ class CellReader {
 }  // namespace
 
 std::string journal_line(const SweepRow& row) {
-  const RunReport& run = row.run;
-  std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, format_number(row.bytes),
-                                 row.written ? std::to_string(*row.written) : "-", format_number(row.seconds),
+  const simulate::RunReport& run = row.run;
+  std::string line = fmt::format("{:016x}\t{}\t{}\t{}\t{}\t{}\t{}", row.stamp, row.file, core::format_number(row.bytes),
+                                 row.written ? std::to_string(*row.written) : "-", core::format_number(row.seconds),
                                  row.engine, row.lsb_estimated ? 1 : 0);
   line += fmt::format("\t{}\t{}", run.rows, run.columns);
   for (const double value : {run.maximum_v, run.lsb_v, run.best_lsb_v, run.range_used}) {
     line += '\t';
-    append_number(line, value);
+    core::append_number(line, value);
   }
   return line + fmt::format("\t{}\t{}\t.", run.saturated, run.zero);
 }
@@ -94,8 +94,8 @@ bool read_journal_line(const std::string& line, SweepRow& row) {
   row.lsb_estimated = reader.whole() != 0;
   row.run.rows = reader.whole();
   row.run.columns = reader.whole();
-  for (double RunReport::*member :
-       {&RunReport::maximum_v, &RunReport::lsb_v, &RunReport::best_lsb_v, &RunReport::range_used})
+  for (double simulate::RunReport::*member : {&simulate::RunReport::maximum_v, &simulate::RunReport::lsb_v,
+                                              &simulate::RunReport::best_lsb_v, &simulate::RunReport::range_used})
     row.run.*member = reader.number();
   row.run.saturated = reader.whole();
   row.run.zero = reader.whole();

@@ -22,7 +22,7 @@ struct SweepRow {
   double seconds = 0.0;
   std::string engine;
   bool lsb_estimated = false;
-  RunReport run;
+  simulate::RunReport run;
 };
 
 }  // namespace sarsim::cli

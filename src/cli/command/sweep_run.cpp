@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
 
 // The HDF5 library may have been built for one thread at a time; where it was not, it lets only one in anyway.
-class OneAtATimeSink final : public Sink {
+class OneAtATimeSink final : public simulate::Sink {
  public:
   template <class Make>
   explicit OneAtATimeSink(const Make& make) {
@@ -46,12 +46,14 @@ class OneAtATimeSink final : public Sink {
   }
 
   [[nodiscard]] bool wants_counts() const override { return inner_->wants_counts(); }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override { return inner_->encode(block); }
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
+    return inner_->encode(block);
+  }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
     const std::scoped_lock hold(lock());
     inner_->append(bytes, first_row, rows);
   }
-  void finish(const RunReport& report) override {
+  void finish(const simulate::RunReport& report) override {
     const std::scoped_lock hold(lock());
     inner_->finish(report);
   }
@@ -61,24 +63,25 @@ class OneAtATimeSink final : public Sink {
     static std::mutex one;
     return one;
   }
-  std::unique_ptr<Sink> inner_;
+  std::unique_ptr<simulate::Sink> inner_;
 };
 
-std::unique_ptr<Sink> sink_of(const fs::path& path, const Product& product, const SinkOptions& options, bool discard) {
-  if (discard) return make_discarding_sink(product, options);
-  const auto make = [&] { return make_sink(path, product, options); };
-  if (options.format == FileFormat::hdf5) return std::make_unique<OneAtATimeSink>(make);
+std::unique_ptr<simulate::Sink> sink_of(const fs::path& path, const simulate::Product& product,
+                                        const raster::SinkOptions& options, bool discard) {
+  if (discard) return raster::make_discarding_sink(product, options);
+  const auto make = [&] { return raster::make_sink(path, product, options); };
+  if (options.format == scene::FileFormat::hdf5) return std::make_unique<OneAtATimeSink>(make);
   return make();
 }
 
 // One variation at work.
 class VariationRunner {
  public:
-  VariationRunner(const Scene& scene, const VariationRules& rules, const StopFlag* stop)
+  VariationRunner(const scene::Scene& scene, const VariationRules& rules, const core::StopFlag* stop)
       : scene_(scene), rules_(rules), stop_(stop) {}
 
   void make(const ProductJob& job, SweepRow& row) {
-    const double begin_s = now_s();
+    const double begin_s = core::now_s();
     try {
       if (job.table)
         make_table(scene_.geometries.at(job.index), row);
@@ -86,79 +89,84 @@ class VariationRunner {
         make_recording(job.index, row);
       if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
       row.done = true;
-    } catch (const ImpossibleEcho& error) {
+    } catch (const simulate::ImpossibleEcho& error) {
       row.failure = error.problem.message;
     } catch (const std::overflow_error& error) {
       row.failure = error.what();
     }
-    row.seconds = now_s() - begin_s;
+    row.seconds = core::now_s() - begin_s;
   }
 
  private:
   void make_recording(std::size_t simulation, SweepRow& row) {
-    if (!resolved_) resolved_ = std::make_shared<const ResolvedScene>(resolve(scene_, {rules_.threads, stop_}));
-    const Plan plan = make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
-    const bool with_script = plan.simulation.format == FileFormat::hdf5;
-    const Product product = product_of(plan, with_script ? write_script(scene_) : std::string());
-    const SinkOptions options{plan.simulation.format, rules_.replace, rules_.counts, rules_.header};
+    if (!resolved_)
+      resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_, {rules_.threads, stop_}));
+    const simulate::Plan plan = simulate::make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
+    const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+    const simulate::Product product =
+        simulate::product_of(plan, with_script ? scene::write_script(scene_) : std::string());
+    const raster::SinkOptions options{plan.simulation.format, rules_.replace, rules_.counts, rules_.header};
     const fs::path path = rules_.folder / row.file;
-    const std::unique_ptr<Sink> sink = sink_of(path, product, options, rules_.discard);
-    const RunControl control{rules_.threads, stop_, {}};
+    const std::unique_ptr<simulate::Sink> sink = sink_of(path, product, options, rules_.discard);
+    const simulate::RunControl control{rules_.threads, stop_, {}};
     const bool estimated = plan.simulation.lsb_v <= 0.0;
-    const double lsb_v = estimated && sink->wants_counts() ? resolved_lsb_v(plan, control) : plan.simulation.lsb_v;
-    row.run = run(plan, lsb_v, *sink, control);
+    const double lsb_v =
+        estimated && sink->wants_counts() ? simulate::resolved_lsb_v(plan, control) : plan.simulation.lsb_v;
+    row.run = simulate::run(plan, lsb_v, *sink, control);
     row.engine = product.engine;
     row.lsb_estimated = estimated;
     if (!rules_.discard) row.bytes = static_cast<double>(fs::file_size(path));
   }
 
-  void make_table(const GeometryTable& table, SweepRow& row) const {
+  void make_table(const scene::GeometryTable& table, SweepRow& row) const {
     const auto count = [&](std::string_view piece) { row.bytes += static_cast<double>(piece.size()); };
     if (rules_.discard) {
-      write_geometry_text(scene_, table, count, stop_);
+      simulate::write_geometry_text(scene_, table, count, stop_);
       return;
     }
-    OutputFile file(rules_.folder / row.file, rules_.replace);
+    core::OutputFile file(rules_.folder / row.file, rules_.replace);
     const auto write = [&](std::string_view piece) {
       file.write(std::as_bytes(std::span(piece)));
       count(piece);
     };
-    write_geometry_text(scene_, table, write, stop_);
+    simulate::write_geometry_text(scene_, table, write, stop_);
     file.commit();
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   const VariationRules& rules_;
-  const StopFlag* stop_;
-  std::shared_ptr<const ResolvedScene> resolved_;
+  const core::StopFlag* stop_;
+  std::shared_ptr<const simulate::ResolvedScene> resolved_;
 };
 
 // What data files hold; a script only names them.
-std::uint64_t hash_of_functions(const KeptObject& object, std::uint64_t hash) {
-  for (const FunctionUse& use : functions_of(object)) {
+std::uint64_t hash_of_functions(const scene::KeptObject& object, std::uint64_t hash) {
+  for (const scene::FunctionUse& use : scene::functions_of(object)) {
     if (use.file->empty()) continue;
-    for (const SampledFunction& part : use.parts)
-      for (const Knot& knot : part.knots) hash = hash_of({reinterpret_cast<const char*>(&knot), sizeof knot}, hash);
+    for (const core::SampledFunction& part : use.parts)
+      for (const core::Knot& knot : part.knots)
+        hash = hash_of({reinterpret_cast<const char*>(&knot), sizeof knot}, hash);
   }
   return hash;
 }
 
-std::uint64_t hash_of_scene(const Scene& scene) {
-  std::uint64_t hash = hash_of(write_script(scene));
-  for (const Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
-  for (const Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
-  for (const Target& target : scene.targets)
+std::uint64_t hash_of_scene(const scene::Scene& scene) {
+  std::uint64_t hash = hash_of(scene::write_script(scene));
+  for (const scene::Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
+  for (const scene::Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
+  for (const scene::Target& target : scene.targets)
     if (!target.gain_db.file.empty()) hash = hash_of_functions(target, hash);
   return hash;
 }
 
 }  // namespace
 
-VariationNames::VariationNames(const Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
+VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
                                const VariationRules& rules)
     : sweep_(sweep), products_(products) {
-  stamp_ = hash_of(fmt::format("{} {} {} {}", program_version, name_of(rules.engine), rules.counts, rules.header),
-                   hash_of_scene(base));
+  stamp_ = hash_of(
+      fmt::format("{} {} {} {}", core::program_version, simulate::name_of(rules.engine), rules.counts, rules.header),
+      hash_of_scene(base));
   std::set<std::string> taken;
   for (const ProductJob& job : products) {
     // One stem for two products is fine where their extensions always differ, which is simplest never to rely on.
@@ -169,20 +177,21 @@ VariationNames::VariationNames(const Scene& base, const Sweep& sweep, const std:
     format_axes_.push_back(no_axis);
     extensions_.push_back({job.path.extension().string()});
     for (std::size_t axis = 0; axis < sweep.axes().size() && !job.table; ++axis) {
-      const NamedField& field = sweep.axes()[axis].field;
-      const bool ours =
-          std::ranges::find(field.objects, ObjectId{ObjectKind::simulation, job.index}) != field.objects.end();
+      const scene::NamedField& field = sweep.axes()[axis].field;
+      const bool ours = std::ranges::find(field.objects, scene::ObjectId{scene::ObjectKind::simulation, job.index}) !=
+                        field.objects.end();
       if (!ours || field.field->id != "format") continue;
       format_axes_.back() = axis;
       extensions_.back().clear();
       for (const std::string& value : sweep.axes()[axis].values) {
-        Scene scene;
+        scene::Scene scene;
         scene.simulations.resize(job.index + 1);
-        NamedField alone = field;
-        alone.objects = {{ObjectKind::simulation, job.index}};
+        scene::NamedField alone = field;
+        alone.objects = {{scene::ObjectKind::simulation, job.index}};
         // A value that is refused is reported when the variations are checked.
-        const bool known = set_named_field(scene, alone, value).empty();
-        extensions_.back().emplace_back(known ? extension_of(scene.simulations.back().format) : std::string_view());
+        const bool known = scene::set_named_field(scene, alone, value).empty();
+        extensions_.back().emplace_back(known ? raster::extension_of(scene.simulations.back().format)
+                                              : std::string_view());
       }
     }
   }
@@ -202,8 +211,8 @@ SweepRow VariationNames::row(std::size_t variation, std::size_t product) const {
   return row;
 }
 
-void run_variation(const Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
-                   const VariationRules& rules, const StopFlag* stop,
+void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
+                   const VariationRules& rules, const core::StopFlag* stop,
                    const std::function<void(const SweepRow&)>& done) {
   VariationRunner runner(scene, rules, stop);
   for (SweepRow* row : rows) {

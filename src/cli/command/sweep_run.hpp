@@ -16,7 +16,7 @@ namespace sarsim::cli {
 /// How the products of variations are made.
 struct VariationRules {
   std::filesystem::path folder = ".";
-  Engine engine = Engine::automatic;
+  simulate::Engine engine = simulate::Engine::automatic;
   bool counts = false;   ///< As in SinkOptions.
   bool header = false;   ///< As in SinkOptions.
   bool replace = false;  ///< Replace existing files.
@@ -28,7 +28,7 @@ struct VariationRules {
 class VariationNames {
  public:
   /// @param products  with their files in the script as `path`
-  VariationNames(const Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
+  VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
                  const VariationRules& rules);
 
   /// The row of a product that has not been made yet: its numbers, file and stamp.
@@ -51,7 +51,8 @@ class VariationNames {
 ///
 /// @param scene  of the variation
 /// @param done   told each row as soon as its product is complete
-void run_variation(const Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
-                   const VariationRules& rules, const StopFlag* stop, const std::function<void(const SweepRow&)>& done);
+void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
+                   const VariationRules& rules, const core::StopFlag* stop,
+                   const std::function<void(const SweepRow&)>& done);
 
 }  // namespace sarsim::cli

@@ -45,16 +45,18 @@ std::string line_of(const SweepFrame& frame, const SweepRow& row) {
     line += fmt::format(",{}", cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
   line += fmt::format(",{},{},{}", product_name(frame, row), cell(row.file), status_of(row));
   if (!row.done) return line + std::string(12, ',') + "\n";
-  if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", format_number(row.bytes), row.seconds);
-  const RunReport& run = row.run;
-  line += fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? format_number(row.bytes) : std::string());
-  line += fmt::format(",{},{},{}", format_number(run.maximum_v), format_number(run.lsb_v), row.lsb_estimated ? 1 : 0);
-  line += fmt::format(",{},{},{},{}", format_number(run.best_lsb_v), format_number(run.range_used), run.saturated,
-                      run.zero);
+  if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", core::format_number(row.bytes), row.seconds);
+  const simulate::RunReport& run = row.run;
+  line +=
+      fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? core::format_number(row.bytes) : std::string());
+  line += fmt::format(",{},{},{}", core::format_number(run.maximum_v), core::format_number(run.lsb_v),
+                      row.lsb_estimated ? 1 : 0);
+  line += fmt::format(",{},{},{},{}", core::format_number(run.best_lsb_v), core::format_number(run.range_used),
+                      run.saturated, run.zero);
   return line + fmt::format(",{},{:.6g}\n", row.engine, row.seconds);
 }
 
-void write_axes(JsonWriter& json, const Sweep& sweep) {
+void write_axes(core::JsonWriter& json, const Sweep& sweep) {
   json.key("axes").begin_array();
   for (const SweepAxis& axis : sweep.axes())
     json.begin_object()
@@ -66,20 +68,20 @@ void write_axes(JsonWriter& json, const Sweep& sweep) {
   json.end_array();
 }
 
-void write_values(JsonWriter& json, const Sweep& sweep, std::size_t variation) {
+void write_values(core::JsonWriter& json, const Sweep& sweep, std::size_t variation) {
   json.key("values").begin_object();
   for (std::size_t i = 0; i < sweep.axes().size(); ++i) {
     const SweepAxis& axis = sweep.axes()[i];
     const std::size_t value = sweep.value_of(variation, i);
     json.key(axis.name).begin_object().member("text", axis.values[value]);
-    if (const auto number = axis.is_number() ? parse_number(axis.table_text(value)) : std::nullopt; number)
+    if (const auto number = axis.is_number() ? core::parse_number(axis.table_text(value)) : std::nullopt; number)
       json.member("value", *number);
     json.end_object();
   }
   json.end_object();
 }
 
-void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
+void write_row(core::JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
   json.begin_object().member("variation", row.variation + 1);
   write_values(json, *frame.sweep, row.variation);
   json.member("kind", row.table ? "geometry" : "recording").member("product", product_name(frame, row));
@@ -93,7 +95,7 @@ void write_row(JsonWriter& json, const SweepFrame& frame, const SweepRow& row) {
   if (!row.done && row.run.rows > 0)  // What a sweep that was only planned would make.
     json.member("rows", row.run.rows).member("columns", row.run.columns).member("bytes", row.bytes);
   if (row.done && !row.table) {
-    const RunReport& run = row.run;
+    const simulate::RunReport& run = row.run;
     json.member("rows", run.rows).member("columns", run.columns).member("maximum_v", run.maximum_v);
     json.member("lsb_v", run.lsb_v).member("lsb_estimated", row.lsb_estimated).member("best_lsb_v", run.best_lsb_v);
     json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
@@ -111,8 +113,8 @@ std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows
 }
 
 std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows) {
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).member("script", frame.script);
+  core::JsonWriter json;
+  json.begin_object().member("sarsim", core::program_version).member("script", frame.script);
   json.member("variations", frame.sweep->size());
   write_axes(json, *frame.sweep);
   json.key("rows").begin_array();

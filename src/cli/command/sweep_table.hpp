@@ -16,7 +16,7 @@ struct SweepFrame {
   const Sweep* sweep = nullptr;
   const std::vector<ProductJob>* products = nullptr;
   std::string status;  ///< "done", "failed", ...
-  const Problems* problems = nullptr;
+  const core::Problems* problems = nullptr;
 };
 
 /// The table as comma-separated values (RFC 4180, lines end in LF): a line with the names of the columns, then a line

@@ -12,10 +12,10 @@ using testing::StartsWith;
 
 class SweepTable : public testing::Test {
  protected:
-  static Scene scene() {
-    Scene scene;
+  static scene::Scene scene() {
+    scene::Scene scene;
     scene.radars.resize(1);
-    scene.radars[0].pulse = Radar::Pulse::chirp;
+    scene.radars[0].pulse = scene::Radar::Pulse::chirp;
     scene.simulations.resize(1);
     scene.simulations[0].file = "a,b.bin";
     return scene;
@@ -35,7 +35,7 @@ class SweepTable : public testing::Test {
 
   Sweep sweep_{scene(), {"Radar1.bandwidth=1MHz,2MHz", "seed=1..2"}, false};
   std::vector<ProductJob> products_{{false, 0, "a.bin"}, {true, 1, "t.txt"}};
-  Problems problems_;
+  core::Problems problems_;
   SweepFrame frame_{"scene.scr", &sweep_, &products_, "done", &problems_};
 };
 

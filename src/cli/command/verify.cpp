@@ -23,7 +23,7 @@ namespace sarsim::cli {
 
 namespace {
 
-using verify::Finding;
+using workflow::verify::Finding;
 
 struct VerifyArguments {
   std::string html;
@@ -41,23 +41,23 @@ std::string processor() {
   return {};
 }
 
-verify::Facts facts_of(const VerifyArguments& arguments, double seconds) {
-  verify::Facts facts{{"Program", fmt::format("sarsim {}", program_version)}};
+workflow::verify::Facts facts_of(const VerifyArguments& arguments, double seconds) {
+  workflow::verify::Facts facts{{"Program", fmt::format("sarsim {}", core::program_version)}};
   if (const std::string name = processor(); !name.empty()) facts.emplace_back("Processor", name);
-  facts.emplace_back("Instruction set", simd_level());
+  facts.emplace_back("Instruction set", simulate::simd_level());
   facts.emplace_back("Measured", arguments.quick ? "quickly: fewer samples, no speed" : "everything");
-  facts.emplace_back("Time", duration_text(seconds));
+  facts.emplace_back("Time", core::duration_text(seconds));
   return facts;
 }
 
 std::string line_of(const Finding& f) {
   if (!f.failure.empty()) return fmt::format("  FAILED  {}: {}\n", f.name, f.failure);
   return fmt::format("  {:<6}  {:<64} {:>16}  {:>16} {:<8} {}\n", f.holds ? "holds" : "FAILED", f.name,
-                     verify::value_text(f.measured, f), verify::value_text(f.expected, f), f.unit,
-                     verify::bound_text(f));
+                     workflow::verify::value_text(f.measured, f), workflow::verify::value_text(f.expected, f), f.unit,
+                     workflow::verify::bound_text(f));
 }
 
-std::string text_of(const verify::Record& record, bool failures_only) {
+std::string text_of(const workflow::verify::Record& record, bool failures_only) {
   std::string text;
   std::string group;
   for (const Finding& f : record.findings()) {
@@ -68,14 +68,17 @@ std::string text_of(const verify::Record& record, bool failures_only) {
       text += fmt::format("  {:<6}  {:<64} {:>16}  {:>16}\n", "", "", "measured", "expected");
     text += line_of(f);
   }
-  return text + fmt::format("{}{} of {} statements hold\n", text.empty() ? "" : "\n", verify::holding(record),
+  return text + fmt::format("{}{} of {} statements hold\n", text.empty() ? "" : "\n", workflow::verify::holding(record),
                             record.findings().size());
 }
 
-std::string json_of(const verify::Record& record, const verify::Facts& facts, double seconds) {
+std::string json_of(const workflow::verify::Record& record, const workflow::verify::Facts& facts, double seconds) {
   static constexpr const char* bounds[] = {"near", "at most", "at least"};
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).member("simd", simd_level()).member("seconds", seconds);
+  core::JsonWriter json;
+  json.begin_object()
+      .member("sarsim", core::program_version)
+      .member("simd", simulate::simd_level())
+      .member("seconds", seconds);
   json.key("facts").begin_object();
   for (const auto& [name, value] : facts) json.member(name, value);
   json.end_object().key("findings").begin_array();
@@ -87,27 +90,27 @@ std::string json_of(const verify::Record& record, const verify::Facts& facts, do
     if (!f.failure.empty()) json.member("failure", f.failure);
     json.end_object();
   }
-  json.end_array().member("holding", verify::holding(record)).member("all", record.findings().size());
+  json.end_array().member("holding", workflow::verify::holding(record)).member("all", record.findings().size());
   return json.end_object().text();
 }
 
 ExitStatus verify_program(const VerifyArguments& arguments, Streams& streams) {
-  std::optional<OutputFile> page;
+  std::optional<core::OutputFile> page;
   if (!arguments.html.empty()) {
     expect_free_outputs({arguments.html}, {{}, arguments.force, "--html"});
     page.emplace(arguments.html, arguments.force);  // Before anything is measured: where it cannot be, nobody waits.
   }
-  const double begin_s = now_s();
-  const verify::Record record = verify::verify_all({arguments.quick, streams.stop});
-  const double seconds = now_s() - begin_s;
-  const verify::Facts facts = facts_of(arguments, seconds);
+  const double begin_s = core::now_s();
+  const workflow::verify::Record record = workflow::verify::verify_all({arguments.quick, streams.stop});
+  const double seconds = core::now_s() - begin_s;
+  const workflow::verify::Facts facts = facts_of(arguments, seconds);
   if (page) {
-    const std::string text = verify::page_of(record, facts);
+    const std::string text = workflow::verify::page_of(record, facts);
     page->write(std::as_bytes(std::span(text)));
     page->commit();
   }
   write_out(streams, arguments.json ? json_of(record, facts, seconds) : text_of(record, arguments.quiet));
-  return verify::holding(record) == record.findings().size() ? exit_done : exit_failed;
+  return workflow::verify::holding(record) == record.findings().size() ? exit_done : exit_failed;
 }
 
 }  // namespace

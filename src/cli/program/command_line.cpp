@@ -34,7 +34,7 @@ namespace sarsim::cli {
 namespace {
 
 std::string about(const std::string& program) {
-  return version_text(program, this_build(), {{"CLI11", CLI11_VERSION}}) + "\n";
+  return picture::version_text(program, core::this_build(), {{"CLI11", CLI11_VERSION}}) + "\n";
 }
 
 // The application with its commands and what carries each out.
@@ -106,7 +106,7 @@ bool looks_like_scene(const std::string& word) {
   if (word.empty() || word.front() == '-') return false;
   const std::filesystem::path path(word);
   std::error_code ignored;
-  return equal_ignoring_case(path.extension().string(), ".scr") || path.has_parent_path() ||
+  return core::equal_ignoring_case(path.extension().string(), ".scr") || path.has_parent_path() ||
          std::filesystem::is_regular_file(path, ignored);
 }
 
@@ -139,9 +139,9 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   };
   std::vector<std::string_view> names;
   for (const std::string& name : known) names.push_back(bare(name));
-  const std::string nearest = nearest_word(bare(word), names);
+  const std::string nearest = core::nearest_word(bare(word), names);
   const std::size_t most = std::max<std::size_t>(1, bare(word).size() / 2);
-  const bool near = edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), nearest);
+  const bool near = core::edit_distance(bare(word), nearest) <= most || are_mixed_up(std::string(bare(word)), nearest);
   if (nearest.empty() || !near) return {};
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }
@@ -231,10 +231,10 @@ bool asks_for_json(const std::vector<std::string>& words) {
 }
 
 // What a command that was to answer in JSON answers where it has not begun to.
-void write_failure(Streams& streams, const char* status, const Problems& problems) {
+void write_failure(Streams& streams, const char* status, const core::Problems& problems) {
   if (streams.written) return;
-  JsonWriter json;
-  json.begin_object().member("sarsim", program_version).member("status", status).key("problems");
+  core::JsonWriter json;
+  json.begin_object().member("sarsim", core::program_version).member("status", status).key("problems");
   write_json(json, problems);
   json.end_object();
   streams.out << json.text() << std::flush;
@@ -245,7 +245,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   const auto say = [&](const std::string& text, const std::string& hint = {}) {
     streams.err << "sarsim: error: " << text << '\n';
     if (!hint.empty()) streams.err << "    " << hint << '\n';
-    if (json) write_failure(streams, "failed", {problem_of(Severity::error, text, {}, {}, hint)});
+    if (json) write_failure(streams, "failed", {core::problem_of(core::Severity::error, text, {}, {}, hint)});
   };
   try {
     const ExitStatus status = dispatch(program, std::move(words), streams);
@@ -257,7 +257,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return exit_bad_input;
   } catch (const OutputClosed&) {
     return exit_failed;
-  } catch (const Interrupted& interrupted) {
+  } catch (const core::Interrupted& interrupted) {
     const int number = received_signal();
     const auto* kept = dynamic_cast<const KeptInterruption*>(&interrupted);
     streams.err << "sarsim: interrupted; "
@@ -286,7 +286,7 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 }
 
 int main_program(int argc, const char* const* argv) {
-  const StopFlag& stop = handle_signals();
+  const core::StopFlag& stop = handle_signals();
   return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
 }
 
@@ -296,7 +296,7 @@ int team_program(int argc, const char* const* argv, Team* team) {
                  "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";
     return exit_bad_input;
   }
-  const StopFlag& stop = handle_signals();
+  const core::StopFlag& stop = handle_signals();
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
   Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};

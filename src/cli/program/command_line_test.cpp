@@ -18,7 +18,7 @@ struct Answer {
   std::string err;
 };
 
-Answer answer(std::vector<const char*> words, const StopFlag* stop = nullptr) {
+Answer answer(std::vector<const char*> words, const core::StopFlag* stop = nullptr) {
   words.insert(words.begin(), "sarsim");
   std::ostringstream out;
   std::ostringstream err;
@@ -62,7 +62,7 @@ TEST(CommandLine, StopEndsWithTheStatusOfAnInterrupt) {
                          "$RADAR R Earth MONO 100 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT "
                          "NO_STC\n"
                          "$SIMULATION R 900 1100 0 0.1 8 0.1 0 BINARY RAW x.bin BEGIN 1 1\n";
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const Answer a = answer({"run", path.c_str(), "--discard"}, &stop);
   EXPECT_EQ(a.status, 130);

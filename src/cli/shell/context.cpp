@@ -29,8 +29,8 @@ void flush_out(Streams& streams) {
   expect_good(streams.out);
 }
 
-void print_problems(Streams& streams, const Problems& problems) {
-  for (const Problem& problem : problems) streams.err << to_string(problem) << '\n';
+void print_problems(Streams& streams, const core::Problems& problems) {
+  for (const core::Problem& problem : problems) streams.err << core::to_string(problem) << '\n';
 }
 
 }  // namespace sarsim::cli

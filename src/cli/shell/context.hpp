@@ -23,25 +23,25 @@ struct Streams {
   std::ostream& out;      ///< Data and JSON.
   std::ostream& err;      ///< Everything else.
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
-  const StopFlag* stop = nullptr;
+  const core::StopFlag* stop = nullptr;
   bool written = false;  ///< Something went to `out`.
 };
 
 /// Thrown to end a command because of mistakes in what the user supplied; exit status 2.
 struct BadInput : std::runtime_error {
-  explicit BadInput(Problems all) : std::runtime_error("bad input"), problems(std::move(all)) {}
+  explicit BadInput(core::Problems all) : std::runtime_error("bad input"), problems(std::move(all)) {}
   /// One error, with a hint where there is one.
   explicit BadInput(std::string message, std::string hint = {}) : std::runtime_error(message) {
-    Problem problem;
+    core::Problem problem;
     problem.message = std::move(message);
     problem.hint = std::move(hint);
     problems.push_back(std::move(problem));
   }
-  Problems problems;
+  core::Problems problems;
 };
 
 /// Thrown where a command that was asked to stop has kept what it had done.
-struct KeptInterruption : Interrupted {
+struct KeptInterruption : core::Interrupted {
   explicit KeptInterruption(std::string where) : kept_in(std::move(where)) {}
   std::string kept_in;  ///< A folder.
 };
@@ -57,6 +57,6 @@ void write_out(Streams& streams, std::string_view text);
 void flush_out(Streams& streams);
 
 /// Prints every problem, one paragraph each, to stderr.
-void print_problems(Streams& streams, const Problems& problems);
+void print_problems(Streams& streams, const core::Problems& problems);
 
 }  // namespace sarsim::cli

@@ -5,19 +5,19 @@
 
 namespace sarsim::cli {
 
-CLI::Option* add_engine(CLI::App& app, std::optional<Engine>& engine, const std::string& description) {
-  return add_choice<Engine>(app, "--engine", engine,
-                            {{"auto", Engine::automatic},
-                             {"direct", Engine::direct},
-                             {"spectral", Engine::spectral},
-                             {"reference", Engine::reference}},
-                            description);
+CLI::Option* add_engine(CLI::App& app, std::optional<simulate::Engine>& engine, const std::string& description) {
+  return add_choice<simulate::Engine>(app, "--engine", engine,
+                                      {{"auto", simulate::Engine::automatic},
+                                       {"direct", simulate::Engine::direct},
+                                       {"spectral", simulate::Engine::spectral},
+                                       {"reference", simulate::Engine::reference}},
+                                      description);
 }
 
 void choose_simd(const std::string& level) {
-  if (level.empty() || use_simd_level(level)) return;
+  if (level.empty() || simulate::use_simd_level(level)) return;
   std::string levels;
-  for (const std::string& known : simd_levels()) levels += (levels.empty() ? "" : ", ") + known;
+  for (const std::string& known : simulate::simd_levels()) levels += (levels.empty() ? "" : ", ") + known;
   throw BadInput("--simd: this processor has no '" + level + "'", "choose among " + levels);
 }
 

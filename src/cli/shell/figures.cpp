@@ -7,7 +7,7 @@
 namespace sarsim::cli {
 
 Figure si_figure(std::string label, std::string key, double value, std::string_view unit) {
-  return {std::move(label), with_prefix(value, unit), std::move(key), value, {}};
+  return {std::move(label), core::with_prefix(value, unit), std::move(key), value, {}};
 }
 
 Figure figure(std::string label, std::string key, double value) {
@@ -28,7 +28,7 @@ std::string figures_text(const std::vector<Figure>& figures) {
   return text;
 }
 
-void write_json(JsonWriter& json, const std::vector<Figure>& figures) {
+void write_json(core::JsonWriter& json, const std::vector<Figure>& figures) {
   for (const Figure& f : figures) {
     if (f.key.empty()) continue;
     if (f.word.empty())

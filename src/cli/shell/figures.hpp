@@ -29,6 +29,6 @@ struct Figure {
 [[nodiscard]] std::string figures_text(const std::vector<Figure>& figures);
 
 /// Members of the open JSON object.
-void write_json(JsonWriter& json, const std::vector<Figure>& figures);
+void write_json(core::JsonWriter& json, const std::vector<Figure>& figures);
 
 }  // namespace sarsim::cli

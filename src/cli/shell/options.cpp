@@ -27,7 +27,7 @@ std::string shown_name(const std::string& names) { return names.substr(names.rfi
 CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<std::int64_t>& value, std::int64_t low,
                          std::int64_t high, const std::string& description) {
   const auto read = [&value, names, low, high](const std::string& text) {
-    const auto number = parse_integer(text);
+    const auto number = core::parse_integer(text);
     if (!number || *number < low || *number > high)
       refuse(names, text, fmt::format("a whole number from {} to {}", low, high));
     value = number;
@@ -57,7 +57,7 @@ CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<dou
 CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
                       const std::string& description, bool (*meets)(double), const std::string& expected) {
   const auto read = [&value, names, meets, expected](const std::string& text) {
-    value = parse_number(text);
+    value = core::parse_number(text);
     if (!value || !meets(*value)) refuse(names, text, expected);
   };
   return app.add_option_function<std::string>(names, read, description)->type_name(unit);
@@ -68,7 +68,7 @@ CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<
   const auto read = [&values, names](const std::vector<std::string>& texts) {
     values.clear();
     for (const std::string& text : texts) {
-      const auto number = parse_number(text);
+      const auto number = core::parse_number(text);
       if (!number) refuse(names, text, "a number");
       values.push_back(*number);
     }
@@ -87,21 +87,21 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& valu
 }
 
 void refuse_word(const std::string& names, const std::string& word, const std::vector<std::string>& words) {
-  const std::string nearest = nearest_word(word, words);
+  const std::string nearest = core::nearest_word(word, words);
   const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
   refuse(names, word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
 }
 
-CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<FileFormat>& value,
+CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<scene::FileFormat>& value,
                         const std::string& description) {
-  return add_choice<FileFormat>(app, names, value,
-                                {{"ascii", FileFormat::ascii},
-                                 {"binary", FileFormat::binary},
-                                 {"bracket", FileFormat::bracket},
-                                 {"hdf5", FileFormat::hdf5},
-                                 {"csv", FileFormat::csv},
-                                 {"npy", FileFormat::npy}},
-                                description);
+  return add_choice<scene::FileFormat>(app, names, value,
+                                       {{"ascii", scene::FileFormat::ascii},
+                                        {"binary", scene::FileFormat::binary},
+                                        {"bracket", scene::FileFormat::bracket},
+                                        {"hdf5", scene::FileFormat::hdf5},
+                                        {"csv", scene::FileFormat::csv},
+                                        {"npy", scene::FileFormat::npy}},
+                                       description);
 }
 
 void add_examples(CLI::App& app, const std::vector<std::pair<std::string, std::string>>& commands_and_meanings) {

@@ -49,7 +49,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, std::optional<V
                         const std::vector<std::pair<std::string, Value>>& choices, const std::string& description);
 
 /// --format and the like: every format of sample files.
-CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<FileFormat>& value,
+CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<scene::FileFormat>& value,
                         const std::string& description);
 
 /// Examples at the end of a command's help; each line a command.
@@ -74,7 +74,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& names, std::optional<V
   }
   const auto read = [&value, names, choices, words](const std::string& text) {
     for (const auto& [word, meaning] : choices)
-      if (equal_ignoring_case(word, text)) {
+      if (core::equal_ignoring_case(word, text)) {
         value = meaning;
         return;
       }

@@ -25,12 +25,12 @@ std::string without_drive(const std::string& name) {
 // One product's name on its way to a path.
 class Namer {
  public:
-  explicit Namer(const OutputRules& rules, Problems& problems) : rules_(rules), problems_(problems) {}
+  explicit Namer(const OutputRules& rules, core::Problems& problems) : rules_(rules), problems_(problems) {}
 
-  fs::path place(const std::string& name, const Subject& subject, bool recording) {
+  fs::path place(const std::string& name, const core::Subject& subject, bool recording) {
     const std::string base = base_name(name);
     if (base.empty() || base == "." || base == "..") {
-      add(Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
+      add(core::Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
       return {};
     }
     fs::path path = base;
@@ -39,13 +39,13 @@ class Namer {
       std::ranges::replace(kept, '\\', '/');
       path = kept;
       if (leads_out(path)) {
-        add(Severity::error, subject, "the output's name leads out of the folder of the run", name,
+        add(core::Severity::error, subject, "the output's name leads out of the folder of the run", name,
             "a name below that folder", "write the name without a slash at its beginning and without ..");
         return {};
       }
     }
     path = (rules_.folder / path).lexically_normal();
-    if (recording && rules_.format) path.replace_extension(extension_of(*rules_.format));
+    if (recording && rules_.format) path.replace_extension(raster::extension_of(*rules_.format));
     // `check` has warned of names that are alike in the script.
     const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
     return distinct(path, subject, told);
@@ -56,18 +56,18 @@ class Namer {
     return name.is_absolute() || name.lexically_normal().begin()->string() == "..";
   }
 
-  void add(Severity severity, const Subject& subject, std::string message, std::string found, std::string expected,
-           std::string hint) {
+  void add(core::Severity severity, const core::Subject& subject, std::string message, std::string found,
+           std::string expected, std::string hint) {
     problems_.push_back(
         {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
   }
 
-  fs::path distinct(const fs::path& path, const Subject& subject, bool told) {
+  fs::path distinct(const fs::path& path, const core::Subject& subject, bool told) {
     fs::path result = path;
     for (int number = 2; !taken_.insert(result).second; ++number)
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
     if (result != path && !told)
-      add(Severity::warning, subject,
+      add(core::Severity::warning, subject,
           fmt::format("another product of the script is written to '{}'; this one becomes '{}'",
                       path.filename().string(), result.filename().string()),
           "", "", "give each product a name of its own");
@@ -75,7 +75,7 @@ class Namer {
   }
 
   const OutputRules& rules_;
-  Problems& problems_;
+  core::Problems& problems_;
   std::set<fs::path> taken_;
   std::set<std::string> met_;
 };
@@ -93,7 +93,7 @@ std::string base_name(const std::string& name) {
   return slash == std::string::npos ? bare : bare.substr(slash + 1);
 }
 
-OutputNames output_names(const Scene& scene, const OutputRules& rules) {
+OutputNames output_names(const scene::Scene& scene, const OutputRules& rules) {
   OutputNames names;
   Namer namer(rules, names.problems);
   for (std::size_t i = 0; i < scene.simulations.size(); ++i)
@@ -103,12 +103,13 @@ OutputNames output_names(const Scene& scene, const OutputRules& rules) {
   return names;
 }
 
-std::optional<std::size_t> simulation_that_writes(const fs::path& file, const Scene& scene, const std::string& hint) {
-  const auto alike = [&](std::optional<FileFormat> format) {
+std::optional<std::size_t> simulation_that_writes(const fs::path& file, const scene::Scene& scene,
+                                                  const std::string& hint) {
+  const auto alike = [&](std::optional<scene::FileFormat> format) {
     std::vector<std::string> names;
     for (const fs::path& path : output_names(scene, {".", false, format}).simulations)
       names.push_back(path.filename().string());
-    return std::pair(names_alike(names, file), names);
+    return std::pair(raster::names_alike(names, file), names);
   };
   const auto [found, names] = alike({});
   if (found.found.size() > 1 && !found.whole)
@@ -116,13 +117,13 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const Sc
                                names[found.found[1]]),
                    hint);
   if (!found.found.empty()) return found.found.front();
-  const auto with_format = alike(format_from_path(file)).first;
+  const auto with_format = alike(raster::format_from_path(file)).first;
   if (with_format.found.empty() || !with_format.whole) return std::nullopt;
   return with_format.found.front();
 }
 
 void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {
-  Problems problems;
+  core::Problems problems;
   std::set<fs::path> taken;
   for (const fs::path& path : paths) {
     std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
@@ -139,11 +140,11 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& sou
   expect_free_outputs(paths, OutputCare{{source}, force, "--out"});
 }
 
-Problems problems_of_output(const fs::path& path, const OutputCare& care) {
+core::Problems problems_of_output(const fs::path& path, const OutputCare& care) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status)) return {};
-  Problem problem;
+  core::Problem problem;
   problem.found = path.string();
   problem.hint =
       care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
@@ -161,7 +162,7 @@ Problems problems_of_output(const fs::path& path, const OutputCare& care) {
   return {problem};
 }
 
-Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
+core::Problems problems_of_output(const fs::path& path, const fs::path& source, bool force) {
   return problems_of_output(path, OutputCare{{source}, force, "--out"});
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene scene_with(const std::vector<std::string>& files, const std::vector<std::string>& tables = {}) {
-  Scene scene;
+scene::Scene scene_with(const std::vector<std::string>& files, const std::vector<std::string>& tables = {}) {
+  scene::Scene scene;
   for (const std::string& file : files) scene.simulations.emplace_back().file = file;
   for (const std::string& file : tables) scene.geometries.emplace_back().file = file;
   return scene;
@@ -51,7 +51,7 @@ TEST(OutputNames, NeverLeadOutOfTheFolder) {
   for (const char* name : {"/tmp/b.asc", "\\b.asc", "c:\\b.asc", "../b.asc", "sub/../../b.asc", "..\\out\\b.asc"}) {
     const OutputNames names = output_names(scene_with({name}), rules);
     ASSERT_EQ(names.problems.size(), 1U) << name;
-    EXPECT_EQ(names.problems[0].severity, Severity::error) << name;
+    EXPECT_EQ(names.problems[0].severity, core::Severity::error) << name;
     EXPECT_EQ(names.problems[0].found, name);
   }
 }
@@ -65,13 +65,13 @@ TEST(OutputNames, RepeatedNamesAreNumbered) {
   EXPECT_EQ(names.tables.at(0), "a-3.asc");
   // The script's own repetitions are the business of `check`; here only the number that met another name.
   ASSERT_EQ(names.problems.size(), 1U);
-  EXPECT_EQ(names.problems[0].severity, Severity::warning);
-  EXPECT_EQ(names.problems[0].subject, (Subject{"simulation", 2, "file"}));
+  EXPECT_EQ(names.problems[0].severity, core::Severity::warning);
+  EXPECT_EQ(names.problems[0].subject, (core::Subject{"simulation", 2, "file"}));
 }
 
 TEST(OutputNames, NamesThatAFormatMakesAlikeGiveAWarning) {
   OutputRules rules;
-  rules.format = FileFormat::hdf5;
+  rules.format = scene::FileFormat::hdf5;
   const OutputNames names = output_names(scene_with({"a.asc", "a.bin"}), rules);
   EXPECT_EQ(names.simulations.at(1), "a-2.h5");
   EXPECT_EQ(names.problems.size(), 1U);
@@ -79,7 +79,7 @@ TEST(OutputNames, NamesThatAFormatMakesAlikeGiveAWarning) {
 
 TEST(OutputNames, FormatChangesTheExtensionOfRecordings) {
   OutputRules rules;
-  rules.format = FileFormat::hdf5;
+  rules.format = scene::FileFormat::hdf5;
   const OutputNames names = output_names(scene_with({"a.asc", "b", "c.d.bin"}, {"t.txt"}), rules);
   EXPECT_EQ(names.simulations.at(0), "a.h5");
   EXPECT_EQ(names.simulations.at(1), "b.h5");
@@ -91,7 +91,7 @@ TEST(OutputNames, NamesWithoutAFileAreErrors) {
   for (const char* name : {"", "x/", "..", ".", "c:"}) {
     const OutputNames names = output_names(scene_with({name}), {});
     ASSERT_EQ(names.problems.size(), 1U) << name;
-    EXPECT_EQ(names.problems[0].severity, Severity::error) << name;
+    EXPECT_EQ(names.problems[0].severity, core::Severity::error) << name;
   }
 }
 
@@ -123,7 +123,7 @@ TEST_F(OutputPlaces, FoldersAndTheScriptAreNeverReplaced) {
 TEST_F(OutputPlaces, EverySourceIsKept) {
   const OutputCare care{{folder_ / "scene.scr", folder_ / "there.asc", folder_ / "missing"}, true, "-o"};
   for (const char* name : {"scene.scr", "there.asc"}) {
-    const Problems problems = problems_of_output(folder_ / name, care);
+    const core::Problems problems = problems_of_output(folder_ / name, care);
     ASSERT_EQ(problems.size(), 1U) << name;
     EXPECT_EQ(problems[0].message, "the output would replace the file that it is made from");
     EXPECT_EQ(problems[0].hint, "name another file with -o");

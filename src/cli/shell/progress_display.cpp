@@ -20,16 +20,16 @@ double machine_time_s() {
 }
 
 // "12.3 Msamples/s, 20 s left"
-std::string figures_text(const Progress& progress, double elapsed_s) {
+std::string figures_text(const core::Progress& progress, double elapsed_s) {
   if (elapsed_s <= 0.0 || progress.done == 0) return {};
   std::string text;
   const double rows_per_s = static_cast<double>(progress.done) / elapsed_s;
   if (progress.columns > 0)
-    text = with_prefix(rows_per_s * static_cast<double>(progress.columns), "samples/s", 3);
+    text = core::with_prefix(rows_per_s * static_cast<double>(progress.columns), "samples/s", 3);
   else
-    text = with_prefix(rows_per_s, "lines/s", 3);
+    text = core::with_prefix(rows_per_s, "lines/s", 3);
   if (progress.done < progress.total)
-    text += ", " + duration_text(static_cast<double>(progress.total - progress.done) / rows_per_s) + " left";
+    text += ", " + core::duration_text(static_cast<double>(progress.total - progress.done) / rows_per_s) + " left";
   return text;
 }
 
@@ -44,7 +44,7 @@ ProgressDisplay::~ProgressDisplay() {
   if (drawn_width_ > 0) out_ << '\r' << std::string(drawn_width_, ' ') << '\r' << std::flush;
 }
 
-void ProgressDisplay::update(const Progress& progress) {
+void ProgressDisplay::update(const core::Progress& progress) {
   if (style_ == Style::none || progress.total == 0) return;
   const double now_s = now_s_();
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);

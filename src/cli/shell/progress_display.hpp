@@ -23,7 +23,7 @@ class ProgressDisplay {
   ~ProgressDisplay();
 
   /// Shows where the work has come to, where that is worth a new line or picture.
-  void update(const Progress& progress);
+  void update(const core::Progress& progress);
 
  private:
   void draw_bar(double share, const std::string& figures, double now_s);

@@ -20,16 +20,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void take(Problems& all, Problems more) { std::ranges::move(more, std::back_inserter(all)); }
+void take(core::Problems& all, core::Problems more) { std::ranges::move(more, std::back_inserter(all)); }
 
-void expect_sound(Problems problems) {
-  if (has_errors(problems)) throw BadInput(ranked(std::move(problems)));
+void expect_sound(core::Problems problems) {
+  if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
 }
 
 // The simulation that is named, or else the first that suits, or else the first.
 // @param script  where it stands
-std::size_t simulation_of_scene(const Scene& scene, const std::string& script, std::optional<std::int64_t> wanted,
-                                const Suits& suits) {
+std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& script,
+                                std::optional<std::int64_t> wanted, const Suits& suits) {
   if (scene.simulations.empty()) {
     BadInput none("the script has no $SIMULATION, which says what is recorded", "add one");
     none.problems.front().place.file = script;
@@ -41,12 +41,13 @@ std::size_t simulation_of_scene(const Scene& scene, const std::string& script, s
     throw BadInput(fmt::format("--simulation: the script has no simulation {}", number),
                    fmt::format("it has {}", scene.simulations.size()));
   }
-  const auto first = std::ranges::find_if(scene.simulations, [&](const Simulation& s) { return suits(scene, s); });
+  const auto first =
+      std::ranges::find_if(scene.simulations, [&](const scene::Simulation& s) { return suits(scene, s); });
   return first == scene.simulations.end() ? 0 : static_cast<std::size_t>(first - scene.simulations.begin());
 }
 
 // The one that writes a file of that name.
-std::size_t simulation_of_file(const Scene& scene, const RecordingArguments& arguments, const Suits& suits) {
+std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArguments& arguments, const Suits& suits) {
   if (!arguments.simulation) {
     const std::string hint = "say which one did with --simulation N";
     const fs::path file(arguments.path);
@@ -58,7 +59,7 @@ std::size_t simulation_of_file(const Scene& scene, const RecordingArguments& arg
   return simulation_of_scene(scene, script, arguments.simulation, suits);
 }
 
-Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording) {
+scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording) {
   SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values);
   expect_usable(input);
   take(recording.problems, std::move(input.problems));
@@ -67,15 +68,15 @@ Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& reco
 }
 
 // Of a file that carries its script.
-Scene scene_in_file(const std::string& path, const SampleFileInfo& info, StoredRecording& recording) {
+scene::Scene scene_in_file(const std::string& path, const raster::SampleFileInfo& info, StoredRecording& recording) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
     throw BadInput(fmt::format("'{}' does not say how it was recorded", path),
                    "give the script that wrote it with --script");
-  ScriptReading reading =
-      read_script(script->second, path + " (its script)", disk_loader(fs::path(path).parent_path()));
+  scene::ScriptReading reading =
+      scene::read_script(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
-  expect_sound(check(reading.scene));
+  expect_sound(scene::check(reading.scene));
   std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
   return std::move(reading.scene);
 }
@@ -93,24 +94,24 @@ void expect_no_overrides(const RecordingArguments& arguments) {
                      "leave it out, or give with --script the script that it shall stand in");
 }
 
-SampleFile opened(const std::string& path, const SampleFileHints& hints, Problems& problems) {
-  OpenedSampleFile result = SampleFile::open(path, hints);
-  if (!result.file) throw BadInput(ranked(std::move(result.problems)));
+raster::SampleFile opened(const std::string& path, const raster::SampleFileHints& hints, core::Problems& problems) {
+  raster::OpenedSampleFile result = raster::SampleFile::open(path, hints);
+  if (!result.file) throw BadInput(core::ranked(std::move(result.problems)));
   take(problems, std::move(result.problems));
   return std::move(*result.file);
 }
 
 // What was made from a recording may have its name and its shape.
 void expect_no_image(const std::string& path) {
-  const auto format = format_from_path(path);
-  if ((format && *format != FileFormat::npy) || !has_envi_header(path)) return;
+  const auto format = raster::format_from_path(path);
+  if ((format && *format != scene::FileFormat::npy) || !raster::has_envi_header(path)) return;
   throw BadInput(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
-                             envi_header_of(path).filename().string()),
+                             raster::envi_header_of(path).filename().string()),
                  "name the script or the recording that it was made from");
 }
 
-SampleFileHints hints_of(const Plan& plan) {
-  SampleFileHints hints;
+raster::SampleFileHints hints_of(const simulate::Plan& plan) {
+  raster::SampleFileHints hints;
   hints.columns = plan.columns;
   hints.rows = plan.rows;
   hints.bits = plan.simulation.bits;
@@ -118,7 +119,7 @@ SampleFileHints hints_of(const Plan& plan) {
   return hints;
 }
 
-void expect_shape(const SampleFileInfo& info, const Plan& plan, const std::string& path) {
+void expect_shape(const raster::SampleFileInfo& info, const simulate::Plan& plan, const std::string& path) {
   if (info.rows == plan.rows && info.columns == plan.columns) return;
   throw BadInput(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
                              info.rows, info.columns, plan.rows, plan.columns),
@@ -126,20 +127,20 @@ void expect_shape(const SampleFileInfo& info, const Plan& plan, const std::strin
 }
 
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
-double scale_of(const SampleFileInfo& info, const Plan& plan, Problems& problems) {
+double scale_of(const raster::SampleFileInfo& info, const simulate::Plan& plan, core::Problems& problems) {
   if (!info.counts) return 1.0;
   if (info.lsb_v && *info.lsb_v > 0.0) return *info.lsb_v;
   if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
-  Problem problem;
-  problem.severity = Severity::warning;
+  core::Problem problem;
+  problem.severity = core::Severity::warning;
   problem.message = "the volts of a count are not known: amplitudes are in counts";
   problem.hint = "give the LSB in the script";
   problems.push_back(problem);
   return 1.0;
 }
 
-RecordedRows rows_of(SampleFile file, double scale) {
-  const auto shared = std::make_shared<const SampleFile>(std::move(file));
+workflow::RecordedRows rows_of(raster::SampleFile file, double scale) {
+  const auto shared = std::make_shared<const raster::SampleFile>(std::move(file));
   return [shared, scale](std::size_t row, std::span<std::complex<double>> out) {
     shared->read_rows(row, 1, out);
     for (std::complex<double>& value : out) value *= scale;
@@ -161,14 +162,15 @@ std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
 }
 
 bool names_script(const RecordingArguments& arguments) {
-  return equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
+  return core::equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
 }
 
-bool records_pulses(const Scene& /*scene*/, const Simulation& simulation) {
-  return simulation.processing != Processing::srp;
+bool records_pulses(const scene::Scene& /*scene*/, const scene::Simulation& simulation) {
+  return simulation.processing != scene::Processing::srp;
 }
 
-ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits, const WorkControl& control) {
+ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
+                              const core::WorkControl& control) {
   if (!arguments.script.empty()) throw BadInput("--script is for files of samples", "a script needs no other script");
   ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
   expect_usable(recording.input);
@@ -177,19 +179,19 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 }
 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<Problems(const Plan&)>& problems_of) {
+                               const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);
-  std::optional<SampleFile> file;
+  std::optional<raster::SampleFile> file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);
     file = opened(arguments.path, {}, recording.problems);
   }
-  const Scene scene =
+  const scene::Scene scene =
       file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording);
   recording.simulation = simulation_of_file(scene, arguments, suits);
-  recording.plan = std::make_shared<const Plan>(make_plan(scene, recording.simulation));
+  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);

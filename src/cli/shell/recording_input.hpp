@@ -36,10 +36,10 @@ void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const
 [[nodiscard]] bool names_script(const RecordingArguments& arguments);
 
 /// Whether a command can use a simulation of a scene; the first such one is taken where none is named.
-using Suits = std::function<bool(const Scene& scene, const Simulation& simulation)>;
+using Suits = std::function<bool(const scene::Scene& scene, const scene::Simulation& simulation)>;
 
 /// A `Suits`: pulses, not synthetic range profiles.
-[[nodiscard]] bool records_pulses(const Scene& scene, const Simulation& simulation);
+[[nodiscard]] bool records_pulses(const scene::Scene& scene, const scene::Simulation& simulation);
 
 /// A script, checked with its echoes.
 struct ScriptedRecording {
@@ -50,14 +50,14 @@ struct ScriptedRecording {
 /// Reads the script of the arguments and finds the simulation. Throws BadInput with all problems where the script
 /// cannot be simulated or has no such simulation.
 [[nodiscard]] ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
-                                            const WorkControl& control);
+                                            const core::WorkControl& control);
 
 /// A file of samples and the plan of the simulation that wrote it.
 struct StoredRecording {
-  std::shared_ptr<const Plan> plan;
-  std::size_t simulation = 0;  ///< Position in the script's list.
-  RecordedRows read;           ///< Rows of plan->columns samples in V, or in counts where no LSB is known.
-  Problems problems;           ///< Warnings about script and file.
+  std::shared_ptr<const simulate::Plan> plan;
+  std::size_t simulation = 0;   ///< Position in the script's list.
+  workflow::RecordedRows read;  ///< Rows of plan->columns samples in V, or in counts where no LSB is known.
+  core::Problems problems;      ///< Warnings about script and file.
   std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.
 };
 
@@ -65,6 +65,6 @@ struct StoredRecording {
 /// that they name or that writes a file of that name. Throws BadInput where script and file do not fit each other.
 /// @param problems_of  what stands against the plan, asked before the samples are opened; errors end it
 [[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                                             const std::function<Problems(const Plan&)>& problems_of);
+                                             const std::function<core::Problems(const simulate::Plan&)>& problems_of);
 
 }  // namespace sarsim::cli

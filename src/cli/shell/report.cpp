@@ -9,7 +9,7 @@ namespace sarsim::cli {
 
 namespace {
 
-double share(std::uint64_t part, const RunReport& run) {
+double share(std::uint64_t part, const simulate::RunReport& run) {
   const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
   return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
 }
@@ -35,32 +35,32 @@ std::string decimals(double value, int digits) {
   return text;
 }
 
-std::string format_word(FileFormat format) {
-  std::string word(name_of(format));
+std::string format_word(scene::FileFormat format) {
+  std::string word(raster::name_of(format));
   for (char& c : word)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return word;
 }
 
-std::string profile_word(Profile profile) { return profile == Profile::classic ? "classic" : "physical"; }
+std::string profile_word(scene::Profile profile) { return profile == scene::Profile::classic ? "classic" : "physical"; }
 
-std::string pulse_word(PulseDefinition pulse) {
-  return pulse == PulseDefinition::band_limited ? "band-limited" : "ideal";
+std::string pulse_word(scene::PulseDefinition pulse) {
+  return pulse == scene::PulseDefinition::band_limited ? "band-limited" : "ideal";
 }
 
-std::string processing_word(Processing processing) {
+std::string processing_word(scene::Processing processing) {
   switch (processing) {
-    case Processing::matched_filter: return "compressed";
-    case Processing::srp: return "range profiles";
+    case scene::Processing::matched_filter: return "compressed";
+    case scene::Processing::srp: return "range profiles";
     default: return "raw";
   }
 }
 
 std::string report_text(const RecordingReport& report) {
-  const RunReport& run = report.run;
-  std::string text = fmt::format("{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file,
-                                 run.rows, run.columns, report.bytes ? bytes_text(*report.bytes) + ", " : std::string(),
-                                 duration_text(report.seconds));
+  const simulate::RunReport& run = report.run;
+  std::string text = fmt::format(
+      "{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file, run.rows, run.columns,
+      report.bytes ? core::bytes_text(*report.bytes) + ", " : std::string(), core::duration_text(report.seconds));
   text += fmt::format("  largest magnitude  {}, {:.4g} % of the converter's range\n", millivolts(run.maximum_v),
                       100.0 * run.range_used);
   text += lsb_line(report) + "\n";
@@ -73,8 +73,8 @@ std::string report_text(const RecordingReport& report) {
   return text;
 }
 
-void write_json(JsonWriter& json, const RecordingReport& report) {
-  const RunReport& run = report.run;
+void write_json(core::JsonWriter& json, const RecordingReport& report) {
+  const simulate::RunReport& run = report.run;
   json.begin_object().member("kind", "recording").key("file");
   if (report.file.empty())
     json.null();
@@ -97,7 +97,7 @@ void write_json(JsonWriter& json, const RecordingReport& report) {
   json.end_object();
 }
 
-void write_json(JsonWriter& json, const TableReport& report) {
+void write_json(core::JsonWriter& json, const TableReport& report) {
   json.begin_object().member("kind", "geometry").key("file");
   if (report.file.empty())
     json.null();
@@ -106,18 +106,18 @@ void write_json(JsonWriter& json, const TableReport& report) {
   json.member("radar", report.radar).member("bytes", report.bytes).member("seconds", report.seconds).end_object();
 }
 
-void write_json(JsonWriter& json, const Problem& problem) {
+void write_json(core::JsonWriter& json, const core::Problem& problem) {
   static constexpr const char* severities[] = {"error", "warning", "note"};
   json.begin_object().member("severity", severities[static_cast<std::size_t>(problem.severity)]);
   json.member("message", problem.message).member("found", problem.found).member("expected", problem.expected);
   json.member("hint", problem.hint).member("file", problem.place.file).member("line", problem.place.line);
   json.member("column", problem.place.column).member("count", problem.count);
-  json.member("text", to_string(problem)).end_object();
+  json.member("text", core::to_string(problem)).end_object();
 }
 
-void write_json(JsonWriter& json, const Problems& problems) {
+void write_json(core::JsonWriter& json, const core::Problems& problems) {
   json.begin_array();
-  for (const Problem& problem : problems) write_json(json, problem);
+  for (const core::Problem& problem : problems) write_json(json, problem);
   json.end_array();
 }
 

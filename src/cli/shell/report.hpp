@@ -14,15 +14,15 @@ namespace sarsim::cli {
 /// What a finished recording turned out to be.
 struct RecordingReport {
   std::string file;  ///< Empty where nothing was written.
-  Simulation simulation;
-  RunOptions options;
+  scene::Simulation simulation;
+  scene::RunOptions options;
   std::string engine;
   std::string engine_reason;  ///< Why this engine.
-  RunReport run;
+  simulate::RunReport run;
   std::optional<double> bytes;  ///< Of the file; none where nothing was written.
   double seconds = 0.0;         ///< With the estimate of the LSB.
   bool counts = false;          ///< The file holds counts of the converter, not volts.
-  Problems warnings;
+  core::Problems warnings;
 };
 
 /// What a finished geometry table turned out to be.
@@ -38,10 +38,10 @@ struct TableReport {
 [[nodiscard]] std::string report_text(const RecordingReport& report);
 
 /// The same as one JSON object.
-void write_json(JsonWriter& json, const RecordingReport& report);
-void write_json(JsonWriter& json, const TableReport& report);
-void write_json(JsonWriter& json, const Problem& problem);
-void write_json(JsonWriter& json, const Problems& problems);
+void write_json(core::JsonWriter& json, const RecordingReport& report);
+void write_json(core::JsonWriter& json, const TableReport& report);
+void write_json(core::JsonWriter& json, const core::Problem& problem);
+void write_json(core::JsonWriter& json, const core::Problems& problems);
 
 /// A number of things: "1 turn", "3 turns".
 [[nodiscard]] std::string counted(std::size_t count, const char* thing);
@@ -50,9 +50,9 @@ void write_json(JsonWriter& json, const Problems& problems);
 [[nodiscard]] std::string decimals(double value, int digits);
 
 /// Words of the command line and of JSON for choices of the scene.
-[[nodiscard]] std::string format_word(FileFormat format);
-[[nodiscard]] std::string profile_word(Profile profile);
-[[nodiscard]] std::string pulse_word(PulseDefinition pulse);
-[[nodiscard]] std::string processing_word(Processing processing);
+[[nodiscard]] std::string format_word(scene::FileFormat format);
+[[nodiscard]] std::string profile_word(scene::Profile profile);
+[[nodiscard]] std::string pulse_word(scene::PulseDefinition pulse);
+[[nodiscard]] std::string processing_word(scene::Processing processing);
 
 }  // namespace sarsim::cli

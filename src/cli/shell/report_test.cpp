@@ -54,18 +54,18 @@ TEST(Report, SaysHowToAvoidSaturation) {
 TEST(Report, JsonOfNothingWrittenHasANullFile) {
   RecordingReport report = recording();
   report.file.clear();
-  JsonWriter json;
+  core::JsonWriter json;
   write_json(json, report);
   EXPECT_THAT(json.text(), HasSubstr("\"file\": null"));
   EXPECT_THAT(json.text(), HasSubstr("\"lsb_estimated\": false"));
 }
 
 TEST(Report, JsonOfAProblemHoldsItsPlace) {
-  Problem problem;
-  problem.severity = Severity::warning;
+  core::Problem problem;
+  problem.severity = core::Severity::warning;
   problem.message = "m";
   problem.place = {"a.scr", 3, 7};
-  JsonWriter json;
+  core::JsonWriter json;
   write_json(json, problem);
   for (const char* member : {"\"severity\": \"warning\"", "\"file\": \"a.scr\"", "\"line\": 3", "\"column\": 7"})
     EXPECT_THAT(json.text(), HasSubstr(member));

@@ -29,7 +29,7 @@ struct Choice {
 };
 
 // The outputs of a script, and how a file comes to one of them.
-std::string ways_to_outputs(const Scene& scene, const Choice& choice) {
+std::string ways_to_outputs(const scene::Scene& scene, const Choice& choice) {
   std::string known;
   for (const fs::path& other : output_names(scene, {}).simulations)
     known += (known.empty() ? "" : ", ") + other.filename().string();
@@ -39,7 +39,7 @@ std::string ways_to_outputs(const Scene& scene, const Choice& choice) {
 }
 
 // The one with a number from 1, or else the one that writes a file of this name.
-std::size_t simulation_of(const Scene& scene, const std::string& path, const std::string& script,
+std::size_t simulation_of(const scene::Scene& scene, const std::string& path, const std::string& script,
                           const Choice& choice) {
   if (choice.number) {
     if (*choice.number >= 1 && static_cast<std::size_t>(*choice.number) <= scene.simulations.size())
@@ -55,14 +55,16 @@ std::size_t simulation_of(const Scene& scene, const std::string& path, const std
 }
 
 // The simulation that writes a file, with its plan.
-std::pair<Simulation, Plan> recording_of(const std::string& path, const std::string& script, const Choice& choice) {
+std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
+                                                          const Choice& choice) {
   const SceneInput input = read_scene(script, {}, Scrutiny::values);
   expect_usable(input);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
-  return {input.scene.simulations[index], make_plan(input.scene, index)};
+  return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
 }
 
-void take_script(SampleFileHints& hints, const std::string& path, const std::string& script, const Choice& choice) {
+void take_script(raster::SampleFileHints& hints, const std::string& path, const std::string& script,
+                 const Choice& choice) {
   const auto [simulation, plan] = recording_of(path, script, choice);
   hints.columns = plan.columns;
   hints.rows = plan.rows;
@@ -71,8 +73,8 @@ void take_script(SampleFileHints& hints, const std::string& path, const std::str
   if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
 }
 
-SampleFileHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
-  SampleFileHints hints;
+raster::SampleFileHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
+  raster::SampleFileHints hints;
   if (!arguments.script.empty()) take_script(hints, path, arguments.script, choice);
   if (arguments.format) hints.format = arguments.format;
   if (arguments.columns) {
@@ -97,23 +99,24 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
   add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
 }
 
-SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
+raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
   return hints_said(path, arguments, {});
 }
 
-SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
-                          std::optional<std::int64_t> simulation) {
+raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
+                                  std::optional<std::int64_t> simulation) {
   return hints_said(path, arguments, {true, simulation});
 }
 
-Plan plan_of_file(const std::string& path, const std::string& script, std::optional<std::int64_t> simulation) {
+simulate::Plan plan_of_file(const std::string& path, const std::string& script,
+                            std::optional<std::int64_t> simulation) {
   return recording_of(path, script, {true, simulation}).second;
 }
 
-SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams) {
-  OpenedSampleFile opened = SampleFile::open(path, hints);
-  if (!opened.file) throw BadInput(ranked(std::move(opened.problems)));
-  print_problems(streams, ranked(std::move(opened.problems)));
+raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints, Streams& streams) {
+  raster::OpenedSampleFile opened = raster::SampleFile::open(path, hints);
+  if (!opened.file) throw BadInput(core::ranked(std::move(opened.problems)));
+  print_problems(streams, core::ranked(std::move(opened.problems)));
   return std::move(*opened.file);
 }
 

@@ -13,7 +13,7 @@ namespace sarsim::cli {
 
 /// What the command line says about a file of samples that does not describe itself.
 struct SampleArguments {
-  std::optional<FileFormat> format;
+  std::optional<scene::FileFormat> format;
   std::optional<std::int64_t> columns;
   std::optional<std::int64_t> bits;
   std::optional<double> lsb_v;
@@ -25,19 +25,20 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
 
 /// The hints for a file: what was said on the command line, otherwise what the simulation of --script with that output
 /// name says. Throws BadInput where the script has errors or no such simulation.
-[[nodiscard]] SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
+[[nodiscard]] raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
 /// The same of a command that has --simulation, which its hints name.
 /// @param simulation  its number from 1, where the name shall not decide
-[[nodiscard]] SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
-                                        std::optional<std::int64_t> simulation);
+[[nodiscard]] raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
+                                                std::optional<std::int64_t> simulation);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
 /// BadInput like `hints_for`.
-[[nodiscard]] Plan plan_of_file(const std::string& path, const std::string& script,
-                                std::optional<std::int64_t> simulation = {});
+[[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
+                                          std::optional<std::int64_t> simulation = {});
 
 /// Opens a file of samples; prints warnings, throws BadInput for errors.
-[[nodiscard]] SampleFile open_samples(const std::string& path, const SampleFileHints& hints, Streams& streams);
+[[nodiscard]] raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints,
+                                              Streams& streams);
 
 /// Rows that are read and converted together: as many as make a few MB.
 [[nodiscard]] std::size_t rows_at_once(std::size_t columns);

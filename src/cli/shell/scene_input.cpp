@@ -16,30 +16,30 @@ namespace {
 
 using Object = std::pair<std::string, std::size_t>;
 
-std::size_t objects_of(const Scene& scene, std::string_view kind) {
+std::size_t objects_of(const scene::Scene& scene, std::string_view kind) {
   if (kind == "platform") return scene.platforms.size();
   if (kind == "radar") return scene.radars.size();
-  return not_found;
+  return scene::not_found;
 }
 
 // What check finds about objects that the reader could not make sense of, and about what uses them, would only repeat
 // the reader; so would names of platforms and radars that could not be read at all.
-Problems without_objects_of(Problems found, const Problems& reading, const Scene& scene) {
+core::Problems without_objects_of(core::Problems found, const core::Problems& reading, const scene::Scene& scene) {
   std::set<Object> broken;
   bool lost = false;
-  for (const Problem& problem : reading) {
-    if (problem.severity != Severity::error) continue;
+  for (const core::Problem& problem : reading) {
+    if (problem.severity != core::Severity::error) continue;
     broken.insert({problem.subject.kind, problem.subject.index});
     lost = lost || problem.subject.kind.empty() || problem.subject.field == "name" ||
            problem.subject.index >= objects_of(scene, problem.subject.kind);
   }
   const auto add_users = [&](const char* kind, const auto& products) {
     for (std::size_t i = 0; i < products.size(); ++i)
-      if (broken.contains({"radar", find_radar(scene, products[i].radar)})) broken.insert({kind, i});
+      if (broken.contains({"radar", scene::find_radar(scene, products[i].radar)})) broken.insert({kind, i});
   };
   add_users("simulation", scene.simulations);
   add_users("geometry", scene.geometries);
-  std::erase_if(found, [&](const Problem& p) {
+  std::erase_if(found, [&](const core::Problem& p) {
     const bool name = p.subject.field == "platform" || p.subject.field == "radar";
     return broken.contains({p.subject.kind, p.subject.index}) || (lost && name);
   });
@@ -47,37 +47,37 @@ Problems without_objects_of(Problems found, const Problems& reading, const Scene
 }
 
 // Where check refuses a field, what the reader had to remark about it is said already.
-void drop_warnings_of(const Problems& found, Problems& reading) {
-  std::erase_if(reading, [&](const Problem& remark) {
-    return remark.severity == Severity::warning && std::ranges::any_of(found, [&](const Problem& p) {
-             return p.severity == Severity::error && p.subject == remark.subject;
+void drop_warnings_of(const core::Problems& found, core::Problems& reading) {
+  std::erase_if(reading, [&](const core::Problem& remark) {
+    return remark.severity == core::Severity::warning && std::ranges::any_of(found, [&](const core::Problem& p) {
+             return p.severity == core::Severity::error && p.subject == remark.subject;
            });
   });
 }
 
-void apply(const SceneOverrides& overrides, Scene& scene) {
-  RunOptions& options = scene.options;
+void apply(const SceneOverrides& overrides, scene::Scene& scene) {
+  scene::RunOptions& options = scene.options;
   if (overrides.profile) options.profile = *overrides.profile;
   if (overrides.pulse) options.pulse = *overrides.pulse;
   if (overrides.tolerance) options.tolerance = *overrides.tolerance;
   if (overrides.seed) options.seed = *overrides.seed;
   if (overrides.format)
-    for (Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
+    for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
 // One field after the other, so that a later one may need what an earlier one chose.
-Problems problems_of_setting(const std::vector<std::string>& settings, Scene& scene) {
-  Problems problems;
+core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene) {
+  core::Problems problems;
   for (const std::string& setting : settings) {
     const std::size_t equals = std::min(setting.find('='), setting.size());
     const std::string name = setting.substr(0, equals);
     const std::string value = equals < setting.size() ? setting.substr(equals + 1) : std::string();
-    const NamedField field = find_named_field(scene, name, value);
+    const scene::NamedField field = scene::find_named_field(scene, name, value);
     std::string failure = field.failure;
     if (equals == setting.size())
       failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
     else if (field.field != nullptr)
-      failure = set_named_field(scene, field, value);
+      failure = scene::set_named_field(scene, field, value);
     if (failure.empty()) continue;
     problems.push_back({});
     problems.back().message = "--set " + setting.substr(0, 80) + ": " + failure;
@@ -91,29 +91,29 @@ void append(std::vector<Item>& items, std::vector<Item> more) {
 }
 
 // Problems of products that nobody wants.
-void forget_others(Problems& problems, const WantedProducts& wanted) {
+void forget_others(core::Problems& problems, const WantedProducts& wanted) {
   const auto lacks = [](const std::vector<std::size_t>& some, std::size_t index) {
     return !std::ranges::binary_search(some, index);
   };
-  std::erase_if(problems, [&](const Problem& p) {
+  std::erase_if(problems, [&](const core::Problem& p) {
     return (p.subject.kind == "simulation" && lacks(wanted.simulations, p.subject.index)) ||
            (p.subject.kind == "geometry" && lacks(wanted.geometries, p.subject.index));
   });
 }
 
 // What the survey says of the simulations that are wanted; of all where nobody said which.
-Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProducts>& wanted,
-                            const WorkControl& control) {
+core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProducts>& wanted,
+                                  const core::WorkControl& control) {
   if (input.scene.simulations.empty() || (wanted && wanted->simulations.empty())) return {};
   resolve_once(input, control);
   if (!wanted || wanted->simulations.size() == input.scene.simulations.size())
-    return survey(input.scene, input.resolved, control);
-  std::vector<Simulation> picked;
+    return simulate::survey(input.scene, input.resolved, control);
+  std::vector<scene::Simulation> picked;
   for (const std::size_t index : wanted->simulations) picked.push_back(input.scene.simulations.at(index));
   std::swap(picked, input.scene.simulations);
-  Problems problems = survey(input.scene, input.resolved, control);
+  core::Problems problems = simulate::survey(input.scene, input.resolved, control);
   std::swap(picked, input.scene.simulations);
-  for (Problem& problem : problems)
+  for (core::Problem& problem : problems)
     if (problem.subject.kind == "simulation") problem.subject.index = wanted->simulations.at(problem.subject.index);
   return problems;
 }
@@ -121,12 +121,13 @@ Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProduct
 }  // namespace
 
 void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
-  add_choice<Profile>(app, "--profile", overrides.profile,
-                      {{"physical", Profile::physical}, {"classic", Profile::classic}},
-                      "conventions: today's physics, or those of the 1998 programs");
-  add_choice<PulseDefinition>(app, "--pulse", overrides.pulse,
-                              {{"ideal", PulseDefinition::ideal}, {"band-limited", PulseDefinition::band_limited}},
-                              "hard-edged pulses, or pulses confined to their band");
+  add_choice<scene::Profile>(app, "--profile", overrides.profile,
+                             {{"physical", scene::Profile::physical}, {"classic", scene::Profile::classic}},
+                             "conventions: today's physics, or those of the 1998 programs");
+  add_choice<scene::PulseDefinition>(
+      app, "--pulse", overrides.pulse,
+      {{"ideal", scene::PulseDefinition::ideal}, {"band-limited", scene::PulseDefinition::band_limited}},
+      "hard-edged pulses, or pulses confined to their band");
   add_real(app, "--tolerance", overrides.tolerance, "X", "relative error that fast engines may make");
   add_seed(app, "--seed", overrides.seed, "of the random numbers");
 }
@@ -138,72 +139,74 @@ void add_settings(CLI::App& app, SceneOverrides& overrides) {
 }
 
 SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                      const WorkControl& control, const ChooseProducts& choose) {
-  ScriptReading reading = read_script_file(path, {control});
+                      const core::WorkControl& control, const ChooseProducts& choose) {
+  scene::ScriptReading reading = scene::read_script_file(path, {control});
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   input.sources = {path};
   append(input.sources, data_files_of(input.scene, std::filesystem::path(path).parent_path()));
   apply(overrides, input.scene);
-  if (!overrides.settings.empty() && !has_errors(reading.problems))
-    if (Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
+  if (!overrides.settings.empty() && !core::has_errors(reading.problems))
+    if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
       throw BadInput(std::move(mistakes));
   std::optional<WantedProducts> wanted;
-  if (choose && !has_errors(reading.problems)) wanted = choose(input.scene);
+  if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
-    Problems found = without_objects_of(check(input.scene, control), reading.problems, input.scene);
+    core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
     if (wanted) forget_others(found, *wanted);
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
-  if (scrutiny == Scrutiny::echoes && !has_errors(reading.problems))
+  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems))
     append(reading.problems, problems_of_echoes(input, wanted, control));
-  locate(reading.problems, input.places);
-  input.problems = ranked(std::move(reading.problems));
+  scene::locate(reading.problems, input.places);
+  input.problems = core::ranked(std::move(reading.problems));
   return input;
 }
 
-std::vector<std::filesystem::path> data_files_of(const Scene& scene, const std::filesystem::path& script_folder) {
+std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
+                                                 const std::filesystem::path& script_folder) {
   std::set<std::string> names;
-  const auto take = [&names](const KeptObject& object) {
-    for (const FunctionUse& use : functions_of(object))
+  const auto take = [&names](const scene::KeptObject& object) {
+    for (const scene::FunctionUse& use : scene::functions_of(object))
       if (!use.file->empty()) names.insert(*use.file);
   };
-  for (const Platform& platform : scene.platforms) take(platform);
-  for (const Radar& radar : scene.radars) take(radar);
-  for (const Target& target : scene.targets)
+  for (const scene::Platform& platform : scene.platforms) take(platform);
+  for (const scene::Radar& radar : scene.radars) take(radar);
+  for (const scene::Target& target : scene.targets)
     if (!target.gain_db.file.empty()) names.insert(target.gain_db.file);
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names)
-    if (auto file = data_file_on_disk(script_folder, name); !file.empty()) files.push_back(std::move(file));
+    if (auto file = scene::data_file_on_disk(script_folder, name); !file.empty()) files.push_back(std::move(file));
   return files;
 }
 
 std::vector<std::filesystem::path> sources_of_script(const std::string& path) {
   if (path.empty()) return {};
   std::vector<std::filesystem::path> sources{path};
-  append(sources, data_files_of(read_script_file(path).scene, std::filesystem::path(path).parent_path()));
+  append(sources, data_files_of(scene::read_script_file(path).scene, std::filesystem::path(path).parent_path()));
   return sources;
 }
 
-void resolve_once(SceneInput& input, const WorkControl& control) {
-  if (!input.resolved) input.resolved = std::make_shared<const ResolvedScene>(resolve(input.scene, control));
+void resolve_once(SceneInput& input, const core::WorkControl& control) {
+  if (!input.resolved)
+    input.resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(input.scene, control));
 }
 
 void expect_usable(const SceneInput& input, bool strict) {
-  const auto fatal = [strict](const Problem& p) {
-    return p.severity == Severity::error || (strict && p.severity == Severity::warning);
+  const auto fatal = [strict](const core::Problem& p) {
+    return p.severity == core::Severity::error || (strict && p.severity == core::Severity::warning);
   };
   if (std::ranges::any_of(input.problems, fatal)) throw BadInput(input.problems);
 }
 
-std::size_t radar_named(const Scene& scene, const std::string& name) {
-  const std::size_t found = find_radar(scene, name);
-  if (found != not_found) return found;
+std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
+  const std::size_t found = scene::find_radar(scene, name);
+  if (found != scene::not_found) return found;
   std::vector<std::string> names;
-  for (const Radar& radar : scene.radars) names.push_back(radar.name);
-  const std::string nearest = nearest_word(name, names);
+  for (const scene::Radar& radar : scene.radars) names.push_back(radar.name);
+  const std::string nearest = core::nearest_word(name, names);
   const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
   throw BadInput("the scene has no radar '" + name + "'", nearest.empty() ? others : "did you mean '" + nearest + "'?");
 }

@@ -21,11 +21,11 @@ namespace sarsim::cli {
 
 /// Options of the command line that stand in for those of the script.
 struct SceneOverrides {
-  std::optional<Profile> profile;
-  std::optional<PulseDefinition> pulse;
+  std::optional<scene::Profile> profile;
+  std::optional<scene::PulseDefinition> pulse;
   std::optional<double> tolerance;
   std::optional<std::uint64_t> seed;
-  std::optional<FileFormat> format;  ///< Of every simulation.
+  std::optional<scene::FileFormat> format;  ///< Of every simulation.
   std::vector<std::string>
       settings;  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
 };
@@ -38,11 +38,11 @@ void add_settings(CLI::App& app, SceneOverrides& overrides);
 
 /// A script as understood, with everything that is wrong with it.
 struct SceneInput {
-  Scene scene;
-  FieldPlaces places;
-  std::vector<std::filesystem::path> sources;     ///< The script and the data files that it names.
-  Problems problems;                              ///< Of reader, check and survey, ranked and with their places.
-  std::shared_ptr<const ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
+  scene::Scene scene;
+  scene::FieldPlaces places;
+  std::vector<std::filesystem::path> sources;  ///< The script and the data files that it names.
+  core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
+  std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
 };
 
 /// How much of a scene is looked at.
@@ -59,28 +59,28 @@ struct WantedProducts {
 };
 
 /// Says what is wanted of a scene whose text is sound; throws BadInput for what it does not have.
-using ChooseProducts = std::function<WantedProducts(const Scene&)>;
+using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 
 /// Reads and checks a script. Settings that cannot be made are BadInput, all at once. Where the text holds errors,
 /// objects that have one are not checked further.
 /// @param choose  what stands against other products is no problem; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                                    const WorkControl& control = {}, const ChooseProducts& choose = {});
+                                    const core::WorkControl& control = {}, const ChooseProducts& choose = {});
 
 /// The data files that a scene names, as far as they are there.
-[[nodiscard]] std::vector<std::filesystem::path> data_files_of(const Scene& scene,
+[[nodiscard]] std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
                                                                const std::filesystem::path& script_folder);
 
 /// A script and the data files that it names, as far as it can be read; nothing for no name.
 [[nodiscard]] std::vector<std::filesystem::path> sources_of_script(const std::string& path);
 
 /// Makes `input.resolved` of a sound scene where it is still empty.
-void resolve_once(SceneInput& input, const WorkControl& control);
+void resolve_once(SceneInput& input, const core::WorkControl& control);
 
 /// Throws BadInput with all problems where one of them is an error; where `strict`, also where one is a warning.
 void expect_usable(const SceneInput& input, bool strict = false);
 
 /// Number of the radar, platform ... named in an option; throws BadInput with the nearest name.
-[[nodiscard]] std::size_t radar_named(const Scene& scene, const std::string& name);
+[[nodiscard]] std::size_t radar_named(const scene::Scene& scene, const std::string& name);
 
 }  // namespace sarsim::cli

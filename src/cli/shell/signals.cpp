@@ -7,7 +7,7 @@ namespace sarsim::cli {
 
 namespace {
 
-StopFlag stop_flag;
+core::StopFlag stop_flag;
 std::atomic<int> signal_number{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use lock-free atomics only");
 
@@ -33,7 +33,7 @@ void install(int number, void (*handler)(int)) {
 
 }  // namespace
 
-const StopFlag& handle_signals() {
+const core::StopFlag& handle_signals() {
   install(SIGINT, on_signal);
   install(SIGTERM, on_signal);
   struct sigaction hangup = {};

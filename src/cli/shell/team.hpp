@@ -37,8 +37,8 @@ class Team {
   /// @param todo      of the leader
   /// @param work      makes what was dealt
   /// @param progress  told on the leader
-  virtual void deal(const std::vector<RowRange>& todo, const std::function<void(RowRange)>& work,
-                    const ProgressReport& progress) = 0;
+  virtual void deal(const std::vector<simulate::RowRange>& todo, const std::function<void(simulate::RowRange)>& work,
+                    const core::ProgressReport& progress) = 0;
 };
 
 }  // namespace sarsim::cli

@@ -6,16 +6,16 @@
 
 namespace sarsim::cli {
 
-SarWindow window_of(const std::string& option, const std::string& text) {
+signal::SarWindow window_of(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
-  if (const auto window = window_from_text(text)) return *window;
+  if (const auto window = signal::window_from_text(text)) return *window;
   throw BadInput(fmt::format("{}: '{}' is no window", option, text),
                  "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 
-WindowFunction window_function(const std::string& option, const std::string& text) {
+signal::WindowFunction window_function(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
-  return [weight = weight_of(window_of(option, text))](double x) { return weight(x - 0.5); };
+  return [weight = signal::weight_of(window_of(option, text))](double x) { return weight(x - 0.5); };
 }
 
 }  // namespace sarsim::cli

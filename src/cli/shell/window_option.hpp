@@ -8,9 +8,9 @@
 namespace sarsim::cli {
 
 /// The window that an option's text names, the rectangular one where it names none; throws BadInput for another text.
-[[nodiscard]] SarWindow window_of(const std::string& option, const std::string& text);
+[[nodiscard]] signal::SarWindow window_of(const std::string& option, const std::string& text);
 
 /// The same as weights over 0 to 1, 1 where none is named.
-[[nodiscard]] WindowFunction window_function(const std::string& option, const std::string& text);
+[[nodiscard]] signal::WindowFunction window_function(const std::string& option, const std::string& text);
 
 }  // namespace sarsim::cli

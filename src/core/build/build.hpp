@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// From what and how a program was built. Nothing of it goes into files: the same input gives the same bytes.
 struct Build {
@@ -15,4 +15,4 @@ struct Build {
 /// Of this program; its definition is in the library `sarsim_build`, which only programs link.
 [[nodiscard]] const Build& this_build();
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::uint64_t checksum_of(std::string_view text) {
   return sum.value();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Checksum of bytes that come piece by piece: XXH64 with seed 0, 64 bits, several GB/s.
 ///
@@ -34,4 +34,4 @@ class Checksum {
 /// Checksum of a text at once.
 [[nodiscard]] std::uint64_t checksum_of(std::string_view text);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 std::uint64_t in_pieces(const std::string& text, std::size_t piece) {
@@ -39,4 +39,4 @@ TEST(Checksum, SeesEveryByteAndTheLength) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// An angle that remembers the degrees it was given in, so that a scene writes back what was typed.
 /// Everything that computes takes `rad()`.
@@ -40,4 +40,4 @@ class PowerRatio {
   double decibels_ = 0.0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -45,4 +45,4 @@ TEST(PowerRatio, IsTenToATenthOfTheDecibels) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Speed of light in vacuum, exact by the definition of the metre (SI 2019).
 inline constexpr double exact_light_speed_mps = 299'792'458.0;
@@ -22,4 +22,4 @@ inline constexpr double pi = std::numbers::pi;
 inline constexpr double deg_per_rad = 180.0 / pi;
 inline constexpr double rad_per_deg = pi / 180.0;
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::size_t good_fft_size(std::size_t minimum) {
   return best;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

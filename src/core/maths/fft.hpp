@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Discrete Fourier transforms of one length, in place and without scaling (FFTW), in float or double.
 ///
@@ -39,4 +39,4 @@ using Fft = BasicFft<double>;
 /// The smallest length at least `minimum` whose only prime factors are 2, 3 and 5: fast for FFTW.
 [[nodiscard]] std::size_t good_fft_size(std::size_t minimum);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

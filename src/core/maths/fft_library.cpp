@@ -4,7 +4,7 @@
 
 #include <fftw3.h>
 
-namespace sarsim {
+namespace sarsim::core {
 
 std::string fft_library_version() {
   // "fftw-3.3.10-sse2-avx": the name, the version, what it was compiled for.
@@ -13,4 +13,4 @@ std::string fft_library_version() {
   return std::string(words.substr(0, words.find('-')));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

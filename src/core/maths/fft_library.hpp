@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Version of the FFTW library that this process runs with, such as "3.3.10".
 [[nodiscard]] std::string fft_library_version();
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -9,7 +9,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 using Signal = std::vector<std::complex<double>>;
@@ -136,4 +136,4 @@ TEST(GoodFftSize, IsTheSmallestProductOfTwosThreesAndFivesFromTheMinimumOn) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

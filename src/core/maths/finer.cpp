@@ -5,7 +5,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 std::vector<std::complex<double>> finer(std::span<const std::complex<double>> samples, double centre_cycles,
                                         std::size_t factor) {
@@ -31,4 +31,4 @@ std::vector<std::complex<double>> finer(std::span<const std::complex<double>> sa
   return fine;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Samples between samples: `factor` times as many, the given ones among them, by filling up the spectrum with zeros.
 /// Exact for samples that repeat themselves behind their end and whose band is one sampling rate wide about its centre.
@@ -15,4 +15,4 @@ namespace sarsim {
 [[nodiscard]] std::vector<std::complex<double>> finer(std::span<const std::complex<double>> samples,
                                                       double centre_cycles, std::size_t factor);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

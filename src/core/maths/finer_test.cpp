@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
@@ -50,4 +50,4 @@ TEST(FinerSamples, OfFactorOneAreTheSame) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

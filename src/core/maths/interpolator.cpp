@@ -5,7 +5,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -178,4 +178,4 @@ Jet Interpolator::bare_sinc_jet(double x) const {
   return {sum.value, sum.slope / step_, sum.curvature / (step_ * step_)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

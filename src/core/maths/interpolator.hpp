@@ -4,7 +4,7 @@
 
 #include "core/maths/sampled_function.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// A function's value and its first two derivatives at a point.
 struct Jet {
@@ -63,4 +63,4 @@ class Interpolator {
   double step_ = 1.0;           // low pass
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

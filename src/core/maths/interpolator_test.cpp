@@ -11,7 +11,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -244,4 +244,4 @@ TEST(ClassicLowPassInterpolator, HasItsGridAnchoredAtZeroAndLeavesGapsEmpty) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::uint64_t name_key(std::string_view name) {
   return hash;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// What a random number is for. Part of the key, so that no two uses ever share a stream.
 enum class RandomKind : std::uint32_t {
@@ -46,4 +46,4 @@ class RandomStream {
 /// A key for an object that is known by name (FNV-1a over lower-case ASCII).
 [[nodiscard]] std::uint64_t name_key(std::string_view name);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 constexpr RandomKind noise = RandomKind::receiver_noise;
@@ -134,4 +134,4 @@ TEST(NameKey, IgnoresCaseAndTellsNamesApart) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -6,7 +6,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 double tidy(double value, int digits) {
   if (!std::isfinite(value)) return value;
@@ -20,4 +20,4 @@ double rounded_to(double value, double step) {
   return std::isfinite(multiple) ? tidy(multiple, digits) : value;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

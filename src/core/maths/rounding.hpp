@@ -1,6 +1,6 @@
 #pragma once
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// The double nearest to a value's first significant decimal digits: what arithmetic leaves behind them is taken away,
 /// 0.1 + 0.2 becomes 0.3. What is no finite number stays as it is; -0 becomes 0.
@@ -11,4 +11,4 @@ namespace sarsim {
 /// the step's: 9860.166 for steps of 0.001. The value itself where the step is not above 0.
 [[nodiscard]] double rounded_to(double value, double step);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

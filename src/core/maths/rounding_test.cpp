@@ -7,7 +7,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 TEST(Rounding, TakesAwayWhatSumsLeaveBehind) {
@@ -39,4 +39,4 @@ TEST(Rounding, KeepsAValueWhereThereIsNoStep) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

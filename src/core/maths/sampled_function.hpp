@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// How values between the knots of a sampled function are found; the script's LINEAR, CUBIC, MFILTER.
 enum class Interpolation { linear, cubic, low_pass };
@@ -23,4 +23,4 @@ struct SampledFunction {
   friend bool operator==(const SampledFunction&, const SampledFunction&) = default;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

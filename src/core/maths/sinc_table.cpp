@@ -7,7 +7,7 @@
 #include "core/maths/sinc.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::complex<float> SincTable::circular(std::span<const std::complex<float>> sam
   return weighted_sum(near, place.weights);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

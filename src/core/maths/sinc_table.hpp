@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Interpolates evenly spaced complex samples by 16 taps of a sinc under a Kaiser window, tabulated at 2048 positions
 /// between samples.
@@ -38,4 +38,4 @@ class SincTable {
   std::vector<float> weights_;  // steps + 1 rows of taps
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

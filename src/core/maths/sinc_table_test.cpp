@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/turns.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 // Largest error over positions of tones within a band.
@@ -53,4 +53,4 @@ TEST(Turned, IsThePhasorOfItsTurns) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

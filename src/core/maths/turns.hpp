@@ -5,7 +5,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// exp(2 pi j turns) in float, for any |turns| below 2^51: the whole turns are taken away in double precision, the rest
 /// goes through polynomials (Taylor about 0 on an eighth of a turn): error below 1.5e-7, and no branches, so that loops
@@ -35,4 +35,4 @@ inline std::complex<Real> product(std::complex<Real> a, std::complex<Real> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

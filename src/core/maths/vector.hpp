@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Three Cartesian coordinates; the variable's name says the frame and the unit.
 struct Vec3 {
@@ -62,4 +62,4 @@ inline Vec3 direction(double azimuth_rad, double elevation_rad) {
           std::sin(elevation_rad)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

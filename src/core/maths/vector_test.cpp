@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 using std::numbers::pi;
@@ -100,4 +100,4 @@ TEST(Direction, HasTheAzimuthAndElevationItWasMadeFrom) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -4,7 +4,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Weights on x in [0, 1], symmetric about 1/2 (Harris 1978; the forms of the script language, docs/formats/script.md).
 
@@ -44,4 +44,4 @@ inline double kaiser_window(double z, double beta) {
   return bessel_i0(beta * std::sqrt((1.0 - z) * (1.0 + z))) / bessel_i0(beta);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

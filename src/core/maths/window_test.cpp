@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -62,4 +62,4 @@ TEST(KaiserWindow, IsTheRatioOfBesselFunctions) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

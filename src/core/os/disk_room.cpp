@@ -7,7 +7,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::core {
 
 namespace fs = std::filesystem;
 
@@ -22,4 +22,4 @@ void expect_room(const fs::path& folder, double bytes, const std::string& advice
                   bytes_text(bytes), bytes_text(static_cast<double>(space.available)), advice));
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::core

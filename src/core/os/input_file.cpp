@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -69,4 +69,4 @@ void InputFile::read_all_at(std::uint64_t offset, std::span<std::byte> bytes) co
     throw std::runtime_error("cannot read " + path_.string() + ": it has become shorter");
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -10,7 +10,7 @@
 
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// A regular file opened for reading at any place. May be read from many threads at once.
 class InputFile {
@@ -43,4 +43,4 @@ class InputFile {
   std::uint64_t size_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Tells the system that memory which is about to be filled may come in large pages: hundreds of megabytes in pages of
 /// 4096 bytes take longer to be provided, and to be taken back, than to be written. Only advice, and none of the memory
@@ -22,4 +22,4 @@ inline void prefer_large_pages(void* data, std::size_t bytes) {
   ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace fs = std::filesystem;
 
@@ -228,4 +228,4 @@ void publish_file(const fs::path& complete, const fs::path& output, bool replace
   sync_folder_of(target);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// A file that appears under its name only when it is complete.
 ///
@@ -80,4 +80,4 @@ void sync_folder_of(const std::filesystem::path& path) noexcept;
 /// @throws std::system_error; the complete file then keeps its name
 void publish_file(const std::filesystem::path& complete, const std::filesystem::path& output, bool replace);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

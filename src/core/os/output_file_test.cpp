@@ -12,7 +12,7 @@
 
 #include "support/test_folder.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 using test::contents;
@@ -231,4 +231,4 @@ TEST(OutputFile, TakesNamesOfEveryLength) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -14,7 +14,7 @@
 
 #include "core/os/output_file.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace fs = std::filesystem;
 
@@ -149,4 +149,4 @@ RawFile replace_file(const fs::path& path, std::span<const std::byte> bytes) {
   return file;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

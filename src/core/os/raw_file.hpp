@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// An open file whose bytes are read and written by their place. Unlike OutputFile it is there under its name from the
 /// beginning: for what several processes, or one after the other, work on. Every failure is a std::system_error that
@@ -63,4 +63,4 @@ class RawFile {
 /// @returns the file, locked
 RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -134,4 +134,4 @@ TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds
   return {result_of(status), {}};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

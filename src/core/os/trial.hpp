@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// How a trial ended. Stopped: by a signal that asks programs to end, which says nothing of the work.
 enum class TrialResult { passed, crashed, timed_out, stopped };
@@ -32,4 +32,4 @@ struct TrialReport {
 [[nodiscard]] TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds,
                                     std::mutex* lock = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

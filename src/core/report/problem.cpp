@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -59,4 +59,4 @@ Problems ranked(Problems problems) {
   return merged;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

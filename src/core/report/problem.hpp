@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// How much a problem matters: an error stops the work, a warning does not, a note informs.
 enum class Severity { error, warning, note };
@@ -66,4 +66,4 @@ using Problems = std::vector<Problem>;
 /// except errors with a place, each of which stands for itself.
 [[nodiscard]] Problems ranked(Problems problems);
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 Problem problem(Severity severity, std::string message, Subject subject = {}, Place place = {}) {
@@ -98,4 +98,4 @@ TEST(Ranked, LeavesErrorsWithAPlaceAlone) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -16,7 +16,7 @@
 #include "core/os/large_pages.hpp"
 #include "core/task/stop.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// What the threads of ordered_parallel share. They take numbers in order, and no number that is further than `ahead`
 /// from what has been consumed.
@@ -215,4 +215,4 @@ void reserve_touched(std::vector<T>& list, std::size_t capacity, const WorkContr
   return cores > 0 ? cores : 1;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 using std::chrono::milliseconds;
@@ -253,4 +253,4 @@ TEST(ThreadCount, IsTheWantedOneOrAtLeastOne) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// How far long work has come.
 struct Progress {
@@ -15,4 +15,4 @@ struct Progress {
 /// Told about progress now and then, on the thread that started the work.
 using ProgressReport = std::function<void(const Progress&)>;
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// A request to end long work early. May be set from any thread and from a signal handler.
 class StopFlag {
@@ -20,4 +20,4 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

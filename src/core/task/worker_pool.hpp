@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Things that threads borrow, one each, and give back; made where none is idle.
 template <class T>
@@ -41,4 +41,4 @@ class WorkerPool {
   std::vector<std::unique_ptr<T>> idle_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::core

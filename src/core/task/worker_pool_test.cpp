@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 // Says when two threads hold it.
@@ -57,4 +57,4 @@ TEST(WorkerPool, ThrowsAwayAnItemWhoseUseFailed) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

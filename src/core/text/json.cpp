@@ -6,7 +6,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::core {
 
 namespace {
 
@@ -111,4 +111,4 @@ JsonWriter& JsonWriter::literal(std::string_view text) {
   return *this;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::core

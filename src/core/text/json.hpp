@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sarsim::cli {
+namespace sarsim::core {
 
 /// `text` as valid UTF-8: bytes that are not part of a valid sequence are taken as Latin-1, the coding of old scripts.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
@@ -54,4 +54,4 @@ class JsonWriter {
   bool after_key_ = false;
 };
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::core

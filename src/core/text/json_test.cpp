@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim::cli {
+namespace sarsim::core {
 namespace {
 
 TEST(Json, NestsObjectsAndArrays) {
@@ -45,4 +45,4 @@ TEST(Json, NumbersAreExactAndNeverNan) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::core

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// True for 0 to 9, whatever the locale.
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -34,4 +34,4 @@ namespace sarsim {
   return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -12,7 +12,7 @@
 
 #include "core/text/letters.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -234,4 +234,4 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::core {
 
 /// Reads a whole text as a decimal number times 10^exponent_shift, correctly rounded once: the
 /// shift moves the decimal exponent of the text before conversion, so "800" with shift -9 is the
@@ -63,4 +63,4 @@ std::string nearest_word(std::string_view word, const Candidates& candidates) {
   return std::string(best);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

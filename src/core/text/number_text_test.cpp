@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace sarsim {
+namespace sarsim::core {
 namespace {
 
 TEST(ParseNumber, ReadsDecimalNumbers) {
@@ -254,4 +254,4 @@ TEST(NearestWord, AllowsOneChangeAndAThirdOfTheLength) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::core

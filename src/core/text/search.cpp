@@ -5,7 +5,7 @@
 
 #include "core/text/letters.hpp"
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::vector<std::size_t> ranked_matches(std::string_view typed, const std::vecto
   return matches;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::core

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::core {
 
 namespace {
 
@@ -42,4 +42,4 @@ TEST(Search, EqualsKeepTheirOrder) { EXPECT_EQ(ranked_matches("a", {"ab", "ac", 
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::core

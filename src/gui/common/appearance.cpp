@@ -8,7 +8,7 @@
 
 #include "gui/common/palette_colours.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -90,4 +90,4 @@ void set_appearance(QApplication& application, Appearance appearance) {
                                                           : palette_of(appearance == Appearance::dark));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 class QApplication;
 class QStyle;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Light, dark, or as the desktop has it (Qt 6.4 tells no more than its palette).
 enum class Appearance { system, light, dark };
@@ -20,4 +20,4 @@ enum class Appearance { system, light, dark };
 /// Gives the application the colours; `system` puts back those it started with.
 void set_appearance(QApplication& application, Appearance appearance);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -24,7 +24,7 @@ BackgroundJob::~BackgroundJob() {
 void BackgroundJob::start(Work work) {
   if (running_) throw std::logic_error("background job: work is under way");
   if (thread_.joinable()) thread_.join();
-  stop_ = std::make_unique<StopFlag>();
+  stop_ = std::make_unique<core::StopFlag>();
   running_ = true;
   thread_ = std::thread([this, work = std::move(work)] { work_through(work); });
 }
@@ -50,7 +50,7 @@ void BackgroundJob::work_through(const Work& work) {
   try {
     work(*stop_, report);
     end_with(JobEnd::done, {});
-  } catch (const Interrupted&) {
+  } catch (const core::Interrupted&) {
     end_with(JobEnd::cancelled, {});
   } catch (const std::bad_alloc&) {
     end_with(JobEnd::failed, tr("There is not enough memory for this."));
@@ -70,4 +70,4 @@ void BackgroundJob::end_with(JobEnd end, const QString& failure) {
       Qt::QueuedConnection);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 
 #include "core/task/stop.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// How long work ended.
 enum class JobEnd { done, cancelled, failed };
@@ -23,7 +23,7 @@ class BackgroundJob : public QObject {
   /// Tells how far the work is, 0 to 1; may be called as often as it likes.
   using Report = std::function<void(double fraction)>;
   /// The work: throws Interrupted when stopped and std::exception with words for people where it fails.
-  using Work = std::function<void(const StopFlag& stop, const Report& report)>;
+  using Work = std::function<void(const core::StopFlag& stop, const Report& report)>;
 
   explicit BackgroundJob(QObject* parent = nullptr);
   ~BackgroundJob() override;
@@ -35,16 +35,16 @@ class BackgroundJob : public QObject {
   [[nodiscard]] bool running() const { return running_; }
 
  signals:
-  void progressed(double fraction, double seconds_left);   ///< Seconds below 0: not known yet.
-  void ended(sarsim::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
+  void progressed(double fraction, double seconds_left);        ///< Seconds below 0: not known yet.
+  void ended(sarsim::gui::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
 
  private:
   void work_through(const Work& work);
   void end_with(JobEnd end, const QString& failure);
 
-  std::unique_ptr<StopFlag> stop_;
+  std::unique_ptr<core::StopFlag> stop_;
   std::thread thread_;
   bool running_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 #include "picture/colour/display_quantity.hpp"
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The rows of a form that choose how samples become colours: quantity, palette, limits and decibels. Only those are
 /// seen that have a say now.
@@ -33,27 +33,27 @@ class ColourRows : public QObject {
   /// Shows a look; says nothing back. All rows must have been added.
   /// @param values     what magnitudes are: voltages or numbers
   /// @param meaningful false where the samples are colours themselves: then nothing here has a say
-  void show(const ColourLook& look, Quantity values, bool meaningful = true);
+  void show(const picture::ColourLook& look, scene::Quantity values, bool meaningful = true);
   /// Limits that are set by hand begin with these, to six digits.
-  void set_present_limits(const ColourLimits& limits);
+  void set_present_limits(const picture::ColourLimits& limits);
 
  signals:
-  void chosen(const sarsim::ColourLook& look);  ///< Something of it was changed.
+  void chosen(const sarsim::picture::ColourLook& look);  ///< Something of it was changed.
 
  private:
   using Words = FormRows::Words;
   [[nodiscard]] Words words(const QString& label, const char* name, const QString& tip) const;
-  void change(const std::function<void(ColourLook&)>& apply);
-  QLineEdit* add_limit(QFormLayout* form, const Words& words, double LimitRule::*end);
-  [[nodiscard]] Quantity shown_kind() const;
+  void change(const std::function<void(picture::ColourLook&)>& apply);
+  QLineEdit* add_limit(QFormLayout* form, const Words& words, double picture::LimitRule::*end);
+  [[nodiscard]] scene::Quantity shown_kind() const;
   void show_rows();
 
   FormRows& rows_;
   QString prefix_;
-  ColourLook look_;
-  Quantity values_ = Quantity::voltage;
+  picture::ColourLook look_;
+  scene::Quantity values_ = scene::Quantity::voltage;
   bool meaningful_ = true;
-  std::optional<ColourLimits> present_;
+  std::optional<picture::ColourLimits> present_;
   QComboBox* quantity_ = nullptr;
   QComboBox* map_ = nullptr;
   QCheckBox* inverted_ = nullptr;
@@ -70,4 +70,4 @@ class ColourRows : public QObject {
   QFormLayout* span_form_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

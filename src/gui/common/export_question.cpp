@@ -7,21 +7,21 @@
 
 #include "raster/table/formats.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 struct ExportKind {
-  FileFormat format;
+  scene::FileFormat format;
   const char* name;
   const char* ending;
 };
-constexpr ExportKind kinds[] = {{FileFormat::hdf5, "HDF5", "h5"},
-                                {FileFormat::npy, "NumPy", "npy"},
-                                {FileFormat::csv, "CSV", "csv"},
-                                {FileFormat::binary, "Sarsim BINARY", "bin"},
-                                {FileFormat::ascii, "Sarsim ASCII", "asc"},
-                                {FileFormat::bracket, "Sarsim BRACKET", "brk"}};
+constexpr ExportKind kinds[] = {{scene::FileFormat::hdf5, "HDF5", "h5"},
+                                {scene::FileFormat::npy, "NumPy", "npy"},
+                                {scene::FileFormat::csv, "CSV", "csv"},
+                                {scene::FileFormat::binary, "Sarsim BINARY", "bin"},
+                                {scene::FileFormat::ascii, "Sarsim ASCII", "asc"},
+                                {scene::FileFormat::bracket, "Sarsim BRACKET", "brk"}};
 
 QString filter_of(const ExportKind& kind) { return QStringLiteral("%1 (*.%2)").arg(kind.name, kind.ending); }
 
@@ -47,8 +47,8 @@ std::optional<ExportChoice> ask_export(QWidget* parent) {
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   const QString path = dialog.selectedFiles().value(0);
   if (path.isEmpty()) return std::nullopt;
-  const auto typed = format_from_path(path.toStdString());
+  const auto typed = raster::format_from_path(path.toStdString());
   return ExportChoice{path, typed.value_or(kind_of(dialog.selectedNameFilter()).format)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,12 +8,12 @@
 
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Where samples are to be written, and how.
 struct ExportChoice {
   QString path;
-  FileFormat format = FileFormat::hdf5;
+  scene::FileFormat format = scene::FileFormat::hdf5;
 };
 
 /// Asks for a file to write samples into, and whether one that exists may be replaced; nothing where the user says no.
@@ -21,4 +21,4 @@ struct ExportChoice {
 /// counts for more than the chosen one.
 [[nodiscard]] std::optional<ExportChoice> ask_export(QWidget* parent);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

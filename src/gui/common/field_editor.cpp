@@ -7,16 +7,16 @@
 
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 // Wraps, as only rich text does in tooltips.
-QString tooltip_of(const Field& field) {
+QString tooltip_of(const scene::Field& field) {
   QString text = "<p>" + QString::fromStdString(field.tooltip).toHtmlEscaped() + "</p>";
-  if (field.kind != FieldKind::quantity) return text;
+  if (field.kind != scene::FieldKind::quantity) return text;
   QStringList units;
-  for (const std::string_view unit : units_of(field.quantity))
+  for (const std::string_view unit : scene::units_of(field.quantity))
     units += QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
   if (!units.isEmpty())
     text += "<p>" + FieldEditor::tr("Units: %1").arg(units.join(QStringLiteral(", "))).toHtmlEscaped() + "</p>";
@@ -41,7 +41,7 @@ QString stepped_text(const QString& text, int steps) {
   return (digits < 0 ? "-" : "") + number + match.captured(4) + match.captured(5);
 }
 
-FieldEditor::FieldEditor(const Field& field, QWidget* parent)
+FieldEditor::FieldEditor(const scene::Field& field, QWidget* parent)
     : QObject(parent), field_(field), problem_line_(new ProblemLine(parent)) {
   problem_line_->setObjectName("problem_" + id());
 }
@@ -108,17 +108,17 @@ void FieldEditor::restore() {
   display();
 }
 
-void FieldEditor::show_problems(const std::vector<Problem>& problems) {
+void FieldEditor::show_problems(const std::vector<core::Problem>& problems) {
   problems_ = problems;
   refresh_problem_line();
 }
 
 void FieldEditor::refresh_problem_line() {
   constexpr std::size_t most = 3;
-  Severity worst = Severity::note;
+  core::Severity worst = core::Severity::note;
   QStringList texts;
   if (!failure_.isEmpty()) {
-    worst = Severity::error;
+    worst = core::Severity::error;
     texts += tr("Error: %1.").arg(failure_);
   }
   for (std::size_t i = 0; i < problems_.size(); ++i) {
@@ -134,7 +134,7 @@ void FieldEditor::refresh_problem_line() {
 }
 
 bool FieldEditor::troubled() const {
-  const auto serious = [](const Problem& problem) { return problem.severity != Severity::note; };
+  const auto serious = [](const core::Problem& problem) { return problem.severity != core::Severity::note; };
   return refused() || std::ranges::any_of(problems_, serious);
 }
 
@@ -145,4 +145,4 @@ void FieldEditor::set_shown(bool shown) {
   refresh_problem_line();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

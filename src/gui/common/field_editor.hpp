@@ -11,7 +11,7 @@
 class QLabel;
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 
@@ -25,9 +25,9 @@ class FieldEditor : public QObject {
 
  public:
   /// @param parent  of the widgets
-  FieldEditor(const Field& field, QWidget* parent);
+  FieldEditor(const scene::Field& field, QWidget* parent);
 
-  [[nodiscard]] const Field& field() const { return field_; }
+  [[nodiscard]] const scene::Field& field() const { return field_; }
   [[nodiscard]] QString id() const { return QString::fromStdString(field_.id); }
   /// Null where the widget carries its label itself.
   [[nodiscard]] QLabel* label() const { return label_; }
@@ -48,7 +48,7 @@ class FieldEditor : public QObject {
   /// What was refused is right now, or gone.
   void clear_failure();
   /// Shows what the scene's check says of the field.
-  void show_problems(const std::vector<Problem>& problems);
+  void show_problems(const std::vector<core::Problem>& problems);
   /// True where a failure, an error or a warning is shown.
   [[nodiscard]] bool troubled() const;
   /// Shows or hides the whole row; what is hidden keeps its text.
@@ -84,15 +84,15 @@ class FieldEditor : public QObject {
  private:
   void refresh_problem_line();
 
-  Field field_;
+  scene::Field field_;
   QLabel* label_ = nullptr;
   ProblemLine* problem_line_ = nullptr;
   QString failure_;
-  std::vector<Problem> problems_;
+  std::vector<core::Problem> problems_;
   bool shown_ = true;
 };
 
 /// Makes the editor that suits a field's kind.
-[[nodiscard]] FieldEditor* make_field_editor(const Field& field, QWidget* parent);
+[[nodiscard]] FieldEditor* make_field_editor(const scene::Field& field, QWidget* parent);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -17,7 +17,7 @@
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -26,10 +26,10 @@ QString different_text() { return FieldEditor::tr("(different)"); }
 // A line of text: quantities and names.
 class LineField : public FieldEditor {
  public:
-  LineField(const Field& field, QWidget* parent) : FieldEditor(field, parent), edit_(new QLineEdit(parent)) {
+  LineField(const scene::Field& field, QWidget* parent) : FieldEditor(field, parent), edit_(new QLineEdit(parent)) {
     describe(edit_, true);
     edit_->installEventFilter(this);
-    error_mark_ = edit_->addAction(severity_icon(Severity::error, *edit_), QLineEdit::TrailingPosition);
+    error_mark_ = edit_->addAction(severity_icon(core::Severity::error, *edit_), QLineEdit::TrailingPosition);
     error_mark_->setVisible(false);
     connect(edit_, &QLineEdit::editingFinished, this, [this] { commit(); });
     connect(edit_, &QLineEdit::textEdited, this, [this](const QString& text) {
@@ -77,14 +77,14 @@ class LineField : public FieldEditor {
   // During a run of steps the unit stays as it was: 999 MHz is followed by 1000 MHz, not by 1 GHz and 2 GHz.
   [[nodiscard]] bool keeps(const QString& new_value) const override {
     if (!stepping_) return false;
-    const QuantityReading reading = read_quantity(edit_->text().toStdString(), field().quantity);
-    return reading.value && quantity_text(*reading.value, field().quantity) == new_value.toStdString();
+    const scene::QuantityReading reading = scene::read_quantity(edit_->text().toStdString(), field().quantity);
+    return reading.value && scene::quantity_text(*reading.value, field().quantity) == new_value.toStdString();
   }
 
   void mark(bool failed) override {
     error_mark_->setVisible(failed);
     QPalette palette;  // Only what is set here is the field's own; the rest follows the theme.
-    if (failed) palette.setColor(QPalette::Text, colour_of(Role::error, edit_->palette()));
+    if (failed) palette.setColor(QPalette::Text, colour_of(picture::Role::error, edit_->palette()));
     edit_->setPalette(palette);
   }
 
@@ -138,7 +138,7 @@ class LineField : public FieldEditor {
   }
 
   bool step(int steps) {
-    if (field().kind != FieldKind::quantity) return false;
+    if (field().kind != scene::FieldKind::quantity) return false;
     const QString text = stepped_text(edit_->text(), steps);
     if (text.isEmpty()) return true;
     clear_failure();
@@ -168,7 +168,7 @@ class LineField : public FieldEditor {
 // One of several: choices, platforms, radars.
 class ChoiceField : public FieldEditor {
  public:
-  ChoiceField(const Field& field, QWidget* parent) : FieldEditor(field, parent), box_(new QComboBox(parent)) {
+  ChoiceField(const scene::Field& field, QWidget* parent) : FieldEditor(field, parent), box_(new QComboBox(parent)) {
     describe(box_, true);
     box_->setPlaceholderText(different_text());
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -224,7 +224,7 @@ class ChoiceField : public FieldEditor {
 
 class CheckField : public FieldEditor {
  public:
-  CheckField(const Field& field, QWidget* parent)
+  CheckField(const scene::Field& field, QWidget* parent)
       : FieldEditor(field, parent), box_(new QCheckBox(QString::fromStdString(field.label), parent)) {
     describe(box_, false);
     connect(box_, &QCheckBox::stateChanged, this, [this](int state) {
@@ -265,7 +265,8 @@ class ElidingButton : public QPushButton {
 // A summary that opens the function editor.
 class FunctionField : public FieldEditor {
  public:
-  FunctionField(const Field& field, QWidget* parent) : FieldEditor(field, parent), button_(new ElidingButton(parent)) {
+  FunctionField(const scene::Field& field, QWidget* parent)
+      : FieldEditor(field, parent), button_(new ElidingButton(parent)) {
     describe(button_, true);
     button_->setAutoDefault(false);
     button_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // A long summary widens no panel.
@@ -287,17 +288,17 @@ class FunctionField : public FieldEditor {
 
 }  // namespace
 
-FieldEditor* make_field_editor(const Field& field, QWidget* parent) {
+FieldEditor* make_field_editor(const scene::Field& field, QWidget* parent) {
   switch (field.kind) {
-    case FieldKind::quantity:
-    case FieldKind::text: return new LineField(field, parent);
-    case FieldKind::choice:
-    case FieldKind::platform:
-    case FieldKind::radar: return new ChoiceField(field, parent);
-    case FieldKind::check: return new CheckField(field, parent);
-    case FieldKind::function: return new FunctionField(field, parent);
+    case scene::FieldKind::quantity:
+    case scene::FieldKind::text: return new LineField(field, parent);
+    case scene::FieldKind::choice:
+    case scene::FieldKind::platform:
+    case scene::FieldKind::radar: return new ChoiceField(field, parent);
+    case scene::FieldKind::check: return new CheckField(field, parent);
+    case scene::FieldKind::function: return new FunctionField(field, parent);
   }
   return nullptr;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -20,7 +20,7 @@
 #include "gui/common/palette_colours.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -41,11 +41,12 @@ class RoundTicker : public QCPAxisTicker {
     const bool known = area.width() > 0 && area.height() > 0;
     const double length =
         axis_->orientation() == Qt::Horizontal ? (known ? area : around).width() : (known ? area : around).height();
-    const Ticks marks = axis_ticks(range.lower * factor_, range.upper * factor_, length, spacing_px_, unit_);
+    const picture::Ticks marks =
+        picture::axis_ticks(range.lower * factor_, range.upper * factor_, length, spacing_px_, unit_);
     ticks.clear();
     if (sub_ticks != nullptr) sub_ticks->clear();
     if (labels != nullptr) labels->clear();
-    for (const Tick& mark : marks.ticks) {
+    for (const picture::Tick& mark : marks.ticks) {
       ticks.append(mark.value / factor_);
       if (labels != nullptr) labels->append(QString::fromStdString(mark.label));
     }
@@ -59,17 +60,17 @@ class RoundTicker : public QCPAxisTicker {
 };
 
 QString axis_title(const std::string& label, const std::string& unit, double first, double last) {
-  const std::string shown = axis_ticks(first, last, 500.0, 50.0, unit).unit;
+  const std::string shown = picture::axis_ticks(first, last, 500.0, 50.0, unit).unit;
   const QString name = QString::fromStdString(label);
   return shown.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(shown));
 }
 
-QImage picture_of(const FigureImage& image) {
+QImage picture_of(const picture::FigureImage& image) {
   QImage picture(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_RGB32);
   for (std::size_t row = 0; row < image.height; ++row) {
     auto* const line = reinterpret_cast<QRgb*>(picture.scanLine(static_cast<int>(row)));
     for (std::size_t column = 0; column < image.width; ++column) {
-      const Rgb& cell = image.cells[row * image.width + column];
+      const raster::Rgb& cell = image.cells[row * image.width + column];
       line[column] = qRgb(cell.red, cell.green, cell.blue);
     }
   }
@@ -90,7 +91,7 @@ FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
   rebuild();
 }
 
-void FigurePlot::set_figure(const Figure& figure) {
+void FigurePlot::set_figure(const picture::Figure& figure) {
   figure_ = figure;
   rebuild();
   // Once for the lengths of the axes, once for marks that suit them.
@@ -99,7 +100,7 @@ void FigurePlot::set_figure(const Figure& figure) {
   replot(rpQueuedReplot);
 }
 
-QColor FigurePlot::ink(Role role) const { return colour_of(role, palette()); }
+QColor FigurePlot::ink(picture::Role role) const { return colour_of(role, palette()); }
 
 void FigurePlot::rebuild() {
   clearPlottables();
@@ -108,10 +109,10 @@ void FigurePlot::rebuild() {
   plotLayout()->clear();
   legend = nullptr;
   qDeleteAll(findChildren<QCPMarginGroup*>(QString(), Qt::FindDirectChildrenOnly));  // Nobody else takes them away.
-  setBackground(QBrush(ink(Role::background)));
+  setBackground(QBrush(ink(picture::Role::background)));
   int row = 0;
   if (!figure_.title.empty()) add_text(row++, QString::fromStdString(figure_.title), true);
-  for (const FigurePanel& panel : figure_.panels) {
+  for (const picture::FigurePanel& panel : figure_.panels) {
     if (!panel.title.empty()) add_text(row++, QString::fromStdString(panel.title), false);
     add_panel(row++, panel);
   }
@@ -125,14 +126,14 @@ void FigurePlot::add_text(int row, const QString& text, bool bold) {
   QFont shown = font();
   shown.setBold(bold);
   auto* const element = new FigureText(this, text, shown);
-  element->setTextColor(ink(Role::text));
+  element->setTextColor(ink(picture::Role::text));
   element->setMargins(QMargins(4, 4, 4, 2));
   plotLayout()->addElement(row, 0, element);
   // Words take the room they need; panels share the rest.
   plotLayout()->setRowStretchFactor(row, 0.001);
 }
 
-void FigurePlot::add_panel(int row, const FigurePanel& panel) {
+void FigurePlot::add_panel(int row, const picture::FigurePanel& panel) {
   auto* const rect = new QCPAxisRect(this);
   plotLayout()->addElement(row, 0, rect);
   panels_.emplace_back(rect);
@@ -147,29 +148,29 @@ void FigurePlot::add_panel(int row, const FigurePanel& panel) {
     add_image(rect, *panel.image);
     for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
   }
-  for (const FigureCurve& curve : panel.curves) add_curve(rect, curve);
-  for (const FigureMark& mark : panel.marks) add_mark(rect, mark);
+  for (const picture::FigureCurve& curve : panel.curves) add_curve(rect, curve);
+  for (const picture::FigureMark& mark : panel.marks) add_mark(rect, mark);
   add_legend(rect, panel);
   if (panel.colour_bar) add_colour_bar(row, rect, *panel.colour_bar);
 }
 
 void FigurePlot::dress(QCPAxis* axis) {
   for (const auto& set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-    (axis->*set)(QPen(ink(Role::text)));
-  axis->setTickLabelColor(ink(Role::text));
-  axis->setLabelColor(ink(Role::text));
+    (axis->*set)(QPen(ink(picture::Role::text)));
+  axis->setTickLabelColor(ink(picture::Role::text));
+  axis->setLabelColor(ink(picture::Role::text));
   axis->setTickLabelFont(font());
   axis->setLabelFont(font());
   axis->setSubTicks(false);
-  axis->grid()->setPen(QPen(ink(Role::faint), 0, Qt::DotLine));
-  axis->grid()->setZeroLinePen(QPen(ink(Role::faint)));
+  axis->grid()->setPen(QPen(ink(picture::Role::faint), 0, Qt::DotLine));
+  axis->grid()->setZeroLinePen(QPen(ink(picture::Role::faint)));
 }
 
 // A circle on the ground is one in the picture: the axis that has room to spare shows more than the image.
 void FigurePlot::keep_scales() {
   constexpr double longest_strip = 3.0;
   for (std::size_t i = 0; i < panels_.size() && i < figure_.panels.size(); ++i) {
-    const FigurePanel& panel = figure_.panels[i];
+    const picture::FigurePanel& panel = figure_.panels[i];
     const QCPAxisRect* const rect = panels_[i];
     if (rect == nullptr || !panel.image || panel.x.unit != "m" || panel.y.unit != "m") continue;
     const double across_m = std::abs(panel.x.last - panel.x.first);
@@ -177,7 +178,8 @@ void FigurePlot::keep_scales() {
     if (!(across_m > 0.0) || !(up_m > 0.0) || rect->width() < 2 || rect->height() < 2) continue;
     if (std::max(across_m, up_m) > longest_strip * std::min(across_m, up_m)) continue;
     const double metres_per_px = std::max(across_m / rect->width(), up_m / rect->height());
-    const auto show = [&](QCPAxis::AxisType first, QCPAxis::AxisType second, const FigureAxis& axis, int length_px) {
+    const auto show = [&](QCPAxis::AxisType first, QCPAxis::AxisType second, const picture::FigureAxis& axis,
+                          int length_px) {
       const double middle = 0.5 * (axis.first + axis.last);
       const double half = 0.5 * metres_per_px * length_px;
       for (const auto side : {first, second}) rect->axis(side)->setRange(middle - half, middle + half);
@@ -188,19 +190,19 @@ void FigurePlot::keep_scales() {
   }
 }
 
-void FigurePlot::name_axis(QCPAxis* axis, const FigureAxis& described) {
+void FigurePlot::name_axis(QCPAxis* axis, const picture::FigureAxis& described) {
   axis->setLabel(axis_title(described.label, described.unit, axis->range().lower, axis->range().upper));
 }
 
-void FigurePlot::add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
+void FigurePlot::add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px) {
   axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
   axis->setRangeReversed(described.last < described.first);
   axis->setTicker(QSharedPointer<RoundTicker>::create(axis, described.unit, spacing_px, 1.0));
   axis->setLabel(axis_title(described.label, described.unit, described.first, described.last));
 }
 
-void FigurePlot::add_twin(QCPAxis* axis, const FigureAxis& described, double spacing_px) {
-  const FigureAxis::Twin& twin = *described.twin;
+void FigurePlot::add_twin(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px) {
+  const picture::FigureAxis::Twin& twin = *described.twin;
   axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
   axis->setRangeReversed(described.last < described.first);
   axis->setTicks(true);
@@ -209,7 +211,7 @@ void FigurePlot::add_twin(QCPAxis* axis, const FigureAxis& described, double spa
   axis->setLabel(axis_title(twin.label, twin.unit, described.first * twin.factor, described.last * twin.factor));
 }
 
-void FigurePlot::add_image(QCPAxisRect* rect, const FigureImage& image) {
+void FigurePlot::add_image(QCPAxisRect* rect, const picture::FigureImage& image) {
   auto* const item = new QCPItemPixmap(this);
   item->setPixmap(QPixmap::fromImage(picture_of(image)));
   // Cells stay cells: no colour that no sample has.
@@ -225,7 +227,7 @@ void FigurePlot::add_image(QCPAxisRect* rect, const FigureImage& image) {
   item->bottomRight->setCoords(image.x_last, image.y_last);
 }
 
-void FigurePlot::add_curve(QCPAxisRect* rect, const FigureCurve& curve) {
+void FigurePlot::add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve) {
   QCPAxis* const across = rect->axis(QCPAxis::atBottom);
   QCPAxis* const up = rect->axis(QCPAxis::atLeft);
   QCPAbstractPlottable* drawn = nullptr;
@@ -248,7 +250,7 @@ void FigurePlot::add_curve(QCPAxisRect* rect, const FigureCurve& curve) {
   drawn->setName(QString::fromStdString(curve.name));
 }
 
-void FigurePlot::add_mark(QCPAxisRect* rect, const FigureMark& mark) {
+void FigurePlot::add_mark(QCPAxisRect* rect, const picture::FigureMark& mark) {
   auto* const cross = new QCPItemTracer(this);
   auto* const words = new QCPItemText(this);
   for (QCPItemPosition* place : {cross->position, words->position}) {
@@ -259,33 +261,33 @@ void FigurePlot::add_mark(QCPAxisRect* rect, const FigureMark& mark) {
   }
   cross->setStyle(QCPItemTracer::tsPlus);
   cross->setSize(9.0);
-  cross->setPen(QPen(ink(Role::error), 1.5));
+  cross->setPen(QPen(ink(picture::Role::error), 1.5));
   words->setText(QString::fromStdString(mark.text));
   words->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
   words->setPadding(QMargins(6, 2, 4, 4));
   words->setFont(font());
-  words->setColor(ink(Role::error));
+  words->setColor(ink(picture::Role::error));
   for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(cross), static_cast<QCPAbstractItem*>(words)}) {
     item->setClipAxisRect(rect);
     item->setClipToAxisRect(true);
   }
 }
 
-void FigurePlot::add_legend(QCPAxisRect* rect, const FigurePanel& panel) {
-  const bool named = std::ranges::any_of(panel.curves, [](const FigureCurve& c) { return !c.name.empty(); });
+void FigurePlot::add_legend(QCPAxisRect* rect, const picture::FigurePanel& panel) {
+  const bool named = std::ranges::any_of(panel.curves, [](const picture::FigureCurve& c) { return !c.name.empty(); });
   if (!named) return;
   auto* const names = new QCPLegend;
   rect->insetLayout()->addElement(names, Qt::AlignTop | Qt::AlignRight);
   names->setLayer("legend");
-  names->setBrush(ink(Role::background));
-  names->setBorderPen(QPen(ink(Role::faint)));
-  names->setTextColor(ink(Role::text));
+  names->setBrush(ink(picture::Role::background));
+  names->setBorderPen(QPen(ink(picture::Role::faint)));
+  names->setTextColor(ink(picture::Role::text));
   names->setFont(font());
   for (QCPAbstractPlottable* plottable : rect->plottables())
     if (!plottable->name().isEmpty()) plottable->addToLegend(names);
 }
 
-void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar) {
+void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const picture::FigureColourBar& bar) {
   auto* const scale = new QCPColorScale(this);
   plotLayout()->addElement(row, 1, scale);
   scale->setType(QCPAxis::atRight);
@@ -295,7 +297,7 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBa
   gradient.setColorInterpolation(QCPColorGradient::ciRGB);
   const std::size_t step = (bar.colours.size() + most_stops - 1) / most_stops;
   for (std::size_t i = 0; i < bar.colours.size(); i += step) {
-    const Rgb& c = bar.colours[i];
+    const raster::Rgb& c = bar.colours[i];
     gradient.setColorStopAt(static_cast<double>(i) / static_cast<double>(bar.colours.size() - 1),
                             QColor(c.red, c.green, c.blue));
   }
@@ -339,7 +341,7 @@ bool FigurePlot::save(const QString& path, QSize size, double scale, QString& fa
     return false;
   }
   try {
-    OutputFile file(path.toStdString(), true);
+    core::OutputFile file(path.toStdString(), true);
     file.write(std::as_bytes(std::span(picture.data().constData(), static_cast<std::size_t>(picture.size()))));
     file.commit();
     return true;
@@ -388,7 +390,7 @@ bool FigurePlot::paint_on(QPaintDevice& device, QSize size) {
   return painter.end();
 }
 
-void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested) {
+void ask_and_save_picture(QWidget& parent, const picture::Figure& figure, const QString& suggested) {
   const QString title = FigurePlot::tr("Save picture");
   const QString path =
       QFileDialog::getSaveFileName(&parent, title, suggested, FigurePlot::tr("Pictures (*.png *.svg *.pdf)"));
@@ -401,4 +403,4 @@ void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& 
     QMessageBox::warning(&parent, title, failure);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 
 #include "picture/figure/figure.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Draws a figure: panels one below the other with axes, marks, legend and colour bar, in the colours of the palette.
 /// Where an image has metres along both axes and one side is at most three times the other, a metre is as long on both.
@@ -20,8 +20,8 @@ class FigurePlot : public QCustomPlot {
   explicit FigurePlot(QWidget* parent = nullptr);
 
   /// Draws another figure.
-  void set_figure(const Figure& figure);
-  [[nodiscard]] const Figure& figure() const { return figure_; }
+  void set_figure(const picture::Figure& figure);
+  [[nodiscard]] const picture::Figure& figure() const { return figure_; }
 
   /// Where panel `index` is drawn.
   [[nodiscard]] QCPAxisRect* panel(std::size_t index) const { return panels_.at(index); }
@@ -40,25 +40,25 @@ class FigurePlot : public QCustomPlot {
   bool draw_picture(QIODevice& device, const QString& ending, QSize size, double scale);
   bool paint_on(QPaintDevice& device, QSize size);
   void add_text(int row, const QString& text, bool bold);
-  void add_panel(int row, const FigurePanel& panel);
-  void add_axis(QCPAxis* axis, const FigureAxis& described, double spacing_px);
-  void add_twin(QCPAxis* axis, const FigureAxis& described, double spacing_px);
-  void add_image(QCPAxisRect* rect, const FigureImage& image);
-  void add_curve(QCPAxisRect* rect, const FigureCurve& curve);
-  void add_mark(QCPAxisRect* rect, const FigureMark& mark);
-  void add_legend(QCPAxisRect* rect, const FigurePanel& panel);
-  void add_colour_bar(int row, QCPAxisRect* rect, const FigureColourBar& bar);
+  void add_panel(int row, const picture::FigurePanel& panel);
+  void add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);
+  void add_twin(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);
+  void add_image(QCPAxisRect* rect, const picture::FigureImage& image);
+  void add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve);
+  void add_mark(QCPAxisRect* rect, const picture::FigureMark& mark);
+  void add_legend(QCPAxisRect* rect, const picture::FigurePanel& panel);
+  void add_colour_bar(int row, QCPAxisRect* rect, const picture::FigureColourBar& bar);
   void dress(QCPAxis* axis);
   void keep_scales();
-  void name_axis(QCPAxis* axis, const FigureAxis& described);
-  [[nodiscard]] QColor ink(Role role) const;
+  void name_axis(QCPAxis* axis, const picture::FigureAxis& described);
+  [[nodiscard]] QColor ink(picture::Role role) const;
 
-  Figure figure_;
+  picture::Figure figure_;
   std::vector<QPointer<QCPAxisRect>> panels_;
 };
 
 /// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is
 /// told in a message.
-void ask_and_save_picture(QWidget& parent, const Figure& figure, const QString& suggested);
+void ask_and_save_picture(QWidget& parent, const picture::Figure& figure, const QString& suggested);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -57,4 +57,4 @@ QSize FigureText::minimumOuterSizeHint() const { return {0, height_px(width_px()
 
 QSize FigureText::maximumOuterSizeHint() const { return {QWIDGETSIZE_MAX, height_px(width_px())}; }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

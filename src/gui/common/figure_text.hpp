@@ -3,7 +3,7 @@
 // The plot library's header comes from the system's folders, where warnings are off.
 #include <qcustomplot.h>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Words above or below the panels of a figure. They ask for no width: what is longer than a line goes on in the next,
 /// and what is longer than three lines ends with dots, so that long titles leave the picture its room.
@@ -25,4 +25,4 @@ class FigureText : public QCPTextElement {
   [[nodiscard]] int width_px() const;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

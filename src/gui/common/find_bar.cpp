@@ -9,7 +9,7 @@
 #include <QTextBlock>
 #include <QToolButton>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 FindBar::FindBar(QPlainTextEdit* text, QWidget* parent)
     : QWidget(parent),
@@ -96,4 +96,4 @@ void FindBar::find(bool backwards) {
     text_->setTextCursor(found);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -7,7 +7,7 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A line to search a text with: the next or previous place, round the ends; says where nothing is found.
 class FindBar : public QWidget {
@@ -36,4 +36,4 @@ class FindBar : public QWidget {
   QLabel* result_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

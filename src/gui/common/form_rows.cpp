@@ -13,7 +13,7 @@
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 void FormRows::take(const std::function<void()>& taken) {
   if (showing_ > 0) return;
@@ -43,13 +43,13 @@ QLineEdit* FormRows::add_number(QFormLayout* form, const Words& words, Number nu
   form->addRow(words.label, edit);
   const auto read = [this, edit, number = std::move(number), typed = std::move(typed)] {
     if (!edit->isModified()) return;
-    const QuantityReading reading = read_quantity(edit->text().toStdString(), number.kind());
+    const scene::QuantityReading reading = scene::read_quantity(edit->text().toStdString(), number.kind());
     QString failure = QString::fromStdString(reading.failure);
     if (reading.value && !(*reading.value > number.above && *reading.value <= number.most)) failure = number.otherwise;
     if (failure.isEmpty())
       take([&] { typed(*reading.value); });
     else
-      problem_.show_texts(Severity::error, {failure});
+      problem_.show_texts(core::Severity::error, {failure});
     edit->setModified(!failure.isEmpty());
   };
   QObject::connect(edit, &QLineEdit::editingFinished, &owner_, read);
@@ -88,11 +88,11 @@ void show_row(QFormLayout* form, QWidget* field, bool shown) {
   if (QWidget* label = form->labelForField(field)) label->setVisible(shown);
 }
 
-void show_number(QLineEdit* field, double value, Quantity kind) {
+void show_number(QLineEdit* field, double value, scene::Quantity kind) {
   if (field->isModified() && field->hasFocus()) return;
-  field->setText(QString::fromStdString(quantity_text(value, kind)));
+  field->setText(QString::fromStdString(scene::quantity_text(value, kind)));
   field->setCursorPosition(0);
   field->setModified(false);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

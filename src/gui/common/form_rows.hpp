@@ -15,7 +15,7 @@ class QSlider;
 class QVBoxLayout;
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 
@@ -32,7 +32,7 @@ class FormRows {
 
   /// A number that can be typed, with its unit.
   struct Number {
-    std::function<Quantity()> kind;  ///< Asked when the text is read.
+    std::function<scene::Quantity()> kind;  ///< Asked when the text is read.
     double above = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     QString otherwise = {};  ///< What is said of a number outside these limits.
@@ -69,6 +69,6 @@ QFormLayout* add_form_group(QVBoxLayout* layout, const QString& title);
 void show_row(QFormLayout* form, QWidget* field, bool shown);
 
 /// Shows a value in a field with its unit; what is being typed there stays.
-void show_number(QLineEdit* field, double value, Quantity kind);
+void show_number(QLineEdit* field, double value, scene::Quantity kind);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -147,4 +147,4 @@ void GesturePlot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) update();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A plot whose view is moved with mouse and keys, in the same way in all windows. It turns gestures into wishes; what
 /// they mean is the plot's own business, and whether they are granted its owner's.
@@ -81,4 +81,4 @@ class GesturePlot : public QWidget {
   Qt::CursorShape idle_cursor_ = Qt::CrossCursor;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 LatestWork::LatestWork(QObject* parent) : QObject(parent) {
   connect(&job_, &BackgroundJob::ended, this, &LatestWork::take_end);
@@ -38,4 +38,4 @@ void LatestWork::take_end(JobEnd end, const QString& failure) {
   emit ended(end == JobEnd::done, failure);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

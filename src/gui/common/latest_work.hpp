@@ -6,7 +6,7 @@
 
 #include "gui/common/background_job.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Work in the background of which only the newest counts: a new piece ends the one before, and nothing is told about
 /// pieces that were replaced.
@@ -35,4 +35,4 @@ class LatestWork : public QObject {
   BackgroundJob job_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

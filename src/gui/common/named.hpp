@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Gives a widget its name for tests and scripts, the words that a screen reader speaks, and a tip; returns the widget.
 template <class Widget>
@@ -13,4 +13,4 @@ Widget* named(Widget* widget, const QString& name, const QString& spoken, const 
   return widget;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

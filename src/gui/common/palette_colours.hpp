@@ -5,7 +5,7 @@
 
 #include "picture/colour/theme.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// True where a palette shows light text on a dark ground.
 [[nodiscard]] inline bool is_dark(const QPalette& palette) {
@@ -13,9 +13,9 @@ namespace sarsim {
 }
 
 /// The colour of picture/colour/theme.hpp that suits a palette.
-[[nodiscard]] inline QColor colour_of(Role role, const QPalette& palette) {
-  const Rgb rgb = colour(role, is_dark(palette));
+[[nodiscard]] inline QColor colour_of(picture::Role role, const QPalette& palette) {
+  const raster::Rgb rgb = picture::colour(role, is_dark(palette));
   return {rgb.red, rgb.green, rgb.blue};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

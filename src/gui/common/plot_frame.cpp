@@ -9,7 +9,7 @@
 
 #include "gui/common/palette_colours.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -72,14 +72,14 @@ void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, con
   painter.drawImage(strip, bar.colours);
   draw_frame(painter, strip);
   const int line = painter.fontMetrics().height();
-  for (const Tick& tick : bar.ticks.ticks) {
+  for (const picture::Tick& tick : bar.ticks.ticks) {
     const double share = (tick.value - bar.limits.low) / (bar.limits.high - bar.limits.low);
     const double y = strip.bottom() + 1 - share * strip.height();
     painter.drawLine(QPointF(strip.right() + 1, y), QPointF(strip.right() + 1 + tick_length, y));
     const QRectF words(strip.right() + tick_length + gap / 2.0 + 1, y - line, widget_width, 2.0 * line);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, QString::fromStdString(tick.label));
   }
-  const std::string_view title = axis_title_of(bar.quantity);
+  const std::string_view title = picture::axis_title_of(bar.quantity);
   QString words = QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
   if (!bar.ticks.unit.empty()) words += QStringLiteral(" (%1)").arg(QString::fromStdString(bar.ticks.unit));
   draw_turned(painter, plot, widget_width - gap / 2.0, 90.0, words);
@@ -97,4 +97,4 @@ void draw_cursor(QPainter& painter, const QRect& plot, QPointF at, std::size_t i
   painter.drawText(label, Qt::AlignCenter, QString::number(index + 1));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -15,7 +15,7 @@ class QFontMetrics;
 class QPainter;
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// What stands around the picture of a plot: axes and colour bar; and the cursors on it. Lengths are pixels of the
 /// widget.
@@ -53,9 +53,9 @@ void draw_axis_upwards(QPainter& painter, const QRect& plot, const FrameAxis& ax
 /// What a colour bar shows.
 struct FrameBar {
   QImage colours;  ///< One column, the highest value above.
-  DisplayQuantity quantity = DisplayQuantity::magnitude;
-  ColourLimits limits;
-  Ticks ticks;  ///< Between the limits.
+  picture::DisplayQuantity quantity = picture::DisplayQuantity::magnitude;
+  picture::ColourLimits limits;
+  picture::Ticks ticks;  ///< Between the limits.
 };
 /// A colour bar at the right of a plot, its title at the widget's right edge.
 void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, const FrameBar& bar);
@@ -64,4 +64,4 @@ void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, con
 /// @param index  0 for number 1
 void draw_cursor(QPainter& painter, const QRect& plot, QPointF at, std::size_t index);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

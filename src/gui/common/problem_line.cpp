@@ -9,18 +9,18 @@
 
 #include "gui/common/palette_colours.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
-QString severity_word(Severity severity) {
+QString severity_word(core::Severity severity) {
   switch (severity) {
-    case Severity::error: return QCoreApplication::translate("ProblemLine", "Error");
-    case Severity::warning: return QCoreApplication::translate("ProblemLine", "Warning");
-    case Severity::note: return QCoreApplication::translate("ProblemLine", "Note");
+    case core::Severity::error: return QCoreApplication::translate("ProblemLine", "Error");
+    case core::Severity::warning: return QCoreApplication::translate("ProblemLine", "Warning");
+    case core::Severity::note: return QCoreApplication::translate("ProblemLine", "Note");
   }
   return {};
 }
 
-QString problem_text(const Problem& problem) {
+QString problem_text(const core::Problem& problem) {
   QString text = severity_word(problem.severity) + ": " + QString::fromStdString(problem.message);
   const QString found = QString::fromStdString(problem.found);
   const QString expected = QString::fromStdString(problem.expected);
@@ -35,13 +35,13 @@ QString problem_text(const Problem& problem) {
   return text + ' ' + hint;
 }
 
-bool stands_in(const Place& place, const std::filesystem::path& script) {
+bool stands_in(const core::Place& place, const std::filesystem::path& script) {
   return place.line > 0 && (place.file.empty() || place.file == script.string());
 }
 
-QString placed_problem_text(const Problem& problem, const std::filesystem::path& script) {
+QString placed_problem_text(const core::Problem& problem, const std::filesystem::path& script) {
   const QString text = problem_text(problem);
-  const Place& place = problem.place;
+  const core::Place& place = problem.place;
   if (place.line == 0) return text;
   if (stands_in(place, script))
     return QCoreApplication::translate("ProblemLine", "Line %1: %2").arg(place.line).arg(text);
@@ -51,10 +51,10 @@ QString placed_problem_text(const Problem& problem, const std::filesystem::path&
       .arg(text);
 }
 
-QIcon severity_icon(Severity severity, const QWidget& widget) {
-  const auto icon = severity == Severity::error     ? QStyle::SP_MessageBoxCritical
-                    : severity == Severity::warning ? QStyle::SP_MessageBoxWarning
-                                                    : QStyle::SP_MessageBoxInformation;
+QIcon severity_icon(core::Severity severity, const QWidget& widget) {
+  const auto icon = severity == core::Severity::error     ? QStyle::SP_MessageBoxCritical
+                    : severity == core::Severity::warning ? QStyle::SP_MessageBoxWarning
+                                                          : QStyle::SP_MessageBoxInformation;
   return widget.style()->standardIcon(icon, nullptr, &widget);
 }
 
@@ -70,7 +70,7 @@ ProblemLine::ProblemLine(QWidget* parent) : QWidget(parent), icon_(new QLabel(th
   setVisible(false);
 }
 
-void ProblemLine::show_texts(Severity severity, const QStringList& texts) {
+void ProblemLine::show_texts(core::Severity severity, const QStringList& texts) {
   severity_ = severity;
   const int size = fontMetrics().height();
   icon_->setPixmap(severity_icon(severity, *this).pixmap(size, size));
@@ -93,9 +93,9 @@ void ProblemLine::changeEvent(QEvent* event) {
 }
 
 void ProblemLine::colour_text() {
-  const Role role = severity_ == Severity::error     ? Role::error
-                    : severity_ == Severity::warning ? Role::warning
-                                                     : Role::text;
+  const picture::Role role = severity_ == core::Severity::error     ? picture::Role::error
+                             : severity_ == core::Severity::warning ? picture::Role::warning
+                                                                    : picture::Role::text;
   const QColor wanted = colour_of(role, palette());
   if (text_->palette().color(QPalette::WindowText) == wanted) return;
   QPalette own;  // Only what is set here is the label's own; the rest follows the theme.
@@ -103,4 +103,4 @@ void ProblemLine::colour_text() {
   text_->setPalette(own);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

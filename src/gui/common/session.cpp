@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -20,7 +20,7 @@ Session::Session(QObject* parent) : QObject(parent) {
   look_for_problems();
 }
 
-void Session::take(Document document) {
+void Session::take(scene::Document document) {
   document_ = std::move(document);
   selection_.clear();
   current_.reset();
@@ -34,7 +34,7 @@ void Session::take(Document document) {
   announce();
 }
 
-void Session::perform(Edit edit) {
+void Session::perform(scene::Edit edit) {
   if (edit.changes.empty() && !edit.options_after) return;
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = document_.revision();
@@ -85,7 +85,7 @@ void Session::save(const std::filesystem::path& path) {
   find_put_off_problems();  // They name the file, and data files are looked for beside it.
 }
 
-void Session::select(std::set<ObjectId> objects) {
+void Session::select(std::set<scene::ObjectId> objects) {
   if (objects == selection_) return;
   selection_ = std::move(objects);
   if (!current_ || !selection_.contains(*current_))
@@ -93,14 +93,14 @@ void Session::select(std::set<ObjectId> objects) {
   emit selection_changed();
 }
 
-void Session::select_only(ObjectId object) {
+void Session::select_only(scene::ObjectId object) {
   if (current_ == object && selection_.size() == 1) return;
   selection_ = {object};
   current_ = object;
   emit selection_changed();
 }
 
-void Session::select_also(ObjectId object) {
+void Session::select_also(scene::ObjectId object) {
   if (selection_.erase(object) > 0) {
     if (current_ == object) current_ = selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
   } else {
@@ -110,8 +110,8 @@ void Session::select_also(ObjectId object) {
   emit selection_changed();
 }
 
-void Session::set_hidden(const std::set<ObjectId>& objects, bool hide) {
-  for (const ObjectId& id : objects) {
+void Session::set_hidden(const std::set<scene::ObjectId>& objects, bool hide) {
+  for (const scene::ObjectId& id : objects) {
     if (hide)
       hidden_.insert(id);
     else
@@ -126,20 +126,20 @@ void Session::set_time(double time_s) {
   emit time_changed(time_s_);
 }
 
-void Session::log(Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
+void Session::log(core::Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
 
 // Keeps pointing at the same objects where an edit moved them.
 void Session::follow_last_edit() {
   const auto& last = document_.last_edit();
   if (!last) return;
-  const auto follow = [&](const std::set<ObjectId>& ids) {
-    std::set<ObjectId> there = moved(ids, last->edit, last->forwards);
-    std::erase_if(there, [&](ObjectId id) { return !has_object(scene(), id); });
+  const auto follow = [&](const std::set<scene::ObjectId>& ids) {
+    std::set<scene::ObjectId> there = scene::moved(ids, last->edit, last->forwards);
+    std::erase_if(there, [&](scene::ObjectId id) { return !scene::has_object(scene(), id); });
     return there;
   };
   hidden_ = follow(hidden_);
-  const auto current = current_ ? moved(*current_, last->edit, last->forwards) : std::nullopt;
-  const std::set<ObjectId> selected = follow(selection_);
+  const auto current = current_ ? scene::moved(*current_, last->edit, last->forwards) : std::nullopt;
+  const std::set<scene::ObjectId> selected = follow(selection_);
   current_ = current && selected.contains(*current) ? current : std::nullopt;
   if (!current_ && !selected.empty()) current_ = *selected.begin();
   const bool same = selected == selection_;
@@ -163,4 +163,4 @@ void Session::announce() {
   emit document_changed();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,7 +10,7 @@
 #include "scene/edit/document.hpp"
 #include "scene/model/object.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// What all windows of the workbench share: the document, what is selected and hidden, and the time of the scene.
 /// Every change of the scene goes through here and is announced once, so that windows never talk to each other.
@@ -20,13 +20,13 @@ class Session : public QObject {
  public:
   explicit Session(QObject* parent = nullptr);
 
-  [[nodiscard]] const Document& document() const { return document_; }
-  [[nodiscard]] const Scene& scene() const { return document_.scene(); }
+  [[nodiscard]] const scene::Document& document() const { return document_; }
+  [[nodiscard]] const scene::Scene& scene() const { return document_.scene(); }
 
   /// Puts another document in place of this one; selection and hidden objects are cleared, the time is 0.
-  void take(Document document);
+  void take(scene::Document document);
   /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs.
-  void perform(Edit edit);
+  void perform(scene::Edit edit);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
   /// Replaces the script, as typed (Document::type_text).
@@ -41,27 +41,27 @@ class Session : public QObject {
   /// Problems of the document as far as they are known, for windows that show them. Looked for at once after a single
   /// edit; during a run of merged edits (a drag, a spin box) only when it pauses, because that reads the whole script.
   /// Until then they are those of before the run, about the same objects.
-  [[nodiscard]] const Problems& problems() const { return problems_; }
+  [[nodiscard]] const core::Problems& problems() const { return problems_; }
 
-  [[nodiscard]] const std::set<ObjectId>& selection() const { return selection_; }
+  [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return selection_; }
   /// The object that panels show: the one selected last, if any.
-  [[nodiscard]] std::optional<ObjectId> current() const { return current_; }
+  [[nodiscard]] std::optional<scene::ObjectId> current() const { return current_; }
   /// Selects these and no others.
-  void select(std::set<ObjectId> objects);
+  void select(std::set<scene::ObjectId> objects);
   /// Selects one object.
-  void select_only(ObjectId object);
-  void select_also(ObjectId object);  ///< Adds it, or takes it out where it is in.
+  void select_only(scene::ObjectId object);
+  void select_also(scene::ObjectId object);  ///< Adds it, or takes it out where it is in.
 
-  [[nodiscard]] const std::set<ObjectId>& hidden() const { return hidden_; }
+  [[nodiscard]] const std::set<scene::ObjectId>& hidden() const { return hidden_; }
   /// Hides objects in the scene view, or shows them again.
-  void set_hidden(const std::set<ObjectId>& objects, bool hide);
+  void set_hidden(const std::set<scene::ObjectId>& objects, bool hide);
 
   [[nodiscard]] double time_s() const { return time_s_; }
   /// The time at which the scene is seen.
   void set_time(double time_s);
 
   /// Adds a line to the log panel.
-  void log(Severity severity, const QString& text);
+  void log(core::Severity severity, const QString& text);
 
  signals:
   void scene_changed();              ///< The scene is another one: any object may have changed.
@@ -80,13 +80,13 @@ class Session : public QObject {
   void look_for_problems();
   void find_put_off_problems();
 
-  Document document_;
-  std::set<ObjectId> selection_;
-  std::optional<ObjectId> current_;
-  std::set<ObjectId> hidden_;
+  scene::Document document_;
+  std::set<scene::ObjectId> selection_;
+  std::optional<scene::ObjectId> current_;
+  std::set<scene::ObjectId> hidden_;
   double time_s_ = 0.0;
-  Problems problems_;
+  core::Problems problems_;
   QTimer problems_soon_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A text, in UTF-8, as Qt has it.
 [[nodiscard]] inline QString text_of(std::string_view text) {
@@ -20,4 +20,4 @@ namespace sarsim {
 /// Steps of a progress bar.
 inline constexpr int bar_steps = 1000;
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,7 +10,7 @@
 #include "gui/runs/save_queue.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace fs = std::filesystem;
 
@@ -19,7 +19,7 @@ namespace {
 const QString folder_key = QStringLiteral("saving/folder");
 
 // That of the script; of one that was never saved, that of the last data.
-fs::path folder_of(const Document& document) {
+fs::path folder_of(const scene::Document& document) {
   if (!document.path().empty()) return fs::absolute(document.path()).parent_path();
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   const fs::path last = QSettings().value(folder_key, documents).toString().toStdString();
@@ -33,12 +33,12 @@ DataSaver::DataSaver(Session& session, QWidget* owner) : QObject(owner), session
   queue_ = new SaveQueue(owner);
   queue_->setWindowFlag(Qt::Window);
   connect(queue_, &SaveQueue::ended, this, [this](std::size_t run, SaveState state) {
-    const Severity severity = state == SaveState::failed ? Severity::error : Severity::note;
+    const core::Severity severity = state == SaveState::failed ? core::Severity::error : core::Severity::note;
     session_.log(severity, queue_->report(run).section('\n', 0, 0));
   });
 }
 
-SaveDataDialog* DataSaver::ask(const Simulation& simulation, SimulationWindow& from) {
+SaveDataDialog* DataSaver::ask(const scene::Simulation& simulation, SimulationWindow& from) {
   auto* const dialog = new SaveDataDialog(session_, simulation, from.bandwidth_hz(), from.largest_v(),
                                           folder_of(session_.document()), &from);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -52,16 +52,16 @@ SaveDataDialog* DataSaver::ask(const Simulation& simulation, SimulationWindow& f
 void DataSaver::take(const SaveDataDialog& dialog) {
   const auto choice = dialog.choice();
   if (!choice) return;
-  const Simulation simulation = dialog.simulation();
+  const scene::Simulation simulation = dialog.simulation();
   // What is run is the scene as it would be stored, so that a run of the stored one gives the same file.
-  Scene scene = with_simulation(session_.scene(), simulation);
-  if (choice->target != SaveTarget::disk) {
-    session_.perform(add_object(session_.scene(), simulation));
+  scene::Scene scene = workflow::with_simulation(session_.scene(), simulation);
+  if (choice->target != workflow::SaveTarget::disk) {
+    session_.perform(scene::add_object(session_.scene(), simulation));
     scene = session_.scene();
-    session_.log(Severity::note,
+    session_.log(core::Severity::note,
                  tr("Stored the settings of the window as simulation %1").arg(scene.simulations.size()));
   }
-  if (choice->target == SaveTarget::script) return;
+  if (choice->target == workflow::SaveTarget::script) return;
   QSettings().setValue(folder_key, QString::fromStdString(choice->file.parent_path().string()));
   const std::size_t last = scene.simulations.size() - 1;
   queue_->add({std::move(scene), last, choice->file, dialog.replace()});
@@ -69,4 +69,4 @@ void DataSaver::take(const SaveDataDialog& dialog) {
   queue_->raise();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -6,7 +6,7 @@
 
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class SaveDataDialog;
 class SaveQueue;
@@ -22,7 +22,7 @@ class DataSaver : public QObject {
 
   [[nodiscard]] SaveQueue& queue() { return *queue_; }
   /// Opens the dialog on a window; it deletes itself when it is closed.
-  SaveDataDialog* ask(const Simulation& simulation, SimulationWindow& from);
+  SaveDataDialog* ask(const scene::Simulation& simulation, SimulationWindow& from);
   /// Does what was chosen.
   void take(const SaveDataDialog& dialog);
 
@@ -31,4 +31,4 @@ class DataSaver : public QObject {
   SaveQueue* queue_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

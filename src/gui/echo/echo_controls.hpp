@@ -9,7 +9,7 @@
 #include "picture/echo/echo_window.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The choices of a simulation window as a form (thesis 4.5.1): what is computed, how it is drawn, which part is seen.
 class EchoControls : public QWidget {
@@ -19,14 +19,14 @@ class EchoControls : public QWidget {
   explicit EchoControls(QWidget* parent = nullptr);
 
   /// Shows the choices; says nothing back.
-  void show_window(const EchoWindow& window, const Scene& scene);
+  void show_window(const picture::EchoWindow& window, const scene::Scene& scene);
   /// The axes that follow other windows.
-  [[nodiscard]] AxisLink link() const;
+  [[nodiscard]] picture::AxisLink link() const;
 
  signals:
-  void edited(const sarsim::EchoWindow& window);  ///< Something was chosen or typed.
-  void view_typed(const sarsim::EchoView& view);  ///< Limits were typed.
-  void link_changed();                            ///< Other axes follow other windows.
+  void edited(const sarsim::picture::EchoWindow& window);  ///< Something was chosen or typed.
+  void view_typed(const sarsim::picture::EchoView& view);  ///< Limits were typed.
+  void link_changed();                                     ///< Other axes follow other windows.
 
  private:
   void make_data_group(QFormLayout* form);
@@ -35,13 +35,13 @@ class EchoControls : public QWidget {
   void make_reference_rows(QFormLayout* form);
   void make_view_group(QFormLayout* form);
   QComboBox* add_list(QFormLayout* form, const FormRows::Words& words, const QStringList& items,
-                      std::function<void(EchoWindow&, int)> apply);
-  void change(const std::function<void(EchoWindow&)>& apply);
+                      std::function<void(picture::EchoWindow&, int)> apply);
+  void change(const std::function<void(picture::EchoWindow&)>& apply);
   void show_data();
   void show_view();
   void show_rows();
 
-  EchoWindow window_;
+  picture::EchoWindow window_;
   ProblemLine* problem_;
   FormRows rows_;
   ColourRows colours_;
@@ -65,4 +65,4 @@ class EchoControls : public QWidget {
   QFormLayout* colour_form_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

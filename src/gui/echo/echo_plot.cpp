@@ -5,7 +5,7 @@
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/plot_frame.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 EchoPlot::EchoPlot(QWidget* parent) : GesturePlot(parent) {
   setObjectName("echo_plot");
@@ -18,19 +18,19 @@ QRect EchoPlot::plot_rect() const {
   return plot_within(*this, QStringLiteral("-000.00"), room, room);
 }
 
-PlotSize EchoPlot::plot_size() const {
+picture::PlotSize EchoPlot::plot_size() const {
   const QSize size = device_size();
   return {static_cast<std::size_t>(size.width()), static_cast<std::size_t>(size.height())};
 }
 
-void EchoPlot::set_window(const EchoWindow& window, double light_speed_mps) {
+void EchoPlot::set_window(const picture::EchoWindow& window, double light_speed_mps) {
   const bool same_look = window_ == window && light_speed_mps_ == light_speed_mps;
   window_ = window;
   light_speed_mps_ = light_speed_mps;
   if (!same_look) refresh_picture();
 }
 
-void EchoPlot::set_matrix(std::shared_ptr<const EchoMatrix> matrix) {
+void EchoPlot::set_matrix(std::shared_ptr<const picture::EchoMatrix> matrix) {
   matrix_ = std::move(matrix);
   refresh_picture();
 }
@@ -42,19 +42,19 @@ void EchoPlot::refresh_picture() {
     image_ = {};
     return;
   }
-  colours_ = colours_for(*matrix_, window_);
-  drawn_as_ = drawn_as(window_, *matrix_);
-  if (drawn_as_ == DrawAs::pixels) {
-    paint(*matrix_, colours_, window_.placing, 0, image_);
+  colours_ = picture::colours_for(*matrix_, window_);
+  drawn_as_ = picture::drawn_as(window_, *matrix_);
+  if (drawn_as_ == picture::DrawAs::pixels) {
+    picture::paint(*matrix_, colours_, window_.placing, 0, image_);
   } else {
     image_ = {};
-    curves_ = drawn_as_ == DrawAs::curves_per_pulse ? curves_per_pulse(*matrix_, colours_)
-                                                    : curves_per_range(*matrix_, colours_);
+    curves_ = drawn_as_ == picture::DrawAs::curves_per_pulse ? picture::curves_per_pulse(*matrix_, colours_)
+                                                             : picture::curves_per_range(*matrix_, colours_);
   }
 }
 
 QPointF EchoPlot::device(QPointF pixel) const {
-  const PlotSize size = plot_size();
+  const picture::PlotSize size = plot_size();
   const QRect plot = plot_rect();
   // Pixel k of the picture has its centre at coordinate k.
   return {(pixel.x() - plot.left()) * static_cast<double>(size.width_px) / plot.width() - 0.5,
@@ -62,25 +62,25 @@ QPointF EchoPlot::device(QPointF pixel) const {
 }
 
 QPointF EchoPlot::pixel_of(const Cursor& cursor) const {
-  const PlotSize size = plot_size();
+  const picture::PlotSize size = plot_size();
   const QRect plot = plot_rect();
-  const double x = x_of_range(view(), size, cursor.range_m);
-  const double y = y_of_time(view(), size, cursor.time_s);
+  const double x = picture::x_of_range(view(), size, cursor.range_m);
+  const double y = picture::y_of_time(view(), size, cursor.time_s);
   return {plot.left() + (x + 0.5) * plot.width() / static_cast<double>(size.width_px),
           plot.top() + (y + 0.5) * plot.height() / static_cast<double>(size.height_px)};
 }
 
-std::optional<ReadOut> EchoPlot::read_out_at(QPointF pixel) const {
+std::optional<picture::ReadOut> EchoPlot::read_out_at(QPointF pixel) const {
   if (!matrix_ || !plot_rect().contains(pixel.toPoint())) return std::nullopt;
   // The matrix may still be that of another view or size.
   const QPointF at = device(pixel);
-  const EchoView shown = view_of(matrix_->window());
-  const double x = x_of_range(shown, matrix_->size(), range_at(view(), plot_size(), at.x()));
-  const double y = y_of_time(shown, matrix_->size(), time_at(view(), plot_size(), at.y()));
-  return read_out(*matrix_, colours_, x, y);
+  const picture::EchoView shown = picture::view_of(matrix_->window());
+  const double x = picture::x_of_range(shown, matrix_->size(), picture::range_at(view(), plot_size(), at.x()));
+  const double y = picture::y_of_time(shown, matrix_->size(), picture::time_at(view(), plot_size(), at.y()));
+  return picture::read_out(*matrix_, colours_, x, y);
 }
 
-std::optional<ReadOut> EchoPlot::read_out_at_cursor(std::size_t cursor) const {
+std::optional<picture::ReadOut> EchoPlot::read_out_at_cursor(std::size_t cursor) const {
   return cursors_.at(cursor) ? read_out_at(pixel_of(*cursors_.at(cursor))) : std::nullopt;
 }
 
@@ -93,7 +93,7 @@ void EchoPlot::set_cursor(std::size_t index, std::optional<Cursor> place) {
 // Where the picture that there is belongs in the view that is wanted.
 QRectF EchoPlot::place_of_picture() const {
   const QRect plot = plot_rect();
-  const EchoView shown = view_of(matrix_->window());
+  const picture::EchoView shown = picture::view_of(matrix_->window());
   if (shown == view()) return plot;
   const QPointF low = pixel_of({shown.range_start_m, shown.time_start_s});
   const QPointF high = pixel_of({shown.range_end_m, shown.time_end_s});
@@ -106,7 +106,7 @@ void EchoPlot::paintEvent(QPaintEvent*) {
   paint_plot(painter);
   painter.setPen(palette().color(QPalette::WindowText));
   paint_axes(painter);
-  if (drawn_as_ == DrawAs::pixels && !image_.pixel.empty()) paint_colour_bar(painter);
+  if (drawn_as_ == picture::DrawAs::pixels && !image_.pixel.empty()) paint_colour_bar(painter);
   paint_cursors(painter);
   paint_rectangle(painter, Qt::SolidLine);
 }
@@ -128,20 +128,20 @@ void EchoPlot::paint_plot(QPainter& painter) const {
 
 void EchoPlot::paint_curves(QPainter& painter) const {
   const QRectF place = place_of_picture();
-  const PlotSize& size = matrix_->size();
-  painter.fillRect(plot_rect(), colour_of(Role::background, palette()));
+  const picture::PlotSize& size = matrix_->size();
+  painter.fillRect(plot_rect(), colour_of(picture::Role::background, palette()));
   painter.setRenderHint(QPainter::Antialiasing);
-  const auto at = [&](const EchoCurve::Point& point) {
+  const auto at = [&](const picture::EchoCurve::Point& point) {
     return QPointF(place.left() + (point.x_px + 0.5) * place.width() / static_cast<double>(size.width_px),
                    place.top() + (point.y_px + 0.5) * place.height() / static_cast<double>(size.height_px));
   };
-  painter.setPen(QPen(colour_of(Role::faint, palette()), 1.0));
-  for (const EchoCurve& curve : curves_.curves) painter.drawLine(at(curve.base_from), at(curve.base_to));
-  painter.setPen(QPen(colour_of(Role::curve, palette()), 1.2));
+  painter.setPen(QPen(colour_of(picture::Role::faint, palette()), 1.0));
+  for (const picture::EchoCurve& curve : curves_.curves) painter.drawLine(at(curve.base_from), at(curve.base_to));
+  painter.setPen(QPen(colour_of(picture::Role::curve, palette()), 1.2));
   QPolygonF line;
-  for (const EchoCurve& curve : curves_.curves) {
+  for (const picture::EchoCurve& curve : curves_.curves) {
     line.clear();
-    for (const EchoCurve::Point& point : curve.points) line.append(at(point));
+    for (const picture::EchoCurve::Point& point : curve.points) line.append(at(point));
     painter.drawPolyline(line);
   }
 }
@@ -150,10 +150,10 @@ void EchoPlot::paint_axes(QPainter& painter) const {
   const QRect plot = plot_rect();
   const double ratio = static_cast<double>(plot_size().width_px) / plot.width();
   const double widest = fontMetrics().horizontalAdvance(QStringLiteral("00000.000"));
-  const PlotAxes axes = plot_axes(view(), plot_size(), light_speed_mps_, widest * ratio);
-  const auto placed = [&](const PlotAxis& axis, int begin) {
+  const picture::PlotAxes axes = picture::plot_axes(view(), plot_size(), light_speed_mps_, widest * ratio);
+  const auto placed = [&](const picture::PlotAxis& axis, int begin) {
     FrameAxis frame{QString::fromStdString(axis.title), {}};
-    for (const PlotAxis::Mark& mark : axis.marks)
+    for (const picture::PlotAxis::Mark& mark : axis.marks)
       frame.marks.push_back({begin + (mark.px + 0.5) / ratio, QString::fromStdString(mark.label)});
     return frame;
   };
@@ -166,7 +166,8 @@ void EchoPlot::paint_axes(QPainter& painter) const {
 void EchoPlot::paint_colour_bar(QPainter& painter) const {
   const QRect plot = plot_rect();
   const double ratio = static_cast<double>(plot_size().height_px) / plot.height();
-  const ColourBar bar = colour_bar(colours_, plot_size().height_px, 2.5 * fontMetrics().height() * ratio);
+  const picture::ColourBar bar =
+      picture::colour_bar(colours_, plot_size().height_px, 2.5 * fontMetrics().height() * ratio);
   const QImage picture(reinterpret_cast<const uchar*>(bar.pixel.data()), 1, static_cast<int>(bar.pixel.size()), 4,
                        QImage::Format_ARGB32_Premultiplied);
   draw_colour_bar(painter, plot, width(), {picture, colours_.quantity, colours_.limits, bar.ticks});
@@ -181,34 +182,35 @@ void EchoPlot::paint_cursors(QPainter& painter) const {
 
 void EchoPlot::scale_about_pixel(QPointF pixel, double across, double upwards) {
   const QPointF at = device(pixel);
-  emit view_wanted(scaled_about(view(), plot_size(), at.x(), at.y(), across, upwards));
+  emit view_wanted(picture::scaled_about(view(), plot_size(), at.x(), at.y(), across, upwards));
 }
 
 void EchoPlot::drag(QPointF by) {
   const QPointF moved = device(by) - device({});
-  emit view_dragged(panned(dragged_view_, plot_size(), moved.x(), moved.y()));
+  emit view_dragged(picture::panned(dragged_view_, plot_size(), moved.x(), moved.y()));
 }
 
 void EchoPlot::step(double right, double up) {
-  const PlotSize size = plot_size();
-  emit view_wanted(
-      panned(view(), size, -right * static_cast<double>(size.width_px), up * static_cast<double>(size.height_px)));
+  const picture::PlotSize size = plot_size();
+  emit view_wanted(picture::panned(view(), size, -right * static_cast<double>(size.width_px),
+                                   up * static_cast<double>(size.height_px)));
 }
 
 void EchoPlot::show_twice(QPointF middle) {
   const QPointF at = device(middle);
-  emit view_wanted(zoomed_out(view(), plot_size(), at.x(), at.y()));
+  emit view_wanted(picture::zoomed_out(view(), plot_size(), at.x(), at.y()));
 }
 
 void EchoPlot::take_rectangle(QPointF from, QPointF to) {
   const QPointF a = device(from);
   const QPointF b = device(to);
-  if (const auto zoomed = zoomed_to(view(), plot_size(), a.x(), a.y(), b.x(), b.y())) emit view_wanted(*zoomed);
+  if (const auto zoomed = picture::zoomed_to(view(), plot_size(), a.x(), a.y(), b.x(), b.y()))
+    emit view_wanted(*zoomed);
 }
 
 void EchoPlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {
   const QPointF at = device(pixel);
-  const Cursor place{range_at(view(), plot_size(), at.x()), time_at(view(), plot_size(), at.y())};
+  const Cursor place{picture::range_at(view(), plot_size(), at.x()), picture::time_at(view(), plot_size(), at.y())};
   set_cursor(keys.testFlag(Qt::ShiftModifier) ? 1 : 0, place);
 }
 
@@ -217,4 +219,4 @@ void EchoPlot::drop_marks() {
   emit cursors_changed();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

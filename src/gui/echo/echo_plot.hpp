@@ -11,7 +11,7 @@
 #include "picture/echo/echo_readout.hpp"
 #include "picture/echo/echo_window.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The echo matrix of a simulation window with its axes and colour bar ("echo_plot"). It shows what it is given and
 /// turns gestures into wishes for another view; who computes is the owner's business. Until samples of a new view
@@ -31,27 +31,27 @@ class EchoPlot : public GesturePlot {
   explicit EchoPlot(QWidget* parent = nullptr);
 
   /// The view and how samples are drawn.
-  void set_window(const EchoWindow& window, double light_speed_mps);
+  void set_window(const picture::EchoWindow& window, double light_speed_mps);
   /// Samples to show; given again when more rows are ready. Null: none.
-  void set_matrix(std::shared_ptr<const EchoMatrix> matrix);
-  [[nodiscard]] const std::shared_ptr<const EchoMatrix>& matrix() const { return matrix_; }
-  [[nodiscard]] const EchoColours& colours() const { return colours_; }
+  void set_matrix(std::shared_ptr<const picture::EchoMatrix> matrix);
+  [[nodiscard]] const std::shared_ptr<const picture::EchoMatrix>& matrix() const { return matrix_; }
+  [[nodiscard]] const picture::EchoColours& colours() const { return colours_; }
 
   /// Device pixels of the plot.
-  [[nodiscard]] PlotSize plot_size() const;
+  [[nodiscard]] picture::PlotSize plot_size() const;
   [[nodiscard]] QRect plot_rect() const override;
 
   /// The sample that a pixel of the widget shows.
-  [[nodiscard]] std::optional<ReadOut> read_out_at(QPointF pixel) const;
+  [[nodiscard]] std::optional<picture::ReadOut> read_out_at(QPointF pixel) const;
   /// The sample below a cursor: 0 or 1.
-  [[nodiscard]] std::optional<ReadOut> read_out_at_cursor(std::size_t cursor) const;
+  [[nodiscard]] std::optional<picture::ReadOut> read_out_at_cursor(std::size_t cursor) const;
   [[nodiscard]] const std::optional<Cursor>& cursor(std::size_t index) const { return cursors_.at(index); }
   /// Sets cursor 0 or 1, or takes it away.
   void set_cursor(std::size_t index, std::optional<Cursor> place);
 
  signals:
-  void view_wanted(const sarsim::EchoView& view);   ///< Zoom: the view before is one to go back to.
-  void view_dragged(const sarsim::EchoView& view);  ///< One of many views on the way.
+  void view_wanted(const sarsim::picture::EchoView& view);   ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::picture::EchoView& view);  ///< One of many views on the way.
 
  protected:
   void paint_plot(QPainter& painter) const override;
@@ -74,17 +74,17 @@ class EchoPlot : public GesturePlot {
   [[nodiscard]] QRectF place_of_picture() const;
   [[nodiscard]] QPointF pixel_of(const Cursor& cursor) const;
   [[nodiscard]] QPointF device(QPointF pixel) const;  ///< Device pixel of the plot for a pixel of the widget.
-  [[nodiscard]] EchoView view() const { return view_of(window_); }
+  [[nodiscard]] picture::EchoView view() const { return picture::view_of(window_); }
 
-  EchoWindow window_;
+  picture::EchoWindow window_;
   double light_speed_mps_ = 299792458.0;
-  std::shared_ptr<const EchoMatrix> matrix_;
-  EchoColours colours_;
-  EchoImage image_;
-  EchoCurves curves_;
-  DrawAs drawn_as_ = DrawAs::pixels;
+  std::shared_ptr<const picture::EchoMatrix> matrix_;
+  picture::EchoColours colours_;
+  picture::EchoImage image_;
+  picture::EchoCurves curves_;
+  picture::DrawAs drawn_as_ = picture::DrawAs::pixels;
   std::array<std::optional<Cursor>, 2> cursors_;
-  EchoView dragged_view_;
+  picture::EchoView dragged_view_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

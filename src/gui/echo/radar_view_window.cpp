@@ -23,29 +23,29 @@
 #include "simulate/resolve/impossible_echo.hpp"
 #include "workflow/record/plan_recording.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
-constexpr std::array views{RadarView::range_profile, RadarView::range_doppler, RadarView::spectrum,
-                           RadarView::phase_history};
+constexpr std::array views{picture::RadarView::range_profile, picture::RadarView::range_doppler,
+                           picture::RadarView::spectrum, picture::RadarView::phase_history};
 constexpr int most_pulses = 1'000'000;
 constexpr int most_padding = 16;
 constexpr int settling_ms = 60;  // of a drag
 
-QString title_text(RadarView view) {
-  const std::string_view title = title_of(view);
+QString title_text(picture::RadarView view) {
+  const std::string_view title = picture::title_of(view);
   return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
 }
 
 }  // namespace
 
 struct RadarViewWindow::Result {
-  Problems problems;
-  Figure figure;
+  core::Problems problems;
+  picture::Figure figure;
 };
 
-RadarViewWindow::RadarViewWindow(SimulationWindow& from, RadarView view) : QWidget(&from), from_(from) {
+RadarViewWindow::RadarViewWindow(SimulationWindow& from, picture::RadarView view) : QWidget(&from), from_(from) {
   setObjectName("radar_view");
   setWindowFlag(Qt::Window);
   setAttribute(Qt::WA_DeleteOnClose);
@@ -67,13 +67,14 @@ RadarViewWindow::RadarViewWindow(SimulationWindow& from, RadarView view) : QWidg
   connect(&from_, &SimulationWindow::changed, this, &RadarViewWindow::compute_soon);
   connect(&work_, &LatestWork::ended, this, &RadarViewWindow::show_result);
   show_choice();
-  resize(820, view == RadarView::range_doppler ? 740 : 560);  // Two pictures below each other, one of them a map.
+  resize(820,
+         view == picture::RadarView::range_doppler ? 740 : 560);  // Two pictures below each other, one of them a map.
   compute_soon();
 }
 
 void RadarViewWindow::make_controls(QHBoxLayout* row) {
   view_ = named(new QComboBox(this), "radar_view_kind", tr("View"), tr("What is looked at"));
-  for (const RadarView view : views) view_->addItem(title_text(view));
+  for (const picture::RadarView view : views) view_->addItem(title_text(view));
   pulses_label_ = new QLabel(tr("&Pulses"), this);
   pulses_ = named(new QSpinBox(this), "radar_view_pulses", tr("Pulses"),
                   tr("How many about the cursor: the burst, or the coherent interval"));
@@ -129,7 +130,7 @@ void RadarViewWindow::make_foot(QHBoxLayout* row) {
              [this] { save_picture(); });
 }
 
-void RadarViewWindow::set_choice(const RadarViewChoice& choice) {
+void RadarViewWindow::set_choice(const picture::RadarViewChoice& choice) {
   if (choice == choice_) return;
   choice_ = choice;
   show_choice();
@@ -141,31 +142,31 @@ void RadarViewWindow::show_choice() {
   showing_ = true;
   view_->setCurrentIndex(static_cast<int>(choice_.view));
   pulses_->setValue(static_cast<int>(choice_.pulses));
-  mean_->setCurrentIndex(choice_.mean == ProfileMean::coherent ? 1 : 0);
+  mean_->setCurrentIndex(choice_.mean == picture::ProfileMean::coherent ? 1 : 0);
   window_->setCurrentIndex(static_cast<int>(choice_.window));
   padding_->setValue(static_cast<int>(choice_.padding));
   decibels_->setChecked(choice_.decibels);
   unwrapped_->setChecked(choice_.unwrapped);
   showing_ = false;
-  const RadarView view = choice_.view;
+  const picture::RadarView view = choice_.view;
   for (QWidget* widget : std::initializer_list<QWidget*>{pulses_label_, pulses_})
-    widget->setVisible(view != RadarView::spectrum);
-  mean_->setVisible(view == RadarView::range_profile);
-  window_->setVisible(view == RadarView::range_doppler || view == RadarView::spectrum);
+    widget->setVisible(view != picture::RadarView::spectrum);
+  mean_->setVisible(view == picture::RadarView::range_profile);
+  window_->setVisible(view == picture::RadarView::range_doppler || view == picture::RadarView::spectrum);
   for (QWidget* widget : std::initializer_list<QWidget*>{padding_label_, padding_})
-    widget->setVisible(view == RadarView::range_doppler);
-  decibels_->setVisible(view == RadarView::range_profile || view == RadarView::spectrum);
-  unwrapped_->setVisible(view == RadarView::phase_history);
+    widget->setVisible(view == picture::RadarView::range_doppler);
+  decibels_->setVisible(view == picture::RadarView::range_profile || view == picture::RadarView::spectrum);
+  unwrapped_->setVisible(view == picture::RadarView::phase_history);
   setWindowTitle(title_text(view) + QStringLiteral(" - ") + from_.windowTitle());
 }
 
 void RadarViewWindow::take_choice() {
   if (showing_) return;
-  RadarViewChoice choice = choice_;
+  picture::RadarViewChoice choice = choice_;
   choice.view = views.at(static_cast<std::size_t>(view_->currentIndex()));
   choice.pulses = static_cast<std::size_t>(pulses_->value());
-  choice.mean = mean_->currentIndex() == 1 ? ProfileMean::coherent : ProfileMean::power;
-  choice.window = static_cast<SpectrumWindow>(window_->currentIndex());
+  choice.mean = mean_->currentIndex() == 1 ? picture::ProfileMean::coherent : picture::ProfileMean::power;
+  choice.window = static_cast<picture::SpectrumWindow>(window_->currentIndex());
   choice.padding = static_cast<std::size_t>(padding_->value());
   choice.decibels = decibels_->isChecked();
   choice.unwrapped = unwrapped_->isChecked();
@@ -185,13 +186,13 @@ void RadarViewWindow::compute() {
   result_ = std::make_shared<Result>();
   progress_->show();
   work_.run([scene = from_.scene(), simulation = from_.simulation(), choice = choice_, into = result_](
-                const StopFlag& stop, const BackgroundJob::Report&) {
-    const PlannedRecording planned = plan_recording(*scene, simulation, &stop);
+                const core::StopFlag& stop, const BackgroundJob::Report&) {
+    const workflow::PlannedRecording planned = workflow::plan_recording(*scene, simulation, &stop);
     into->problems = planned.problems;
     if (!planned.plan) return;
     try {
-      into->figure = radar_figure(*planned.plan, choice, {thread_count(0), &stop});
-    } catch (const ImpossibleEcho& error) {
+      into->figure = picture::radar_figure(*planned.plan, choice, {core::thread_count(0), &stop});
+    } catch (const simulate::ImpossibleEcho& error) {
       into->problems.push_back(error.problem);
     }
   });
@@ -202,12 +203,12 @@ void RadarViewWindow::show_result(bool good, const QString& failure) {
   complete_ = !soon_.isActive();
   QStringList texts;
   if (!good) texts << failure;
-  for (const Problem& problem : result_->problems) texts << problem_text(problem);
+  for (const core::Problem& problem : result_->problems) texts << problem_text(problem);
   if (texts.isEmpty()) {
     problems_->clear();
     plot_->set_figure(result_->figure);
   } else {
-    problems_->show_texts(Severity::error, texts.mid(0, 5));
+    problems_->show_texts(core::Severity::error, texts.mid(0, 5));
     plot_->set_figure({});
   }
   emit finished();
@@ -216,7 +217,7 @@ void RadarViewWindow::show_result(bool good, const QString& failure) {
 void RadarViewWindow::copy_picture() { QApplication::clipboard()->setPixmap(plot_->grab()); }
 
 void RadarViewWindow::copy_values() {
-  QApplication::clipboard()->setText(QString::fromStdString(curves_table(plot_->figure(), '\t')));
+  QApplication::clipboard()->setText(QString::fromStdString(picture::curves_table(plot_->figure(), '\t')));
 }
 
 QString RadarViewWindow::suggested_file(const char* ending) const {
@@ -228,7 +229,7 @@ void RadarViewWindow::save_values(const QString& path) {
                                                                      tr("Tables (*.csv)"))
                                       : path;
   if (file.isEmpty()) return;
-  const std::string text = curves_table(plot_->figure(), ',');
+  const std::string text = picture::curves_table(plot_->figure(), ',');
   QSaveFile out(file);
   const auto size = static_cast<qint64>(text.size());
   if (out.open(QIODevice::WriteOnly) && out.write(text.data(), size) == size && out.commit()) return;
@@ -245,4 +246,4 @@ void RadarViewWindow::save_picture(const QString& path) {
     QMessageBox::warning(this, tr("Save picture"), failure);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

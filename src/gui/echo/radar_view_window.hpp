@@ -16,7 +16,7 @@ class QLabel;
 class QProgressBar;
 class QSpinBox;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FigurePlot;
 class ProblemLine;
@@ -29,16 +29,16 @@ class RadarViewWindow : public QWidget {
 
  public:
   /// @param from  whose samples are shown; the window ends with it
-  RadarViewWindow(SimulationWindow& from, RadarView view);
+  RadarViewWindow(SimulationWindow& from, picture::RadarView view);
 
-  [[nodiscard]] const RadarViewChoice& choice() const { return choice_; }
+  [[nodiscard]] const picture::RadarViewChoice& choice() const { return choice_; }
   [[nodiscard]] FigurePlot& plot() { return *plot_; }
   /// What is shown belongs to the present choice, scene and cursor.
   [[nodiscard]] bool complete() const { return complete_; }
 
  public slots:
   /// Shows another view, or the same one computed in another way.
-  void set_choice(const sarsim::RadarViewChoice& choice);
+  void set_choice(const sarsim::picture::RadarViewChoice& choice);
   /// Puts the figure onto the clipboard.
   void copy_picture();
   /// Puts its values onto the clipboard, for a spreadsheet.
@@ -62,7 +62,7 @@ class RadarViewWindow : public QWidget {
   [[nodiscard]] QString suggested_file(const char* ending) const;
 
   SimulationWindow& from_;
-  RadarViewChoice choice_;
+  picture::RadarViewChoice choice_;
   QComboBox* view_ = nullptr;
   QSpinBox* pulses_ = nullptr;
   QComboBox* mean_ = nullptr;
@@ -83,4 +83,4 @@ class RadarViewWindow : public QWidget {
   LatestWork work_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

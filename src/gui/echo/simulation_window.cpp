@@ -31,29 +31,33 @@
 #include "scene/schema/quantity.hpp"
 #include "simulate/resolve/conventions.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr int progress_steps = 1000;
 constexpr int progress_after_ms = 300;
 
-const Radar* radar_of(const Scene& scene, const EchoWindow& window) {
-  const auto found = std::ranges::find(scene.radars, window.recording.radar, &Radar::name);
+const scene::Radar* radar_of(const scene::Scene& scene, const picture::EchoWindow& window) {
+  const auto found = std::ranges::find(scene.radars, window.recording.radar, &scene::Radar::name);
   return found == scene.radars.end() ? nullptr : &*found;
 }
 
-QString read_out_text(const ReadOut& read) {
+QString read_out_text(const picture::ReadOut& read) {
   QStringList parts;
-  for (const ReadOutLine& line : lines_of(read)) parts << text_of(line.name) + " " + text_of(line.value);
+  for (const picture::ReadOutLine& line : picture::lines_of(read))
+    parts << text_of(line.name) + " " + text_of(line.value);
   return parts.join(QStringLiteral("   "));
 }
 
-QString difference_text(const CursorDifference& d) {
+QString difference_text(const picture::CursorDifference& d) {
   constexpr int digits = 9;
-  const auto text = [](double value, Quantity kind) { return text_of(quantity_text(tidy(value, digits), kind)); };
-  QStringList parts{"Range " + text(d.range_m, Quantity::length), "Delay " + text(d.delay_s, Quantity::time),
-                    "Time " + text(d.time_s, Quantity::time), QStringLiteral("Pulses %1").arg(d.pulses)};
+  const auto text = [](double value, scene::Quantity kind) {
+    return text_of(scene::quantity_text(core::tidy(value, digits), kind));
+  };
+  QStringList parts{"Range " + text(d.range_m, scene::Quantity::length),
+                    "Delay " + text(d.delay_s, scene::Quantity::time), "Time " + text(d.time_s, scene::Quantity::time),
+                    QStringLiteral("Pulses %1").arg(d.pulses)};
   if (std::isfinite(d.level_db)) parts << QStringLiteral("Level %1 dB").arg(d.level_db, 0, 'f', 2);
   parts << QStringLiteral("Phase %1 deg").arg(d.phase_deg, 0, 'f', 2);
   if (std::isfinite(d.range_rate_mps)) parts << QStringLiteral("Range rate %1 m/s").arg(d.range_rate_mps, 0, 'g', 5);
@@ -70,10 +74,10 @@ QLabel* foot_label(QWidget* parent, const char* name) {
 
 }  // namespace
 
-SimulationWindow::SimulationWindow(Session& session, EchoWindow window, bool show_all, QWidget* parent)
+SimulationWindow::SimulationWindow(Session& session, picture::EchoWindow window, bool show_all, QWidget* parent)
     : QWidget(parent), session_(session), window_(std::move(window)), show_all_(show_all) {
   setObjectName("simulation_window");
-  scene_ = std::make_shared<Scene>(session_.scene());
+  scene_ = std::make_shared<scene::Scene>(session_.scene());
   revision_ = session_.document().revision();
   controls_ = new EchoControls(this);
   plot_ = new EchoPlot(this);
@@ -108,7 +112,7 @@ SimulationWindow::SimulationWindow(Session& session, EchoWindow window, bool sho
   split->setStretchFactor(1, 1);
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(split);
-  preview_ = std::make_unique<Preview>([this](const PreviewEvent& event) { take_event(event); });
+  preview_ = std::make_unique<picture::Preview>([this](const picture::PreviewEvent& event) { take_event(event); });
   connect_all();
   show_state();
 }
@@ -162,9 +166,9 @@ void SimulationWindow::add_views_menu(QWidget* row) {
       add_tool(row, tr("Views"), "echo_views",
                tr("Other views of the same samples: range profile, range-Doppler map, spectrum, phase"));
   auto* const menu = new QMenu(button);
-  for (const RadarView view :
-       {RadarView::range_profile, RadarView::range_doppler, RadarView::spectrum, RadarView::phase_history}) {
-    const std::string_view title = title_of(view);
+  for (const picture::RadarView view : {picture::RadarView::range_profile, picture::RadarView::range_doppler,
+                                        picture::RadarView::spectrum, picture::RadarView::phase_history}) {
+    const std::string_view title = picture::title_of(view);
     menu->addAction(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())), this,
                     [this, view] { open_radar_view(view); });
   }
@@ -172,7 +176,7 @@ void SimulationWindow::add_views_menu(QWidget* row) {
   button->setPopupMode(QToolButton::InstantPopup);
 }
 
-RadarViewWindow* SimulationWindow::open_radar_view(RadarView view) {
+RadarViewWindow* SimulationWindow::open_radar_view(picture::RadarView view) {
   auto* const window = new RadarViewWindow(*this, view);
   window->show();
   return window;
@@ -225,18 +229,18 @@ void SimulationWindow::connect_all() {
   connect(&soon_, &QTimer::timeout, this, &SimulationWindow::compute);
   connect(&session_, &Session::scene_changed, this, [this] {
     follow_radar();
-    scene_ = std::make_shared<Scene>(session_.scene());
+    scene_ = std::make_shared<scene::Scene>(session_.scene());
     show_state();
     compute_soon();
     emit changed();
   });
-  connect(controls_, &EchoControls::edited, this, [this](const EchoWindow& window) { take_state(window); });
+  connect(controls_, &EchoControls::edited, this, [this](const picture::EchoWindow& window) { take_state(window); });
   connect(controls_, &EchoControls::view_typed, this, &SimulationWindow::go_to);
   connect(controls_, &EchoControls::link_changed, this,
-          [this] { emit view_changed(view_of(window_), controls_->link()); });
+          [this] { emit view_changed(picture::view_of(window_), controls_->link()); });
   connect(plot_, &EchoPlot::view_wanted, this, &SimulationWindow::go_to);
-  connect(plot_, &EchoPlot::drag_began, this, [this] { history_.leave(view_of(window_)); });
-  connect(plot_, &EchoPlot::view_dragged, this, [this](const EchoView& view) { change_view(view); });
+  connect(plot_, &EchoPlot::drag_began, this, [this] { history_.leave(picture::view_of(window_)); });
+  connect(plot_, &EchoPlot::view_dragged, this, [this](const picture::EchoView& view) { change_view(view); });
   connect(plot_, &EchoPlot::back_wanted, this, &SimulationWindow::go_back);
   connect(plot_, &EchoPlot::whole_wanted, this, &SimulationWindow::show_all_targets);
   connect(plot_, &EchoPlot::resized, this, &SimulationWindow::compute_soon);
@@ -250,45 +254,48 @@ void SimulationWindow::connect_all() {
 
 // The radar is known by its name, which the last edit may have changed.
 void SimulationWindow::follow_radar() {
-  const Document& document = session_.document();
+  const scene::Document& document = session_.document();
   const bool edited = document.revision() != revision_ && document.last_edit().has_value();
   revision_ = document.revision();
-  const std::size_t before = find_radar(*scene_, window_.recording.radar);
-  if (!edited || before == not_found) return;
-  const auto now = moved({ObjectKind::radar, before}, document.last_edit()->edit, document.last_edit()->forwards);
-  if (now && has_object(document.scene(), *now)) window_.recording.radar = document.scene().radars[now->index].name;
+  const std::size_t before = scene::find_radar(*scene_, window_.recording.radar);
+  if (!edited || before == scene::not_found) return;
+  const auto now =
+      scene::moved({scene::ObjectKind::radar, before}, document.last_edit()->edit, document.last_edit()->forwards);
+  if (now && scene::has_object(document.scene(), *now))
+    window_.recording.radar = document.scene().radars[now->index].name;
 }
 
 double SimulationWindow::bandwidth_hz() const {
-  const Radar* const radar = radar_of(*scene_, window_);
-  return radar == nullptr ? 0.0 : nominal_bandwidth_hz(*radar).value_or(0.0);
+  const scene::Radar* const radar = radar_of(*scene_, window_);
+  return radar == nullptr ? 0.0 : scene::nominal_bandwidth_hz(*radar).value_or(0.0);
 }
 
 double SimulationWindow::largest_v() const { return finished_ ? plot_->colours().statistics.largest_v : 0.0; }
 
 EchoPlot::Cursor SimulationWindow::place() const {
   if (const auto& cursor = plot_->cursor(0)) return *cursor;
-  const EchoView view = view_of(window_);
+  const picture::EchoView view = picture::view_of(window_);
   return {0.5 * (view.range_start_m + view.range_end_m), 0.5 * (view.time_start_s + view.time_end_s)};
 }
 
-Simulation SimulationWindow::simulation() const { return simulation_of(window_, bandwidth_hz()); }
+scene::Simulation SimulationWindow::simulation() const { return picture::simulation_of(window_, bandwidth_hz()); }
 
 QString SimulationWindow::title() const {
-  const QString kind = window_.recording.processing == Processing::raw              ? tr("Raw return")
-                       : window_.recording.processing == Processing::matched_filter ? tr("Range compressed")
-                                                                                    : tr("Synthetic range profiles");
+  const QString kind = window_.recording.processing == scene::Processing::raw ? tr("Raw return")
+                       : window_.recording.processing == scene::Processing::matched_filter
+                           ? tr("Range compressed")
+                           : tr("Synthetic range profiles");
   return kind + QStringLiteral(" - ") + text_of(window_.recording.radar);
 }
 
 bool SimulationWindow::complete() const { return finished_; }
 
-void SimulationWindow::take_state(const EchoWindow& window) {
-  const bool again = needs_computing(window_, window);
-  const bool moved = view_of(window_) != view_of(window);
+void SimulationWindow::take_state(const picture::EchoWindow& window) {
+  const bool again = picture::needs_computing(window_, window);
+  const bool moved = picture::view_of(window_) != picture::view_of(window);
   window_ = window;
   show_state();
-  if (moved) emit view_changed(view_of(window_), controls_->link());
+  if (moved) emit view_changed(picture::view_of(window_), controls_->link());
   if (again)
     compute_soon();
   else
@@ -296,31 +303,31 @@ void SimulationWindow::take_state(const EchoWindow& window) {
   if (again) emit changed();
 }
 
-void SimulationWindow::change_view(const EchoView& view) {
-  EchoWindow changed = window_;
-  set_view(changed, view);
+void SimulationWindow::change_view(const picture::EchoView& view) {
+  picture::EchoWindow changed = window_;
+  picture::set_view(changed, view);
   if (changed == window_) return;
   take_state(changed);
 }
 
-void SimulationWindow::go_to(const EchoView& view) {
-  if (view == view_of(window_)) return;
-  history_.leave(view_of(window_));
+void SimulationWindow::go_to(const picture::EchoView& view) {
+  if (view == picture::view_of(window_)) return;
+  history_.leave(picture::view_of(window_));
   change_view(view);
 }
 
-void SimulationWindow::go_back() { change_view(history_.back(view_of(window_))); }
+void SimulationWindow::go_back() { change_view(history_.back(picture::view_of(window_))); }
 
-void SimulationWindow::go_forward() { change_view(history_.forward(view_of(window_))); }
+void SimulationWindow::go_forward() { change_view(history_.forward(picture::view_of(window_))); }
 
-void SimulationWindow::follow(const EchoView& view, AxisLink link) {
-  const AxisLink own = controls_->link();
-  change_view(linked(view_of(window_), view, {own.range && link.range, own.time && link.time}));
+void SimulationWindow::follow(const picture::EchoView& view, picture::AxisLink link) {
+  const picture::AxisLink own = controls_->link();
+  change_view(picture::linked(picture::view_of(window_), view, {own.range && link.range, own.time && link.time}));
 }
 
 void SimulationWindow::show_all_targets() {
   show_all_ = true;
-  history_.leave(view_of(window_));
+  history_.leave(picture::view_of(window_));
   compute();
 }
 
@@ -338,16 +345,17 @@ void SimulationWindow::compute() {
     progress_->hide();
     plot_->set_matrix(nullptr);
     problems_->show_texts(
-        Severity::error, {tr("The scene has no radar '%1'; choose another one").arg(text_of(window_.recording.radar))});
+        core::Severity::error,
+        {tr("The scene has no radar '%1'; choose another one").arg(text_of(window_.recording.radar))});
     return;
   }
-  request_ = preview_->show({scene_, window_, plot_->plot_size(), Engine::automatic, show_all_});
+  request_ = preview_->show({scene_, window_, plot_->plot_size(), simulate::Engine::automatic, show_all_});
   QTimer::singleShot(progress_after_ms, this,
                      [this, request = request_] { progress_->setVisible(computing_ && request == request_); });
 }
 
 // On a thread that computes: only the newest is kept, and looked at when the window has time for it.
-void SimulationWindow::take_event(const PreviewEvent& event) {
+void SimulationWindow::take_event(const picture::PreviewEvent& event) {
   const std::scoped_lock hold(lock_);
   const bool waiting = latest_.has_value();
   latest_ = event;
@@ -355,7 +363,7 @@ void SimulationWindow::take_event(const PreviewEvent& event) {
 }
 
 void SimulationWindow::show_event() {
-  PreviewEvent event;
+  picture::PreviewEvent event;
   {
     const std::scoped_lock hold(lock_);
     if (!latest_) return;
@@ -363,28 +371,28 @@ void SimulationWindow::show_event() {
     latest_.reset();
   }
   if (event.request != request_) return;
-  if (event.kind == PreviewEvent::Kind::failed) {
+  if (event.kind == picture::PreviewEvent::Kind::failed) {
     show_failure(event.problems);
     return;
   }
   problems_->clear();
   if (show_all_ && event.matrix) {
     show_all_ = false;
-    set_view(window_, view_of(event.matrix->window()));
+    picture::set_view(window_, picture::view_of(event.matrix->window()));
     show_state();
-    emit view_changed(view_of(window_), controls_->link());
+    emit view_changed(picture::view_of(window_), controls_->link());
     emit changed();
   }
-  finished_ = event.kind == PreviewEvent::Kind::finished;
+  finished_ = event.kind == picture::PreviewEvent::Kind::finished;
   if (event.matrix && event.matrix->ready_rows() > 0) plot_->set_matrix(event.matrix);
   if (event.matrix && event.matrix->rows() > 0) {
     progress_->setValue(static_cast<int>(progress_steps * event.matrix->ready_rows() / event.matrix->rows()));
     const std::string warning =
-        sampling_warning(window_, event.matrix->plan().simulation.sample_rate_hz, bandwidth_hz());
+        picture::sampling_warning(window_, event.matrix->plan().simulation.sample_rate_hz, bandwidth_hz());
     warning_->setText(text_of(warning));
     warning_->setVisible(!warning.empty());
   }
-  highest_->setText(text_of(highest_magnitude_text(plot_->colours().statistics)));
+  highest_->setText(text_of(picture::highest_magnitude_text(plot_->colours().statistics)));
   show_read_out();
   show_cuts();
   if (!finished_) return;
@@ -393,21 +401,21 @@ void SimulationWindow::show_event() {
   emit finished();
 }
 
-void SimulationWindow::show_failure(const Problems& problems) {
+void SimulationWindow::show_failure(const core::Problems& problems) {
   finished_ = false;
   computing_ = false;
   progress_->hide();
   plot_->set_matrix(nullptr);
   highest_->setText(tr("Highest magnitude: unknown"));
   QStringList texts;
-  for (const Problem& problem : problems) texts << problem_text(problem);
-  problems_->show_texts(Severity::error, texts.mid(0, 5));
+  for (const core::Problem& problem : problems) texts << problem_text(problem);
+  problems_->show_texts(core::Severity::error, texts.mid(0, 5));
 }
 
 void SimulationWindow::show_state() {
   setWindowTitle(title());
   controls_->show_window(window_, *scene_);
-  plot_->set_window(window_, conventions_of(scene_->options.profile).light_speed_mps);
+  plot_->set_window(window_, simulate::conventions_of(scene_->options.profile).light_speed_mps);
   back_->setEnabled(history_.can_go_back());
   forward_->setEnabled(history_.can_go_forward());
 }
@@ -418,20 +426,21 @@ void SimulationWindow::show_read_out() {
   const auto second = plot_->read_out_at_cursor(1);
   read_out_->setText(at ? read_out_text(*at) : first ? read_out_text(*first) : QString());
   difference_->setVisible(first && second);
-  if (first && second) difference_->setText(tr("From 1 to 2:   ") + difference_text(difference(*first, *second)));
+  if (first && second)
+    difference_->setText(tr("From 1 to 2:   ") + difference_text(picture::difference(*first, *second)));
 }
 
 void SimulationWindow::show_cuts() {
   cuts_->setVisible(show_cuts_->isChecked());
   if (!show_cuts_->isChecked() || !plot_->matrix() || plot_->matrix()->ready_rows() == 0) return;
   const auto at = plot_->read_out_at_cursor(0);
-  const EchoMatrix& matrix = *plot_->matrix();
+  const picture::EchoMatrix& matrix = *plot_->matrix();
   const std::size_t row = at ? at->row : matrix.nearest_ready()[matrix.rows() / 2];
-  cuts_->set_figure(cut_figure(matrix, plot_->colours(), row, at ? at->column : matrix.columns() / 2));
+  cuts_->set_figure(picture::cut_figure(matrix, plot_->colours(), row, at ? at->column : matrix.columns() / 2));
 }
 
-Figure SimulationWindow::figure() const {
-  Figure figure = plot_->matrix() ? echo_figure(*plot_->matrix(), window_) : Figure();
+picture::Figure SimulationWindow::figure() const {
+  picture::Figure figure = plot_->matrix() ? picture::echo_figure(*plot_->matrix(), window_) : picture::Figure();
   figure.title = title().toStdString();
   return figure;
 }
@@ -442,14 +451,14 @@ void SimulationWindow::copy_values() {
   if (!plot_->matrix() || plot_->matrix()->ready_rows() == 0) return;
   const auto at = plot_->read_out_at_cursor(0);
   const std::size_t row = at ? at->row : plot_->matrix()->nearest_ready()[plot_->matrix()->rows() / 2];
-  QApplication::clipboard()->setText(text_of(pulse_table(*plot_->matrix(), row, '\t')));
+  QApplication::clipboard()->setText(text_of(picture::pulse_table(*plot_->matrix(), row, '\t')));
 }
 
 void SimulationWindow::save_picture() { ask_and_save_picture(*this, figure(), "echoes.png"); }
 
 void SimulationWindow::store_simulation() {
-  session_.perform(add_object(session_.scene(), simulation()));
-  session_.log(Severity::note,
+  session_.perform(scene::add_object(session_.scene(), simulation()));
+  session_.log(core::Severity::note,
                tr("Stored the settings of the window as simulation %1").arg(session_.scene().simulations.size()));
 }
 
@@ -458,4 +467,4 @@ void SimulationWindow::closeEvent(QCloseEvent* event) {
   QWidget::closeEvent(event);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

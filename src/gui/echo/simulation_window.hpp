@@ -21,7 +21,7 @@ class QProgressBar;
 class QPushButton;
 class QToolButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class EchoControls;
 class FigurePlot;
@@ -36,19 +36,19 @@ class SimulationWindow : public QWidget {
  public:
   /// @param window  what it shows at first
   /// @param show_all  choose the ranges so that all targets are seen
-  SimulationWindow(Session& session, EchoWindow window, bool show_all, QWidget* parent = nullptr);
+  SimulationWindow(Session& session, picture::EchoWindow window, bool show_all, QWidget* parent = nullptr);
   ~SimulationWindow() override;
 
-  [[nodiscard]] const EchoWindow& window_state() const { return window_; }
+  [[nodiscard]] const picture::EchoWindow& window_state() const { return window_; }
   [[nodiscard]] EchoPlot& plot() { return *plot_; }
   [[nodiscard]] EchoControls& controls() { return *controls_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const;
   /// What is seen, with axes, to be written to a file.
-  [[nodiscard]] Figure figure() const;
+  [[nodiscard]] picture::Figure figure() const;
   /// The window as a simulation to be stored or saved.
-  [[nodiscard]] Simulation simulation() const;
-  [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  [[nodiscard]] scene::Simulation simulation() const;
+  [[nodiscard]] const std::shared_ptr<const scene::Scene>& scene() const { return scene_; }
   /// Of the radar's pulse; 0: unknown.
   [[nodiscard]] double bandwidth_hz() const;
   /// Largest magnitude in the picture; 0 until it is complete.
@@ -56,11 +56,11 @@ class SimulationWindow : public QWidget {
   /// Where the first cursor is, or else the middle of the view.
   [[nodiscard]] EchoPlot::Cursor place() const;
   /// Opens another view of the same samples, which follows this window and ends with it.
-  RadarViewWindow* open_radar_view(RadarView view);
+  RadarViewWindow* open_radar_view(picture::RadarView view);
 
  public slots:
   /// Another view; the present one is kept to go back to.
-  void go_to(const sarsim::EchoView& view);
+  void go_to(const sarsim::picture::EchoView& view);
   /// The view that was left last.
   void go_back();
   /// The view that was left by going back.
@@ -68,7 +68,7 @@ class SimulationWindow : public QWidget {
   /// The ranges of all targets.
   void show_all_targets();
   /// Follows another window along the axes that both have linked.
-  void follow(const sarsim::EchoView& view, sarsim::AxisLink link);
+  void follow(const sarsim::picture::EchoView& view, sarsim::picture::AxisLink link);
   /// Puts the picture onto the clipboard, without axes.
   void copy_picture();
   /// Puts the samples of a pulse onto the clipboard, for a spreadsheet: that of the first cursor, or the middle one.
@@ -80,9 +80,9 @@ class SimulationWindow : public QWidget {
 
  signals:
   /// With the axes along which others may follow.
-  void view_changed(const sarsim::EchoView& view, sarsim::AxisLink link);
+  void view_changed(const sarsim::picture::EchoView& view, sarsim::picture::AxisLink link);
   /// The user wants the data in a file.
-  void save_data_wanted(const sarsim::Simulation& simulation);
+  void save_data_wanted(const sarsim::scene::Simulation& simulation);
   void changed();   ///< Scene, view, recording or cursor: what other views of it show.
   void finished();  ///< All samples of the view are shown.
 
@@ -95,24 +95,24 @@ class SimulationWindow : public QWidget {
   void add_views_menu(QWidget* row);
   QToolButton* add_tool(QWidget* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
-  void change_view(const EchoView& view);
-  void take_state(const EchoWindow& window);
+  void change_view(const picture::EchoView& view);
+  void take_state(const picture::EchoWindow& window);
   void follow_radar();
   void compute();
   void compute_soon();
-  void take_event(const PreviewEvent& event);
+  void take_event(const picture::PreviewEvent& event);
   void show_event();
-  void show_failure(const Problems& problems);
+  void show_failure(const core::Problems& problems);
   void show_read_out();
   void show_cuts();
   void show_state();
   [[nodiscard]] QString title() const;
 
   Session& session_;
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const scene::Scene> scene_;
   std::uint64_t revision_ = 0;  // of the document, which `scene_` is of
-  EchoWindow window_;
-  ViewHistory<EchoView> history_;
+  picture::EchoWindow window_;
+  picture::ViewHistory<picture::EchoView> history_;
   bool show_all_ = false;
   EchoControls* controls_ = nullptr;
   EchoPlot* plot_ = nullptr;
@@ -127,12 +127,12 @@ class SimulationWindow : public QWidget {
   QProgressBar* progress_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QTimer soon_;
-  std::mutex lock_;                     // of `latest_`
-  std::optional<PreviewEvent> latest_;  // from the threads that compute
+  std::mutex lock_;                              // of `latest_`
+  std::optional<picture::PreviewEvent> latest_;  // from the threads that compute
   std::uint64_t request_ = 0;
   bool computing_ = false;
   bool finished_ = false;
-  std::unique_ptr<Preview> preview_;  // last: ends before what its events touch
+  std::unique_ptr<picture::Preview> preview_;  // last: ends before what its events touch
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 #include "gui/echo/simulation_window.hpp"
 #include "gui/runs/stored_simulations.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 SimulationWindows::SimulationWindows(Session& session, QWidget* owner)
     : QObject(owner), session_(session), owner_(owner) {
@@ -20,38 +20,39 @@ std::vector<SimulationWindow*> SimulationWindows::windows() const {
   return {found.begin(), found.end()};
 }
 
-SimulationWindow* SimulationWindows::open_new(Processing processing) {
-  const Scene& scene = session_.scene();
+SimulationWindow* SimulationWindows::open_new(scene::Processing processing) {
+  const scene::Scene& scene = session_.scene();
   if (scene.radars.empty()) return nullptr;
   const auto current = session_.current();
-  const bool on_radar = current && current->kind == ObjectKind::radar && current->index < scene.radars.size();
+  const bool on_radar = current && current->kind == scene::ObjectKind::radar && current->index < scene.radars.size();
   const std::size_t radar = on_radar ? current->index : 0;
-  EchoWindow window = new_echo_window(scene.radars[radar].name, processing);
-  const Simulation suitable = suitable_simulation(scene, radar);
+  picture::EchoWindow window = picture::new_echo_window(scene.radars[radar].name, processing);
+  const scene::Simulation suitable = suitable_simulation(scene, radar);
   window.recording.time_start_s = suitable.time_start_s;
   window.recording.time_end_s = suitable.time_end_s;
   return open(window, true);
 }
 
-SimulationWindow* SimulationWindows::open_stored(ObjectId simulation) {
-  const Scene& scene = session_.scene();
-  if (simulation.kind != ObjectKind::simulation || simulation.index >= scene.simulations.size()) return nullptr;
-  return open(window_of(scene.simulations[simulation.index]), false);
+SimulationWindow* SimulationWindows::open_stored(scene::ObjectId simulation) {
+  const scene::Scene& scene = session_.scene();
+  if (simulation.kind != scene::ObjectKind::simulation || simulation.index >= scene.simulations.size()) return nullptr;
+  return open(picture::window_of(scene.simulations[simulation.index]), false);
 }
 
-SimulationWindow* SimulationWindows::open(const EchoWindow& state, bool show_all) {
+SimulationWindow* SimulationWindows::open(const picture::EchoWindow& state, bool show_all) {
   auto* const window = new SimulationWindow(session_, state, show_all, owner_);
   window->setWindowFlag(Qt::Window);
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->resize(1100, 760);
-  connect(window, &SimulationWindow::view_changed, this, [this, window](const EchoView& view, AxisLink link) {
-    for (SimulationWindow* other : windows())
-      if (other != window) other->follow(view, link);
-  });
+  connect(window, &SimulationWindow::view_changed, this,
+          [this, window](const picture::EchoView& view, picture::AxisLink link) {
+            for (SimulationWindow* other : windows())
+              if (other != window) other->follow(view, link);
+          });
   connect(window, &SimulationWindow::save_data_wanted, this,
-          [this, window](const Simulation& simulation) { emit save_data_wanted(simulation, window); });
+          [this, window](const scene::Simulation& simulation) { emit save_data_wanted(simulation, window); });
   window->show();
   return window;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class SimulationWindow;
 
@@ -23,21 +23,21 @@ class SimulationWindows : public QObject {
   SimulationWindows(Session& session, QWidget* owner);
 
   /// Opens a window on the current radar, or the first one, that shows all targets. Null where the scene has no radar.
-  SimulationWindow* open_new(Processing processing);
+  SimulationWindow* open_new(scene::Processing processing);
   /// Opens a window that shows a stored simulation exactly.
-  SimulationWindow* open_stored(ObjectId simulation);
+  SimulationWindow* open_stored(scene::ObjectId simulation);
   /// Those that are open.
   [[nodiscard]] std::vector<SimulationWindow*> windows() const;
 
  signals:
   /// The data of a window are to be saved.
-  void save_data_wanted(const sarsim::Simulation& simulation, sarsim::SimulationWindow* from);
+  void save_data_wanted(const sarsim::scene::Simulation& simulation, sarsim::gui::SimulationWindow* from);
 
  private:
-  SimulationWindow* open(const EchoWindow& window, bool show_all);
+  SimulationWindow* open(const picture::EchoWindow& window, bool show_all);
 
   Session& session_;
   QWidget* owner_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,17 +8,18 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/derived.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr double pulses_shown = 64.0;
 constexpr double oversampling = 1.2;
 
-std::string free_file(const Scene& scene) {
+std::string free_file(const scene::Scene& scene) {
   for (std::size_t number = scene.simulations.size() + 1;; ++number) {
     const std::string name = "sim" + std::to_string(number) + ".bin";
-    if (std::ranges::none_of(scene.simulations, [&](const Simulation& s) { return s.file == name; })) return name;
+    if (std::ranges::none_of(scene.simulations, [&](const scene::Simulation& s) { return s.file == name; }))
+      return name;
   }
 }
 
@@ -26,17 +27,18 @@ std::string free_file(const Scene& scene) {
 double rounded_up(double value, double step) { return std::ceil(value / step) * step; }
 
 // The radar with what it looks at; recordings may be faulty.
-bool sound(const Scene& scene) {
-  Scene bare = scene;
+bool sound(const scene::Scene& scene) {
+  scene::Scene bare = scene;
   bare.simulations.clear();
   bare.geometries.clear();
-  return !has_errors(check(bare));
+  return !core::has_errors(scene::check(bare));
 }
 
-void suit_ranges(const ResolvedScene& resolved, const ResolvedRadar& radar, Simulation& simulation) {
+void suit_ranges(const simulate::ResolvedScene& resolved, const simulate::ResolvedRadar& radar,
+                 scene::Simulation& simulation) {
   if (resolved.scatterers.empty()) return;
-  PulseGeometry geometry(resolved, radar);
-  const PulseRange pulses = radar.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s);
+  simulate::PulseGeometry geometry(resolved, radar);
+  const radar::PulseRange pulses = radar.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s);
   double nearest_m = HUGE_VAL;
   double farthest_m = 0.0;
   for (const std::int64_t pulse : {pulses.first, pulses.last}) {
@@ -55,8 +57,8 @@ void suit_ranges(const ResolvedScene& resolved, const ResolvedRadar& radar, Simu
 
 }  // namespace
 
-Simulation suitable_simulation(const Scene& scene, std::size_t radar) {
-  Simulation simulation;
+scene::Simulation suitable_simulation(const scene::Scene& scene, std::size_t radar) {
+  scene::Simulation simulation;
   simulation.file = free_file(scene);
   simulation.range_end_m = 10e3;
   simulation.sample_rate_hz = 100e6;
@@ -64,9 +66,10 @@ Simulation suitable_simulation(const Scene& scene, std::size_t radar) {
   simulation.radar = scene.radars[radar].name;
   if (!sound(scene)) return simulation;
   try {
-    const ResolvedScene resolved = resolve(scene);
-    const ResolvedRadar seen = resolve_radar(scene, resolved, radar);
-    const RadarFigures figures = radar_figures(seen, scene.radars[radar].power_w, resolved.conventions);
+    const simulate::ResolvedScene resolved = simulate::resolve(scene);
+    const simulate::ResolvedRadar seen = simulate::resolve_radar(scene, resolved, radar);
+    const simulate::RadarFigures figures =
+        simulate::radar_figures(seen, scene.radars[radar].power_w, resolved.conventions);
     simulation.sample_rate_hz = oversampling * figures.bandwidth_hz;
     simulation.time_end_s = (pulses_shown - 1.0) / figures.mean_prf_hz;
     suit_ranges(resolved, seen, simulation);
@@ -76,4 +79,4 @@ Simulation suitable_simulation(const Scene& scene, std::size_t radar) {
   return simulation;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

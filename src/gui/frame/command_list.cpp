@@ -14,7 +14,7 @@
 
 #include "core/text/search.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -78,7 +78,7 @@ void CommandList::search() {
   std::vector<std::string> texts;
   for (const QAction* action : actions_) texts.push_back(words_of(*action).toStdString());
   list_->clear();
-  for (const std::size_t i : ranked_matches(field_->text().toStdString(), texts)) {
+  for (const std::size_t i : core::ranked_matches(field_->text().toStdString(), texts)) {
     const QAction* action = actions_[static_cast<qsizetype>(i)];
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     auto* item = new QListWidgetItem(words_of(*action), list_);
@@ -112,4 +112,4 @@ bool CommandList::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

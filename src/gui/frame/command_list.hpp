@@ -7,7 +7,7 @@ class QAction;
 class QLineEdit;
 class QListWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// All commands of the workbench with their shortcuts, found by typing a few letters ("command_list").
 class CommandList : public QDialog {
@@ -30,4 +30,4 @@ class CommandList : public QDialog {
   QListWidget* list_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

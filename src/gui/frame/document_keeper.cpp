@@ -12,7 +12,7 @@
 
 #include "gui/common/text.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -55,7 +55,7 @@ DocumentKeeper::~DocumentKeeper() = default;
 
 bool DocumentKeeper::make_new() {
   if (!may_close()) return false;
-  session_.take(Document());
+  session_.take(scene::Document());
   return true;
 }
 
@@ -68,26 +68,26 @@ bool DocumentKeeper::open() {
 bool DocumentKeeper::open_file(const QString& name) {
   // Copies for recovery outlive the folder that the program was started in.
   const QString path = QFileInfo(name).absoluteFilePath();
-  Document document = Document::open(path.toStdString());
+  scene::Document document = scene::Document::open(path.toStdString());
   if (document.path().empty()) {
-    const Problems& problems = document.problems();
+    const core::Problems& problems = document.problems();
     tell(tr("'%1' could not be opened.").arg(path),
-         problems.empty() ? tr("It is no script.") : QString::fromStdString(to_string(problems.front())));
+         problems.empty() ? tr("It is no script.") : QString::fromStdString(core::to_string(problems.front())));
     return false;
   }
   session_.take(std::move(document));
   note_recent(path);
-  session_.log(Severity::note, tr("Opened %1").arg(path));
+  session_.log(core::Severity::note, tr("Opened %1").arg(path));
   return true;
 }
 
 bool DocumentKeeper::open_example(const QString& path) {
-  const Document example = Document::open(path.toStdString());
-  Document copy = Document::from_text(example.text());
+  const scene::Document example = scene::Document::open(path.toStdString());
+  scene::Document copy = scene::Document::from_text(example.text());
   // What stands in files beside the example is not found from a copy.
-  if (example.path().empty() || has_errors(copy.problems())) return open_file(path);
+  if (example.path().empty() || core::has_errors(copy.problems())) return open_file(path);
   session_.take(std::move(copy));
-  session_.log(Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
+  session_.log(core::Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
   return true;
 }
 
@@ -105,12 +105,12 @@ bool DocumentKeeper::save_as() {
 
 bool DocumentKeeper::save_to(const QString& name) {
   const QString path = QFileInfo(name).absoluteFilePath();
-  const std::vector<DataFileWrite> data = data_to_write(session_.document(), path.toStdString());
+  const std::vector<scene::DataFileWrite> data = scene::data_to_write(session_.document(), path.toStdString());
   const DataAnswer answer = data.empty() ? DataAnswer::leave : ask_data(data);
   if (answer == DataAnswer::cancel) return false;
   try {
     // The data first: a script is never newer than what it speaks of.
-    if (answer == DataAnswer::write) write_data(data);
+    if (answer == DataAnswer::write) scene::write_data(data);
     session_.save(path.toStdString());
   } catch (const std::exception& error) {
     tell(tr("The scene was not saved."), QString::fromUtf8(error.what()));
@@ -118,17 +118,18 @@ bool DocumentKeeper::save_to(const QString& name) {
   }
   recovery_.forget();
   note_recent(path);
-  session_.log(Severity::note, tr("Saved %1").arg(path));
+  session_.log(core::Severity::note, tr("Saved %1").arg(path));
   if (answer == DataAnswer::write)
-    for (const DataFileWrite& file : data) session_.log(Severity::note, tr("Saved %1").arg(text_of(file.path)));
+    for (const scene::DataFileWrite& file : data)
+      session_.log(core::Severity::note, tr("Saved %1").arg(text_of(file.path)));
   return true;
 }
 
 // A file of data that was written, and then taken back, differs although the script is as it was saved.
 bool DocumentKeeper::unsaved() const {
-  const Document& document = session_.document();
+  const scene::Document& document = session_.document();
   if (document.changed()) return true;
-  return !document.pending_data().empty() && !data_to_write(document, document.path()).empty();
+  return !document.pending_data().empty() && !scene::data_to_write(document, document.path()).empty();
 }
 
 bool DocumentKeeper::may_close() {
@@ -170,36 +171,37 @@ bool DocumentKeeper::keep_copy() {
   try {
     recovery_.keep(session_.document().path(), session_.document().text());
   } catch (const std::exception& error) {
-    session_.log(Severity::warning, tr("No copy for recovery could be kept: %1").arg(QString::fromUtf8(error.what())));
+    session_.log(core::Severity::warning,
+                 tr("No copy for recovery could be kept: %1").arg(QString::fromUtf8(error.what())));
     return false;
   }
   return true;
 }
 
 void DocumentKeeper::offer_recovery() {
-  const std::vector<Recovery::Copy> copies = Recovery::orphans(recovery_folder());
+  const std::vector<scene::Recovery::Copy> copies = scene::Recovery::orphans(recovery_folder());
   for (std::size_t i = 0; i < copies.size(); ++i) {
     const Answer answer = ask_recovery(copies[i].document);
     if (answer == Answer::cancel) return;
     if (answer == Answer::discard) {
-      Recovery::discard(copies[i]);
+      scene::Recovery::discard(copies[i]);
       continue;
     }
     recover(copies[i]);
     if (const auto others = static_cast<int>(copies.size() - i) - 1; others > 0)
-      session_.log(Severity::note, tr("%n more scene(s) can be recovered at the next start", nullptr, others));
+      session_.log(core::Severity::note, tr("%n more scene(s) can be recovered at the next start", nullptr, others));
     return;
   }
 }
 
 // The copy goes only when this program has one of its own.
-void DocumentKeeper::recover(const Recovery::Copy& copy) {
-  session_.take(copy.document.empty() ? Document() : Document::open(copy.document));
+void DocumentKeeper::recover(const scene::Recovery::Copy& copy) {
+  session_.take(copy.document.empty() ? scene::Document() : scene::Document::open(copy.document));
   session_.type_text(copy.text);
   session_.end_run();
   if (session_.document().changed() && !keep_copy()) return;
-  Recovery::discard(copy);
-  session_.log(Severity::note, tr("Recovered %1").arg(name_of_document(copy.document)));
+  scene::Recovery::discard(copy);
+  session_.log(core::Severity::note, tr("Recovered %1").arg(name_of_document(copy.document)));
 }
 
 void DocumentKeeper::close() {
@@ -229,8 +231,8 @@ void DocumentKeeper::look_at_disk() {
 }
 
 void DocumentKeeper::tell(const QString& what, const QString& why) {
-  session_.log(Severity::error, what + " " + why);
+  session_.log(core::Severity::error, what + " " + why);
   show_failure(what, why);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -16,7 +16,7 @@
 
 class QWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Opens, saves and guards the session's document: questions before changes are lost, recent files, copies that survive
 /// a crash, files that changed on disk.
@@ -35,7 +35,7 @@ class DocumentKeeper : public QObject {
   /// Asked before unsaved changes are lost, and for file names (empty: cancelled). Dialogs unless replaced.
   std::function<Answer()> ask_unsaved;
   /// Asked when a script is saved whose data files do not say what the scene shows; `leave` saves the script alone.
-  std::function<DataAnswer(const std::vector<DataFileWrite>&)> ask_data;
+  std::function<DataAnswer(const std::vector<scene::DataFileWrite>&)> ask_data;
   /// Asked for each document (empty: never saved) that a crash left a copy of; `cancel` puts the question off.
   std::function<Answer(const std::filesystem::path& document)> ask_recovery;
   std::function<QString()> ask_open_name;
@@ -82,13 +82,13 @@ class DocumentKeeper : public QObject {
  private:
   void note_recent(const QString& path);
   void make_questions();
-  [[nodiscard]] DataAnswer data_question(const std::vector<DataFileWrite>& files) const;
-  void recover(const Recovery::Copy& copy);
+  [[nodiscard]] DataAnswer data_question(const std::vector<scene::DataFileWrite>& files) const;
+  void recover(const scene::Recovery::Copy& copy);
   void tell(const QString& what, const QString& why);
 
   Session& session_;
   QWidget* window_;
-  Recovery recovery_;
+  scene::Recovery recovery_;
   QTimer keep_soon_;
   QTimer look_;
   bool asking_ = false;
@@ -104,4 +104,4 @@ class DocumentKeeper : public QObject {
   std::optional<Version> seen_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

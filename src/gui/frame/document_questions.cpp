@@ -7,7 +7,7 @@
 
 // The dialogs in which a document keeper asks.
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -45,7 +45,7 @@ void DocumentKeeper::make_questions() {
                    : tr("'%1' was changed by another program. Read it again?").arg(path),
                QMessageBox::Yes | QMessageBox::No, unsaved ? QMessageBox::No : QMessageBox::Yes) == QMessageBox::Yes;
   };
-  ask_data = [this](const std::vector<DataFileWrite>& files) { return data_question(files); };
+  ask_data = [this](const std::vector<scene::DataFileWrite>& files) { return data_question(files); };
   show_failure = [this](const QString& what, const QString& why) {
     QMessageBox box(QMessageBox::Warning, tr("Sarsim"), what, QMessageBox::Ok, window_);
     box.setInformativeText(why);
@@ -61,7 +61,7 @@ void DocumentKeeper::make_questions() {
   };
 }
 
-DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<DataFileWrite>& files) const {
+DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<scene::DataFileWrite>& files) const {
   constexpr std::size_t most_shown = 8;
   QStringList lines;
   for (std::size_t i = 0; i < files.size() && i < most_shown; ++i)
@@ -79,4 +79,4 @@ DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<DataF
   return box.clickedButton() == leave ? DataAnswer::leave : DataAnswer::cancel;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -16,7 +16,7 @@
 #include "gui/common/figure_plot.hpp"
 #include "picture/figure/figure.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -39,11 +39,11 @@ void read_options(CLI::App& app, Options& options) {
   app.add_flag("--dark", options.dark);
 }
 
-Figure read_figure(const std::string& path) {
+picture::Figure read_figure(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::runtime_error("'" + path + "' could not be read");
-  return figure_from(bytes);
+  return picture::figure_from(bytes);
 }
 
 }  // namespace
@@ -75,4 +75,4 @@ int draw_figure(int argc, char** argv) {
   return EXIT_FAILURE;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

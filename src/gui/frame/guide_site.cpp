@@ -7,7 +7,7 @@
 
 #include "gui/frame/help_key.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 QString anchor_of(const QString& heading) {
   QString anchor;
@@ -45,4 +45,4 @@ bool GuideSite::open(const HelpPlace& place) const {
   return !address.isEmpty() && opener_(address);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 struct HelpPlace;
 
@@ -36,4 +36,4 @@ class GuideSite {
   Opener opener_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

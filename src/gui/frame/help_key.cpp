@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -68,4 +68,4 @@ bool HelpKey::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Where the guide speaks of a window or panel.
 struct HelpPlace {
@@ -35,4 +35,4 @@ class HelpKey : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

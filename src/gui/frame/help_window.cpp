@@ -16,7 +16,7 @@
 
 #include "gui/frame/guide_site.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -124,4 +124,4 @@ void HelpWindow::follow(const QUrl& link) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 class QTextBrowser;
 class QUrl;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The user guide ("help_window"): the pages of the documentation, with links between them.
 class HelpWindow : public QDialog {
@@ -30,4 +30,4 @@ class HelpWindow : public QDialog {
   QTextBrowser* browser_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/frame/problem_watch.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -18,9 +18,9 @@ constexpr QChar error_mark = u'!';
 
 // What makes two problems the same one: neither its line, nor which object of many it is about, nor a figure, all of
 // which change while something else is edited. What cannot be read has no object and goes by its text.
-QString cause_of(const Problem& problem) {
+QString cause_of(const core::Problem& problem) {
   static const QRegularExpression figures(QStringLiteral("[0-9][0-9.,]*"));
-  const QChar mark = problem.severity == Severity::error ? error_mark : QChar(u'?');
+  const QChar mark = problem.severity == core::Severity::error ? error_mark : QChar(u'?');
   const QString words = QString::fromStdString(problem.message).remove(figures);
   const std::string& about = problem.subject.kind.empty() ? problem.found : problem.subject.field;
   return QStringList{mark, QString::fromStdString(problem.subject.kind), QString::fromStdString(about), words}.join(
@@ -36,9 +36,9 @@ LogPanel::LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent)
   setReadOnly(true);
   setMaximumBlockCount(10'000);
   connect(&session, &Session::logged, this, [this](int severity, const QString& text) {
-    const QString word = severity == static_cast<int>(Severity::error)     ? tr("Error: ")
-                         : severity == static_cast<int>(Severity::warning) ? tr("Warning: ")
-                                                                           : QString();
+    const QString word = severity == static_cast<int>(core::Severity::error)     ? tr("Error: ")
+                         : severity == static_cast<int>(core::Severity::warning) ? tr("Warning: ")
+                                                                                 : QString();
     add_line(word + text);
   });
   connect(&session, &Session::document_replaced, this, [this] { told_.clear(); });
@@ -47,10 +47,10 @@ LogPanel::LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent)
 
 void LogPanel::add_line(const QString& text) { appendPlainText(QTime::currentTime().toString("HH:mm:ss ") + text); }
 
-void LogPanel::tell_problems(const Problems& problems) {
+void LogPanel::tell_problems(const core::Problems& problems) {
   std::map<QString, std::size_t> now;
   std::size_t added = 0;
-  for (const Problem& problem : problems) {
+  for (const core::Problem& problem : problems) {
     const QString cause = cause_of(problem);
     if (const auto before = told_.find(cause); ++now[cause] <= (before == told_.end() ? 0 : before->second)) continue;
     if (++added <= most_at_once) add_line(placed_problem_text(problem, session_.document().path()));
@@ -58,10 +58,10 @@ void LogPanel::tell_problems(const Problems& problems) {
   if (added > most_at_once) add_line(tr("and %1 more").arg(added - most_at_once));
   if (!told_.empty() && now.empty()) add_line(tr("Nothing is wrong with the script any more."));
   // Errors hide what else is wrong: it is not new when it is seen again.
-  if (has_errors(problems))
+  if (core::has_errors(problems))
     for (const auto& [cause, count] : told_)
       if (!cause.startsWith(error_mark)) now[cause] = std::max(now[cause], count);
   told_ = std::move(now);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

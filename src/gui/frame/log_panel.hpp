@@ -6,7 +6,7 @@
 
 #include "gui/common/session.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemWatch;
 
@@ -21,10 +21,10 @@ class LogPanel : public QPlainTextEdit {
 
  private:
   void add_line(const QString& text);
-  void tell_problems(const Problems& problems);
+  void tell_problems(const core::Problems& problems);
 
   const Session& session_;
   std::map<QString, std::size_t> told_;  // how often, by their causes
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

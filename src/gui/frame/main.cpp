@@ -38,8 +38,9 @@ struct Options {
 };
 
 std::string about() {
-  return sarsim::version_text("sarsim-gui", sarsim::this_build(),
-                              {{"CLI11", CLI11_VERSION}, {"Qt", qVersion()}, {"QCustomPlot", QCUSTOMPLOT_VERSION_STR}});
+  return sarsim::picture::version_text(
+      "sarsim-gui", sarsim::core::this_build(),
+      {{"CLI11", CLI11_VERSION}, {"Qt", qVersion()}, {"QCustomPlot", QCUSTOMPLOT_VERSION_STR}});
 }
 
 // Options are read before Qt starts: the scale of a picture has to be known by then.
@@ -54,7 +55,7 @@ void read_options(CLI::App& app, Options& options) {
       app.add_option("--screenshot", options.screenshot, "write a picture of a window to this PNG file and end")
           ->group("Pictures");
   std::string names;
-  for (const QString& name : sarsim::picture_names()) names += " " + name.toStdString();
+  for (const QString& name : sarsim::gui::picture_names()) names += " " + name.toStdString();
   const auto add = [&](const char* flag, auto& value, const std::string& help) {
     return app.add_option(flag, value, help)->needs(picture)->group("Pictures");
   };
@@ -75,8 +76,8 @@ QStringList strings(const std::vector<std::string>& texts) {
   return list;
 }
 
-int take_screenshot(sarsim::MainWindow& main, const Options& options) {
-  sarsim::PictureWish wish;
+int take_screenshot(sarsim::gui::MainWindow& main, const Options& options) {
+  sarsim::gui::PictureWish wish;
   wish.window = QString::fromStdString(options.window);
   wish.file = QString::fromStdString(options.screenshot);
   wish.selected = strings(options.selected);
@@ -84,7 +85,7 @@ int take_screenshot(sarsim::MainWindow& main, const Options& options) {
   wish.typed = strings(options.typed);
   if (options.size.size() == 2) wish.size = QSize(options.size[0], options.size[1]);
   wish.few_colours = options.few_colours;
-  return sarsim::make_picture(main, wish) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return sarsim::gui::make_picture(main, wish) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 // A mistake in the arguments, as for sarsim.
@@ -95,24 +96,24 @@ void complain(const QString& text) { std::fprintf(stderr, "sarsim-gui: %s\n", qP
 // What is wrong with the name of the picture; nothing where none is wanted.
 QString wrong_with_screenshot(const Options& options) {
   if (options.screenshot.empty()) return {};
-  return sarsim::wrong_with_picture_name(QString::fromStdString(options.screenshot),
-                                         QString::fromStdString(options.script));
+  return sarsim::gui::wrong_with_picture_name(QString::fromStdString(options.screenshot),
+                                              QString::fromStdString(options.script));
 }
 
 // Shows the workbench, or makes the picture.
 int run(QApplication& application, const Options& options) {
-  using sarsim::Appearance;
+  using sarsim::gui::Appearance;
   const bool picture = !options.screenshot.empty();
   Appearance appearance = static_cast<Appearance>(QSettings().value("appearance").toInt());
   if (options.light || (picture && !options.dark)) appearance = Appearance::light;
   if (options.dark) appearance = Appearance::dark;
-  sarsim::set_appearance(application, appearance);
+  sarsim::gui::set_appearance(application, appearance);
   const QString shown = QString::fromStdString(options.script);
   if (picture && !shown.isEmpty() && !QFileInfo::exists(shown)) {
     complain(QStringLiteral("'%1' could not be opened: there is no such file").arg(shown));
     return EXIT_FAILURE;
   }
-  sarsim::MainWindow window;
+  sarsim::gui::MainWindow window;
   // Nobody would close a dialog.
   if (picture)
     window.documents().show_failure = [](const QString& what, const QString& why) { complain(what + " " + why); };
@@ -127,7 +128,7 @@ int run(QApplication& application, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::draw_figure(argc, argv);
+  if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::gui::draw_figure(argc, argv);
   Options options;
   CLI::App command;
   read_options(command, options);
@@ -145,7 +146,7 @@ int main(int argc, char** argv) {
       qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
-  QApplication::setStyle(sarsim::make_style());
+  QApplication::setStyle(sarsim::gui::make_style());
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");
   return run(application, options);

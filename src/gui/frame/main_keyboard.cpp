@@ -11,7 +11,7 @@
 #include "gui/scene/scene_widget.hpp"
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -61,11 +61,11 @@ void MainWindow::fill_functions(QMenu* menu) {
   menu->clear();
   const auto current = session_.current();
   if (!current) return;
-  const AnyObject object = object_of(session_.scene(), *current);
-  for (const Field& field : fields_of(current->kind))
-    if (field.kind == FieldKind::function && field_applies(object, field.id))
+  const scene::AnyObject object = scene::object_of(session_.scene(), *current);
+  for (const scene::Field& field : scene::fields_of(current->kind))
+    if (field.kind == scene::FieldKind::function && scene::field_applies(object, field.id))
       connect(menu->addAction(QString::fromStdString(field.label) + QString::fromUtf8("…")), &QAction::triggered, this,
               [this, id = *current, name = QString::fromStdString(field.id)] { edit_function(id, name); });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

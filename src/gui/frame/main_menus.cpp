@@ -46,7 +46,7 @@
 #include "picture/figure/ticks.hpp"
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -66,12 +66,12 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* na
   return action;
 }
 
-void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option) {
+void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, bool picture::DrawingOptions::*option) {
   QAction* action = add_action(menu, text, name, {}, {[] {}});
   action->setCheckable(true);
   action->setChecked(scene_->scene().options().*option);
   connect(action, &QAction::toggled, this, [this, option](bool on) {
-    DrawingOptions options = scene_->scene().options();
+    picture::DrawingOptions options = scene_->scene().options();
     options.*option = on;
     scene_->scene().set_options(options);
   });
@@ -133,7 +133,7 @@ void MainWindow::make_edit_menu() {
   redo->setIconText(tr("Redo"));
   redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   const auto show = [this, undo, redo] {
-    const History& history = session_.document().history();
+    const scene::History& history = session_.document().history();
     undo->setEnabled(history.can_undo());
     redo->setEnabled(history.can_redo());
     undo->setText(tr("&Undo %1").arg(QString::fromStdString(history.undo_label())).trimmed());
@@ -173,36 +173,36 @@ void MainWindow::make_edit_menu() {
 void MainWindow::make_geometry_menu() {
   QMenu* geometry = menuBar()->addMenu(tr("&Geometry"));
   add_action(
-      geometry, tr("New &Target"), "new_target", QKeySequence("Ctrl+1"), [this] { add_new(Target()); },
+      geometry, tr("New &Target"), "new_target", QKeySequence("Ctrl+1"), [this] { add_new(scene::Target()); },
       tr("Add a point that reflects"));
   add_action(
       geometry, tr("New &Platform"), "new_platform", QKeySequence("Ctrl+2"),
       [this] {
-        Platform platform;
+        scene::Platform platform;
         platform.name = "Platform";
         add_new(platform);
       },
       tr("Add a frame that moves and turns and carries targets and radars"));
   add_action(
-      geometry, tr("New &Radar"), "new_radar", QKeySequence("Ctrl+3"), [this] { add_new(Radar()); },
+      geometry, tr("New &Radar"), "new_radar", QKeySequence("Ctrl+3"), [this] { add_new(scene::Radar()); },
       tr("Add a transmitter and receiver at the origin of a platform"));
   add_action(
-      geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"), [this] { add_new(Surface()); },
+      geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"), [this] { add_new(scene::Surface()); },
       tr("Add a triangle filled with points that reflect"));
 }
 
 void MainWindow::make_simulation_menu() {
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  const auto open = [this](Processing processing) {
+  const auto open = [this](scene::Processing processing) {
     if (simulation_windows_->open_new(processing) == nullptr)
       QMessageBox::information(this, tr("Simulation"), tr("There is no radar. Create one first: Geometry, New Radar."));
   };
   add_action(
-      simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(Processing::raw); },
+      simulation, tr("&Raw Return"), "simulation_raw", QKeySequence("Ctrl+R"), [open] { open(scene::Processing::raw); },
       tr("See what the A/D converter delivers, as the scene changes"));
   add_action(
       simulation, tr("Range &Compressed"), "simulation_compressed", QKeySequence("Ctrl+Shift+R"),
-      [open] { open(Processing::matched_filter); }, tr("See what the matched filter makes of it"));
+      [open] { open(scene::Processing::matched_filter); }, tr("See what the matched filter makes of it"));
   add_action(simulation, tr("&Previously Stored"), "simulation_stored", {}, [this] {
     docks_["simulations"]->show();
     docks_["simulations"]->raise();
@@ -221,7 +221,7 @@ void MainWindow::make_simulation_menu() {
         docks_["simulations"]->show();
         docks_["simulations"]->raise();
         if (!simulations_->chosen() && !session_.scene().simulations.empty())
-          simulations_->choose({ObjectKind::simulation, 0});
+          simulations_->choose({scene::ObjectKind::simulation, 0});
         simulations_->run_chosen();
       },
       tr("Run the chosen simulation into its file"));
@@ -246,26 +246,27 @@ void MainWindow::make_view_menu() {
       view, tr("&Focus…"), "view_focus", {}, [this] { show_focus(); }, tr("Look at a point, or follow a platform"));
   add_action(view, tr("Focus on Selectio&n"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
   add_action(view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); });
-  for (const auto& [text, name, preset] : {std::tuple{tr("From A&bove"), "view_top", ViewPreset::top},
-                                           std::tuple{tr("From the F&ront"), "view_front", ViewPreset::front},
-                                           std::tuple{tr("From the S&ide"), "view_side", ViewPreset::side},
-                                           std::tuple{tr("As at the Be&ginning"), "view_start", ViewPreset::start}})
+  for (const auto& [text, name, preset] :
+       {std::tuple{tr("From A&bove"), "view_top", picture::ViewPreset::top},
+        std::tuple{tr("From the F&ront"), "view_front", picture::ViewPreset::front},
+        std::tuple{tr("From the S&ide"), "view_side", picture::ViewPreset::side},
+        std::tuple{tr("As at the Be&ginning"), "view_start", picture::ViewPreset::start}})
     add_action(view, text, name, {}, [this, preset = preset] { scene_->scene().look(preset); });
   QAction* perspective = add_action(view, tr("&Perspective"), "view_perspective", {}, {[] {}});
   perspective->setCheckable(true);
   connect(perspective, &QAction::toggled, this, [this](bool on) {
-    Camera camera = scene_->scene().camera();
+    picture::Camera camera = scene_->scene().camera();
     camera.perspective = on;
     scene_->scene().set_camera(camera);
   });
   view->addSeparator();
-  add_switch(view, tr("&Coordinate Systems"), "view_axes", &DrawingOptions::coordinate_systems);
-  add_switch(view, tr("Corner Tria&d"), "view_triad", &DrawingOptions::corner_triad);
-  add_switch(view, tr("&Elevation Lines"), "view_lines", &DrawingOptions::elevation_lines);
-  add_switch(view, tr("Filled &Surfaces"), "view_filled", &DrawingOptions::filled_surfaces);
-  add_switch(view, tr("&Labels"), "view_labels", &DrawingOptions::labels);
-  add_switch(view, tr("&Trails"), "view_trails", &DrawingOptions::trails);
-  add_switch(view, tr("Pattern L&obes"), "view_lobes", &DrawingOptions::lobes);
+  add_switch(view, tr("&Coordinate Systems"), "view_axes", &picture::DrawingOptions::coordinate_systems);
+  add_switch(view, tr("Corner Tria&d"), "view_triad", &picture::DrawingOptions::corner_triad);
+  add_switch(view, tr("&Elevation Lines"), "view_lines", &picture::DrawingOptions::elevation_lines);
+  add_switch(view, tr("Filled &Surfaces"), "view_filled", &picture::DrawingOptions::filled_surfaces);
+  add_switch(view, tr("&Labels"), "view_labels", &picture::DrawingOptions::labels);
+  add_switch(view, tr("&Trails"), "view_trails", &picture::DrawingOptions::trails);
+  add_switch(view, tr("Pattern L&obes"), "view_lobes", &picture::DrawingOptions::lobes);
   view->addSeparator();
   QMenu* looks = view->addMenu(tr("Colo&urs"));
   auto* group = new QActionGroup(this);
@@ -337,17 +338,17 @@ void MainWindow::show_focus() {
   platform->setAccessibleName(tr("Follow"));
   platform->setToolTip(tr("A platform stays in the middle while the time runs"));
   platform->addItem(tr("A point"));
-  for (const Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
+  for (const scene::Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
   if (scene_->followed()) platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
   form->addRow(tr("&Follow"), platform);
-  const Vec3 focus = scene_->scene().camera().focus_world_m;
+  const core::Vec3 focus = scene_->scene().camera().focus_world_m;
   std::array<QLineEdit*, 3> fields{};
   // Finer than a tenth of a pixel nobody sees.
-  const double fine_m = round_below(0.1 / scene_->scene().camera().pixels_per_m);
-  const std::array<double, 3> values{rounded_to(focus.x, fine_m), rounded_to(focus.y, fine_m),
-                                     rounded_to(focus.z, fine_m)};
+  const double fine_m = picture::round_below(0.1 / scene_->scene().camera().pixels_per_m);
+  const std::array<double, 3> values{core::rounded_to(focus.x, fine_m), core::rounded_to(focus.y, fine_m),
+                                     core::rounded_to(focus.z, fine_m)};
   for (std::size_t i = 0; i < 3; ++i) {
-    fields[i] = new QLineEdit(QString::fromStdString(quantity_text(values[i], Quantity::length, "m")));
+    fields[i] = new QLineEdit(QString::fromStdString(scene::quantity_text(values[i], scene::Quantity::length, "m")));
     fields[i]->setObjectName(QString("focus_%1").arg(QChar("xyz"[i])));
     fields[i]->setAccessibleName(tr("%1 of the focus").arg(QChar("XYZ"[i])));
     fields[i]->setToolTip(tr("In the world; any unit: 100 m, 2.5 km"));
@@ -364,16 +365,18 @@ void MainWindow::show_focus() {
   connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   if (dialog.exec() != QDialog::Accepted) return;
   if (platform->currentIndex() > 0) {
-    scene_->follow(ObjectId{ObjectKind::platform, static_cast<std::size_t>(platform->currentIndex() - 1)});
+    scene_->follow(
+        scene::ObjectId{scene::ObjectKind::platform, static_cast<std::size_t>(platform->currentIndex() - 1)});
     return;
   }
   std::array<double, 3> wanted = values;
   for (std::size_t i = 0; i < 3; ++i) {
-    const QuantityReading reading = read_quantity(fields[i]->text().toStdString(), Quantity::length);
+    const scene::QuantityReading reading =
+        scene::read_quantity(fields[i]->text().toStdString(), scene::Quantity::length);
     if (reading.value)
       wanted[i] = *reading.value;
     else
-      session_.log(Severity::warning, QString::fromStdString(reading.failure));
+      session_.log(core::Severity::warning, QString::fromStdString(reading.failure));
   }
   scene_->follow(std::nullopt);
   scene_->focus_on({wanted[0], wanted[1], wanted[2]});
@@ -400,7 +403,7 @@ void MainWindow::show_about() {
                      tr("<b>Sarsim %1</b><p>Radar echo simulator: from a scene to complex baseband samples.</p>"
                         "<p>Free software under the GNU General Public License, version 3 or later, without any "
                         "warranty.</p>")
-                         .arg(program_version));
+                         .arg(core::program_version));
 }
 
 QWidget* MainWindow::show_products() {
@@ -422,16 +425,16 @@ QStringList MainWindow::window_names() {
 // A window of echoes: of the stored simulation that is selected, otherwise a new one.
 SimulationWindow* MainWindow::open_simulation() {
   const auto current = session_.current();
-  if (current && current->kind == ObjectKind::simulation) return simulation_windows_->open_stored(*current);
-  return simulation_windows_->open_new(Processing::raw);
+  if (current && current->kind == scene::ObjectKind::simulation) return simulation_windows_->open_stored(*current);
+  return simulation_windows_->open_new(scene::Processing::raw);
 }
 
 // Windows that belong to one of echoes, which is opened with them.
 QWidget* MainWindow::simulation_part(const QString& name) {
-  static const std::map<QString, RadarView> views{{"range_profile", RadarView::range_profile},
-                                                  {"range_doppler", RadarView::range_doppler},
-                                                  {"spectrum", RadarView::spectrum},
-                                                  {"phase_history", RadarView::phase_history}};
+  static const std::map<QString, picture::RadarView> views{{"range_profile", picture::RadarView::range_profile},
+                                                           {"range_doppler", picture::RadarView::range_doppler},
+                                                           {"spectrum", picture::RadarView::spectrum},
+                                                           {"phase_history", picture::RadarView::phase_history}};
   if (name == "saving") return &saver_->queue();
   const auto view = views.find(name);
   if (view == views.end() && name != "save_data") return nullptr;
@@ -455,7 +458,7 @@ QWidget* MainWindow::window_named(const QString& name) {
   }
   if (name == "geometry") return show_geometry(), geometry_;
   if (name == "simulation") return open_simulation();
-  if (name == "compressed") return simulation_windows_->open_new(Processing::matched_filter);
+  if (name == "compressed") return simulation_windows_->open_new(scene::Processing::matched_filter);
   if (name == "viewer") {
     const auto viewers = image_viewers_->viewers();
     return viewers.empty() ? image_viewers_->open_empty() : viewers.front();
@@ -469,14 +472,15 @@ QWidget* MainWindow::window_named(const QString& name) {
   if (name == "import") return new ImportDialog(session_, this);
   if (name != "function") return nullptr;
   // The first function that the scene has.
-  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::radar, ObjectKind::target})
-    for (std::size_t i = 0; i < count_of(session_.scene(), kind); ++i) {
-      const AnyObject object = object_of(session_.scene(), {kind, i});
-      for (const Field& field : fields_of(kind))
-        if (field.kind == FieldKind::function && field_applies(object, field.id))
+  for (const scene::ObjectKind kind :
+       {scene::ObjectKind::platform, scene::ObjectKind::radar, scene::ObjectKind::target})
+    for (std::size_t i = 0; i < scene::count_of(session_.scene(), kind); ++i) {
+      const scene::AnyObject object = scene::object_of(session_.scene(), {kind, i});
+      for (const scene::Field& field : scene::fields_of(kind))
+        if (field.kind == scene::FieldKind::function && scene::field_applies(object, field.id))
           return new FunctionEditor(session_, {kind, i}, field.id, this);
     }
   return nullptr;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

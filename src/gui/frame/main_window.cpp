@@ -37,7 +37,7 @@
 #include "gui/script/script_editor.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -113,7 +113,7 @@ void MainWindow::make_docks() {
   connect(simulations_, &StoredSimulations::show_requested, simulation_windows_, &SimulationWindows::open_stored);
   saver_ = new DataSaver(session_, this);
   connect(simulation_windows_, &SimulationWindows::save_data_wanted, saver_,
-          [this](const Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
+          [this](const scene::Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 36);
   panel_->setMinimumWidth(letter * 54);
@@ -164,13 +164,13 @@ void MainWindow::show_title() {
 }
 
 void MainWindow::show_state() {
-  const Scene& scene = session_.scene();
+  const scene::Scene& scene = session_.scene();
   const std::size_t targets = scene.targets.size();
   const std::size_t radars = scene.radars.size();
   QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + "   " +
                  (radars == 1 ? tr("1 radar") : tr("%1 radars").arg(radars));
   if (session_.current()) {
-    text += "   " + QString::fromStdString(label_of(scene, *session_.current()));
+    text += "   " + QString::fromStdString(scene::label_of(scene, *session_.current()));
     if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
   }
   statusBar()->showMessage(text);
@@ -187,8 +187,8 @@ void MainWindow::make_badge() {
   connect(badge, &ProblemBadge::clicked, this, [this] {
     docks_["script"]->show();
     docks_["script"]->raise();
-    const Problems& all = problems_->problems();
-    script_->show_problem(all.empty() ? Place{} : all.front().place);
+    const core::Problems& all = problems_->problems();
+    script_->show_problem(all.empty() ? core::Place{} : all.front().place);
   });
 }
 
@@ -203,35 +203,36 @@ bool MainWindow::may_go() {
   return documents_->may_close();
 }
 
-void MainWindow::add_new(AnyObject object) {
-  const ObjectKind kind = kind_of(object);
+void MainWindow::add_new(scene::AnyObject object) {
+  const scene::ObjectKind kind = scene::kind_of(object);
   // New things stand on the platform that is selected, or that carries what is.
   if (const auto current = session_.current()) {
-    const std::string carrier = current->kind == ObjectKind::platform ? session_.scene().platforms[current->index].name
-                                                                      : carrier_of(session_.scene(), *current);
-    const bool carried = current->kind <= ObjectKind::radar && !carrier.empty();
-    if (auto* target = std::get_if<Target>(&object); target && carried) target->platform = carrier;
-    if (auto* surface = std::get_if<Surface>(&object); surface && carried) surface->platform = carrier;
-    if (auto* radar = std::get_if<Radar>(&object); radar && carried) radar->platform = carrier;
+    const std::string carrier = current->kind == scene::ObjectKind::platform
+                                    ? session_.scene().platforms[current->index].name
+                                    : scene::carrier_of(session_.scene(), *current);
+    const bool carried = current->kind <= scene::ObjectKind::radar && !carrier.empty();
+    if (auto* target = std::get_if<scene::Target>(&object); target && carried) target->platform = carrier;
+    if (auto* surface = std::get_if<scene::Surface>(&object); surface && carried) surface->platform = carrier;
+    if (auto* radar = std::get_if<scene::Radar>(&object); radar && carried) radar->platform = carrier;
   }
-  session_.perform(add_object(session_.scene(), std::move(object)));
-  edit_object({kind, count_of(session_.scene(), kind) - 1});
+  session_.perform(scene::add_object(session_.scene(), std::move(object)));
+  edit_object({kind, scene::count_of(session_.scene(), kind) - 1});
 }
 
-void MainWindow::edit_object(ObjectId id) {
+void MainWindow::edit_object(scene::ObjectId id) {
   session_.select_only(id);
   docks_["properties"]->show();
   docks_["properties"]->raise();
   panel_->focus_first();
 }
 
-void MainWindow::edit_function(ObjectId id, const QString& field) {
+void MainWindow::edit_function(scene::ObjectId id, const QString& field) {
   auto* editor = new FunctionEditor(session_, id, field.toStdString(), this);
   editor->setAttribute(Qt::WA_DeleteOnClose);
   editor->open();
 }
 
-void MainWindow::show_object_menu(std::optional<ObjectId> id, QPoint global) {
+void MainWindow::show_object_menu(std::optional<scene::ObjectId> id, QPoint global) {
   if (!id) return;
   if (!session_.selection().contains(*id)) session_.select_only(*id);
   tree_->context_menu()->exec(global);
@@ -259,7 +260,7 @@ void MainWindow::show_commands() {
 }
 
 void MainWindow::set_appearance(Appearance appearance) {
-  sarsim::set_appearance(*qApp, appearance);
+  sarsim::gui::set_appearance(*qApp, appearance);
   emit session_.selection_changed();
 }
 
@@ -330,4 +331,4 @@ bool MainWindow::open_any(const QString& path) {
   return true;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -14,7 +14,7 @@
 class QDockWidget;
 class QMenu;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class DataSaver;
 class DocumentKeeper;
@@ -86,7 +86,7 @@ class MainWindow : public QMainWindow {
   void make_tool_bar();
   QAction* add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,
                       const std::function<void()>& work, const QString& tip = QString());
-  void add_switch(QMenu* menu, const QString& text, const char* name, bool DrawingOptions::*option);
+  void add_switch(QMenu* menu, const QString& text, const char* name, bool picture::DrawingOptions::*option);
   void fill_recent();
   void show_title();
   void show_state();
@@ -95,13 +95,13 @@ class MainWindow : public QMainWindow {
   bool may_go();
   bool may_end_work();
   void end_work();
-  void add_new(AnyObject object);
-  void edit_object(ObjectId id);
-  void edit_function(ObjectId id, const QString& field);
+  void add_new(scene::AnyObject object);
+  void edit_object(scene::ObjectId id);
+  void edit_function(scene::ObjectId id, const QString& field);
   [[nodiscard]] std::vector<QWidget*> panels_in_view() const;
   void go_to_panel(int step);
   void fill_functions(QMenu* menu);
-  void show_object_menu(std::optional<ObjectId> id, QPoint global);
+  void show_object_menu(std::optional<scene::ObjectId> id, QPoint global);
   SimulationWindow* open_simulation();
   [[nodiscard]] QWidget* simulation_part(const QString& name);
   void show_geometry();
@@ -137,4 +137,4 @@ class MainWindow : public QMainWindow {
   GuideSite guide_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -3,7 +3,7 @@
 #include <QSize>
 #include <QStringList>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class MainWindow;
 
@@ -32,4 +32,4 @@ struct PictureWish {
 /// @return  true where the picture was written
 [[nodiscard]] bool make_picture(MainWindow& main, const PictureWish& wish);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

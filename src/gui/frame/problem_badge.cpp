@@ -6,7 +6,7 @@
 
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -14,9 +14,9 @@ constexpr std::size_t most_in_tip = 5;
 
 }  // namespace
 
-QString problem_counts(const Problems& problems) {
-  const auto errors = std::ranges::count(problems, Severity::error, &Problem::severity);
-  const auto warnings = std::ranges::count(problems, Severity::warning, &Problem::severity);
+QString problem_counts(const core::Problems& problems) {
+  const auto errors = std::ranges::count(problems, core::Severity::error, &core::Problem::severity);
+  const auto warnings = std::ranges::count(problems, core::Severity::warning, &core::Problem::severity);
   QStringList parts;
   if (errors > 0) parts += errors == 1 ? ProblemBadge::tr("1 error") : ProblemBadge::tr("%1 errors").arg(errors);
   if (warnings > 0)
@@ -34,13 +34,13 @@ ProblemBadge::ProblemBadge(QWidget* parent) : QToolButton(parent) {
   hide();
 }
 
-void ProblemBadge::show_problems(const Problems& problems) {
+void ProblemBadge::show_problems(const core::Problems& problems) {
   const QString counts = problem_counts(problems);
   setVisible(!counts.isEmpty());
   if (counts.isEmpty()) return;
   setText(counts);
   setAccessibleName(tr("Problems of the script: %1").arg(counts));
-  setIcon(severity_icon(has_errors(problems) ? Severity::error : Severity::warning, *this));
+  setIcon(severity_icon(core::has_errors(problems) ? core::Severity::error : core::Severity::warning, *this));
   QStringList tip;
   for (std::size_t i = 0; i < std::min(problems.size(), most_in_tip); ++i)
     tip += problem_text(problems[i]).toHtmlEscaped();
@@ -48,4 +48,4 @@ void ProblemBadge::show_problems(const Problems& problems) {
   setToolTip("<p>" + tip.join("</p><p>") + "</p>");
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -4,10 +4,10 @@
 
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// How many errors and warnings there are: "1 error, 2 warnings"; empty where there is neither.
-[[nodiscard]] QString problem_counts(const Problems& problems);
+[[nodiscard]] QString problem_counts(const core::Problems& problems);
 
 /// A button of the status bar that says how much is wrong; not there where nothing is ("problem_badge").
 class ProblemBadge : public QToolButton {
@@ -17,7 +17,7 @@ class ProblemBadge : public QToolButton {
   explicit ProblemBadge(QWidget* parent = nullptr);
 
   /// Says how much is wrong; the tooltip has the first of the problems in words.
-  void show_problems(const Problems& problems);
+  void show_problems(const core::Problems& problems);
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -6,7 +6,7 @@
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -37,7 +37,7 @@ void ProblemWatch::wait_for_rest() { rest_.start(fresh_ ? 0 : rest_ms); }
 
 void ProblemWatch::look() {
   fresh_ = false;
-  if (has_errors(session_.problems())) {
+  if (core::has_errors(session_.problems())) {
     survey_.cancel();
   } else if (session_.scene().simulations.empty()) {
     survey_.cancel();
@@ -49,29 +49,29 @@ void ProblemWatch::look() {
 }
 
 void ProblemWatch::look_at_echoes() {
-  auto scene = std::make_shared<const Scene>(session_.scene());
-  found_ = std::make_shared<Problems>();
-  survey_.run([scene = std::move(scene), found = found_](const StopFlag& stop, const BackgroundJob::Report&) {
-    *found = survey(*scene, nullptr, WorkControl{1, &stop});
+  auto scene = std::make_shared<const scene::Scene>(session_.scene());
+  found_ = std::make_shared<core::Problems>();
+  survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
+    *found = simulate::survey(*scene, nullptr, core::WorkControl{1, &stop});
   });
 }
 
 // A scene that changed meanwhile is surveyed once it rests. Where a survey fails a run fails too, and says why.
 void ProblemWatch::take_survey(bool good) {
   if (rest_.isActive()) return;
-  surveyed_ = good ? *found_ : Problems{};
+  surveyed_ = good ? *found_ : core::Problems{};
   collect();
 }
 
 void ProblemWatch::collect() {
   problems_ = session_.problems();
-  if (!has_errors(problems_)) {
+  if (!core::has_errors(problems_)) {
     of_echoes_ = surveyed_;
-    locate(of_echoes_, session_.document().places());
+    scene::locate(of_echoes_, session_.document().places());
     std::ranges::copy(of_echoes_, std::back_inserter(problems_));
-    problems_ = ranked(std::move(problems_));
+    problems_ = core::ranked(std::move(problems_));
   }
   emit changed();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

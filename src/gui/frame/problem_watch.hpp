@@ -8,7 +8,7 @@
 #include "gui/common/latest_work.hpp"
 #include "gui/common/session.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// All that is wrong with the document, looked for anew once the hand rests: what the session knows, and what only a
 /// survey of the echoes can tell ("the recording will be empty"), which is made in the background.
@@ -19,9 +19,9 @@ class ProblemWatch : public QObject {
   explicit ProblemWatch(Session& session, QObject* parent = nullptr);
 
   /// All of them, ranked, with their places in the script as it was when they were found.
-  [[nodiscard]] const Problems& problems() const { return problems_; }
+  [[nodiscard]] const core::Problems& problems() const { return problems_; }
   /// Those that the survey found last, with their places; while the script holds errors, of the scene before.
-  [[nodiscard]] const Problems& of_echoes() const { return of_echoes_; }
+  [[nodiscard]] const core::Problems& of_echoes() const { return of_echoes_; }
 
  signals:
   void changed();  ///< They were looked for; they may be the same as before.
@@ -38,10 +38,10 @@ class ProblemWatch : public QObject {
   QTimer rest_;
   bool fresh_ = true;  // nothing was told of this document yet
   LatestWork survey_;
-  std::shared_ptr<Problems> found_;  // by the survey under way, without places
-  Problems surveyed_;                // by the last one, without places
-  Problems of_echoes_;
-  Problems problems_;
+  std::shared_ptr<core::Problems> found_;  // by the survey under way, without places
+  core::Problems surveyed_;                // by the last one, without places
+  core::Problems of_echoes_;
+  core::Problems problems_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

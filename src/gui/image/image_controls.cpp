@@ -8,7 +8,7 @@
 
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 ImageControls::ImageControls(QWidget* parent)
     : QWidget(parent),
@@ -29,12 +29,12 @@ ImageControls::ImageControls(QWidget* parent)
   colours_.add_palette(form_);
   colours_.add_limits(form_);
   colours_.add_span(form_);
-  connect(&colours_, &ColourRows::chosen, this, [this](const ColourLook& chosen) {
-    change([&](PartLook& look) { static_cast<ColourLook&>(look) = chosen; });
+  connect(&colours_, &ColourRows::chosen, this, [this](const picture::ColourLook& chosen) {
+    change([&](PartLook& look) { static_cast<picture::ColourLook&>(look) = chosen; });
   });
   make_links(add_form_group(layout, tr("Other viewers")));
   layout->addWidget(problem_);
-  show_look({}, ImageValue::complex, {});
+  show_look({}, raster::ImageValue::complex, {});
 }
 
 void ImageControls::change(const std::function<void(PartLook&)>& apply) {
@@ -54,20 +54,21 @@ void ImageControls::make_links(QFormLayout* form) {
   link_rows_ = mark(tr("Rows follow"), "image_link_rows");
 }
 
-AxisLink ImageControls::link() const { return {link_columns_->isChecked(), link_rows_->isChecked()}; }
+picture::AxisLink ImageControls::link() const { return {link_columns_->isChecked(), link_rows_->isChecked()}; }
 
-void ImageControls::show_look(const PartLook& look, ImageValue value, const QString& unit) {
+void ImageControls::show_look(const PartLook& look, raster::ImageValue value, const QString& unit) {
   look_ = look;
   value_ = value;
   unit_ = unit;
-  const bool samples = value != ImageValue::rgb;
-  colours_.show(look, unit == "V" ? Quantity::voltage : Quantity::number, samples);
+  const bool samples = value != raster::ImageValue::rgb;
+  colours_.show(look, unit == "V" ? scene::Quantity::voltage : scene::Quantity::number, samples);
   if (auto* const items = qobject_cast<QStandardItemModel*>(quantity_->model()))
     for (int i = 0; i < quantity_->count(); ++i)
-      items->item(i)->setEnabled(has_quantity(value, static_cast<DisplayQuantity>(i)));
+      items->item(i)->setEnabled(has_quantity(value, static_cast<picture::DisplayQuantity>(i)));
   rows_.while_showing([&] { peak_->setChecked(look.peak); });
-  const bool magnitudes = look.quantity == DisplayQuantity::decibels || look.quantity == DisplayQuantity::magnitude;
+  const bool magnitudes =
+      look.quantity == picture::DisplayQuantity::decibels || look.quantity == picture::DisplayQuantity::magnitude;
   show_row(form_, peak_, samples && magnitudes);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

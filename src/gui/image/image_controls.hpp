@@ -9,7 +9,7 @@
 #include "gui/image/image_part.hpp"
 #include "picture/echo/echo_window.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The choices of an image viewer as a form: what of the samples is drawn, and in which colours.
 class ImageControls : public QWidget {
@@ -20,22 +20,22 @@ class ImageControls : public QWidget {
 
   /// Shows a look for values of a kind; says nothing back.
   /// @param unit  of magnitudes: "V", or empty for counts
-  void show_look(const PartLook& look, ImageValue value, const QString& unit);
+  void show_look(const PartLook& look, raster::ImageValue value, const QString& unit);
   /// Limits that are set by hand begin with these.
-  void set_present_limits(const ColourLimits& limits) { colours_.set_present_limits(limits); }
+  void set_present_limits(const picture::ColourLimits& limits) { colours_.set_present_limits(limits); }
   /// Columns (range) and rows (time) that follow other viewers.
-  [[nodiscard]] AxisLink link() const;
+  [[nodiscard]] picture::AxisLink link() const;
 
  signals:
-  void edited(const sarsim::PartLook& look);  ///< Something was chosen or typed.
-  void link_changed();                        ///< Other axes follow other viewers.
+  void edited(const sarsim::gui::PartLook& look);  ///< Something was chosen or typed.
+  void link_changed();                             ///< Other axes follow other viewers.
 
  private:
   void make_links(QFormLayout* form);
   void change(const std::function<void(PartLook&)>& apply);
 
   PartLook look_;
-  ImageValue value_ = ImageValue::complex;
+  raster::ImageValue value_ = raster::ImageValue::complex;
   QString unit_;
   ProblemLine* problem_;
   FormRows rows_;
@@ -47,4 +47,4 @@ class ImageControls : public QWidget {
   QCheckBox* link_rows_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -12,7 +12,7 @@ constexpr double least_span = 2.0;
 constexpr double most_span = 4.0;  // times the image
 constexpr double margin = 0.25;
 
-QRgb pixel(Rgb colour) { return qRgb(colour.red, colour.green, colour.blue); }
+QRgb pixel(raster::Rgb colour) { return qRgb(colour.red, colour.green, colour.blue); }
 
 // Beginning, number and spacing of the samples of one direction.
 struct Places {
@@ -48,9 +48,9 @@ std::pair<double, double> mended_span(double from, double to, std::size_t size) 
 }
 
 // The samples that colours are made from: powers become magnitudes where decibels are wanted.
-std::vector<std::complex<double>> shown_samples(const ImagePart& part, DisplayQuantity quantity) {
+std::vector<std::complex<double>> shown_samples(const ImagePart& part, picture::DisplayQuantity quantity) {
   std::vector<std::complex<double>> samples = part.samples;
-  if (part.value == ImageValue::power && quantity == DisplayQuantity::decibels)
+  if (part.value == raster::ImageValue::power && quantity == picture::DisplayQuantity::decibels)
     for (std::complex<double>& s : samples) s = std::sqrt(std::max(s.real(), 0.0));
   return samples;
 }
@@ -60,7 +60,7 @@ struct Seen {
   std::size_t row = 0, rows = 0, column = 0, columns = 0;
 };
 
-Seen seen_of(const ImageWindow& window, const ImageView& view) {
+Seen seen_of(const raster::ImageWindow& window, const ImageView& view) {
   const auto span = [](double from, double to, std::size_t first, std::size_t step, std::size_t count,
                        std::size_t& begin, std::size_t& length) {
     const auto place = [&](double at) {
@@ -77,23 +77,24 @@ Seen seen_of(const ImageWindow& window, const ImageView& view) {
   return seen;
 }
 
-PartColours colours_of(const std::vector<std::complex<double>>& samples, const ImageWindow& window,
+PartColours colours_of(const std::vector<std::complex<double>>& samples, const raster::ImageWindow& window,
                        const PartLook& look, const ImageView& view) {
   const Seen seen = seen_of(window, view);
   const auto row = [&](std::size_t i) {
     return std::span<const std::complex<double>>(samples).subspan((seen.row + i) * window.cols + seen.column,
                                                                   seen.columns);
   };
-  SampleStatistics statistics;
+  picture::SampleStatistics statistics;
   for (std::size_t i = 0; i < seen.rows; ++i)
-    statistics = i == 0 ? statistics_of(row(i)) : together(statistics, statistics_of(row(i)));
+    statistics =
+        i == 0 ? picture::statistics_of(row(i)) : picture::together(statistics, picture::statistics_of(row(i)));
   if (look.limits.percentile < 100.0)
-    statistics.percentile_v = magnitude_percentile(seen.rows, row, look.limits.percentile);
+    statistics.percentile_v = picture::magnitude_percentile(seen.rows, row, look.limits.percentile);
   PartColours colours;
   colours.quantity = look.quantity;
-  colours.table = colour_table(look.map, look.sliders, look.inverted);
-  colours.reference_v = reference_v(look.decibels, statistics);
-  colours.limits = colour_limits(look.quantity, look.limits, look.decibels, statistics);
+  colours.table = picture::colour_table(look.map, look.sliders, look.inverted);
+  colours.reference_v = picture::reference_v(look.decibels, statistics);
+  colours.limits = picture::colour_limits(look.quantity, look.limits, look.decibels, statistics);
   return colours;
 }
 
@@ -116,45 +117,46 @@ ImageView scaled_about(const ImageView& view, double column, double row, double 
           scaled(view.row_first, row, row_factor), scaled(view.row_last, row, row_factor)};
 }
 
-ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px, std::size_t rows,
-                       std::size_t columns, bool peak) {
+raster::ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px, std::size_t rows,
+                               std::size_t columns, bool peak) {
   const Places down = places(view.row_first, view.row_last, height_px, rows, peak);
   const Places across = places(view.column_first, view.column_last, width_px, columns, peak);
   if (down.count == 0 || across.count == 0) return {};
   return {down.first, down.count, across.first, across.count, down.step, across.step};
 }
 
-ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns) {
+raster::ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns) {
   const auto span = [](double from, double to, std::size_t size, std::size_t& first, std::size_t& count) {
     const double low = std::clamp(std::ceil(from), 0.0, static_cast<double>(size));
     const double high = std::clamp(std::floor(to) + 1.0, low, static_cast<double>(size));
     first = static_cast<std::size_t>(low);
     count = static_cast<std::size_t>(high - low);
   };
-  ImageWindow window;
+  raster::ImageWindow window;
   span(view.row_first, view.row_last, rows, window.row0, window.rows);
   span(view.column_first, view.column_last, columns, window.col0, window.cols);
   return window;
 }
 
-PartLook look_for(ImageValue value, bool picture) {
+PartLook look_for(raster::ImageValue value, bool picture) {
   PartLook look;
-  if (!picture && value != ImageValue::rgb) {
-    look.quantity = value == ImageValue::real ? DisplayQuantity::real : DisplayQuantity::decibels;
-    look.map = value == ImageValue::real ? ColourMap::balance_dark : ColourMap::ocean;
+  if (!picture && value != raster::ImageValue::rgb) {
+    look.quantity =
+        value == raster::ImageValue::real ? picture::DisplayQuantity::real : picture::DisplayQuantity::decibels;
+    look.map = value == raster::ImageValue::real ? picture::ColourMap::balance_dark : picture::ColourMap::ocean;
     return look;
   }
-  look.quantity = DisplayQuantity::real;
-  look.map = ColourMap::grey;
-  look.limits.kind = LimitRule::Kind::extremes;
+  look.quantity = picture::DisplayQuantity::real;
+  look.map = picture::ColourMap::grey;
+  look.limits.kind = picture::LimitRule::Kind::extremes;
   return look;
 }
 
-bool has_quantity(ImageValue value, DisplayQuantity quantity) {
-  if (value == ImageValue::complex) return true;
-  if (value == ImageValue::rgb) return false;
-  if (quantity == DisplayQuantity::real) return value == ImageValue::real;
-  return quantity == DisplayQuantity::magnitude || quantity == DisplayQuantity::decibels;
+bool has_quantity(raster::ImageValue value, picture::DisplayQuantity quantity) {
+  if (value == raster::ImageValue::complex) return true;
+  if (value == raster::ImageValue::rgb) return false;
+  if (quantity == picture::DisplayQuantity::real) return value == raster::ImageValue::real;
+  return quantity == picture::DisplayQuantity::magnitude || quantity == picture::DisplayQuantity::decibels;
 }
 
 std::optional<std::size_t> ImagePart::nearest(double column, double row) const {
@@ -167,7 +169,7 @@ std::optional<std::size_t> ImagePart::nearest(double column, double row) const {
          place(column, window.col0, window.col_step, window.cols);
 }
 
-QRectF extent_of(const ImageWindow& window) {
+QRectF extent_of(const raster::ImageWindow& window) {
   const auto number = [](std::size_t n) { return static_cast<double>(n); };
   return {number(window.col0) - 0.5 * number(window.col_step), number(window.row0) - 0.5 * number(window.row_step),
           number(window.cols) * number(window.col_step), number(window.rows) * number(window.row_step)};
@@ -191,19 +193,20 @@ PaintedPart paint(const ImagePart& part, const PartLook& look, const ImageView& 
   painted.colours = colours_of(samples, part.window, look, seen);
   const PartColours& colours = painted.colours;
   std::vector<QRgb> pixels;
-  for (const Rgb& colour : colours.table) pixels.push_back(pixel(colour));
-  const bool cyclic = look.quantity == DisplayQuantity::phase;
+  for (const raster::Rgb& colour : colours.table) pixels.push_back(pixel(colour));
+  const bool cyclic = look.quantity == picture::DisplayQuantity::phase;
   paint_with([&](std::size_t index) {
-    const double value = value_of(look.quantity, samples[index], colours.reference_v);
-    return pixels[colour_index(value, colours.limits, pixels.size(), cyclic)];
+    const double value = picture::value_of(look.quantity, samples[index], colours.reference_v);
+    return pixels[picture::colour_index(value, colours.limits, pixels.size(), cyclic)];
   });
   return painted;
 }
 
-double shown_value(ImageValue value, DisplayQuantity quantity, std::complex<double> sample, double reference_v) {
-  if (value == ImageValue::power && quantity == DisplayQuantity::decibels)
+double shown_value(raster::ImageValue value, picture::DisplayQuantity quantity, std::complex<double> sample,
+                   double reference_v) {
+  if (value == raster::ImageValue::power && quantity == picture::DisplayQuantity::decibels)
     sample = std::sqrt(std::max(sample.real(), 0.0));
-  return value_of(quantity, sample, reference_v);
+  return picture::value_of(quantity, sample, reference_v);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -13,7 +13,7 @@
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Which part of an image is seen: sample k of a row fills k - 1/2 to k + 1/2; rows count downwards.
 struct ImageView {
@@ -38,16 +38,16 @@ struct ImageView {
 /// The samples to read for a view on so many device pixels: about one for each pixel, a quarter of the view more on all
 /// sides to be moved into it, at multiples of the steps so that the same ones are met again. Empty where none is seen.
 /// @param peak  at most one for each pixel: they stand for those between them, so all must be drawn
-[[nodiscard]] ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px,
-                                     std::size_t rows, std::size_t columns, bool peak = false);
+[[nodiscard]] raster::ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px,
+                                             std::size_t rows, std::size_t columns, bool peak = false);
 /// The samples that a view shows, all of them.
-[[nodiscard]] ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns);
+[[nodiscard]] raster::ImageWindow samples_in(const ImageView& view, std::size_t rows, std::size_t columns);
 
 /// How a part of an image is looked at; decibels where nothing else is said.
-struct PartLook : ColourLook {
+struct PartLook : picture::ColourLook {
   PartLook() {
-    quantity = DisplayQuantity::decibels;
-    map = ColourMap::ocean;
+    quantity = picture::DisplayQuantity::decibels;
+    map = picture::ColourMap::ocean;
   }
 
   bool peak = false;  ///< Where a pixel has many samples, the largest magnitude of them.
@@ -56,16 +56,16 @@ struct PartLook : ColourLook {
 };
 
 /// What suits values of a kind: decibels, or grey levels for pictures.
-[[nodiscard]] PartLook look_for(ImageValue value, bool picture);
+[[nodiscard]] PartLook look_for(raster::ImageValue value, bool picture);
 /// Whether a quantity means anything for values of a kind.
-[[nodiscard]] bool has_quantity(ImageValue value, DisplayQuantity quantity);
+[[nodiscard]] bool has_quantity(raster::ImageValue value, picture::DisplayQuantity quantity);
 
 /// Samples that were read.
 struct ImagePart {
-  ImageWindow window;
-  ImageValue value = ImageValue::complex;
+  raster::ImageWindow window;
+  raster::ImageValue value = raster::ImageValue::complex;
   std::vector<std::complex<double>> samples;  ///< Row by row; luminance of colours.
-  std::vector<Rgb> colours;                   ///< As many, of colour pictures.
+  std::vector<raster::Rgb> colours;           ///< As many, of colour pictures.
   bool peaks = false;                         ///< The samples are largest magnitudes around their places.
 
   /// Index of the sample nearest to a place; nothing where the place is outside.
@@ -73,13 +73,13 @@ struct ImagePart {
 };
 
 /// The place of a part in samples: each of them as wide as their spacing.
-[[nodiscard]] QRectF extent_of(const ImageWindow& window);
+[[nodiscard]] QRectF extent_of(const raster::ImageWindow& window);
 
 /// What a part was painted with.
 struct PartColours {
-  DisplayQuantity quantity = DisplayQuantity::decibels;
-  std::vector<Rgb> table;  ///< From the lowest value to the highest; empty for colour pictures.
-  ColourLimits limits;
+  picture::DisplayQuantity quantity = picture::DisplayQuantity::decibels;
+  std::vector<raster::Rgb> table;  ///< From the lowest value to the highest; empty for colour pictures.
+  picture::ColourLimits limits;
   double reference_v = 1.0;
 };
 
@@ -93,7 +93,7 @@ struct PaintedPart {
 [[nodiscard]] PaintedPart paint(const ImagePart& part, const PartLook& look, const ImageView& seen);
 
 /// The value of a quantity of a sample: decibels of powers are 10 log10.
-[[nodiscard]] double shown_value(ImageValue value, DisplayQuantity quantity, std::complex<double> sample,
-                                 double reference_v);
+[[nodiscard]] double shown_value(raster::ImageValue value, picture::DisplayQuantity quantity,
+                                 std::complex<double> sample, double reference_v);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -9,7 +9,7 @@
 #include "gui/common/plot_frame.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -39,10 +39,10 @@ void ImagePlot::set_part(std::shared_ptr<const ImagePart> part, PaintedPart pain
   part_ = std::move(part);
   painted_ = std::move(painted);
   unit_ = unit;
-  const std::vector<Rgb>& table = painted_.colours.table;
+  const std::vector<raster::Rgb>& table = painted_.colours.table;
   bar_ = table.empty() ? QImage() : QImage(1, static_cast<int>(table.size()), QImage::Format_RGB32);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const Rgb& c = table[table.size() - 1 - i];
+    const raster::Rgb& c = table[table.size() - 1 - i];
     bar_.setPixel(0, static_cast<int>(i), qRgb(c.red, c.green, c.blue));
   }
   update();
@@ -86,7 +86,7 @@ void ImagePlot::set_cursor(std::size_t index, std::optional<SamplePlace> place) 
   emit cursors_changed();
 }
 
-void ImagePlot::set_selection(std::optional<ImageWindow> selection) {
+void ImagePlot::set_selection(std::optional<raster::ImageWindow> selection) {
   if (selection && selection->samples() == 0) selection.reset();
   if (selection_ == selection) return;
   selection_ = selection;
@@ -126,23 +126,24 @@ void ImagePlot::paint_axes(QPainter& painter) const {
   draw_frame(painter, plot);
   const double widest = fontMetrics().horizontalAdvance(QStringLiteral("0000000000"));
   FrameAxis across{tr("Sample"), {}};
-  for (const Tick& tick : axis_ticks(view_.column_first, view_.column_last, plot.width(), widest, "").ticks)
+  for (const picture::Tick& tick :
+       picture::axis_ticks(view_.column_first, view_.column_last, plot.width(), widest, "").ticks)
     across.marks.push_back({pixel_of({tick.value, 0.0}).x(), QString::fromStdString(tick.label)});
   draw_axis_across(painter, plot, across, widest, false);
   FrameAxis upwards{tr("Row"), {}};
   const double lines = 2.5 * fontMetrics().height();
-  for (const Tick& tick : axis_ticks(view_.row_first, view_.row_last, plot.height(), lines, "").ticks)
+  for (const picture::Tick& tick : picture::axis_ticks(view_.row_first, view_.row_last, plot.height(), lines, "").ticks)
     upwards.marks.push_back({pixel_of({0.0, tick.value}).y(), QString::fromStdString(tick.label)});
   draw_axis_upwards(painter, plot, upwards);
 }
 
 void ImagePlot::paint_colour_bar(QPainter& painter) const {
   const QRect plot = plot_rect();
-  const ColourLimits& limits = painted_.colours.limits;
+  const picture::ColourLimits& limits = painted_.colours.limits;
   const double lines = 2.5 * fontMetrics().height();
   draw_colour_bar(painter, plot, width(),
                   {bar_, painted_.colours.quantity, limits,
-                   axis_ticks(limits.low, limits.high, plot.height(), lines, unit_.toStdString())});
+                   picture::axis_ticks(limits.low, limits.high, plot.height(), lines, unit_.toStdString())});
 }
 
 void ImagePlot::paint_marks(QPainter& painter) const {
@@ -213,4 +214,4 @@ void ImagePlot::drop_marks() {
   emit cursors_changed();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -7,7 +7,7 @@
 #include "gui/common/gesture_plot.hpp"
 #include "gui/image/image_part.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A place of an image in samples.
 struct SamplePlace {
@@ -53,13 +53,13 @@ class ImagePlot : public GesturePlot {
   /// Sets cursor 0 or 1, or takes it away.
   void set_cursor(std::size_t index, std::optional<SamplePlace> place);
   /// The selected samples; nothing where none are.
-  [[nodiscard]] const std::optional<ImageWindow>& selection() const { return selection_; }
+  [[nodiscard]] const std::optional<raster::ImageWindow>& selection() const { return selection_; }
   /// Selects samples, or nothing.
-  void set_selection(std::optional<ImageWindow> selection);
+  void set_selection(std::optional<raster::ImageWindow> selection);
 
  signals:
-  void view_wanted(const sarsim::ImageView& view);           ///< Zoom: the view before is one to go back to.
-  void view_dragged(const sarsim::ImageView& view);          ///< One of many views on the way.
+  void view_wanted(const sarsim::gui::ImageView& view);      ///< Zoom: the view before is one to go back to.
+  void view_dragged(const sarsim::gui::ImageView& view);     ///< One of many views on the way.
   void selection_changed();                                  ///< Other samples are selected, or none.
   void reading_wanted(std::size_t row, std::size_t column);  ///< The point next to a sample is to be measured.
 
@@ -93,9 +93,9 @@ class ImagePlot : public GesturePlot {
   QImage coarse_;
   QImage bar_;
   std::array<std::optional<SamplePlace>, 2> cursors_;
-  std::optional<ImageWindow> selection_;
+  std::optional<raster::ImageWindow> selection_;
   bool reading_tool_ = false;
   ImageView dragged_view_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -4,23 +4,24 @@
 #include <bit>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr double draft_s = 0.03;
 
 bool wants_peaks(const PartRequest& request) {
-  const DisplayQuantity quantity = request.look.quantity;
-  return request.look.peak && (quantity == DisplayQuantity::magnitude || quantity == DisplayQuantity::decibels) &&
+  const picture::DisplayQuantity quantity = request.look.quantity;
+  return request.look.peak &&
+         (quantity == picture::DisplayQuantity::magnitude || quantity == picture::DisplayQuantity::decibels) &&
          (request.window.row_step > 1 || request.window.col_step > 1) &&
-         request.source->info().value != ImageValue::rgb;
+         request.source->info().value != raster::ImageValue::rgb;
 }
 
 }  // namespace
 
-SamplePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows) {
-  return {rows, source->columns(), [source](const ImageWindow& window, std::span<std::complex<float>> out) {
+picture::SamplePlane plane_of(const std::shared_ptr<const raster::ImageSource>& source, std::size_t rows) {
+  return {rows, source->columns(), [source](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
             source->read_window(window, out);
           }};
 }
@@ -40,7 +41,7 @@ ImageReader::~ImageReader() {
 }
 
 std::uint64_t ImageReader::ask(PartRequest request) {
-  auto stop = std::make_shared<StopFlag>();
+  auto stop = std::make_shared<core::StopFlag>();
   {
     const std::scoped_lock hold(lock_);
     if (stop_) stop_->request();
@@ -73,7 +74,7 @@ void ImageReader::work() {
     QString failure;
     try {
       carry_out(job);
-    } catch (const Interrupted&) {
+    } catch (const core::Interrupted&) {
     } catch (const std::bad_alloc&) {
       failure = tr("There is not enough memory for this part of the file.");
     } catch (const std::exception& error) {
@@ -96,7 +97,7 @@ void ImageReader::carry_out(const Job& job) {
   if (!same) {
     kept_.reset();
     const bool slow = request.source->read_cost_s(request.window) > draft_s || peaks;
-    if (slow && request.source->info().value != ImageValue::rgb) {
+    if (slow && request.source->info().value != raster::ImageValue::rgb) {
       bool exact = false;
       auto draft = std::make_shared<const ImagePart>(read_draft(job, exact));
       exact = exact && !peaks;
@@ -118,7 +119,7 @@ void ImageReader::read_peaks(const Job& job, ImagePart& part) const {
   const auto row_log2 = static_cast<unsigned>(std::bit_width(part.window.row_step) - 1);
   const auto col_log2 = static_cast<unsigned>(std::bit_width(part.window.col_step) - 1);
   std::vector<float> cells(part.window.samples());
-  const Overview* const overview = request.overview.get();
+  const picture::Overview* const overview = request.overview.get();
   const bool by_overview =
       overview != nullptr && std::has_single_bit(part.window.row_step) && std::has_single_bit(part.window.col_step) &&
       row_log2 >= overview->base().row_log2 && col_log2 >= overview->base().col_log2 &&
@@ -127,9 +128,9 @@ void ImageReader::read_peaks(const Job& job, ImagePart& part) const {
     overview->read(row_log2, col_log2, part.window.row0 >> row_log2, part.window.rows, part.window.col0 >> col_log2,
                    part.window.cols, cells);
   else
-    reduce_plane(plane_of(request.source, request.source->rows()), OverviewKind::peak, part.window.row0,
-                 part.window.rows, part.window.row_step, part.window.col0, part.window.cols, part.window.col_step,
-                 cells, job.stop.get());
+    picture::reduce_plane(plane_of(request.source, request.source->rows()), picture::OverviewKind::peak,
+                          part.window.row0, part.window.rows, part.window.row_step, part.window.col0, part.window.cols,
+                          part.window.col_step, cells, job.stop.get());
   part.samples.assign(cells.begin(), cells.end());
   part.peaks = true;
 }
@@ -137,7 +138,7 @@ void ImageReader::read_peaks(const Job& job, ImagePart& part) const {
 ImagePart ImageReader::read_draft(const Job& job, bool& exact) const {
   const PartRequest& request = job.request;
   std::vector<std::complex<float>> samples(request.window.samples());
-  const ImageWindow taken = request.source->read_draft(request.window, draft_s, samples, control_of(job));
+  const raster::ImageWindow taken = request.source->read_draft(request.window, draft_s, samples, control_of(job));
   exact = taken == request.window;
   ImagePart part;
   part.window = request.window;
@@ -148,7 +149,7 @@ ImagePart ImageReader::read_draft(const Job& job, bool& exact) const {
 
 ImagePart ImageReader::read(const Job& job) const {
   const PartRequest& request = job.request;
-  const ImageSource& source = *request.source;
+  const raster::ImageSource& source = *request.source;
   ImagePart part;
   part.window = request.window;
   part.value = source.info().value;
@@ -159,17 +160,19 @@ ImagePart ImageReader::read(const Job& job) const {
   std::vector<std::complex<float>> samples(part.window.samples());
   source.read_window(part.window, samples, control_of(job));
   part.samples.assign(samples.begin(), samples.end());
-  if (part.value == ImageValue::rgb) {
+  if (part.value == raster::ImageValue::rgb) {
     part.colours.resize(part.window.samples());
     source.read_rgb(part.window, part.colours, control_of(job));
   }
   return part;
 }
 
-WorkControl ImageReader::control_of(const Job& job) { return {std::min(thread_count(0), 4U), job.stop.get()}; }
+core::WorkControl ImageReader::control_of(const Job& job) {
+  return {std::min(core::thread_count(0), 4U), job.stop.get()};
+}
 
 void ImageReader::deliver(const Job& job, const std::shared_ptr<const ImagePart>& part, bool complete) {
-  if (job.stop->requested()) throw Interrupted();
+  if (job.stop->requested()) throw core::Interrupted();
   PartResult result{job.number, part, paint(*part, job.request.look, job.request.seen), complete};
   QMetaObject::invokeMethod(
       this,
@@ -179,4 +182,4 @@ void ImageReader::deliver(const Job& job, const std::shared_ptr<const ImagePart>
       Qt::QueuedConnection);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -14,16 +14,16 @@
 #include "picture/image/overview.hpp"
 #include "raster/format/image_source.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Samples of a source as a plane; the plane keeps the source alive.
-[[nodiscard]] SamplePlane plane_of(const std::shared_ptr<const ImageSource>& source, std::size_t rows);
+[[nodiscard]] picture::SamplePlane plane_of(const std::shared_ptr<const raster::ImageSource>& source, std::size_t rows);
 
 /// What is to be read and painted.
 struct PartRequest {
-  std::shared_ptr<const ImageSource> source;
-  std::shared_ptr<const Overview> overview;  ///< For peaks of wide spacings; may be null.
-  ImageWindow window;
+  std::shared_ptr<const raster::ImageSource> source;
+  std::shared_ptr<const picture::Overview> overview;  ///< For peaks of wide spacings; may be null.
+  raster::ImageWindow window;
   ImageView seen;
   PartLook look;
 };
@@ -52,34 +52,34 @@ class ImageReader : public QObject {
 
  signals:
   /// Both on the thread of this object, for the newest request only.
-  void ready(const sarsim::PartResult& result);
+  void ready(const sarsim::gui::PartResult& result);
   void failed(const QString& words);  ///< Why samples could not be read.
 
  private:
   struct Job {
     std::uint64_t number = 0;
     PartRequest request;
-    std::shared_ptr<StopFlag> stop;
+    std::shared_ptr<core::StopFlag> stop;
   };
   void work();
   void carry_out(const Job& job);
   void read_peaks(const Job& job, ImagePart& part) const;
   [[nodiscard]] ImagePart read_draft(const Job& job, bool& exact) const;
   [[nodiscard]] ImagePart read(const Job& job) const;
-  [[nodiscard]] static WorkControl control_of(const Job& job);
+  [[nodiscard]] static core::WorkControl control_of(const Job& job);
   void deliver(const Job& job, const std::shared_ptr<const ImagePart>& part, bool complete);
 
   std::mutex lock_;  // Of the next five.
   std::condition_variable changed_;
   std::optional<Job> next_;
-  std::shared_ptr<StopFlag> stop_;  // Of the newest request.
+  std::shared_ptr<core::StopFlag> stop_;  // Of the newest request.
   bool ended_ = false;
   bool forgotten_ = false;
   std::uint64_t newest_ = 0;               // On the thread of this object.
   std::shared_ptr<const ImagePart> kept_;  // On the reading thread, as the next two.
-  std::shared_ptr<const ImageSource> kept_source_;
+  std::shared_ptr<const raster::ImageSource> kept_source_;
   bool kept_peak_ = false;
   std::thread thread_;  // Last: uses everything above.
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -88,4 +88,4 @@ void ImageThumbnail::mouseMoveEvent(QMouseEvent* event) {
   emit centre_dragged(sample.x(), sample.y());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -5,7 +5,7 @@
 
 #include "gui/image/image_part.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The whole image, small, with a mark around the part that is seen; a click or drag moves the view there.
 class ImageThumbnail : public QWidget {
@@ -44,4 +44,4 @@ class ImageThumbnail : public QWidget {
   ImageView view_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

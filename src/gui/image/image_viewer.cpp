@@ -18,7 +18,7 @@
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -27,13 +27,14 @@ constexpr int overview_ms = 200;
 constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the whole image
 
 // How a file is read is part of what an overview of it is.
-std::optional<OverviewCache> cache_for(const ImageSource& source, const ImageHints& hints,
-                                       const std::string& identity) {
-  const std::filesystem::path folder = user_cache_folder();
+std::optional<picture::OverviewCache> cache_for(const raster::ImageSource& source, const raster::ImageHints& hints,
+                                                const std::string& identity) {
+  const std::filesystem::path folder = picture::user_cache_folder();
   if (folder.empty()) return std::nullopt;
-  const std::string how = hints.raw ? to_string(*hints.raw) : std::string(name_of(source.info().format));
-  return OverviewCache(folder / "overviews", identity + "\n" + how + "\n" + std::to_string(source.columns()) + " " +
-                                                 std::to_string(source.info().bits));
+  const std::string how =
+      hints.raw ? raster::to_string(*hints.raw) : std::string(raster::name_of(source.info().format));
+  return picture::OverviewCache(folder / "overviews", identity + "\n" + how + "\n" + std::to_string(source.columns()) +
+                                                          " " + std::to_string(source.info().bits));
 }
 
 // What tells a file from another one that has been given its name; nothing where there is none.
@@ -53,7 +54,7 @@ unsigned coarser_log2(unsigned base, std::size_t samples) {
 
 ImageViewer::~ImageViewer() = default;
 
-void ImageViewer::open(const std::filesystem::path& path, const ImageHints& hints) {
+void ImageViewer::open(const std::filesystem::path& path, const raster::ImageHints& hints) {
   path_ = path;
   hints_ = hints;
   setWindowTitle(text_of(path.filename()) + " - " + tr("Simulation output"));
@@ -62,7 +63,7 @@ void ImageViewer::open(const std::filesystem::path& path, const ImageHints& hint
     open_again_ = true;
     return;
   }
-  auto result = std::make_shared<OpenedImage>();
+  auto result = std::make_shared<raster::OpenedImage>();
   // Asked for before the file is opened: one that is replaced meanwhile is opened once more.
   file_number_ = number_of(path);
   disconnect(&opening_, nullptr, this, nullptr);
@@ -75,12 +76,12 @@ void ImageViewer::open(const std::filesystem::path& path, const ImageHints& hint
     if (end == JobEnd::failed) result->problems.emplace_back().message = failure.toStdString();
     take_source(*result);
   });
-  opening_.start([result, path, hints](const StopFlag&, const BackgroundJob::Report&) {
-    *result = ImageSource::open(path, hints);
+  opening_.start([result, path, hints](const core::StopFlag&, const BackgroundJob::Report&) {
+    *result = raster::ImageSource::open(path, hints);
   });
 }
 
-void ImageViewer::take_source(OpenedImage& result) {
+void ImageViewer::take_source(raster::OpenedImage& result) {
   const bool first = source_ == nullptr;
   const std::size_t columns_before = plot_->part() && source_ ? source_->columns() : 0;
   reader_.forget();
@@ -113,9 +114,10 @@ void ImageViewer::take_source(OpenedImage& result) {
     axes_.reset();
     read_failure_ = QString::fromUtf8(error.what());
   }
-  if (first && !look_set_) look_ = look_for(source_->info().value, source_->info().format == ImageFormat::sun_raster);
-  if (!has_quantity(source_->info().value, look_.quantity) && source_->info().value != ImageValue::rgb)
-    look_ = look_for(source_->info().value, source_->info().format == ImageFormat::sun_raster);
+  if (first && !look_set_)
+    look_ = look_for(source_->info().value, source_->info().format == raster::ImageFormat::sun_raster);
+  if (!has_quantity(source_->info().value, look_.quantity) && source_->info().value != raster::ImageValue::rgb)
+    look_ = look_for(source_->info().value, source_->info().format == raster::ImageFormat::sun_raster);
   controls_->show_look(look_, source_->info().value, value_unit());
   plot_->set_part(nullptr, {}, {});
   plot_->set_size(rows_, source_->columns());
@@ -149,14 +151,14 @@ void ImageViewer::begin_overview() {
   overview_.reset();
   overview_shown_ = false;
   overview_rows_ = rows_;
-  OverviewOptions options;
-  const auto identity = file_identity(path_);
+  picture::OverviewOptions options;
+  const auto identity = picture::file_identity(path_);
   // A file that is still looked through or written has other rows the next time.
   if (identity && source_->indexed() >= 1.0) {
     options.cache = cache_for(*source_, hints_, *identity);
-    options.still_the_same = [path = path_, identity] { return file_identity(path) == identity; };
+    options.still_the_same = [path = path_, identity] { return picture::file_identity(path) == identity; };
   }
-  overview_ = std::make_shared<Overview>(plane_of(source_, rows_), options);
+  overview_ = std::make_shared<picture::Overview>(plane_of(source_, rows_), options);
   overview_timer_.start(overview_ms);
   QTimer::singleShot(overview_ms / 4, this, &ImageViewer::show_overview);
 }
@@ -167,11 +169,11 @@ void ImageViewer::show_overview() {
     overview_timer_.stop();
     return;
   }
-  const bool ended = overview_->state() != OverviewState::building;
+  const bool ended = overview_->state() != picture::OverviewState::building;
   if (ended) overview_timer_.stop();
   const unsigned row_log2 = coarser_log2(overview_->base().row_log2, overview_rows_);
   const unsigned col_log2 = coarser_log2(overview_->base().col_log2, source_->columns());
-  const OverviewLevel level = overview_->level(row_log2, col_log2);
+  const picture::OverviewLevel level = overview_->level(row_log2, col_log2);
   std::vector<float> cells(level.rows * level.columns);
   overview_->read(row_log2, col_log2, 0, level.rows, 0, level.columns, cells);
   ImagePart part;
@@ -179,11 +181,14 @@ void ImageViewer::show_overview() {
   part.value = source_->info().value;
   part.samples.assign(cells.begin(), cells.end());
   PartLook look = look_;
-  const bool same_quantity = look.quantity == DisplayQuantity::magnitude || look.quantity == DisplayQuantity::decibels;
-  const bool grey = part.value == ImageValue::rgb || (part.value == ImageValue::real && look.map == ColourMap::grey);
+  const bool same_quantity =
+      look.quantity == picture::DisplayQuantity::magnitude || look.quantity == picture::DisplayQuantity::decibels;
+  const bool grey = part.value == raster::ImageValue::rgb ||
+                    (part.value == raster::ImageValue::real && look.map == picture::ColourMap::grey);
   if (!same_quantity) {
-    look.quantity = grey ? DisplayQuantity::magnitude : DisplayQuantity::decibels;
-    if (kind_for(DisplayQuantity::decibels) != info_of(look.map).kind) look.map = ColourMap::grey;
+    look.quantity = grey ? picture::DisplayQuantity::magnitude : picture::DisplayQuantity::decibels;
+    if (picture::kind_for(picture::DisplayQuantity::decibels) != picture::info_of(look.map).kind)
+      look.map = picture::ColourMap::grey;
     look.limits = {};
   }
   const ImageView all = whole_view(part.window.rows * part.window.row_step, part.window.cols * part.window.col_step);
@@ -253,7 +258,7 @@ void ImageViewer::take_rows(std::size_t rows) {
 void ImageViewer::set_look(const PartLook& look) {
   look_set_ = true;
   look_ = look;
-  controls_->show_look(look_, source_ ? source_->info().value : ImageValue::complex, value_unit());
+  controls_->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex, value_unit());
   if (overview_shown_) show_overview();
   if (statistics_) show_statistics();
   read_soon();
@@ -290,8 +295,8 @@ void ImageViewer::show_whole() {
   if (source_) go_to(whole_view(rows_, source_->columns()));
 }
 
-void ImageViewer::follow(const ImageView& view, AxisLink link) {
-  const AxisLink own = controls_->link();
+void ImageViewer::follow(const ImageView& view, picture::AxisLink link) {
+  const picture::AxisLink own = controls_->link();
   ImageView wanted = plot_->view();
   if (own.range && link.range) {
     wanted.column_first = view.column_first;
@@ -318,13 +323,14 @@ void ImageViewer::read_soon() {
 void ImageViewer::read_part() {
   if (!source_) return;
   const QSize size = plot_->device_size();
-  ImageWindow window = window_for(plot_->view(), static_cast<std::size_t>(size.width()),
-                                  static_cast<std::size_t>(size.height()), rows_, source_->columns(), look_.peak);
+  raster::ImageWindow window =
+      window_for(plot_->view(), static_cast<std::size_t>(size.width()), static_cast<std::size_t>(size.height()), rows_,
+                 source_->columns(), look_.peak);
   if (window.samples() == 0) {
     plot_->set_part(nullptr, {}, {});
     return;
   }
-  const auto overview = overview_ && overview_->state() == OverviewState::complete ? overview_ : nullptr;
+  const auto overview = overview_ && overview_->state() == picture::OverviewState::complete ? overview_ : nullptr;
   request_ = reader_.ask({source_, overview, window, plot_->view(), look_});
 }
 
@@ -350,13 +356,13 @@ void ImageViewer::show_info() {
                                  : tr("%1\ncould not be read").arg(text_of(path_.filename())));
     return;
   }
-  const ImageInfo& info = source_->info();
-  const std::string_view values = info.value == ImageValue::complex     ? "complex"
-                                  : info.value == ImageValue::real      ? "real"
-                                  : info.value == ImageValue::magnitude ? "magnitudes"
-                                  : info.value == ImageValue::power     ? "powers"
-                                                                        : "colours";
-  QString how = text_of(name_of(info.format)) + ", " + text_of(values);
+  const raster::ImageInfo& info = source_->info();
+  const std::string_view values = info.value == raster::ImageValue::complex     ? "complex"
+                                  : info.value == raster::ImageValue::real      ? "real"
+                                  : info.value == raster::ImageValue::magnitude ? "magnitudes"
+                                  : info.value == raster::ImageValue::power     ? "powers"
+                                                                                : "colours";
+  QString how = text_of(raster::name_of(info.format)) + ", " + text_of(values);
   if (info.bits > 0) how += tr(", %1 bits").arg(info.bits);
   info_->setText(text_of(path_.filename()) + "\n" + how + "\n" +
                  tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));
@@ -367,16 +373,16 @@ QString ImageViewer::problem_words() const { return problems_->text(); }
 
 void ImageViewer::show_problems() {
   QStringList texts;
-  Severity worst = Severity::note;
-  const auto add = [&](const Problems& problems) {
-    for (const Problem& problem : problems) {
+  core::Severity worst = core::Severity::note;
+  const auto add = [&](const core::Problems& problems) {
+    for (const core::Problem& problem : problems) {
       texts << problem_text(problem);
       worst = std::min(worst, problem.severity);
     }
   };
   if (!read_failure_.isEmpty()) {
     texts << read_failure_;
-    worst = Severity::error;
+    worst = core::Severity::error;
   }
   add(open_problems_);
   if (source_) add(source_->problems());
@@ -395,4 +401,4 @@ void ImageViewer::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) show_cuts();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

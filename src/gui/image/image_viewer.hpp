@@ -28,7 +28,7 @@ class QLabel;
 class QPushButton;
 class QToolButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FigurePlot;
 class ImageControls;
@@ -45,21 +45,21 @@ class ImageViewer : public QWidget {
   ~ImageViewer() override;
 
   /// Opens a file in the background; `opened` or `open_failed` follows.
-  void open(const std::filesystem::path& path, const ImageHints& hints = {});
+  void open(const std::filesystem::path& path, const raster::ImageHints& hints = {});
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] const ImageHints& hints() const { return hints_; }
-  [[nodiscard]] const std::shared_ptr<ImageSource>& source() const { return source_; }
+  [[nodiscard]] const raster::ImageHints& hints() const { return hints_; }
+  [[nodiscard]] const std::shared_ptr<raster::ImageSource>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
   [[nodiscard]] ImageControls& controls() { return *controls_; }
   [[nodiscard]] const PartLook& look() const { return look_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const { return complete_; }
   /// The selection, or all that is seen.
-  [[nodiscard]] ImageWindow chosen() const;
-  [[nodiscard]] const std::optional<SelectionStatistics>& statistics() const { return statistics_; }
-  [[nodiscard]] const std::optional<PointReading>& reading() const { return reading_; }
+  [[nodiscard]] raster::ImageWindow chosen() const;
+  [[nodiscard]] const std::optional<picture::SelectionStatistics>& statistics() const { return statistics_; }
+  [[nodiscard]] const std::optional<picture::PointReading>& reading() const { return reading_; }
   /// What is seen, with axes, to be written to a file.
-  [[nodiscard]] Figure figure() const;
+  [[nodiscard]] picture::Figure figure() const;
   /// Whether samples are being written to a file.
   [[nodiscard]] bool exporting() const { return exporting_.running(); }
   /// What is wrong, as the window says it; empty where nothing is.
@@ -67,9 +67,9 @@ class ImageViewer : public QWidget {
 
  public slots:
   /// Draws what is seen in another way.
-  void set_look(const sarsim::PartLook& look);
+  void set_look(const sarsim::gui::PartLook& look);
   /// Another view; the present one is kept to go back to.
-  void go_to(const sarsim::ImageView& view);
+  void go_to(const sarsim::gui::ImageView& view);
   /// The view that was left last.
   void go_back();
   /// The view that was left by going back.
@@ -77,7 +77,7 @@ class ImageViewer : public QWidget {
   /// The whole image.
   void show_whole();
   /// Follows another viewer along the axes that both have linked.
-  void follow(const sarsim::ImageView& view, sarsim::AxisLink link);
+  void follow(const sarsim::gui::ImageView& view, sarsim::picture::AxisLink link);
   /// Opens the file anew, as it is now.
   void refresh();
   /// Measures the response of the point next to a sample.
@@ -90,13 +90,13 @@ class ImageViewer : public QWidget {
   void export_chosen();
   void cancel_export() { exporting_.cancel(); }
   /// Writes what is chosen in the background; `exported` follows. An existing file is replaced.
-  void export_to(const QString& path, sarsim::FileFormat format);
+  void export_to(const QString& path, sarsim::scene::FileFormat format);
 
  signals:
   void opened();       ///< The file can be read; an image of rows that are still looked for grows.
   void open_failed();  ///< The window says why.
   /// With the axes along which others may follow.
-  void view_changed(const sarsim::ImageView& view, sarsim::AxisLink link);
+  void view_changed(const sarsim::gui::ImageView& view, sarsim::picture::AxisLink link);
   void describe_wanted();    ///< The user wants to say how the file is stored.
   void exported(bool good);  ///< The copy is written, or the window says why not.
   void shown();              ///< All samples of the view are shown.
@@ -111,7 +111,7 @@ class ImageViewer : public QWidget {
   QToolButton* add_tool(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
-  void take_source(OpenedImage& result);
+  void take_source(raster::OpenedImage& result);
   void forget_readings();
   void begin_overview();
   void look_at_file();
@@ -136,25 +136,25 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString words_at(SamplePlace place) const;
 
   std::filesystem::path path_;
-  ImageHints hints_;
-  std::shared_ptr<ImageSource> source_;
-  Problems open_problems_;
+  raster::ImageHints hints_;
+  std::shared_ptr<raster::ImageSource> source_;
+  core::Problems open_problems_;
   QString read_failure_;
-  std::optional<SampleAxes> axes_;
+  std::optional<raster::SampleAxes> axes_;
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;
   std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
   PartLook look_;
   bool look_set_ = false;
-  ViewHistory<ImageView> history_;
+  picture::ViewHistory<ImageView> history_;
   std::uint64_t request_ = 0;
   bool complete_ = false;
-  std::shared_ptr<Overview> overview_;
+  std::shared_ptr<picture::Overview> overview_;
   std::size_t overview_rows_ = 0;
   bool overview_shown_ = false;
-  std::optional<SelectionStatistics> statistics_;
-  std::optional<PointReading> reading_;
+  std::optional<picture::SelectionStatistics> statistics_;
+  std::optional<picture::PointReading> reading_;
 
   ImageControls* controls_ = nullptr;
   ImageThumbnail* thumbnail_ = nullptr;
@@ -190,4 +190,4 @@ class ImageViewer : public QWidget {
   BackgroundJob exporting_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -19,7 +19,7 @@
 #include "raster/format/image_export.hpp"
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -31,20 +31,20 @@ QString number_text(double value, const QString& unit = {}) {
   return unit.isEmpty() ? text : text + " " + unit;
 }
 
-SampleQuantity measured(DisplayQuantity quantity) {
+picture::SampleQuantity measured(picture::DisplayQuantity quantity) {
   switch (quantity) {
-    case DisplayQuantity::real: return SampleQuantity::real;
-    case DisplayQuantity::imaginary: return SampleQuantity::imaginary;
-    case DisplayQuantity::phase: return SampleQuantity::phase;
-    case DisplayQuantity::decibels: return SampleQuantity::decibels;
-    default: return SampleQuantity::magnitude;
+    case picture::DisplayQuantity::real: return picture::SampleQuantity::real;
+    case picture::DisplayQuantity::imaginary: return picture::SampleQuantity::imaginary;
+    case picture::DisplayQuantity::phase: return picture::SampleQuantity::phase;
+    case picture::DisplayQuantity::decibels: return picture::SampleQuantity::decibels;
+    default: return picture::SampleQuantity::magnitude;
   }
 }
 
 // Bars of a histogram, wide enough to be seen, from the smallest value that is there to the largest.
-FigureCurve bars_of(const QuantityStatistics& statistics) {
-  const Histogram& histogram = statistics.histogram;
-  FigureCurve curve;
+picture::FigureCurve bars_of(const picture::QuantityStatistics& statistics) {
+  const picture::Histogram& histogram = statistics.histogram;
+  picture::FigureCurve curve;
   curve.bars = true;
   if (histogram.bins.empty() || statistics.count == 0) return curve;
   const auto bin = [&](double value) {
@@ -66,7 +66,7 @@ FigureCurve bars_of(const QuantityStatistics& statistics) {
 }
 
 // The span of numbers, never empty.
-void set_span(FigureAxis& axis, const std::vector<double>& values) {
+void set_span(picture::FigureAxis& axis, const std::vector<double>& values) {
   axis.first = std::numeric_limits<double>::infinity();
   axis.last = -axis.first;
   for (const double value : values) {
@@ -84,15 +84,17 @@ void set_span(FigureAxis& axis, const std::vector<double>& values) {
 
 QString ImageViewer::value_unit() const {
   if (!source_) return {};
-  const ImageInfo& info = source_->info();
+  const raster::ImageInfo& info = source_->info();
   // A file that is described by hand does not say what its numbers are.
-  const bool volts = info.value == ImageValue::complex && !info.counts && info.format != ImageFormat::custom;
+  const bool volts =
+      info.value == raster::ImageValue::complex && !info.counts && info.format != raster::ImageFormat::custom;
   return volts ? QStringLiteral("V") : QString();
 }
 
 QString ImageViewer::unit() const {
-  const bool of_values = look_.quantity != DisplayQuantity::phase && look_.quantity != DisplayQuantity::decibels;
-  return of_values ? value_unit() : text_of(unit_of(look_.quantity));
+  const bool of_values =
+      look_.quantity != picture::DisplayQuantity::phase && look_.quantity != picture::DisplayQuantity::decibels;
+  return of_values ? value_unit() : text_of(picture::unit_of(look_.quantity));
 }
 
 // What is measured counts from 1 V, not from the strongest sample in view.
@@ -111,7 +113,7 @@ QString ImageViewer::words_at(SamplePlace place) const {
   if (axes_ && column < axes_->column_range_m.size() && std::isfinite(axes_->column_range_m[column]))
     words << tr("Range %1").arg(number_text(axes_->column_range_m[column], "m"));
   if (!part->colours.empty()) {
-    const Rgb& c = part->colours[*index];
+    const raster::Rgb& c = part->colours[*index];
     words << tr("Red %1  green %2  blue %3").arg(c.red).arg(c.green).arg(c.blue);
     return words.join("   ");
   }
@@ -119,14 +121,14 @@ QString ImageViewer::words_at(SamplePlace place) const {
     words << tr("Largest magnitude here %1").arg(number_text(s.real(), value_unit()));
     return words.join("   ");
   }
-  const double db = shown_value(part->value, DisplayQuantity::decibels, s, 1.0);
-  if (part->value == ImageValue::complex)
+  const double db = shown_value(part->value, picture::DisplayQuantity::decibels, s, 1.0);
+  if (part->value == raster::ImageValue::complex)
     words << "I " + number_text(s.real(), value_unit()) << "Q " + number_text(s.imag(), value_unit())
           << tr("Magnitude %1").arg(number_text(std::abs(s), value_unit()))
-          << tr("Phase %1 deg").arg(value_of(DisplayQuantity::phase, s), 0, 'f', 2);
+          << tr("Phase %1 deg").arg(picture::value_of(picture::DisplayQuantity::phase, s), 0, 'f', 2);
   else
     words << tr("Value %1").arg(number_text(s.real(), value_unit()));
-  words << (db <= lowest_db ? tr("no power") : QStringLiteral("%1 %2").arg(db, 0, 'f', 2).arg(decibel_unit()));
+  words << (db <= picture::lowest_db ? tr("no power") : QStringLiteral("%1 %2").arg(db, 0, 'f', 2).arg(decibel_unit()));
   return words.join("   ");
 }
 
@@ -143,8 +145,8 @@ void ImageViewer::show_read_out() {
   const auto a = part ? part->nearest(first->column, first->row) : std::nullopt;
   const auto b = part ? part->nearest(second->column, second->row) : std::nullopt;
   if (a && b) {
-    const double db = shown_value(part->value, DisplayQuantity::decibels, part->samples[*b], 1.0) -
-                      shown_value(part->value, DisplayQuantity::decibels, part->samples[*a], 1.0);
+    const double db = shown_value(part->value, picture::DisplayQuantity::decibels, part->samples[*b], 1.0) -
+                      shown_value(part->value, picture::DisplayQuantity::decibels, part->samples[*a], 1.0);
     words += tr("   Level %1 dB").arg(db, 0, 'f', 2);
   }
   difference_->setText(words);
@@ -167,28 +169,28 @@ void ImageViewer::show_cuts() {
     const double v =
         shown_value(part->value, look_.quantity, part->samples[i * part->window.cols + k], colours.reference_v);
     // The floor of what is drawn; silence would make the rest flat.
-    return look_.quantity == DisplayQuantity::decibels ? std::max(v, colours.limits.low) : v;
+    return look_.quantity == picture::DisplayQuantity::decibels ? std::max(v, colours.limits.low) : v;
   };
-  FigureCurve along;
+  picture::FigureCurve along;
   for (std::size_t k = 0; k < part->window.cols; ++k) {
     along.x.push_back(static_cast<double>(part->window.column(k)));
     along.y.push_back(value(row, k));
   }
-  FigureCurve across;
-  across.role = Role::curve_2;
+  picture::FigureCurve across;
+  across.role = picture::Role::curve_2;
   for (std::size_t i = 0; i < part->window.rows; ++i) {
     across.x.push_back(static_cast<double>(part->window.row(i)));
     across.y.push_back(value(i, column));
   }
-  const auto show = [&](FigurePlot* plot, FigureCurve curve, const QString& label, const QString& title, double from,
-                        double to) {
-    FigurePanel panel;
+  const auto show = [&](FigurePlot* plot, picture::FigureCurve curve, const QString& label, const QString& title,
+                        double from, double to) {
+    picture::FigurePanel panel;
     panel.title = title.toStdString();
     panel.x = {label.toStdString(), "", from, to, {}};
-    panel.y = {std::string(axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
+    panel.y = {std::string(picture::axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
     panel.curves.push_back(std::move(curve));
-    Figure figure;
+    picture::Figure figure;
     figure.panels.push_back(std::move(panel));
     plot->set_figure(figure);
   };
@@ -198,7 +200,7 @@ void ImageViewer::show_cuts() {
        view.row_last);
 }
 
-ImageWindow ImageViewer::chosen() const {
+raster::ImageWindow ImageViewer::chosen() const {
   if (!source_) return {};
   if (plot_->selection()) return *plot_->selection();
   return samples_in(plot_->view(), rows_, source_->columns());
@@ -216,9 +218,9 @@ void ImageViewer::measure() {
     measuring_.cancel();
     return;
   }
-  const ImageWindow window = chosen();
+  const raster::ImageWindow window = chosen();
   if (window.samples() == 0) return;
-  auto result = std::make_shared<SelectionStatistics>();
+  auto result = std::make_shared<picture::SelectionStatistics>();
   disconnect(&measuring_, nullptr, this, nullptr);
   connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double) {
     figures_->setText(tr("Measuring: %1 %").arg(static_cast<int>(100 * share)));
@@ -231,14 +233,14 @@ void ImageViewer::measure() {
     show_statistics();
     if (end == JobEnd::failed) figures_->setText(failure);
   });
-  measuring_.start(
-      [result, window, plane = plane_of(source_, rows_)](const StopFlag& stop, const BackgroundJob::Report& report) {
-        *result = measure_selection(plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
-                                    {std::min(thread_count(0), 4U), &stop}, [&](const Progress& p) {
-                                      if (p.total > 0)
-                                        report(static_cast<double>(p.done) / static_cast<double>(p.total));
-                                    });
-      });
+  measuring_.start([result, window, plane = plane_of(source_, rows_)](const core::StopFlag& stop,
+                                                                      const BackgroundJob::Report& report) {
+    *result = picture::measure_selection(plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
+                                         {std::min(core::thread_count(0), 4U), &stop}, [&](const core::Progress& p) {
+                                           if (p.total > 0)
+                                             report(static_cast<double>(p.done) / static_cast<double>(p.total));
+                                         });
+  });
 }
 
 void ImageViewer::show_statistics() {
@@ -246,15 +248,17 @@ void ImageViewer::show_statistics() {
   figures_->setVisible(wanted);
   histogram_->setVisible(wanted && statistics_);
   if (!wanted || !statistics_) return;
-  const QuantityStatistics& of = (*statistics_)[measured(look_.quantity)];
-  const bool decibels = look_.quantity == DisplayQuantity::decibels;
-  const bool powers = source_ && source_->info().value == ImageValue::power;
+  const picture::QuantityStatistics& of = (*statistics_)[measured(look_.quantity)];
+  const bool decibels = look_.quantity == picture::DisplayQuantity::decibels;
+  const bool powers = source_ && source_->info().value == raster::ImageValue::power;
   // Measured are radians, and 20 log10 of whatever the values are.
-  const double scale = look_.quantity == DisplayQuantity::phase ? 180.0 / M_PI : decibels && powers ? 0.5 : 1.0;
+  const double scale = look_.quantity == picture::DisplayQuantity::phase ? 180.0 / M_PI
+                       : decibels && powers                              ? 0.5
+                                                                         : 1.0;
   const QString of_unit = decibels ? decibel_unit() : unit();
   QStringList words{
       tr("%1 %2 samples").arg(plot_->selection() ? tr("Selection:") : tr("In view:")).arg(statistics_->samples)};
-  const QString name = text_of(title_of(look_.quantity));
+  const QString name = text_of(picture::title_of(look_.quantity));
   const auto add = [&](const QString& what, double value) {
     words << what + " " + number_text(value * scale, of_unit);
   };
@@ -269,8 +273,8 @@ void ImageViewer::show_statistics() {
   if (statistics_->zeros > 0) words << tr("%1 zero").arg(statistics_->zeros);
   if (statistics_->not_finite > 0) words << tr("%1 no number").arg(statistics_->not_finite);
   figures_->setText(words.join("   "));
-  FigurePanel panel;
-  FigureCurve curve = bars_of(of);
+  picture::FigurePanel panel;
+  picture::FigureCurve curve = bars_of(of);
   for (double& x : curve.x) x *= scale;
   panel.title = tr("How often").toStdString();
   panel.x = {name.toStdString(), of_unit.toStdString(), 0.0, 1.0, {}};
@@ -278,27 +282,30 @@ void ImageViewer::show_statistics() {
   panel.y = {tr("Samples").toStdString(), "", 0.0, 1.0, {}};
   for (const double y : curve.y) panel.y.last = std::max(panel.y.last, 1.05 * y);
   panel.curves.push_back(std::move(curve));
-  Figure figure;
+  picture::Figure figure;
   figure.panels.push_back(std::move(panel));
   histogram_->set_figure(figure);
 }
 
 void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
   if (!source_ || pointing_.running()) return;
-  auto result = std::make_shared<std::variant<PointReading, Problem>>();
+  auto result = std::make_shared<std::variant<picture::PointReading, core::Problem>>();
   disconnect(&pointing_, nullptr, this, nullptr);
   connect(&pointing_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
     if (of != source_) return;  // Another file is shown by now.
     reading_.reset();
     if (end == JobEnd::failed) return show_reading(failure);
     if (end != JobEnd::done) return;
-    if (const auto* const problem = std::get_if<Problem>(result.get())) return show_reading(problem_text(*problem));
-    reading_ = std::get<PointReading>(*result);
+    if (const auto* const problem = std::get_if<core::Problem>(result.get()))
+      return show_reading(problem_text(*problem));
+    reading_ = std::get<picture::PointReading>(*result);
     plot_->set_cursor(0, SamplePlace{reading_->column, reading_->row});
     show_reading({});
   });
-  pointing_.start([result, row, column, plane = plane_of(source_, rows_)](
-                      const StopFlag&, const BackgroundJob::Report&) { *result = read_point(plane, row, column); });
+  pointing_.start(
+      [result, row, column, plane = plane_of(source_, rows_)](const core::StopFlag&, const BackgroundJob::Report&) {
+        *result = picture::read_point(plane, row, column);
+      });
 }
 
 void ImageViewer::show_reading(const QString& words) {
@@ -307,8 +314,8 @@ void ImageViewer::show_reading(const QString& words) {
     point_->setText(words);
     return;
   }
-  const PointReading& r = *reading_;
-  const auto cut = [](const CutReading& c, const QString& unit) {
+  const picture::PointReading& r = *reading_;
+  const auto cut = [](const picture::CutReading& c, const QString& unit) {
     return tr("width %1 %2, PSLR %3 dB, ISLR %4 dB")
         .arg(c.width, 0, 'f', 3)
         .arg(unit)
@@ -319,23 +326,23 @@ void ImageViewer::show_reading(const QString& words) {
                      .arg(r.row, 0, 'f', 2)
                      .arg(r.column, 0, 'f', 2)
                      .arg(number_text(std::abs(r.value), value_unit()))
-                     .arg(value_of(DisplayQuantity::phase, r.value), 0, 'f', 2)
+                     .arg(picture::value_of(picture::DisplayQuantity::phase, r.value), 0, 'f', 2)
                      .arg(cut(r.along_row, tr("samples")), cut(r.along_column, tr("rows")));
   point_->setText(text);
 }
 
-Figure ImageViewer::figure() const {
-  Figure figure;
+picture::Figure ImageViewer::figure() const {
+  picture::Figure figure;
   const auto& part = plot_->part();
   if (!part || plot_->painted().image.isNull()) return figure;
   figure.title = path_.filename().string();
   const ImageView& view = plot_->view();
   const QImage& picture = plot_->painted().image;
-  FigurePanel panel;
+  picture::FigurePanel panel;
   panel.x = {tr("Sample").toStdString(), "", view.column_first, view.column_last, {}};
   panel.y = {tr("Row").toStdString(), "", view.row_last, view.row_first, {}};
   const QRectF place = extent_of(part->window);
-  FigureImage image;
+  picture::FigureImage image;
   image.width = part->window.cols;
   image.height = part->window.rows;
   image.x_first = place.left();
@@ -352,8 +359,9 @@ Figure ImageViewer::figure() const {
   panel.image = std::move(image);
   const PartColours& colours = plot_->painted().colours;
   if (colours.table.size() > 1)
-    panel.colour_bar = FigureColourBar{std::string(axis_title_of(colours.quantity)), unit().toStdString(),
-                                       colours.limits.low, colours.limits.high, colours.table};
+    panel.colour_bar =
+        picture::FigureColourBar{std::string(picture::axis_title_of(colours.quantity)), unit().toStdString(),
+                                 colours.limits.low, colours.limits.high, colours.table};
   figure.panels.push_back(std::move(panel));
   return figure;
 }
@@ -367,7 +375,7 @@ void ImageViewer::export_chosen() {
   if (const auto choice = ask_export(this)) export_to(choice->path, choice->format);
 }
 
-void ImageViewer::export_to(const QString& path, FileFormat format) {
+void ImageViewer::export_to(const QString& path, scene::FileFormat format) {
   if (!source_ || exporting_.running()) return;
   // It is being read while the copy is written.
   std::error_code ignored;
@@ -377,7 +385,7 @@ void ImageViewer::export_to(const QString& path, FileFormat format) {
     emit exported(false);
     return;
   }
-  ImageExport options;
+  raster::ImageExport options;
   options.sink.format = format;
   options.sink.replace = true;
   options.sink.counts = source_->info().counts;
@@ -396,12 +404,12 @@ void ImageViewer::export_to(const QString& path, FileFormat format) {
     emit exported(end == JobEnd::done);
   });
   export_->setText(tr("Cancel Export"));
-  exporting_.start(
-      [source = source_, window = chosen(), path, options](const StopFlag& stop, const BackgroundJob::Report& report) {
-        export_window(*source, window, path.toStdString(), options, {1, &stop}, [&](const Progress& p) {
-          if (p.total > 0) report(static_cast<double>(p.done) / static_cast<double>(p.total));
-        });
-      });
+  exporting_.start([source = source_, window = chosen(), path, options](const core::StopFlag& stop,
+                                                                        const BackgroundJob::Report& report) {
+    raster::export_window(*source, window, path.toStdString(), options, {1, &stop}, [&](const core::Progress& p) {
+      if (p.total > 0) report(static_cast<double>(p.done) / static_cast<double>(p.total));
+    });
+  });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

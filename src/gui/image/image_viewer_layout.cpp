@@ -16,7 +16,7 @@
 #include "gui/image/image_thumbnail.hpp"
 #include "gui/image/image_viewer.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -223,4 +223,4 @@ void ImageViewer::connect_all() {
   connect(plot_, &ImagePlot::reading_wanted, this, &ImageViewer::read_point_at);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

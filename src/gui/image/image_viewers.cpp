@@ -13,7 +13,7 @@
 #include "picture/image/envi_layout.hpp"
 #include "raster/format/recording_hints.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 bool is_data_file(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -40,7 +40,7 @@ ImageViewer* ImageViewers::open_empty() {
   viewer->setWindowFlag(Qt::Window);
   viewer->setAttribute(Qt::WA_DeleteOnClose);
   viewer->resize(1100, 760);
-  connect(viewer, &ImageViewer::view_changed, this, [this, viewer](const ImageView& view, AxisLink link) {
+  connect(viewer, &ImageViewer::view_changed, this, [this, viewer](const ImageView& view, picture::AxisLink link) {
     for (ImageViewer* other : viewers())
       if (other != viewer) other->follow(view, link);
   });
@@ -51,13 +51,13 @@ ImageViewer* ImageViewers::open_empty() {
 }
 
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
-  ImageHints hints;
-  hints.raw = envi_layout(path);
-  if (const auto known = hints_from_scene(session_.scene(), path)) hints.samples = *known;
+  raster::ImageHints hints;
+  hints.raw = picture::envi_layout(path);
+  if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints.samples = *known;
   return open_file(path, hints);
 }
 
-ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const ImageHints& hints) {
+ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const raster::ImageHints& hints) {
   ImageViewer* const viewer = open_empty();
   viewer->open(path, hints);
   return viewer;
@@ -65,7 +65,7 @@ ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const Im
 
 OpenImageDialog* ImageViewers::ask_file() { return ask({}, {}, nullptr); }
 
-OpenImageDialog* ImageViewers::ask(const QString& path, const ImageHints& hints, ImageViewer* viewer) {
+OpenImageDialog* ImageViewers::ask(const QString& path, const raster::ImageHints& hints, ImageViewer* viewer) {
   auto* const dialog = new OpenImageDialog(viewer != nullptr ? static_cast<QWidget*>(viewer) : owner_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->set_scene(session_.scene());
@@ -81,4 +81,4 @@ OpenImageDialog* ImageViewers::ask(const QString& path, const ImageHints& hints,
   return dialog;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -23,19 +23,19 @@
 #include "picture/image/envi_layout.hpp"
 #include "raster/format/recording_hints.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 // What is to be found out of a file.
 struct FoundOut {
-  std::vector<RawGuess> guesses;
-  std::optional<SampleFileHints> known;  // to the scene
-  bool readable = true;                  // by its content
+  std::vector<raster::RawGuess> guesses;
+  std::optional<raster::SampleFileHints> known;  // to the scene
+  bool readable = true;                          // by its content
 };
 
 // What comes of a file, read as the fields say.
 struct FilePreview {
   bool readable = false;
-  Problems problems;
+  core::Problems problems;
   QImage picture;
 };
 
@@ -48,39 +48,40 @@ constexpr std::size_t most_bits = 64;
 std::size_t whole_number(const QLineEdit* edit) { return edit->text().trimmed().toULongLong(); }
 
 // Reads the file.
-FoundOut find_out(const std::filesystem::path& file, const Scene& scene) {
+FoundOut find_out(const std::filesystem::path& file, const scene::Scene& scene) {
   FoundOut found;
-  auto guessed = guess_raw_layout(file);
-  if (auto* const guesses = std::get_if<std::vector<RawGuess>>(&guessed)) found.guesses = std::move(*guesses);
-  if (const auto layout = envi_layout(file)) {
-    RawGuess said;
+  auto guessed = raster::guess_raw_layout(file);
+  if (auto* const guesses = std::get_if<std::vector<raster::RawGuess>>(&guessed)) found.guesses = std::move(*guesses);
+  if (const auto layout = picture::envi_layout(file)) {
+    raster::RawGuess said;
     said.layout = *layout;
     said.reason = OpenImageDialog::tr("its header says so").toStdString();
     found.guesses.insert(found.guesses.begin(), said);
   }
-  found.known = hints_from_scene(scene, file);
-  ImageHints hints;
+  found.known = raster::hints_from_scene(scene, file);
+  raster::ImageHints hints;
   if (found.known) {
     hints.samples.columns = found.known->columns;
     hints.samples.bits = found.known->bits;
   }
   std::error_code ignored;
-  found.readable = !std::filesystem::is_regular_file(file, ignored) || ImageSource::open(file, hints).source != nullptr;
+  found.readable =
+      !std::filesystem::is_regular_file(file, ignored) || raster::ImageSource::open(file, hints).source != nullptr;
   return found;
 }
 
 // Rows of a text come to be known little by little.
-void wait_for_rows(const ImageSource& source, const StopFlag& stop) {
+void wait_for_rows(const raster::ImageSource& source, const core::StopFlag& stop) {
   constexpr auto patience = std::chrono::seconds(2);
   constexpr auto step = std::chrono::milliseconds(10);
   for (auto waited = std::chrono::milliseconds(0); source.indexed() < 1.0; waited += step) {
-    if (stop.requested()) throw Interrupted();
+    if (stop.requested()) throw core::Interrupted();
     if (waited >= patience && source.rows() > 0) return;
     std::this_thread::sleep_for(step);
   }
 }
 
-QImage picture_of(const ImageSource& source) {
+QImage picture_of(const raster::ImageSource& source) {
   const ImageView all = whole_view(source.rows(), source.columns());
   ImagePart part;
   part.window = window_for(all, preview_side, preview_side, source.rows(), source.columns());
@@ -89,18 +90,18 @@ QImage picture_of(const ImageSource& source) {
   std::vector<std::complex<float>> samples(part.window.samples());
   source.read_window(part.window, samples);
   part.samples.assign(samples.begin(), samples.end());
-  if (part.value == ImageValue::rgb) {
+  if (part.value == raster::ImageValue::rgb) {
     part.colours.resize(part.window.samples());
     source.read_rgb(part.window, part.colours);
   }
-  PartLook look = look_for(part.value, source.info().format == ImageFormat::sun_raster);
+  PartLook look = look_for(part.value, source.info().format == raster::ImageFormat::sun_raster);
   look.limits.percentile = 99.0;
   return paint(part, look, all).image.scaled(preview_side, preview_side);
 }
 
-FilePreview preview_of(const std::filesystem::path& file, const ImageHints& hints, const StopFlag& stop) {
+FilePreview preview_of(const std::filesystem::path& file, const raster::ImageHints& hints, const core::StopFlag& stop) {
   FilePreview preview;
-  const OpenedImage opened = ImageSource::open(file, hints);
+  const raster::OpenedImage opened = raster::ImageSource::open(file, hints);
   preview.problems = opened.problems;
   preview.readable = opened.source != nullptr;
   if (!opened.source) return preview;
@@ -109,7 +110,8 @@ FilePreview preview_of(const std::filesystem::path& file, const ImageHints& hint
   return preview;
 }
 
-constexpr ImageValue raw_values[] = {ImageValue::complex, ImageValue::real, ImageValue::magnitude, ImageValue::power};
+constexpr raster::ImageValue raw_values[] = {raster::ImageValue::complex, raster::ImageValue::real,
+                                             raster::ImageValue::magnitude, raster::ImageValue::power};
 
 }  // namespace
 
@@ -214,9 +216,11 @@ void OpenImageDialog::make_raw_rows(QFormLayout* form) {
   width_ = add_number(form, tr("Width"), "open_image_width", tr("Samples of a row"));
   height_ = add_number(form, tr("Height"), "open_image_height", tr("Rows; 0: as many as the file holds"));
   number_ = choice(tr("Numbers"), "open_image_number", tr("How a component of a sample is stored"));
-  for (const RawNumber number : {RawNumber::int8, RawNumber::uint8, RawNumber::int16, RawNumber::uint16,
-                                 RawNumber::int32, RawNumber::uint32, RawNumber::float32, RawNumber::float64})
-    number_->addItem(QString::fromUtf8(name_of(number).data(), static_cast<qsizetype>(name_of(number).size())));
+  for (const raster::RawNumber number :
+       {raster::RawNumber::int8, raster::RawNumber::uint8, raster::RawNumber::int16, raster::RawNumber::uint16,
+        raster::RawNumber::int32, raster::RawNumber::uint32, raster::RawNumber::float32, raster::RawNumber::float64})
+    number_->addItem(
+        QString::fromUtf8(raster::name_of(number).data(), static_cast<qsizetype>(raster::name_of(number).size())));
   value_ = choice(tr("Samples are"), "open_image_value", tr("Complex samples are two numbers, others one"));
   value_->addItems({tr("Complex (I, Q)"), tr("Real"), tr("Magnitudes"), tr("Powers")});
   offset_ = add_number(form, tr("Offset"), "open_image_offset", tr("Subtracted from every number"));
@@ -235,7 +239,7 @@ void OpenImageDialog::find_file() {
   if (!found.isEmpty()) show_file(found, {});
 }
 
-void OpenImageDialog::show_file(const QString& path, const ImageHints& hints) {
+void OpenImageDialog::show_file(const QString& path, const raster::ImageHints& hints) {
   path_->setText(path);
   take_file();
   if (hints.raw) show_layout(*hints.raw);
@@ -260,18 +264,18 @@ void OpenImageDialog::take_file() {
   problems_->clear();
   open_->setEnabled(false);
   finding_.run([file = std::filesystem::path(path_->text().toStdString()), scene = scene_, into = found_](
-                   const StopFlag&, const BackgroundJob::Report&) { *into = find_out(file, scene); });
+                   const core::StopFlag&, const BackgroundJob::Report&) { *into = find_out(file, scene); });
   changed();
 }
 
 // What was chosen or typed meanwhile stays.
 void OpenImageDialog::show_found(bool good, const QString& failure) {
-  if (!good) problems_->show_texts(Severity::error, {failure});
+  if (!good) problems_->show_texts(core::Severity::error, {failure});
   const FoundOut& found = *found_;
   guesses_ = found.guesses;
-  for (const RawGuess& guess : guesses_)
-    guess_->addItem(QString::fromStdString(to_string(guess.layout)) + " (" + QString::fromStdString(guess.reason) +
-                    ")");
+  for (const raster::RawGuess& guess : guesses_)
+    guess_->addItem(QString::fromStdString(raster::to_string(guess.layout)) + " (" +
+                    QString::fromStdString(guess.reason) + ")");
   if (found.known && columns_->text().isEmpty() && bits_->text().isEmpty()) {
     columns_->setText(QString::number(found.known->columns));
     bits_->setText(QString::number(found.known->bits));
@@ -290,7 +294,7 @@ void OpenImageDialog::take_guess(int index) {
   choose();
 }
 
-void OpenImageDialog::show_layout(const RawLayout& layout) {
+void OpenImageDialog::show_layout(const raster::RawLayout& layout) {
   header_->setText(QString::number(layout.header_bytes));
   width_->setText(QString::number(layout.width));
   height_->setText(QString::number(layout.height));
@@ -301,13 +305,13 @@ void OpenImageDialog::show_layout(const RawLayout& layout) {
   q_first_->setChecked(layout.q_first);
 }
 
-RawLayout OpenImageDialog::layout() const {
-  RawLayout layout;
+raster::RawLayout OpenImageDialog::layout() const {
+  raster::RawLayout layout;
   layout.header_bytes = whole_number(header_);
   layout.width = whole_number(width_);
   layout.height = whole_number(height_);
   layout.offset = offset_->text().toDouble();
-  layout.number = static_cast<RawNumber>(number_->currentIndex());
+  layout.number = static_cast<raster::RawNumber>(number_->currentIndex());
   layout.value = raw_values[std::clamp(value_->currentIndex(), 0, 3)];
   layout.big_endian = big_endian_->isChecked();
   layout.q_first = q_first_->isChecked();
@@ -316,13 +320,13 @@ RawLayout OpenImageDialog::layout() const {
 
 QString OpenImageDialog::path() const { return path_->text(); }
 
-ImageHints OpenImageDialog::hints() const {
-  ImageHints hints;
+raster::ImageHints OpenImageDialog::hints() const {
+  raster::ImageHints hints;
   switch (kind_->currentIndex()) {
-    case binary: hints.samples.format = FileFormat::binary; break;
-    case ascii: hints.samples.format = FileFormat::ascii; break;
-    case bracket: hints.samples.format = FileFormat::bracket; break;
-    case csv: hints.samples.format = FileFormat::csv; break;
+    case binary: hints.samples.format = scene::FileFormat::binary; break;
+    case ascii: hints.samples.format = scene::FileFormat::ascii; break;
+    case bracket: hints.samples.format = scene::FileFormat::bracket; break;
+    case csv: hints.samples.format = scene::FileFormat::csv; break;
     case custom: hints.raw = layout(); return hints;
     default: break;
   }
@@ -333,14 +337,14 @@ ImageHints OpenImageDialog::hints() const {
 
 bool OpenImageDialog::has_preview() const { return !preview_->pixmap(Qt::ReturnByValue).isNull(); }
 
-std::optional<OpenImageDialog::Kind> OpenImageDialog::kind_of(const ImageHints& hints) {
+std::optional<OpenImageDialog::Kind> OpenImageDialog::kind_of(const raster::ImageHints& hints) {
   if (hints.raw) return custom;
   if (!hints.samples.format) return std::nullopt;
   switch (*hints.samples.format) {
-    case FileFormat::binary: return binary;
-    case FileFormat::ascii: return ascii;
-    case FileFormat::bracket: return bracket;
-    case FileFormat::csv: return csv;
+    case scene::FileFormat::binary: return binary;
+    case scene::FileFormat::ascii: return ascii;
+    case scene::FileFormat::bracket: return bracket;
+    case scene::FileFormat::csv: return csv;
     default: return by_content;
   }
 }
@@ -364,8 +368,8 @@ void OpenImageDialog::show_rows() {
         static_cast<QWidget*>(height_), static_cast<QWidget*>(number_), static_cast<QWidget*>(value_),
         static_cast<QWidget*>(offset_), static_cast<QWidget*>(big_endian_), static_cast<QWidget*>(q_first_)})
     show_row(form_, field, raw);
-  const RawNumber number = static_cast<RawNumber>(number_->currentIndex());
-  big_endian_->setEnabled(bytes_of(number) > 1);
+  const raster::RawNumber number = static_cast<raster::RawNumber>(number_->currentIndex());
+  big_endian_->setEnabled(raster::bytes_of(number) > 1);
   q_first_->setEnabled(value_->currentIndex() == 0);
 }
 
@@ -391,24 +395,25 @@ void OpenImageDialog::begin_preview() {
   open_->setEnabled(!path_->text().isEmpty() && wrong.isEmpty() && !finding_.busy());
   if (path_->text().isEmpty() || !wrong.isEmpty() || finding_.busy()) {
     previewing_.cancel();
-    if (!wrong.isEmpty()) problems_->show_texts(Severity::error, wrong);
+    if (!wrong.isEmpty()) problems_->show_texts(core::Severity::error, wrong);
     if (!finding_.busy()) show_picture({}, path_->text().isEmpty() ? tr("Preview") : tr("No preview"));
     return;
   }
   shown_ = std::make_shared<FilePreview>();
-  previewing_.run([file = std::filesystem::path(path_->text().toStdString()), hints = hints(), into = shown_](
-                      const StopFlag& stop, const BackgroundJob::Report&) { *into = preview_of(file, hints, stop); });
+  previewing_.run(
+      [file = std::filesystem::path(path_->text().toStdString()), hints = hints(), into = shown_](
+          const core::StopFlag& stop, const BackgroundJob::Report&) { *into = preview_of(file, hints, stop); });
 }
 
 void OpenImageDialog::show_preview(bool good, const QString& failure) {
   QStringList texts;
   if (!good) texts << failure;
-  for (const Problem& problem : shown_->problems) texts << problem_text(problem);
+  for (const core::Problem& problem : shown_->problems) texts << problem_text(problem);
   const bool readable = good && shown_->readable;
   if (texts.isEmpty())
     problems_->clear();
   else
-    problems_->show_texts(readable ? Severity::warning : Severity::error, texts.mid(0, 4));
+    problems_->show_texts(readable ? core::Severity::warning : core::Severity::error, texts.mid(0, 4));
   open_->setEnabled(readable);
   show_picture(shown_->picture, readable ? tr("The file holds no samples yet") : tr("No preview"));
 }
@@ -420,4 +425,4 @@ void OpenImageDialog::show_picture(const QImage& picture, const QString& instead
     preview_->setPixmap(QPixmap::fromImage(picture));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

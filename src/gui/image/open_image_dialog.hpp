@@ -20,7 +20,7 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 struct FilePreview;
@@ -36,15 +36,15 @@ class OpenImageDialog : public QDialog {
   ~OpenImageDialog() override;
 
   /// The scene that knows shape and bits of the files its simulations write.
-  void set_scene(const Scene& scene) { scene_ = scene; }
+  void set_scene(const scene::Scene& scene) { scene_ = scene; }
   /// Looks at a file, at first as it is said to be stored.
-  void show_file(const QString& path, const ImageHints& hints);
+  void show_file(const QString& path, const raster::ImageHints& hints);
   /// The file that is named.
   [[nodiscard]] QString path() const;
   /// How it is said to be stored.
-  [[nodiscard]] ImageHints hints() const;
+  [[nodiscard]] raster::ImageHints hints() const;
   /// Guesses for the file, likeliest first.
-  [[nodiscard]] const std::vector<RawGuess>& guesses() const { return guesses_; }
+  [[nodiscard]] const std::vector<raster::RawGuess>& guesses() const { return guesses_; }
   /// Whether the preview shows something.
   [[nodiscard]] bool has_preview() const;
 
@@ -54,13 +54,13 @@ class OpenImageDialog : public QDialog {
   void make_sample_rows(QFormLayout* form);
   void make_raw_rows(QFormLayout* form);
   QLineEdit* add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip);
-  [[nodiscard]] static std::optional<Kind> kind_of(const ImageHints& hints);
+  [[nodiscard]] static std::optional<Kind> kind_of(const raster::ImageHints& hints);
   void find_file();
   void take_file();
   void show_found(bool good, const QString& failure);
   void take_guess(int index);
-  void show_layout(const RawLayout& layout);
-  [[nodiscard]] RawLayout layout() const;
+  void show_layout(const raster::RawLayout& layout);
+  [[nodiscard]] raster::RawLayout layout() const;
   void choose();
   void changed();
   void show_rows();
@@ -69,8 +69,8 @@ class OpenImageDialog : public QDialog {
   void show_preview(bool good, const QString& failure);
   void show_picture(const QImage& picture, const QString& instead);
 
-  Scene scene_;
-  std::vector<RawGuess> guesses_;
+  scene::Scene scene_;
+  std::vector<raster::RawGuess> guesses_;
   bool chosen_ = false;  // The user has said how the file is read.
   QFormLayout* form_ = nullptr;
   QLineEdit* path_ = nullptr;
@@ -96,4 +96,4 @@ class OpenImageDialog : public QDialog {
   LatestWork previewing_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -24,7 +24,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace fs = std::filesystem;
 
@@ -42,12 +42,12 @@ std::string file_name_for(const std::string& title) {
   return name + ".dat";
 }
 
-bool same_points(const FunctionDraft& a, const FunctionDraft& b) {
-  return std::ranges::equal(a.parts, b.parts, {}, &SampledFunction::knots, &SampledFunction::knots);
+bool same_points(const scene::FunctionDraft& a, const scene::FunctionDraft& b) {
+  return std::ranges::equal(a.parts, b.parts, {}, &core::SampledFunction::knots, &core::SampledFunction::knots);
 }
 
 // Where a point may be added: between the two that are farthest apart.
-std::size_t widest_gap(const SampledFunction& function) {
+std::size_t widest_gap(const core::SampledFunction& function) {
   std::size_t widest = 0;
   for (std::size_t i = 0; i + 1 < function.knots.size(); ++i)
     if (function.knots[i + 1].x - function.knots[i].x > function.knots[widest + 1].x - function.knots[widest].x)
@@ -55,11 +55,11 @@ std::size_t widest_gap(const SampledFunction& function) {
   return widest;
 }
 
-void append_sample(SampledFunction& function, const FunctionInfo& info) {
+void append_sample(core::SampledFunction& function, const scene::FunctionInfo& info) {
   auto& knots = function.knots;
   const double x = knots.empty() ? 0.0 : knots.back().x + 1.0;
   if (!info.per_pulse && x > info.x_limits[1] && knots.size() > 1) {
-    insert_knot(function, widest_gap(function));
+    scene::insert_knot(function, widest_gap(function));
     return;
   }
   const double y = info.per_pulse && !knots.empty() ? knots.back().y : 0.0;
@@ -79,19 +79,19 @@ QString within(const QString& name, const std::array<double, 2>& limits, const A
 
 }  // namespace
 
-FunctionEditor::FunctionEditor(Session& session, ObjectId object, const std::string& field, QWidget* parent)
+FunctionEditor::FunctionEditor(Session& session, scene::ObjectId object, const std::string& field, QWidget* parent)
     : QDialog(parent),
       session_(session),
       id_(object),
       field_(field),
-      object_(object_of(session.scene(), object)),
-      info_(function_info(object_, field)),
-      draft_(function_of(object_, field)) {
+      object_(scene::object_of(session.scene(), object)),
+      info_(scene::function_info(object_, field)),
+      draft_(scene::function_of(object_, field)) {
   // The editor's rule: at least one sample, in order. A function without any is 0, and so is this one.
-  for (SampledFunction& part : draft_.parts) {
+  for (core::SampledFunction& part : draft_.parts) {
     if (part.knots.empty())
       part.knots.push_back({std::max(0.0, info_.x_limits[0]), std::clamp(0.0, info_.y_limits[0], info_.y_limits[1])});
-    if (!info_.per_pulse) std::ranges::stable_sort(part.knots, {}, &Knot::x);
+    if (!info_.per_pulse) std::ranges::stable_sort(part.knots, {}, &core::Knot::x);
   }
   states_ = {draft_};
   own_file_ = draft_.file;
@@ -124,7 +124,7 @@ void FunctionEditor::make_questions() {
 
 void FunctionEditor::connect_points() {
   connect(table_, &FunctionTable::entered, this, &FunctionEditor::take_knot);
-  connect(table_, &FunctionTable::refused, this, [this](const QString& why) { say(Severity::error, {why}); });
+  connect(table_, &FunctionTable::refused, this, [this](const QString& why) { say(core::Severity::error, {why}); });
   connect(table_, &FunctionTable::insert_wanted, this, &FunctionEditor::insert_sample);
   connect(table_, &FunctionTable::delete_wanted, this, &FunctionEditor::delete_sample);
   connect(table_, &FunctionTable::count_wanted, this, &FunctionEditor::take_count);
@@ -135,16 +135,16 @@ void FunctionEditor::connect_points() {
     before_drag_ = draft_;
     dragging_ = true;
   });
-  connect(plot_, &FunctionPlot::dragged, this, [this](std::size_t knot, Knot to) {
+  connect(plot_, &FunctionPlot::dragged, this, [this](std::size_t knot, core::Knot to) {
     if (!dragging_) return;
-    const std::size_t at = move_knot(shown(draft_), knot, to, info_);
+    const std::size_t at = scene::move_knot(shown(draft_), knot, to, info_);
     plot_->set_function(shown(draft_));
     table_->show_knot(at, shown(draft_).knots[at]);
   });
-  connect(plot_, &FunctionPlot::drag_ended, this, [this](std::size_t knot, Knot to) {
+  connect(plot_, &FunctionPlot::drag_ended, this, [this](std::size_t knot, core::Knot to) {
     if (!dragging_) return;
-    FunctionDraft next = before_drag_;
-    move_knot(shown(next), knot, to, info_);
+    scene::FunctionDraft next = before_drag_;
+    scene::move_knot(shown(next), knot, to, info_);
     draft_ = before_drag_;
     change(std::move(next));
     table_->set_current(knot);
@@ -160,7 +160,7 @@ bool FunctionEditor::take_drag_back() {
   return true;
 }
 
-void FunctionEditor::change(FunctionDraft next) {
+void FunctionEditor::change(scene::FunctionDraft next) {
   dragging_ = false;  // What is held may be gone.
   problems_->clear();
   if (next == draft_) {
@@ -197,7 +197,7 @@ void FunctionEditor::show_part(std::size_t part) {
 }
 
 void FunctionEditor::show_draft() {
-  const SampledFunction& function = draft_.parts[part_];
+  const core::SampledFunction& function = draft_.parts[part_];
   table_->show_function(info_, part_, function);
   methods_->button(static_cast<int>(function.method))->setChecked(true);
   plot_->set_function(function);
@@ -213,36 +213,37 @@ void FunctionEditor::show_source() {
   if (file) file_->setText(QString::fromStdString(draft_.file));
 }
 
-void FunctionEditor::say(Severity severity, const QStringList& texts) {
+void FunctionEditor::say(core::Severity severity, const QStringList& texts) {
   QStringList shown = texts.mid(0, most_problems_shown);
   if (texts.size() > shown.size()) shown += tr("and %1 more").arg(texts.size() - shown.size());
   problems_->show_texts(severity, shown);
 }
 
 // A typed point goes where its x belongs.
-void FunctionEditor::take_knot(std::size_t row, Knot knot) {
-  FunctionDraft next = draft_;
+void FunctionEditor::take_knot(std::size_t row, core::Knot knot) {
+  scene::FunctionDraft next = draft_;
   auto& knots = shown(next).knots;
   if (row >= knots.size()) return;
   const auto outside = [](double value, const std::array<double, 2>& limits) {
     return value < limits[0] || value > limits[1];
   };
   if (!info_.per_pulse && knot.x != knots[row].x && outside(knot.x, info_.x_limits))
-    return say(Severity::error,
+    return say(core::Severity::error,
                {within(QString::fromStdString(info_.x_name), info_.x_limits, axis_unit(info_.x_unit))});
   if (knot.y != knots[row].y && outside(knot.y, info_.y_limits)) {
-    const FunctionInfo::Part& part = info_.parts[part_];
-    return say(Severity::error, {within(QString::fromStdString(part.name), info_.y_limits, axis_unit(part.y_unit))});
+    const scene::FunctionInfo::Part& part = info_.parts[part_];
+    return say(core::Severity::error,
+               {within(QString::fromStdString(part.name), info_.y_limits, axis_unit(part.y_unit))});
   }
   if (info_.per_pulse) {
     knots[row].y = knot.y;
     return change(std::move(next));
   }
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(row));
-  if (std::ranges::find(knots, knot.x, &Knot::x) != knots.end())
-    return say(Severity::error, {tr("Another sample stands at this %1 already; each needs its own.")
-                                     .arg(QString::fromStdString(info_.x_name).toLower())});
-  const auto place = std::ranges::upper_bound(knots, knot.x, {}, &Knot::x);
+  if (std::ranges::find(knots, knot.x, &core::Knot::x) != knots.end())
+    return say(core::Severity::error, {tr("Another sample stands at this %1 already; each needs its own.")
+                                           .arg(QString::fromStdString(info_.x_name).toLower())});
+  const auto place = std::ranges::upper_bound(knots, knot.x, {}, &core::Knot::x);
   const auto at = static_cast<std::size_t>(place - knots.begin());
   knots.insert(place, knot);
   change(std::move(next));
@@ -250,25 +251,25 @@ void FunctionEditor::take_knot(std::size_t row, Knot knot) {
 }
 
 void FunctionEditor::insert_sample() {
-  FunctionDraft next = draft_;
-  const std::size_t at = insert_knot(shown(next), table_->current().value_or(0));
+  scene::FunctionDraft next = draft_;
+  const std::size_t at = scene::insert_knot(shown(next), table_->current().value_or(0));
   if (shown(next).knots[at].x > info_.x_limits[1] && !info_.per_pulse)
-    return say(Severity::error,
+    return say(core::Severity::error,
                {within(QString::fromStdString(info_.x_name), info_.x_limits, axis_unit(info_.x_unit))});
   if (shown(next).knots.size() == draft_.parts[part_].knots.size())
-    return say(Severity::error, {tr("There is no number between this sample and the next.")});
+    return say(core::Severity::error, {tr("There is no number between this sample and the next.")});
   change(std::move(next));
   table_->set_current(at);
 }
 
 void FunctionEditor::delete_sample() {
-  FunctionDraft next = draft_;
-  remove_knot(shown(next), table_->current().value_or(0));
+  scene::FunctionDraft next = draft_;
+  scene::remove_knot(shown(next), table_->current().value_or(0));
   change(std::move(next));
 }
 
 void FunctionEditor::take_count(int count) {
-  FunctionDraft next = draft_;
+  scene::FunctionDraft next = draft_;
   auto& knots = shown(next).knots;
   const auto wanted = static_cast<std::size_t>(std::max(1, count));
   if (knots.size() > wanted) knots.resize(wanted);
@@ -281,7 +282,7 @@ void FunctionEditor::take_count(int count) {
 }
 
 void FunctionEditor::take_source() {
-  FunctionDraft next = draft_;
+  scene::FunctionDraft next = draft_;
   if (inline_->isChecked()) {
     next.file.clear();
   } else {
@@ -296,13 +297,13 @@ void FunctionEditor::show_window() {
   const std::array ends{window.x[0], window.x[1], window.y[0], window.y[1]};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const double range = i < 2 ? window.x[1] - window.x[0] : window.y[1] - window.y[0];
-    window_[i]->show_value(
-        QString::fromStdString(quantity_text(rounded_to_range(ends[i], range), window_[i]->field().quantity)));
+    window_[i]->show_value(QString::fromStdString(
+        scene::quantity_text(scene::rounded_to_range(ends[i], range), window_[i]->field().quantity)));
   }
 }
 
 void FunctionEditor::take_window(FieldEditor& editor, std::size_t end, const QString& text) {
-  const QuantityReading reading = read_quantity(text.toStdString(), editor.field().quantity);
+  const scene::QuantityReading reading = scene::read_quantity(text.toStdString(), editor.field().quantity);
   if (!reading.value) return editor.show_failure(QString::fromStdString(reading.failure));
   FunctionPlot::Window window = plot_->window();
   (end < 2 ? window.x : window.y)[end % 2] = *reading.value;
@@ -334,46 +335,46 @@ void FunctionEditor::browse() {
     take_source();
 }
 
-bool FunctionEditor::take_reading(FunctionReading reading) {
+bool FunctionEditor::take_reading(scene::FunctionReading reading) {
   QStringList texts;
-  for (const Problem& problem : ranked(reading.problems)) {
+  for (const core::Problem& problem : core::ranked(reading.problems)) {
     QString text = problem_text(problem);
     if (problem.place.line > 0) text = tr("Line %1: %2").arg(problem.place.line).arg(text);
     texts += text;
   }
-  const bool failed = has_errors(reading.problems);
+  const bool failed = core::has_errors(reading.problems);
   if (!failed) {
     for (std::size_t i = 0; i < draft_.parts.size(); ++i) reading.draft.parts[i].method = draft_.parts[i].method;
     change(std::move(reading.draft));
     plot_->fit();
   }
-  if (!texts.isEmpty()) say(failed ? Severity::error : Severity::warning, texts);
+  if (!texts.isEmpty()) say(failed ? core::Severity::error : core::Severity::warning, texts);
   return !failed;
 }
 
 bool FunctionEditor::load_file(const QString& name) {
-  const DataFileText file = disk_loader(script_folder())(name.toStdString());
+  const scene::DataFileText file = scene::disk_loader(script_folder())(name.toStdString());
   if (!file.failure.empty()) {
-    say(Severity::error, {QString::fromStdString(file.failure)});
+    say(core::Severity::error, {QString::fromStdString(file.failure)});
     return false;
   }
-  if (!take_reading(read_function_file(object_, field_, file.text, name.toStdString()))) return false;
+  if (!take_reading(scene::read_function_file(object_, field_, file.text, name.toStdString()))) return false;
   own_file_ = name.toStdString();
   return true;
 }
 
 bool FunctionEditor::import_csv(const QString& path) {
-  const DataFileText file = disk_loader(script_folder())(path.toStdString());
+  const scene::DataFileText file = scene::disk_loader(script_folder())(path.toStdString());
   if (!file.failure.empty()) {
-    say(Severity::error, {QString::fromStdString(file.failure)});
+    say(core::Severity::error, {QString::fromStdString(file.failure)});
     return false;
   }
-  return take_reading(import_function_csv(object_, field_, file.text, path.toStdString()));
+  return take_reading(scene::import_function_csv(object_, field_, file.text, path.toStdString()));
 }
 
 bool FunctionEditor::save_file(const QString& name) {
   if (name.trimmed().isEmpty()) {
-    say(Severity::error, {tr("The file needs a name.")});
+    say(core::Severity::error, {tr("The file needs a name.")});
     return false;
   }
   const fs::path path = path_of(name.trimmed());
@@ -382,27 +383,27 @@ bool FunctionEditor::save_file(const QString& name) {
       !ask_replace(QString::fromStdString(path.string())))
     return false;
   try {
-    OutputFile file(path, true);
-    const std::string text = function_file_text(object_, field_, draft_);
+    core::OutputFile file(path, true);
+    const std::string text = scene::function_file_text(object_, field_, draft_);
     file.write(std::as_bytes(std::span(text)));
     file.commit();
   } catch (const std::exception& error) {
-    say(Severity::error, {QString::fromStdString(error.what())});
+    say(core::Severity::error, {QString::fromStdString(error.what())});
     return false;
   }
-  FunctionDraft next = draft_;
+  scene::FunctionDraft next = draft_;
   next.file = own_file_ = name.trimmed().toStdString();
   change(std::move(next));
-  say(Severity::note, {tr("Saved %1.").arg(QString::fromStdString(path.string()))});
+  say(core::Severity::note, {tr("Saved %1.").arg(QString::fromStdString(path.string()))});
   return true;
 }
 
 // Whether the file holds exactly these points.
 bool FunctionEditor::stands_in_file() const {
-  const DataFileText file = disk_loader(script_folder())(draft_.file);
+  const scene::DataFileText file = scene::disk_loader(script_folder())(draft_.file);
   if (!file.failure.empty()) return false;
-  const FunctionReading reading = read_function_file(object_, field_, file.text, draft_.file);
-  return !has_errors(reading.problems) && same_points(reading.draft, draft_);
+  const scene::FunctionReading reading = scene::read_function_file(object_, field_, file.text, draft_.file);
+  return !core::has_errors(reading.problems) && same_points(reading.draft, draft_);
 }
 
 // Enter applies what is being typed; it ends the dialog only on a button.
@@ -413,27 +414,28 @@ void FunctionEditor::keyPressEvent(QKeyEvent* event) {
 }
 
 void FunctionEditor::accept() {
-  AnyObject changed = object_;
-  set_function(changed, field_, draft_);
+  scene::AnyObject changed = object_;
+  scene::set_function(changed, field_, draft_);
   if (state_ == 0 || changed == object_) return QDialog::accept();
   if (!draft_.file.empty() && !stands_in_file()) {
     const Unsaved wish = ask_unsaved(QString::fromStdString(draft_.file));
     if (wish == Unsaved::cancel) return;
     if (wish == Unsaved::save && !save_file(QString::fromStdString(draft_.file))) return;
     if (wish == Unsaved::keep_inline) {
-      FunctionDraft next = draft_;
+      scene::FunctionDraft next = draft_;
       next.file.clear();
       change(std::move(next));
     }
-    set_function(changed, field_, draft_);
+    scene::set_function(changed, field_, draft_);
   }
-  if (!has_object(session_.scene(), id_) || object_of(session_.scene(), id_) != object_)
-    return say(Severity::error, {tr("The object was changed elsewhere meanwhile. Copy what you need and cancel.")});
+  if (!scene::has_object(session_.scene(), id_) || scene::object_of(session_.scene(), id_) != object_)
+    return say(core::Severity::error,
+               {tr("The object was changed elsewhere meanwhile. Copy what you need and cancel.")});
   session_.end_run();
-  session_.perform(replace_object(session_.scene(), id_, std::move(changed),
-                                  tr("Change %1").arg(QString::fromStdString(info_.title)).toStdString()));
+  session_.perform(scene::replace_object(session_.scene(), id_, std::move(changed),
+                                         tr("Change %1").arg(QString::fromStdString(info_.title)).toStdString()));
   session_.end_run();
   QDialog::accept();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -17,7 +17,7 @@ class QCheckBox;
 class QLineEdit;
 class QRadioButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FieldEditor;
 class FunctionPlot;
@@ -31,11 +31,11 @@ class FunctionEditor : public QDialog {
 
  public:
   /// @param field  of kind `function` (scene/schema/fields.hpp); std::invalid_argument for another
-  FunctionEditor(Session& session, ObjectId object, const std::string& field, QWidget* parent = nullptr);
+  FunctionEditor(Session& session, scene::ObjectId object, const std::string& field, QWidget* parent = nullptr);
   ~FunctionEditor() override;
 
-  [[nodiscard]] const FunctionDraft& draft() const { return draft_; }
-  [[nodiscard]] const FunctionInfo& info() const { return info_; }
+  [[nodiscard]] const scene::FunctionDraft& draft() const { return draft_; }
+  [[nodiscard]] const scene::FunctionInfo& info() const { return info_; }
   [[nodiscard]] FunctionPlot& plot() { return *plot_; }
   [[nodiscard]] FunctionTable& table() { return *table_; }
   /// The part that is shown.
@@ -80,33 +80,33 @@ class FunctionEditor : public QDialog {
   void connect_points();
 
   bool take_drag_back();
-  void change(FunctionDraft next);
+  void change(scene::FunctionDraft next);
   void show_draft();
   void show_source();
   void show_window();
-  void say(Severity severity, const QStringList& texts);
-  void take_knot(std::size_t row, Knot knot);
+  void say(core::Severity severity, const QStringList& texts);
+  void take_knot(std::size_t row, core::Knot knot);
   void insert_sample();
   void delete_sample();
   void take_count(int count);
   void take_source();
   void take_window(FieldEditor& editor, std::size_t end, const QString& text);
   void browse();
-  [[nodiscard]] bool take_reading(FunctionReading reading);
+  [[nodiscard]] bool take_reading(scene::FunctionReading reading);
   [[nodiscard]] bool stands_in_file() const;
   [[nodiscard]] std::filesystem::path script_folder() const;
   [[nodiscard]] std::filesystem::path path_of(const QString& name) const;
-  [[nodiscard]] SampledFunction& shown(FunctionDraft& draft) const { return draft.parts[part_]; }
+  [[nodiscard]] core::SampledFunction& shown(scene::FunctionDraft& draft) const { return draft.parts[part_]; }
 
   Session& session_;
-  ObjectId id_;
+  scene::ObjectId id_;
   std::string field_;
-  AnyObject object_;
-  FunctionInfo info_;
-  FunctionDraft draft_;
-  std::vector<FunctionDraft> states_;  // every one since the beginning
+  scene::AnyObject object_;
+  scene::FunctionInfo info_;
+  scene::FunctionDraft draft_;
+  std::vector<scene::FunctionDraft> states_;  // every one since the beginning
   std::size_t state_ = 0;
-  FunctionDraft before_drag_;
+  scene::FunctionDraft before_drag_;
   bool dragging_ = false;
   std::size_t part_ = 0;
   std::string own_file_;  // read or written here, or the function's from the beginning
@@ -125,4 +125,4 @@ class FunctionEditor : public QDialog {
   QAction* redo_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

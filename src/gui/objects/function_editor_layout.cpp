@@ -22,7 +22,7 @@
 #include "gui/objects/function_plot.hpp"
 #include "gui/objects/function_table.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -149,7 +149,7 @@ QWidget* FunctionEditor::make_interpolation() {
   auto* group = new QGroupBox(tr("Interpolation"), this);
   auto* layout = new QGridLayout(group);
   methods_ = new QButtonGroup(this);
-  const auto add = [&](Interpolation method, const QString& text, const char* name, const QString& tip) {
+  const auto add = [&](core::Interpolation method, const QString& text, const char* name, const QString& tip) {
     const int place = layout->count();
     auto* radio = new QRadioButton(text, group);
     radio->setObjectName(name);
@@ -157,18 +157,18 @@ QWidget* FunctionEditor::make_interpolation() {
     methods_->addButton(radio, static_cast<int>(method));
     layout->addWidget(radio, place / 2, place % 2);
   };
-  add(Interpolation::cubic, tr("C&ubic splines"), "function_cubic", tr("A smooth curve through all samples"));
-  add(Interpolation::low_pass, tr("Low-&pass filter"), "function_low_pass",
+  add(core::Interpolation::cubic, tr("C&ubic splines"), "function_cubic", tr("A smooth curve through all samples"));
+  add(core::Interpolation::low_pass, tr("Low-&pass filter"), "function_low_pass",
       tr("Samples taken as impulses through a filter; may miss samples that are not evenly spaced"));
-  add(Interpolation::linear, tr("Lin&ear"), "function_linear", tr("Straight lines between samples"));
+  add(core::Interpolation::linear, tr("Lin&ear"), "function_linear", tr("Straight lines between samples"));
   compare_ = new QCheckBox(tr("Co&mpare"), group);
   compare_->setObjectName("function_compare");
   compare_->setToolTip(tr("Draws the two other interpolations faintly"));
   layout->addWidget(compare_, 1, 1);
   group->setVisible(!info_.per_pulse);
   connect(methods_, &QButtonGroup::idClicked, this, [this](int method) {
-    FunctionDraft next = draft_;
-    shown(next).method = static_cast<Interpolation>(method);
+    scene::FunctionDraft next = draft_;
+    shown(next).method = static_cast<core::Interpolation>(method);
     change(std::move(next));
   });
   connect(compare_, &QCheckBox::toggled, this, [this](bool on) { plot_->set_compare(on); });
@@ -224,7 +224,7 @@ QWidget* FunctionEditor::make_window_fields() {
   const std::array<std::string, 4> ids{"x_from", "x_to", "y_from", "y_to"};
   const std::array<QString, 4> labels{tr("X from"), tr("X to"), tr("Y from"), tr("Y to")};
   for (std::size_t i = 0; i < window_.size(); ++i) {
-    Field field;
+    scene::Field field;
     field.id = ids[i];
     field.label = labels[i].toStdString();
     field.tooltip = tr("Limits of the graph").toStdString();
@@ -256,4 +256,4 @@ void FunctionEditor::make_undo() {
   set(redo_, tr("Redo"), "function_redo", QKeySequence::Redo, &FunctionEditor::redo);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -11,7 +11,7 @@
 #include "gui/common/palette_colours.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -22,14 +22,14 @@ constexpr double wheel_step = 1.25;
 constexpr double margin_share = 0.05;
 constexpr std::size_t most_corners = 20'000;
 
-bool finite(const Knot& knot) { return std::isfinite(knot.x) && std::isfinite(knot.y); }
+bool finite(const core::Knot& knot) { return std::isfinite(knot.x) && std::isfinite(knot.y); }
 
-QString text_of(double value) { return QString::fromStdString(format_number(value)); }
+QString text_of(double value) { return QString::fromStdString(core::format_number(value)); }
 
-QVector<QCPGraphData> graph_data(const std::vector<Knot>& points) {
+QVector<QCPGraphData> graph_data(const std::vector<core::Knot>& points) {
   QVector<QCPGraphData> shown;
   shown.reserve(static_cast<qsizetype>(points.size()));
-  for (const Knot& point : points)
+  for (const core::Knot& point : points)
     if (finite(point)) shown.append({point.x, point.y});
   return shown;
 }
@@ -88,12 +88,12 @@ void FunctionPlot::make_items() {
   band_ = new QRubberBand(QRubberBand::Rectangle, this);
 }
 
-void FunctionPlot::set_info(const FunctionInfo& info, std::size_t part) {
+void FunctionPlot::set_info(const scene::FunctionInfo& info, std::size_t part) {
   info_ = info;
   part_ = part;
 }
 
-void FunctionPlot::set_function(const SampledFunction& function) {
+void FunctionPlot::set_function(const core::SampledFunction& function) {
   function_ = function;
   redraw();
 }
@@ -160,7 +160,7 @@ void FunctionPlot::fit() {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const std::size_t count = function_.knots.size();
-  for (const Knot& knot : function_.knots) {
+  for (const core::Knot& knot : function_.knots) {
     if (!finite(knot)) continue;
     low = std::min(low, knot.y);
     high = std::max(high, knot.y);
@@ -179,13 +179,13 @@ void FunctionPlot::fit() {
   set_window(window);
 }
 
-Knot FunctionPlot::shown_knot(std::size_t knot) const {
-  const Knot& at = function_.knots[knot];
-  return info_.per_pulse ? Knot{static_cast<double>(knot), at.y} : at;
+core::Knot FunctionPlot::shown_knot(std::size_t knot) const {
+  const core::Knot& at = function_.knots[knot];
+  return info_.per_pulse ? core::Knot{static_cast<double>(knot), at.y} : at;
 }
 
 QPointF FunctionPlot::knot_pixel(std::size_t knot) const {
-  const Knot at = shown_knot(knot);
+  const core::Knot at = shown_knot(knot);
   return {xAxis->coordToPixel(at.x), yAxis->coordToPixel(at.y)};
 }
 
@@ -202,7 +202,7 @@ std::optional<std::size_t> FunctionPlot::knot_at(const QPointF& pixel) const {
   return nearest;
 }
 
-Knot FunctionPlot::value_at(const QPointF& pixel) const {
+core::Knot FunctionPlot::value_at(const QPointF& pixel) const {
   return {xAxis->pixelToCoord(pixel.x()), yAxis->pixelToCoord(pixel.y())};
 }
 
@@ -232,9 +232,9 @@ void FunctionPlot::refresh_axis(QCPAxis* axis, const QString& name, const std::s
   const double length = across ? axisRect()->width() : axisRect()->height();
   const double spacing =
       across ? fontMetrics().horizontalAdvance(QStringLiteral("-000.00  ")) : 2.5 * fontMetrics().height();
-  const Ticks ticks = axis_ticks(range[0], range[1], length, spacing, unit);
+  const picture::Ticks ticks = picture::axis_ticks(range[0], range[1], length, spacing, unit);
   ticker.clear();
-  for (const Tick& tick : ticks.ticks) ticker.addTick(tick.value, QString::fromStdString(tick.label));
+  for (const picture::Tick& tick : ticks.ticks) ticker.addTick(tick.value, QString::fromStdString(tick.label));
   axis->setLabel(ticks.unit.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(ticks.unit)));
 }
 
@@ -246,11 +246,11 @@ void FunctionPlot::refresh_curves() {
     const bool shown = !info_.per_pulse && (i == chosen || compare_);
     curves_[i]->setVisible(shown);
     if (!shown) continue;
-    const auto method = static_cast<Interpolation>(i);
-    std::vector<Knot> points = curve_points(function_, method, window_.x[0], window_.x[1], width);
+    const auto method = static_cast<core::Interpolation>(i);
+    std::vector<core::Knot> points = scene::curve_points(function_, method, window_.x[0], window_.x[1], width);
     // Corners stand where the points are, not where the pixels are.
-    if (method != Interpolation::low_pass && function_.knots.size() <= most_corners)
-      for (const Knot& knot : function_.knots)
+    if (method != core::Interpolation::low_pass && function_.knots.size() <= most_corners)
+      for (const core::Knot& knot : function_.knots)
         if (knot.x >= window_.x[0] && knot.x <= window_.x[1]) points.push_back(knot);
     curves_[i]->data()->set(graph_data(points), false);
   }
@@ -263,47 +263,47 @@ void FunctionPlot::refresh_curves() {
 }
 
 void FunctionPlot::refresh_knots() {
-  std::vector<Knot> shown;
+  std::vector<core::Knot> shown;
   shown.reserve(function_.knots.size());
   for (std::size_t i = 0; i < function_.knots.size(); ++i) shown.push_back(shown_knot(i));
   points_->data()->set(graph_data(shown), false);
-  std::vector<Knot> marked;
+  std::vector<core::Knot> marked;
   if (current_ && *current_ < shown.size()) marked.push_back(shown[*current_]);
   current_point_->data()->set(graph_data(marked), true);
 }
 
 void FunctionPlot::refresh_colours() {
-  const auto role = [this](Role r) { return colour_of(r, palette()); };
-  setBackground(QBrush(role(Role::background)));
+  const auto role = [this](picture::Role r) { return colour_of(r, palette()); };
+  setBackground(QBrush(role(picture::Role::background)));
   for (QCPAxis* axis : {xAxis, yAxis, xAxis2, yAxis2}) {
     for (const auto& set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-      (axis->*set)(QPen(role(Role::text)));
-    axis->setTickLabelColor(role(Role::text));
-    axis->setLabelColor(role(Role::text));
+      (axis->*set)(QPen(role(picture::Role::text)));
+    axis->setTickLabelColor(role(picture::Role::text));
+    axis->setLabelColor(role(picture::Role::text));
     axis->setTickLabelFont(font());
     axis->setLabelFont(font());
-    axis->grid()->setPen(QPen(role(Role::faint), 0, Qt::DotLine));
-    axis->grid()->setZeroLinePen(QPen(role(Role::faint)));
+    axis->grid()->setPen(QPen(role(picture::Role::faint), 0, Qt::DotLine));
+    axis->grid()->setZeroLinePen(QPen(role(picture::Role::faint)));
     axis->setSubTicks(false);
   }
-  legend->setBrush(role(Role::background));
-  legend->setBorderPen(QPen(role(Role::faint)));
-  legend->setTextColor(role(Role::text));
+  legend->setBrush(role(picture::Role::background));
+  legend->setBorderPen(QPen(role(picture::Role::faint)));
+  legend->setTextColor(role(picture::Role::text));
   legend->setFont(font());
-  bars_->setPen(QPen(role(Role::curve)));
-  QColor filled = role(Role::curve);
+  bars_->setPen(QPen(role(picture::Role::curve)));
+  QColor filled = role(picture::Role::curve);
   filled.setAlphaF(0.4F);
   bars_->setBrush(filled);
   points_->setScatterStyle(
-      {QCPScatterStyle::ssCircle, QPen(role(Role::error), 1.5), QBrush(role(Role::background)), 7.0});
+      {QCPScatterStyle::ssCircle, QPen(role(picture::Role::error), 1.5), QBrush(role(picture::Role::background)), 7.0});
   current_point_->setScatterStyle(
-      {QCPScatterStyle::ssDisc, QPen(role(Role::error), 2.0), QBrush(role(Role::error)), 10.0});
-  coordinates_->setColor(role(Role::text));
-  coordinates_->setBrush(role(Role::background));
-  coordinates_->setPen(QPen(role(Role::faint)));
+      {QCPScatterStyle::ssDisc, QPen(role(picture::Role::error), 2.0), QBrush(role(picture::Role::error)), 10.0});
+  coordinates_->setColor(role(picture::Role::text));
+  coordinates_->setBrush(role(picture::Role::background));
+  coordinates_->setPen(QPen(role(picture::Role::faint)));
   coordinates_->setFont(font());
   // Told apart by their strokes as well: the chosen one is thick and solid.
-  const std::array roles{Role::curve, Role::curve_2, Role::curve_3};
+  const std::array roles{picture::Role::curve, picture::Role::curve_2, picture::Role::curve_3};
   const std::array strokes{Qt::DashLine, Qt::DashDotLine, Qt::DotLine};
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     const bool chosen = i == static_cast<std::size_t>(function_.method);
@@ -313,7 +313,7 @@ void FunctionPlot::refresh_colours() {
   }
 }
 
-QString FunctionPlot::coordinates_text(Knot at) const {
+QString FunctionPlot::coordinates_text(core::Knot at) const {
   const auto with_unit = [](double value, const std::string& unit) {
     return unit.empty() ? text_of(value) : text_of(value) + ' ' + QString::fromStdString(unit);
   };
@@ -321,9 +321,9 @@ QString FunctionPlot::coordinates_text(Knot at) const {
   return with_unit(at.x, info_.x_unit) + QStringLiteral(", ") + with_unit(at.y, y_unit);
 }
 
-void FunctionPlot::show_coordinates(const QPointF& pixel, Knot at) {
-  coordinates_->setText(coordinates_text(
-      {rounded_to_range(at.x, window_.x[1] - window_.x[0]), rounded_to_range(at.y, window_.y[1] - window_.y[0])}));
+void FunctionPlot::show_coordinates(const QPointF& pixel, core::Knot at) {
+  coordinates_->setText(coordinates_text({scene::rounded_to_range(at.x, window_.x[1] - window_.x[0]),
+                                          scene::rounded_to_range(at.y, window_.y[1] - window_.y[0])}));
   const QRectF plot(axisRect()->rect());
   const bool left = pixel.x() > plot.center().x();
   const bool above = pixel.y() > plot.center().y();
@@ -381,7 +381,7 @@ void FunctionPlot::mouseReleaseEvent(QMouseEvent* event) {
   event->accept();
   const QPointF at = inside(event->position());
   if (event->button() == Qt::RightButton) {
-    const Knot centre = value_at(at);
+    const core::Knot centre = value_at(at);
     const double half_x = window_.x[1] - window_.x[0];
     const double half_y = window_.y[1] - window_.y[0];
     set_window({{centre.x - half_x, centre.x + half_x}, {centre.y - half_y, centre.y + half_y}});
@@ -391,16 +391,16 @@ void FunctionPlot::mouseReleaseEvent(QMouseEvent* event) {
   if (const auto knot = std::exchange(dragged_, std::nullopt)) {
     unsetCursor();
     hide_coordinates();
-    const Knot to = value_at(at);
+    const core::Knot to = value_at(at);
     if (moved_)
-      emit drag_ended(*knot, {rounded_to_range(to.x, window_.x[1] - window_.x[0]),
-                              rounded_to_range(to.y, window_.y[1] - window_.y[0])});
+      emit drag_ended(*knot, {scene::rounded_to_range(to.x, window_.x[1] - window_.x[0]),
+                              scene::rounded_to_range(to.y, window_.y[1] - window_.y[0])});
   } else if (const auto from = std::exchange(band_from_, std::nullopt)) {
     band_->hide();
     const QRect drawn = QRect(*from, at.toPoint()).normalized();
     if (drawn.width() < smallest_rectangle_px || drawn.height() < smallest_rectangle_px) return;
-    const Knot first = value_at(*from);
-    const Knot second = value_at(at);
+    const core::Knot first = value_at(*from);
+    const core::Knot second = value_at(at);
     set_window({{first.x, second.x}, {first.y, second.y}});
   }
 }
@@ -413,7 +413,7 @@ void FunctionPlot::wheelEvent(QWheelEvent* event) {
   const int steps = turned.y() != 0 ? turned.y() : turned.x();  // Some systems turn Shift into a sideways wheel.
   if (steps == 0) return;
   const double factor = std::pow(wheel_step, -steps / 120.0);
-  const Knot at = value_at(inside(event->position()));
+  const core::Knot at = value_at(inside(event->position()));
   const bool x_alone = event->modifiers().testFlag(Qt::ControlModifier);
   const bool y_alone = event->modifiers().testFlag(Qt::ShiftModifier);
   zoom_about(at.x, at.y, y_alone ? 1.0 : factor, x_alone ? 1.0 : factor);
@@ -454,4 +454,4 @@ void FunctionPlot::changeEvent(QEvent* event) {
   redraw();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,7 +10,7 @@
 
 class QRubberBand;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The graph of one part of a user-defined function (thesis 4.6): the interpolated curve with its points, which can be
 /// dragged; bars where the function belongs to the pulse number.
@@ -31,9 +31,9 @@ class FunctionPlot : public QCustomPlot {
   explicit FunctionPlot(QWidget* parent = nullptr);
 
   /// Shows another function with other axes, all of it.
-  void set_info(const FunctionInfo& info, std::size_t part);
+  void set_info(const scene::FunctionInfo& info, std::size_t part);
   /// Shows these points; the window stays.
-  void set_function(const SampledFunction& function);
+  void set_function(const core::SampledFunction& function);
   /// Draws the two other interpolations faintly.
   void set_compare(bool compare);
   /// Marks a point; nothing for none.
@@ -55,12 +55,12 @@ class FunctionPlot : public QCustomPlot {
   [[nodiscard]] std::optional<std::size_t> knot_at(const QPointF& pixel) const;
 
  signals:
-  void drag_began(std::size_t knot);                   ///< A point was taken hold of and moved.
-  void dragged(std::size_t knot, sarsim::Knot to);     ///< While the button is down; not rounded.
-  void drag_ended(std::size_t knot, sarsim::Knot to);  ///< Rounded to a hundredth of the decade of the window.
-  void drag_cancelled();                               ///< It is to go back to where it was.
-  void knot_clicked(std::size_t knot);                 ///< A point was pressed without being moved.
-  void window_changed();                               ///< Another part of the axes is seen.
+  void drag_began(std::size_t knot);                         ///< A point was taken hold of and moved.
+  void dragged(std::size_t knot, sarsim::core::Knot to);     ///< While the button is down; not rounded.
+  void drag_ended(std::size_t knot, sarsim::core::Knot to);  ///< Rounded to a hundredth of the decade of the window.
+  void drag_cancelled();                                     ///< It is to go back to where it was.
+  void knot_clicked(std::size_t knot);                       ///< A point was pressed without being moved.
+  void window_changed();                                     ///< Another part of the axes is seen.
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -81,17 +81,17 @@ class FunctionPlot : public QCustomPlot {
   void refresh_curves();
   void refresh_knots();
   void redraw();
-  void show_coordinates(const QPointF& pixel, Knot at);
+  void show_coordinates(const QPointF& pixel, core::Knot at);
   void hide_coordinates();
-  [[nodiscard]] Knot shown_knot(std::size_t knot) const;
-  [[nodiscard]] Knot value_at(const QPointF& pixel) const;
+  [[nodiscard]] core::Knot shown_knot(std::size_t knot) const;
+  [[nodiscard]] core::Knot value_at(const QPointF& pixel) const;
   [[nodiscard]] QPointF inside(const QPointF& pixel) const;
   void set_range(const std::array<double, 2>& limits, std::array<double, 2>& range) const;
-  [[nodiscard]] QString coordinates_text(Knot at) const;
+  [[nodiscard]] QString coordinates_text(core::Knot at) const;
 
-  FunctionInfo info_;
+  scene::FunctionInfo info_;
   std::size_t part_ = 0;
-  SampledFunction function_;
+  core::SampledFunction function_;
   bool compare_ = false;
   std::optional<std::size_t> current_;
   Window window_;
@@ -108,4 +108,4 @@ class FunctionPlot : public QCustomPlot {
   std::optional<QPoint> band_from_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

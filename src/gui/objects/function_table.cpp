@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -27,23 +27,25 @@ QString heading(const std::string& name, const AxisUnit& axis) {
 }  // namespace
 
 AxisUnit axis_unit(const std::string& unit) {
-  if (unit == "Hz") return {Quantity::frequency, "GHz"};
-  for (const Quantity quantity :
-       {Quantity::length, Quantity::time, Quantity::angle, Quantity::ratio_db, Quantity::voltage, Quantity::power})
-    if (units_of(quantity).front() == unit) return {quantity, unit};
-  return {Quantity::number, unit};
+  if (unit == "Hz") return {scene::Quantity::frequency, "GHz"};
+  for (const scene::Quantity quantity : {scene::Quantity::length, scene::Quantity::time, scene::Quantity::angle,
+                                         scene::Quantity::ratio_db, scene::Quantity::voltage, scene::Quantity::power})
+    if (scene::units_of(quantity).front() == unit) return {quantity, unit};
+  return {scene::Quantity::number, unit};
 }
 
 QString axis_text(double value, const AxisUnit& axis) {
   if (!std::isfinite(value)) return QString::number(value);
-  const std::string text = axis.quantity == Quantity::number ? quantity_text(value, Quantity::number)
-                                                             : quantity_text(value, axis.quantity, axis.unit);
+  const std::string text = axis.quantity == scene::Quantity::number
+                               ? scene::quantity_text(value, scene::Quantity::number)
+                               : scene::quantity_text(value, axis.quantity, axis.unit);
   return QString::fromStdString(text.substr(0, text.find(' ')));
 }
 
 FunctionTableModel::FunctionTableModel(QObject* parent) : QAbstractTableModel(parent) {}
 
-void FunctionTableModel::show(const FunctionInfo& info, std::size_t part, const SampledFunction& function) {
+void FunctionTableModel::show(const scene::FunctionInfo& info, std::size_t part,
+                              const core::SampledFunction& function) {
   beginResetModel();
   function_ = function;
   per_pulse_ = info.per_pulse;
@@ -54,7 +56,7 @@ void FunctionTableModel::show(const FunctionInfo& info, std::size_t part, const 
   endResetModel();
 }
 
-void FunctionTableModel::show_knot(std::size_t row, Knot knot) {
+void FunctionTableModel::show_knot(std::size_t row, core::Knot knot) {
   if (row >= function_.knots.size()) return;
   function_.knots[row] = knot;
   emit dataChanged(index(static_cast<int>(row), 0), index(static_cast<int>(row), 1));
@@ -70,7 +72,7 @@ QVariant FunctionTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
-  const Knot& knot = function_.knots[static_cast<std::size_t>(index.row())];
+  const core::Knot& knot = function_.knots[static_cast<std::size_t>(index.row())];
   if (index.column() == 0 && per_pulse_) return index.row();
   return axis_text(index.column() == 0 ? knot.x : knot.y, axes_[index.column()]);
 }
@@ -80,14 +82,14 @@ bool FunctionTableModel::setData(const QModelIndex& index, const QVariant& value
   const QString text = value.toString();
   if (text == data(index, Qt::EditRole).toString()) return true;
   const AxisUnit& axis = axes_[index.column()];
-  const std::string bare = axis.quantity == Quantity::number ? std::string() : axis.unit;
-  const QuantityReading reading = read_quantity(text.toStdString(), axis.quantity, bare);
+  const std::string bare = axis.quantity == scene::Quantity::number ? std::string() : axis.unit;
+  const scene::QuantityReading reading = scene::read_quantity(text.toStdString(), axis.quantity, bare);
   if (!reading.value) {
     emit refused(QString::fromStdString(reading.failure));
     return false;
   }
   const auto row = static_cast<std::size_t>(index.row());
-  Knot knot = function_.knots[row];
+  core::Knot knot = function_.knots[row];
   (index.column() == 0 ? knot.x : knot.y) = *reading.value;
   emit entered(row, knot);
   return true;
@@ -159,7 +161,8 @@ FunctionTable::FunctionTable(QWidget* parent)
   connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, &FunctionTable::current_changed);
 }
 
-void FunctionTable::show_function(const FunctionInfo& info, std::size_t part, const SampledFunction& function) {
+void FunctionTable::show_function(const scene::FunctionInfo& info, std::size_t part,
+                                  const core::SampledFunction& function) {
   const QModelIndex before = view_->currentIndex();
   model_->show(info, part, function);
   const QSignalBlocker quiet(count_);
@@ -182,4 +185,4 @@ std::optional<std::size_t> FunctionTable::current() const {
   return now.isValid() ? std::optional(static_cast<std::size_t>(now.row())) : std::nullopt;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -13,11 +13,11 @@ class QPushButton;
 class QSpinBox;
 class QTableView;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// How the numbers of an axis are typed and shown in the table.
 struct AxisUnit {
-  Quantity quantity = Quantity::number;
+  scene::Quantity quantity = scene::Quantity::number;
   std::string unit;  ///< Of a number without one; empty for pure numbers.
 };
 
@@ -35,9 +35,9 @@ class FunctionTableModel : public QAbstractTableModel {
   explicit FunctionTableModel(QObject* parent = nullptr);
 
   /// Shows the points of a part in the units of its axes.
-  void show(const FunctionInfo& info, std::size_t part, const SampledFunction& function);
+  void show(const scene::FunctionInfo& info, std::size_t part, const core::SampledFunction& function);
   /// Shows one moved point.
-  void show_knot(std::size_t row, Knot knot);
+  void show_knot(std::size_t row, core::Knot knot);
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -47,11 +47,11 @@ class FunctionTableModel : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  signals:
-  void entered(std::size_t row, sarsim::Knot knot);  ///< The point as it is to be; its x may belong elsewhere.
-  void refused(const QString& why);                  ///< What was typed is no number of the axis.
+  void entered(std::size_t row, sarsim::core::Knot knot);  ///< The point as it is to be; its x may belong elsewhere.
+  void refused(const QString& why);                        ///< What was typed is no number of the axis.
 
  private:
-  SampledFunction function_;
+  core::SampledFunction function_;
   bool per_pulse_ = false;
   QString names_[2];
   AxisUnit axes_[2];
@@ -65,20 +65,20 @@ class FunctionTable : public QWidget {
   explicit FunctionTable(QWidget* parent = nullptr);
 
   /// Shows the points of a part; the current row stays where there is one.
-  void show_function(const FunctionInfo& info, std::size_t part, const SampledFunction& function);
-  void show_knot(std::size_t row, Knot knot) { model_->show_knot(row, knot); }
+  void show_function(const scene::FunctionInfo& info, std::size_t part, const core::SampledFunction& function);
+  void show_knot(std::size_t row, core::Knot knot) { model_->show_knot(row, knot); }
   /// Makes a row the current one and brings it into sight.
   void set_current(std::size_t row);
   /// The current row; nothing where there is none.
   [[nodiscard]] std::optional<std::size_t> current() const;
 
  signals:
-  void entered(std::size_t row, sarsim::Knot knot);  ///< See FunctionTableModel.
-  void refused(const QString& why);                  ///< See FunctionTableModel.
-  void current_changed();                            ///< Another row is the current one.
-  void insert_wanted();                              ///< A point is wanted behind the current row.
-  void delete_wanted();                              ///< The current point is to go.
-  void count_wanted(int count);                      ///< So many samples are wanted.
+  void entered(std::size_t row, sarsim::core::Knot knot);  ///< See FunctionTableModel.
+  void refused(const QString& why);                        ///< See FunctionTableModel.
+  void current_changed();                                  ///< Another row is the current one.
+  void insert_wanted();                                    ///< A point is wanted behind the current row.
+  void delete_wanted();                                    ///< The current point is to go.
+  void count_wanted(int count);                            ///< So many samples are wanted.
 
  private:
   FunctionTableModel* model_;
@@ -87,4 +87,4 @@ class FunctionTable : public QWidget {
   QPushButton* delete_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -19,7 +19,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -70,7 +70,8 @@ void ImportDialog::make_widgets() {
   platform_ = new QComboBox(this);
   platform_->setObjectName("import_platform");
   platform_->setAccessibleName(tr("Platform of the targets"));
-  for (const Platform& platform : session_.scene().platforms) platform_->addItem(QString::fromStdString(platform.name));
+  for (const scene::Platform& platform : session_.scene().platforms)
+    platform_->addItem(QString::fromStdString(platform.name));
   if (platform_->count() == 0) platform_->addItem(QStringLiteral("Earth"));
   preview_ = new QPlainTextEdit(this);
   preview_->setObjectName("import_preview");
@@ -141,7 +142,7 @@ void ImportDialog::read_file() {
     QFile file(path);
     if (QFileInfo(path).isDir())
       failure_ = tr("%1 is a folder.").arg(path);
-    else if (file.size() > static_cast<qint64>(largest_script_bytes))
+    else if (file.size() > static_cast<qint64>(scene::largest_script_bytes))
       failure_ = tr("%1 is too large to be a table of targets.").arg(path);
     else if (!file.open(QIODevice::ReadOnly))
       failure_ = tr("%1 cannot be read: %2.").arg(path, file.errorString());
@@ -152,11 +153,11 @@ void ImportDialog::read_file() {
 }
 
 void ImportDialog::interpret() {
-  import_ =
-      text_.isEmpty() ? TargetImport{} : import_targets(text_.toStdString(), platform_->currentText().toStdString());
+  import_ = text_.isEmpty() ? scene::TargetImport{}
+                            : scene::import_targets(text_.toStdString(), platform_->currentText().toStdString());
   preview_->setPlainText(first_lines(text_));
   bad_lines_->clear();
-  for (const Problem& problem : import_.problems)
+  for (const core::Problem& problem : import_.problems)
     bad_lines_->addItem(tr("Line %1: %2").arg(problem.place.line).arg(problem_text(problem)));
   bad_lines_->setVisible(bad_lines_->count() > 0);
   const std::size_t count = import_.targets.size();
@@ -178,8 +179,8 @@ void ImportDialog::interpret() {
 void ImportDialog::accept() {
   // Return in the field of the file name reads the file; only what was seen is added.
   if (import_.targets.empty()) return;
-  session_.perform(add_targets(session_.scene(), std::move(import_.targets)));
+  session_.perform(scene::add_targets(session_.scene(), std::move(import_.targets)));
   QDialog::accept();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

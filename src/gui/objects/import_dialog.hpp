@@ -14,7 +14,7 @@ class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Reads targets from a text or CSV file of x, y, z and perhaps RCS (thesis: Import DEM): shows the first lines, the
 /// lines that cannot be read, and adds the others to a platform in one undo step.
@@ -40,7 +40,7 @@ class ImportDialog : public QDialog {
   Session& session_;
   QString text_;
   QString failure_;  // why the file could not be read
-  TargetImport import_;
+  scene::TargetImport import_;
   QLineEdit* file_ = nullptr;
   QComboBox* platform_ = nullptr;
   QPlainTextEdit* preview_ = nullptr;
@@ -52,4 +52,4 @@ class ImportDialog : public QDialog {
 /// Text of bytes in UTF-8, or in UTF-16 with a byte order mark as spreadsheets write it.
 [[nodiscard]] QString text_of_bytes(const QByteArray& bytes);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -22,7 +22,7 @@
 #include "gui/objects/object_tree_model.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -91,8 +91,8 @@ void ObjectTree::connect_all() {
   connect(model_, &QAbstractItemModel::modelAboutToBeReset, this, &ObjectTree::save_view);
   connect(model_, &QAbstractItemModel::modelReset, this, &ObjectTree::restore_view);
   connect(model_, &ObjectTreeModel::refused, this, [this](const QString& sentence) {
-    message_->show_texts(Severity::error, {tr("Error: %1.").arg(sentence)});
-    session_.log(Severity::error, sentence);
+    message_->show_texts(core::Severity::error, {tr("Error: %1.").arg(sentence)});
+    session_.log(core::Severity::error, sentence);
   });
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ObjectTree::take_selection);
   connect(&session_, &Session::scene_changed, message_, &ProblemLine::clear);
@@ -125,22 +125,22 @@ void ObjectTree::take_selection() {
   if (showing_) return;
   const QScopedValueRollback telling(showing_, true);
   message_->clear();
-  std::set<ObjectId> ids;
+  std::set<scene::ObjectId> ids;
   for (const QItemSelectionRange& range : view_->selectionModel()->selection())
     for (int row = range.top(); row <= range.bottom(); ++row)
       if (const auto id = model_->object_at(model_->index(row, 0, range.parent()))) ids.insert(*id);
   if (ids.size() == 1) return session_.select_only(*ids.begin());
   // One more than before: it is the current one.
-  std::vector<ObjectId> added;
+  std::vector<scene::ObjectId> added;
   std::ranges::set_difference(ids, session_.selection(), std::back_inserter(added));
   if (added.size() == 1 && ids.size() == session_.selection().size() + 1) return session_.select_also(added.front());
   session_.select(std::move(ids));
 }
 
-QItemSelection ObjectTree::rows_of(const std::set<ObjectId>& objects) const {
+QItemSelection ObjectTree::rows_of(const std::set<scene::ObjectId>& objects) const {
   std::vector<QModelIndex> rows;
   rows.reserve(objects.size());
-  for (const ObjectId id : objects)
+  for (const scene::ObjectId id : objects)
     if (const QModelIndex index = model_->index_of(id); index.isValid()) rows.push_back(index);
   std::ranges::sort(rows, [](const QModelIndex& a, const QModelIndex& b) {
     return a.internalId() != b.internalId() ? a.internalId() < b.internalId() : a.row() < b.row();
@@ -195,23 +195,24 @@ void ObjectTree::restore_view() {
   view_->verticalScrollBar()->setValue(scroll_);
 }
 
-std::vector<ObjectId> ObjectTree::selected() const {
+std::vector<scene::ObjectId> ObjectTree::selected() const {
   return {session_.selection().begin(), session_.selection().end()};
 }
 
 void ObjectTree::delete_selection() {
-  if (!session_.selection().empty()) session_.perform(remove_objects(session_.scene(), selected()));
+  if (!session_.selection().empty()) session_.perform(scene::remove_objects(session_.scene(), selected()));
 }
 
 void ObjectTree::duplicate_selection() {
   if (session_.selection().empty()) return;
-  Edit edit = duplicate_objects(session_.scene(), selected());
-  std::set<ObjectId> copies;
-  for (const ObjectChange& change : edit.changes)
+  scene::Edit edit = scene::duplicate_objects(session_.scene(), selected());
+  std::set<scene::ObjectId> copies;
+  for (const scene::ObjectChange& change : edit.changes)
     if (!change.before) copies.insert(change.id);
   // With a platform comes what stands on it; it is the platform that was copied.
-  const auto is_platform = [](ObjectId id) { return id.kind == ObjectKind::platform; };
-  if (std::ranges::any_of(copies, is_platform)) std::erase_if(copies, [&](ObjectId id) { return !is_platform(id); });
+  const auto is_platform = [](scene::ObjectId id) { return id.kind == scene::ObjectKind::platform; };
+  if (std::ranges::any_of(copies, is_platform))
+    std::erase_if(copies, [&](scene::ObjectId id) { return !is_platform(id); });
   session_.perform(std::move(edit));
   session_.select(std::move(copies));
 }
@@ -226,19 +227,19 @@ void ObjectTree::rename_current() {
 }
 
 void ObjectTree::hide_selection(bool hide) {
-  std::set<ObjectId> ids;
-  for (const ObjectId id : session_.selection())
-    for (const ObjectId one : model_->with_children(id)) ids.insert(one);
+  std::set<scene::ObjectId> ids;
+  for (const scene::ObjectId id : session_.selection())
+    for (const scene::ObjectId one : model_->with_children(id)) ids.insert(one);
   session_.set_hidden(ids, hide);
 }
 
 void ObjectTree::invert_surfaces() {
-  Edit edit;
-  for (const ObjectId id : session_.selection()) {
-    if (id.kind != ObjectKind::surface) continue;
-    Surface surface = session_.scene().surfaces.at(id.index);
+  scene::Edit edit;
+  for (const scene::ObjectId id : session_.selection()) {
+    if (id.kind != scene::ObjectKind::surface) continue;
+    scene::Surface surface = session_.scene().surfaces.at(id.index);
     std::swap(surface.corner_m[0], surface.corner_m[1]);
-    Edit one = replace_object(session_.scene(), id, surface, "Invert surface");
+    scene::Edit one = scene::replace_object(session_.scene(), id, surface, "Invert surface");
     std::ranges::move(one.changes, std::back_inserter(edit.changes));
   }
   edit.label = edit.changes.size() == 1 ? "Invert surface" : "Invert surfaces";
@@ -248,7 +249,7 @@ void ObjectTree::invert_surfaces() {
 std::unique_ptr<QMenu> ObjectTree::context_menu() {
   auto menu = std::make_unique<QMenu>();
   menu->setObjectName("object_menu");
-  const std::set<ObjectId>& selection = session_.selection();
+  const std::set<scene::ObjectId>& selection = session_.selection();
   const auto current = session_.current();
   const auto add = [&](const char* name, const QString& text, const QKeySequence& keys, bool enabled, auto&& what) {
     QAction* action = menu->addAction(text, this, what);
@@ -266,13 +267,14 @@ std::unique_ptr<QMenu> ObjectTree::context_menu() {
   add("tree_rename", tr("&Rename"), QKeySequence(Qt::Key_F2), current && has_name(current->kind),
       [this] { rename_current(); });
   const bool all_hidden =
-      any && std::ranges::all_of(selection, [this](ObjectId id) { return session_.hidden().contains(id); });
-  const bool can_hide = std::ranges::any_of(selection, [](ObjectId id) { return id.kind <= ObjectKind::radar; });
+      any && std::ranges::all_of(selection, [this](scene::ObjectId id) { return session_.hidden().contains(id); });
+  const bool can_hide =
+      std::ranges::any_of(selection, [](scene::ObjectId id) { return id.kind <= scene::ObjectKind::radar; });
   if (all_hidden)
     add("tree_show", tr("&Show"), {}, can_hide, [this] { hide_selection(false); });
   else
     add("tree_hide", tr("&Hide"), {}, can_hide, [this] { hide_selection(true); });
-  if (std::ranges::any_of(selection, [](ObjectId id) { return id.kind == ObjectKind::surface; }))
+  if (std::ranges::any_of(selection, [](scene::ObjectId id) { return id.kind == scene::ObjectKind::surface; }))
     add("tree_invert", tr("&Invert surface"), {}, true, [this] { invert_surfaces(); });
   return menu;
 }
@@ -316,4 +318,4 @@ bool ObjectTree::key_pressed(int key, Qt::KeyboardModifiers modifiers) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -15,7 +15,7 @@ class QMenu;
 class QModelIndex;
 class QTreeView;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ObjectTreeModel;
 class ProblemLine;
@@ -44,7 +44,7 @@ class ObjectTree : public QWidget {
 
  signals:
   /// The user wants the properties of an object.
-  void edit_requested(ObjectId object);
+  void edit_requested(scene::ObjectId object);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -58,8 +58,8 @@ class ObjectTree : public QWidget {
   void save_view();
   void restore_view();
   void request_edit(const QModelIndex& index);
-  [[nodiscard]] QItemSelection rows_of(const std::set<ObjectId>& objects) const;
-  [[nodiscard]] std::vector<ObjectId> selected() const;
+  [[nodiscard]] QItemSelection rows_of(const std::set<scene::ObjectId>& objects) const;
+  [[nodiscard]] std::vector<scene::ObjectId> selected() const;
 
   Session& session_;
   ObjectTreeModel* model_ = nullptr;
@@ -75,4 +75,4 @@ class ObjectTree : public QWidget {
   int current_row_ = -1;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,14 +8,14 @@
 
 // Targets, surfaces and radars can be dragged onto another platform.
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr const char* objects_type = "application/x-sarsim-objects";
 
-bool stands_on_platform(ObjectKind kind) {
-  return kind == ObjectKind::target || kind == ObjectKind::surface || kind == ObjectKind::radar;
+bool stands_on_platform(scene::ObjectKind kind) {
+  return kind == scene::ObjectKind::target || kind == scene::ObjectKind::surface || kind == scene::ObjectKind::radar;
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ QMimeData* ObjectTreeModel::mimeData(const QModelIndexList& indexes) const {
   return data;
 }
 
-std::vector<ObjectId> ObjectTreeModel::dragged(const QMimeData* data) const {
-  std::vector<ObjectId> ids;
+std::vector<scene::ObjectId> ObjectTreeModel::dragged(const QMimeData* data) const {
+  std::vector<scene::ObjectId> ids;
   if (data == nullptr || !data->hasFormat(objects_type)) return ids;
   const QByteArray bytes = data->data(objects_type);
   QDataStream stream(bytes);
@@ -45,11 +45,11 @@ std::vector<ObjectId> ObjectTreeModel::dragged(const QMimeData* data) const {
     qint32 kind = 0;
     quint64 index = 0;
     stream >> kind >> index;
-    const ObjectId id{static_cast<ObjectKind>(kind), static_cast<std::size_t>(index)};
+    const scene::ObjectId id{static_cast<scene::ObjectKind>(kind), static_cast<std::size_t>(index)};
     // From another window the numbers may mean nothing here.
     const bool known =
-        stream.status() == QDataStream::Ok && kind >= 0 && kind <= static_cast<int>(ObjectKind::geometry);
-    if (!known || !stands_on_platform(id.kind) || !has_object(session_.scene(), id)) return {};
+        stream.status() == QDataStream::Ok && kind >= 0 && kind <= static_cast<int>(scene::ObjectKind::geometry);
+    if (!known || !stands_on_platform(id.kind) || !scene::has_object(session_.scene(), id)) return {};
     ids.push_back(id);
   }
   return ids;
@@ -61,8 +61,8 @@ std::optional<std::string> ObjectTreeModel::platform_for_drop(const QModelIndex&
   const Group& group = groups_[static_cast<std::size_t>(top.row())];
   if (group.section == Section::world) return "Earth";
   if (group.section != Section::platform) return std::nullopt;
-  const ObjectId platform{ObjectKind::platform, group.platform};
-  if (!has_object(session_.scene(), platform)) return std::nullopt;
+  const scene::ObjectId platform{scene::ObjectKind::platform, group.platform};
+  if (!scene::has_object(session_.scene(), platform)) return std::nullopt;
   return name_of_object(session_.scene(), platform);
 }
 
@@ -75,8 +75,8 @@ bool ObjectTreeModel::dropMimeData(const QMimeData* data, Qt::DropAction action,
                                    const QModelIndex& parent) {
   if (!canDropMimeData(data, action, row, column, parent)) return false;
   const std::string platform = *platform_for_drop(parent);
-  session_.perform(carry_objects(session_.scene(), dragged(data), platform));
+  session_.perform(scene::carry_objects(session_.scene(), dragged(data), platform));
   return true;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -50,4 +50,4 @@ void EyeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->restore();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

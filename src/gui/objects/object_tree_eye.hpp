@@ -2,7 +2,7 @@
 
 #include <QStyledItemDelegate>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Shows a check mark as an eye: open where the object is drawn, half closed where some of it is, faint and struck
 /// through where it is hidden. A click or Space changes it as it does a check box.
@@ -15,4 +15,4 @@ class EyeDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,14 +8,14 @@
 
 #include "gui/common/palette_colours.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 // Draws in a square of 16 units whatever size is asked for.
 class ObjectIconEngine : public QIconEngine {
  public:
-  ObjectIconEngine(ObjectKind kind, const QPalette& palette, std::optional<Severity> mark)
+  ObjectIconEngine(scene::ObjectKind kind, const QPalette& palette, std::optional<core::Severity> mark)
       : kind_(kind), palette_(palette), mark_(mark) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
@@ -28,7 +28,7 @@ class ObjectIconEngine : public QIconEngine {
     // The ground of what is selected is dark in either theme.
     if (mode == QIcon::Selected) palette_ = on_highlight(usual);
     draw_kind(*painter);
-    if (mark_ && *mark_ != Severity::note) draw_mark(*painter);
+    if (mark_ && *mark_ != core::Severity::note) draw_mark(*painter);
     palette_ = usual;
     painter->restore();
   }
@@ -56,29 +56,29 @@ class ObjectIconEngine : public QIconEngine {
   void draw_kind(QPainter& painter) const {
     const QColor text = palette_.color(QPalette::Text);
     switch (kind_) {
-      case ObjectKind::platform: return draw_axes(painter);
-      case ObjectKind::target:
+      case scene::ObjectKind::platform: return draw_axes(painter);
+      case scene::ObjectKind::target:
         painter.setPen(QPen(text, 1.0));
-        painter.setBrush(colour_of(Role::target, palette_));
+        painter.setBrush(colour_of(picture::Role::target, palette_));
         return painter.drawEllipse(QPointF(8, 8), 4.5, 4.5);
-      case ObjectKind::surface:
+      case scene::ObjectKind::surface:
         painter.setPen(QPen(text, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.setBrush(colour_of(Role::surface, palette_));
+        painter.setBrush(colour_of(picture::Role::surface, palette_));
         return static_cast<void>(painter.drawPolygon(QPolygonF({{2, 13}, {14, 13}, {9, 3}})));
-      case ObjectKind::radar: return draw_beam(painter);
-      case ObjectKind::simulation: return draw_echo(painter, text);
-      case ObjectKind::geometry: return draw_table(painter, text);
+      case scene::ObjectKind::radar: return draw_beam(painter);
+      case scene::ObjectKind::simulation: return draw_echo(painter, text);
+      case scene::ObjectKind::geometry: return draw_table(painter, text);
     }
   }
 
   void draw_axes(QPainter& painter) const {
-    const auto axis = [&](Role role, QPointF end) {
+    const auto axis = [&](picture::Role role, QPointF end) {
       painter.setPen(QPen(colour_of(role, palette_), 2.0, Qt::SolidLine, Qt::RoundCap));
       painter.drawLine(QPointF(6, 10), end);
     };
-    axis(Role::x_axis, {14, 13});
-    axis(Role::y_axis, {13, 5});
-    axis(Role::z_axis, {6, 1.5});
+    axis(picture::Role::x_axis, {14, 13});
+    axis(picture::Role::y_axis, {13, 5});
+    axis(picture::Role::z_axis, {6, 1.5});
   }
 
   void draw_beam(QPainter& painter) const {
@@ -86,13 +86,13 @@ class ObjectIconEngine : public QIconEngine {
     beam.lineTo(9, 2.5);
     beam.quadTo(14, 4, 14, 8.5);
     beam.closeSubpath();
-    QColor fill = colour_of(Role::beam, palette_);
+    QColor fill = colour_of(picture::Role::beam, palette_);
     painter.setPen(QPen(fill, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     fill.setAlphaF(0.4F);
     painter.setBrush(fill);
     painter.drawPath(beam);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colour_of(Role::radar, palette_));
+    painter.setBrush(colour_of(picture::Role::radar, palette_));
     painter.drawEllipse(QPointF(3.5, 12.5), 2.5, 2.5);
   }
 
@@ -109,9 +109,9 @@ class ObjectIconEngine : public QIconEngine {
   }
 
   void draw_mark(QPainter& painter) const {
-    const bool error = *mark_ == Severity::error;
+    const bool error = *mark_ == core::Severity::error;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colour_of(error ? Role::error : Role::warning, palette_));
+    painter.setBrush(colour_of(error ? picture::Role::error : picture::Role::warning, palette_));
     painter.drawEllipse(QPointF(12, 12), 4, 4);
     painter.setPen(QPen(palette_.color(QPalette::Base), 1.4, Qt::SolidLine, Qt::RoundCap));
     if (error) {
@@ -123,19 +123,19 @@ class ObjectIconEngine : public QIconEngine {
     }
   }
 
-  ObjectKind kind_;
+  scene::ObjectKind kind_;
   QPalette palette_;
-  std::optional<Severity> mark_;
+  std::optional<core::Severity> mark_;
 };
 
 }  // namespace
 
-QIcon object_icon(ObjectKind kind, const QPalette& palette) {
+QIcon object_icon(scene::ObjectKind kind, const QPalette& palette) {
   return QIcon(new ObjectIconEngine(kind, palette, std::nullopt));
 }
 
-QIcon object_icon(ObjectKind kind, const QPalette& palette, Severity mark) {
+QIcon object_icon(scene::ObjectKind kind, const QPalette& palette, core::Severity mark) {
   return QIcon(new ObjectIconEngine(kind, palette, mark));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -14,37 +14,40 @@
 #include "gui/objects/object_tree_icons.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
-bool can_be_hidden(ObjectKind kind) { return kind != ObjectKind::simulation && kind != ObjectKind::geometry; }
+bool can_be_hidden(scene::ObjectKind kind) {
+  return kind != scene::ObjectKind::simulation && kind != scene::ObjectKind::geometry;
+}
 
-std::optional<ObjectKind> kind_named(std::string_view name) {
-  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::target, ObjectKind::surface, ObjectKind::radar,
-                                ObjectKind::simulation, ObjectKind::geometry})
-    if (name == name_of(kind)) return kind;
+std::optional<scene::ObjectKind> kind_named(std::string_view name) {
+  for (const scene::ObjectKind kind :
+       {scene::ObjectKind::platform, scene::ObjectKind::target, scene::ObjectKind::surface, scene::ObjectKind::radar,
+        scene::ObjectKind::simulation, scene::ObjectKind::geometry})
+    if (name == scene::name_of(kind)) return kind;
   return std::nullopt;
 }
 
 // What find_platform says, asked once for each name.
 class PlatformFinder {
  public:
-  explicit PlatformFinder(const Scene& scene) : scene_(scene) {}
+  explicit PlatformFinder(const scene::Scene& scene) : scene_(scene) {}
 
   std::size_t find(const std::string& name) {
     if (last_ != nullptr && *last_ == name) return last_found_;
-    const auto [entry, is_new] = found_.try_emplace(name, not_found);
-    if (is_new) entry->second = find_platform(scene_, name);
+    const auto [entry, is_new] = found_.try_emplace(name, scene::not_found);
+    if (is_new) entry->second = scene::find_platform(scene_, name);
     last_ = &entry->first;
     return last_found_ = entry->second;
   }
 
  private:
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::unordered_map<std::string, std::size_t> found_;
   const std::string* last_ = nullptr;
-  std::size_t last_found_ = not_found;
+  std::size_t last_found_ = scene::not_found;
 };
 
 }  // namespace
@@ -85,7 +88,7 @@ void ObjectTreeModel::refresh() {
 }
 
 std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
-  const Scene& scene = session_.scene();
+  const scene::Scene& scene = session_.scene();
   std::vector<Group> groups(scene.platforms.size() + 1);
   for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
     groups[i].platform = i;
@@ -95,32 +98,32 @@ std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
   world.section = Section::world;
   world.key = QStringLiteral("world");
   PlatformFinder finder(scene);
-  const auto place = [&](ObjectKind kind, const auto& objects) {
+  const auto place = [&](scene::ObjectKind kind, const auto& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const std::size_t platform = finder.find(objects[i].platform);
-      (platform == not_found ? world : groups[platform]).children.push_back({kind, i});
+      (platform == scene::not_found ? world : groups[platform]).children.push_back({kind, i});
     }
   };
-  place(ObjectKind::radar, scene.radars);
-  place(ObjectKind::target, scene.targets);
-  place(ObjectKind::surface, scene.surfaces);
+  place(scene::ObjectKind::radar, scene.radars);
+  place(scene::ObjectKind::target, scene.targets);
+  place(scene::ObjectKind::surface, scene.surfaces);
   if (world.children.empty()) groups.pop_back();
-  const auto add_section = [&](Section section, ObjectKind kind, const QString& key) {
+  const auto add_section = [&](Section section, scene::ObjectKind kind, const QString& key) {
     Group group{section, 0, {}, key};
-    for (std::size_t i = 0; i < count_of(scene, kind); ++i) group.children.push_back({kind, i});
+    for (std::size_t i = 0; i < scene::count_of(scene, kind); ++i) group.children.push_back({kind, i});
     if (!group.children.empty()) groups.push_back(std::move(group));
   };
-  add_section(Section::simulations, ObjectKind::simulation, QStringLiteral("simulations"));
-  add_section(Section::geometries, ObjectKind::geometry, QStringLiteral("geometries"));
+  add_section(Section::simulations, scene::ObjectKind::simulation, QStringLiteral("simulations"));
+  add_section(Section::geometries, scene::ObjectKind::geometry, QStringLiteral("geometries"));
   return groups;
 }
 
 void ObjectTreeModel::keep_matching(std::vector<Group>& groups) const {
   std::erase_if(groups, [&](Group& group) {
-    const bool itself =
-        group.section == Section::platform && matches(label(ObjectId{ObjectKind::platform, group.platform}));
+    const bool itself = group.section == Section::platform &&
+                        matches(label(scene::ObjectId{scene::ObjectKind::platform, group.platform}));
     if (itself) return false;
-    std::erase_if(group.children, [&](ObjectId id) { return !matches(label(id)); });
+    std::erase_if(group.children, [&](scene::ObjectId id) { return !matches(label(id)); });
     return group.children.empty();
   });
 }
@@ -131,12 +134,12 @@ bool ObjectTreeModel::matches(const QString& text) const {
 
 void ObjectTreeModel::index_rows() {
   for (std::size_t kind = 0; kind < rows_.size(); ++kind)
-    rows_[kind].assign(count_of(session_.scene(), static_cast<ObjectKind>(kind)), {});
+    rows_[kind].assign(scene::count_of(session_.scene(), static_cast<scene::ObjectKind>(kind)), {});
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const auto group = static_cast<std::int32_t>(g);
     if (groups_[g].section == Section::platform) rows_[0][groups_[g].platform] = {group, -1};
     for (std::size_t i = 0; i < groups_[g].children.size(); ++i) {
-      const ObjectId id = groups_[g].children[i];
+      const scene::ObjectId id = groups_[g].children[i];
       rows_[static_cast<std::size_t>(id.kind)][id.index] = {group, static_cast<std::int32_t>(i)};
     }
   }
@@ -144,9 +147,9 @@ void ObjectTreeModel::index_rows() {
 
 void ObjectTreeModel::read_problems() {
   troubles_.clear();
-  for (const Problem& problem : session_.problems()) {
+  for (const core::Problem& problem : session_.problems()) {
     const auto kind = kind_named(problem.subject.kind);
-    if (!kind || problem.severity == Severity::note) continue;
+    if (!kind || problem.severity == core::Severity::note) continue;
     const auto [entry, is_new] = troubles_.try_emplace({*kind, problem.subject.index});
     Trouble& trouble = entry->second;
     trouble.severity = is_new ? problem.severity : std::min(trouble.severity, problem.severity);
@@ -164,19 +167,19 @@ void ObjectTreeModel::announce_all() {
   }
 }
 
-std::optional<ObjectId> ObjectTreeModel::object_at(const QModelIndex& index) const {
+std::optional<scene::ObjectId> ObjectTreeModel::object_at(const QModelIndex& index) const {
   if (!index.isValid()) return std::nullopt;
   const auto row = static_cast<std::size_t>(index.row());
   if (index.internalId() == 0) {
     if (row >= groups_.size() || groups_[row].section != Section::platform) return std::nullopt;
-    return ObjectId{ObjectKind::platform, groups_[row].platform};
+    return scene::ObjectId{scene::ObjectKind::platform, groups_[row].platform};
   }
   const std::size_t group = static_cast<std::size_t>(index.internalId()) - 1;
   if (group >= groups_.size() || row >= groups_[group].children.size()) return std::nullopt;
   return groups_[group].children[row];
 }
 
-QModelIndex ObjectTreeModel::index_of(ObjectId id) const {
+QModelIndex ObjectTreeModel::index_of(scene::ObjectId id) const {
   const auto& rows = rows_[static_cast<std::size_t>(id.kind)];
   if (id.index >= rows.size() || rows[id.index].group < 0) return {};
   const Row row = rows[id.index];
@@ -190,10 +193,10 @@ QString ObjectTreeModel::key_of(const QModelIndex& index) const {
   return groups_[static_cast<std::size_t>(top.row())].key;
 }
 
-std::vector<ObjectId> ObjectTreeModel::with_children(ObjectId platform) const {
-  std::vector<ObjectId> ids{platform};
-  if (platform.kind != ObjectKind::platform) return ids;
-  const std::vector<ObjectId> children = objects_on(session_.scene(), platform.index);
+std::vector<scene::ObjectId> ObjectTreeModel::with_children(scene::ObjectId platform) const {
+  std::vector<scene::ObjectId> ids{platform};
+  if (platform.kind != scene::ObjectKind::platform) return ids;
+  const std::vector<scene::ObjectId> children = scene::objects_on(session_.scene(), platform.index);
   ids.insert(ids.end(), children.begin(), children.end());
   return ids;
 }
@@ -217,7 +220,9 @@ int ObjectTreeModel::rowCount(const QModelIndex& parent) const {
 
 int ObjectTreeModel::columnCount(const QModelIndex&) const { return column_count; }
 
-QString ObjectTreeModel::label(ObjectId id) const { return QString::fromStdString(label_of(session_.scene(), id)); }
+QString ObjectTreeModel::label(scene::ObjectId id) const {
+  return QString::fromStdString(scene::label_of(session_.scene(), id));
+}
 
 QVariant ObjectTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
@@ -232,7 +237,7 @@ QVariant ObjectTreeModel::data(const QModelIndex& index, int role) const {
     return group < groups_.size() ? heading_data(groups_[group], index.column(), role) : QVariant();
   }
   // Between a change of the scene and its announcement the tree may still hold objects that are gone.
-  if (!has_object(session_.scene(), *id)) return {};
+  if (!scene::has_object(session_.scene(), *id)) return {};
   return index.column() == name_column ? name_data(*id, role) : shown_data(*id, role);
 }
 
@@ -253,14 +258,14 @@ QVariant ObjectTreeModel::heading_data(const Group& group, int column, int role)
   return {};
 }
 
-QIcon ObjectTreeModel::icon(ObjectId id) const {
+QIcon ObjectTreeModel::icon(scene::ObjectId id) const {
   const auto trouble = troubles_.find(id);
   const QPalette palette = QGuiApplication::palette();
   return trouble == troubles_.end() ? object_icon(id.kind, palette)
                                     : object_icon(id.kind, palette, trouble->second.severity);
 }
 
-QVariant ObjectTreeModel::name_data(ObjectId id, int role) const {
+QVariant ObjectTreeModel::name_data(scene::ObjectId id, int role) const {
   const auto trouble = troubles_.find(id);
   switch (role) {
     case Qt::DisplayRole: return label(id);
@@ -281,15 +286,15 @@ QVariant ObjectTreeModel::name_data(ObjectId id, int role) const {
   }
 }
 
-Qt::CheckState ObjectTreeModel::shown_state(ObjectId id) const {
+Qt::CheckState ObjectTreeModel::shown_state(scene::ObjectId id) const {
   if (!session_.hidden().contains(id)) return Qt::Checked;
-  if (id.kind != ObjectKind::platform) return Qt::Unchecked;
-  const std::vector<ObjectId> all = with_children(id);
-  const bool none = std::ranges::all_of(all, [&](ObjectId one) { return session_.hidden().contains(one); });
+  if (id.kind != scene::ObjectKind::platform) return Qt::Unchecked;
+  const std::vector<scene::ObjectId> all = with_children(id);
+  const bool none = std::ranges::all_of(all, [&](scene::ObjectId one) { return session_.hidden().contains(one); });
   return none ? Qt::Unchecked : Qt::PartiallyChecked;
 }
 
-QVariant ObjectTreeModel::shown_data(ObjectId id, int role) const {
+QVariant ObjectTreeModel::shown_data(scene::ObjectId id, int role) const {
   if (!can_be_hidden(id.kind)) return {};
   switch (role) {
     case Qt::CheckStateRole: return static_cast<int>(shown_state(id));
@@ -308,27 +313,27 @@ Qt::ItemFlags ObjectTreeModel::flags(const QModelIndex& index) const {
   flags |= Qt::ItemIsSelectable;
   if (index.column() == shown_column) return can_be_hidden(id->kind) ? flags | Qt::ItemIsUserCheckable : flags;
   if (has_name(id->kind)) flags |= Qt::ItemIsEditable;
-  if (can_be_hidden(id->kind) && id->kind != ObjectKind::platform) flags |= Qt::ItemIsDragEnabled;
+  if (can_be_hidden(id->kind) && id->kind != scene::ObjectKind::platform) flags |= Qt::ItemIsDragEnabled;
   return flags;
 }
 
 bool ObjectTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const auto id = object_at(index);
-  if (!id || !has_object(session_.scene(), *id)) return false;
+  if (!id || !scene::has_object(session_.scene(), *id)) return false;
   if (role == Qt::CheckStateRole && index.column() == shown_column) {
-    const std::vector<ObjectId> ids = with_children(*id);
+    const std::vector<scene::ObjectId> ids = with_children(*id);
     session_.set_hidden({ids.begin(), ids.end()}, value.toInt() == Qt::Unchecked);
     return true;
   }
   if (role != Qt::EditRole || index.column() != name_column || !has_name(id->kind)) return false;
   const std::string name = value.toString().toStdString();
   if (name == name_of_object(session_.scene(), *id)) return true;
-  if (const std::string why = name_objection(session_.scene(), *id, name); !why.empty()) {
+  if (const std::string why = scene::name_objection(session_.scene(), *id, name); !why.empty()) {
     emit refused(QString::fromStdString(why));
     return false;
   }
-  session_.perform(rename_object(session_.scene(), *id, name));
+  session_.perform(scene::rename_object(session_.scene(), *id, name));
   return true;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

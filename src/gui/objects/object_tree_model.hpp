@@ -12,7 +12,7 @@
 
 #include "gui/common/session.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The objects of a scene as a tree: platforms with what stands on them, the world where things stand on no platform,
 /// and headings for stored simulations and geometry tables. Labels are made when they are shown; a change of the scene
@@ -36,15 +36,15 @@ class ObjectTreeModel : public QAbstractItemModel {
   void refresh();
 
   /// Nothing for a heading.
-  [[nodiscard]] std::optional<ObjectId> object_at(const QModelIndex& index) const;
+  [[nodiscard]] std::optional<scene::ObjectId> object_at(const QModelIndex& index) const;
   /// Not valid where the object is not in the tree or is filtered out.
-  [[nodiscard]] QModelIndex index_of(ObjectId id) const;
+  [[nodiscard]] QModelIndex index_of(scene::ObjectId id) const;
   /// What identifies a row of the first level over changes of the scene.
   [[nodiscard]] QString key_of(const QModelIndex& index) const;
   /// The name of the platform that a drop on a row carries to; nothing where nothing can be dropped.
   [[nodiscard]] std::optional<std::string> platform_for_drop(const QModelIndex& index) const;
   /// The objects below a row of the first level, and the platform itself.
-  [[nodiscard]] std::vector<ObjectId> with_children(ObjectId platform) const;
+  [[nodiscard]] std::vector<scene::ObjectId> with_children(scene::ObjectId platform) const;
 
   [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
@@ -74,7 +74,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   struct Group {
     Section section = Section::platform;
     std::size_t platform = 0;
-    std::vector<ObjectId> children;
+    std::vector<scene::ObjectId> children;
     QString key;
 
     /// Same place and children; the name of the platform may be another.
@@ -94,15 +94,15 @@ class ObjectTreeModel : public QAbstractItemModel {
   void read_problems();
   void announce_all();
   [[nodiscard]] QVariant heading_data(const Group& group, int column, int role) const;
-  [[nodiscard]] QVariant name_data(ObjectId id, int role) const;
-  [[nodiscard]] QVariant shown_data(ObjectId id, int role) const;
-  [[nodiscard]] Qt::CheckState shown_state(ObjectId id) const;
-  [[nodiscard]] QString label(ObjectId id) const;
-  [[nodiscard]] QIcon icon(ObjectId id) const;
-  [[nodiscard]] std::vector<ObjectId> dragged(const QMimeData* data) const;
+  [[nodiscard]] QVariant name_data(scene::ObjectId id, int role) const;
+  [[nodiscard]] QVariant shown_data(scene::ObjectId id, int role) const;
+  [[nodiscard]] Qt::CheckState shown_state(scene::ObjectId id) const;
+  [[nodiscard]] QString label(scene::ObjectId id) const;
+  [[nodiscard]] QIcon icon(scene::ObjectId id) const;
+  [[nodiscard]] std::vector<scene::ObjectId> dragged(const QMimeData* data) const;
 
   struct Trouble {
-    Severity severity = Severity::note;
+    core::Severity severity = core::Severity::note;
     QStringList texts;
   };
 
@@ -110,7 +110,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   QStringList words_;
   std::vector<Group> groups_;
   std::array<std::vector<Row>, 6> rows_;  // by kind, then index
-  std::map<ObjectId, Trouble> troubles_;
+  std::map<scene::ObjectId, Trouble> troubles_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

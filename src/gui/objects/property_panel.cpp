@@ -16,18 +16,18 @@
 #include "gui/common/field_editor.hpp"
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 // Figures that follow the time need not be newer than an eye sees.
 constexpr int derived_delay_ms = 40;
 
-std::string merge_key_of(const PanelSubject& subject, const Field& field) {
+std::string merge_key_of(const PanelSubject& subject, const scene::Field& field) {
   std::string key = "step " + field.id;
   if (subject.kind()) {
-    const ObjectId first = subject.ids().front();
-    key += fmt::format(" of {} {} and {} more", name_of(first.kind), first.index, subject.ids().size() - 1);
+    const scene::ObjectId first = subject.ids().front();
+    key += fmt::format(" of {} {} and {} more", scene::name_of(first.kind), first.index, subject.ids().size() - 1);
   }
   return key;
 }
@@ -110,8 +110,8 @@ PropertyPanel::~PropertyPanel() {
 PanelSubject PropertyPanel::wanted_subject() const {
   const auto current = session_.current();
   if (!current) return PanelSubject(session_.scene());
-  std::vector<ObjectId> ids;
-  for (const ObjectId id : session_.selection())
+  std::vector<scene::ObjectId> ids;
+  for (const scene::ObjectId id : session_.selection())
     if (id.kind == current->kind) ids.push_back(id);
   PanelSubject subject(session_.scene(), current->kind, ids);
   return subject.ids().empty() ? PanelSubject(session_.scene()) : subject;
@@ -156,7 +156,7 @@ void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString(), key);
   if (!change.failure.empty()) {
     const QString sentence = QString::fromStdString(change.failure);
-    if (committing_) session_.log(Severity::warning, tr("Not applied: %1").arg(sentence));
+    if (committing_) session_.log(core::Severity::warning, tr("Not applied: %1").arg(sentence));
     return step ? editor->refuse_step(sentence) : editor->show_failure(sentence);
   }
   session_.perform(std::move(change.edit));
@@ -193,28 +193,28 @@ void PropertyPanel::fill() {
 }
 
 void PropertyPanel::fill_choices(FieldEditor* editor) {
-  const FieldKind kind = editor->field().kind;
-  if (kind != FieldKind::platform && kind != FieldKind::radar) return;
+  const scene::FieldKind kind = editor->field().kind;
+  if (kind != scene::FieldKind::platform && kind != scene::FieldKind::radar) return;
   QStringList names;
   bool has_earth = false;
-  if (kind == FieldKind::radar)
-    for (const Radar& radar : session_.scene().radars) names += QString::fromStdString(radar.name);
+  if (kind == scene::FieldKind::radar)
+    for (const scene::Radar& radar : session_.scene().radars) names += QString::fromStdString(radar.name);
   else
-    for (const Platform& platform : session_.scene().platforms) {
+    for (const scene::Platform& platform : session_.scene().platforms) {
       names += QString::fromStdString(platform.name);
-      has_earth = has_earth || equal_ignoring_case(platform.name, "Earth");
+      has_earth = has_earth || core::equal_ignoring_case(platform.name, "Earth");
     }
   // The world itself is known without a definition.
-  if (kind == FieldKind::platform && !has_earth) names += QStringLiteral("Earth");
+  if (kind == scene::FieldKind::platform && !has_earth) names += QStringLiteral("Earth");
   names.removeDuplicates();
   editor->set_choices(names);
 }
 
 void PropertyPanel::fill_problems() {
-  std::map<QString, std::vector<Problem>> at_field;
-  Severity worst = Severity::note;
+  std::map<QString, std::vector<core::Problem>> at_field;
+  core::Severity worst = core::Severity::note;
   QStringList elsewhere;
-  for (const Problem& problem : session_.problems()) {
+  for (const core::Problem& problem : session_.problems()) {
     if (!subject_.concerns(problem.subject)) continue;
     const QString id = QString::fromStdString(subject_.field_of(problem.subject.field));
     if (editors_.contains(id) && subject_.applies(id.toStdString())) {
@@ -226,7 +226,7 @@ void PropertyPanel::fill_problems() {
   }
   for (const auto& [id, editor] : editors_) {
     const auto found = at_field.find(id);
-    editor->show_problems(found == at_field.end() ? std::vector<Problem>{} : found->second);
+    editor->show_problems(found == at_field.end() ? std::vector<core::Problem>{} : found->second);
   }
   elsewhere.removeDuplicates();
   if (elsewhere.isEmpty())
@@ -246,7 +246,7 @@ void PropertyPanel::arrange() {
       any = any || applies;
       any_rare = any_rare || (applies && editor->field().rare);
       editor->set_shown(applies && (!editor->field().rare || open || editor->troubled()));
-      const bool needs_one = editor->field().kind == FieldKind::function || editor->id() == "name";
+      const bool needs_one = editor->field().kind == scene::FieldKind::function || editor->id() == "name";
       editor->widget()->setEnabled(subject_.single() || !needs_one || !subject_.kind());
     }
     if (group.more != nullptr) group.more->setVisible(any_rare);
@@ -255,16 +255,16 @@ void PropertyPanel::arrange() {
 }
 
 void PropertyPanel::fill_derived() {
-  if (!subject_.single() || !has_object(session_.scene(), subject_.ids().front())) return show_figures({});
-  show_figures(derived_figures(session_.scene(), subject_.ids().front(), session_.time_s()));
+  if (!subject_.single() || !scene::has_object(session_.scene(), subject_.ids().front())) return show_figures({});
+  show_figures(picture::derived_figures(session_.scene(), subject_.ids().front(), session_.time_s()));
 }
 
-void PropertyPanel::show_figures(const std::vector<DerivedFigure>& figures) {
+void PropertyPanel::show_figures(const std::vector<picture::DerivedFigure>& figures) {
   derived_box_->setVisible(!figures.empty());
   const int rows = static_cast<int>(figures.size());
   if (derived_->rowCount() != rows) derived_->setRowCount(rows);
   for (int row = 0; row < rows; ++row) {
-    const DerivedFigure& figure = figures[static_cast<std::size_t>(row)];
+    const picture::DerivedFigure& figure = figures[static_cast<std::size_t>(row)];
     const QString formula = "<p>" + QString::fromStdString(figure.formula).toHtmlEscaped() + "</p>";
     for (int column = 0; column < 2; ++column) {
       QTableWidgetItem* item = derived_->item(row, column);
@@ -306,4 +306,4 @@ void PropertyPanel::focus_first() {
       }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

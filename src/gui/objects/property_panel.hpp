@@ -9,6 +9,7 @@
 
 #include "gui/common/session.hpp"
 #include "gui/objects/property_panel_subject.hpp"
+#include "picture/facts/derived_figures.hpp"
 
 class QGridLayout;
 class QGroupBox;
@@ -17,7 +18,7 @@ class QTableWidget;
 class QToolButton;
 class QVBoxLayout;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FieldEditor;
 class ProblemLine;
@@ -40,7 +41,7 @@ class PropertyPanel : public QScrollArea {
 
  signals:
   /// The user wants to edit a function of an object.
-  void function_requested(ObjectId object, const QString& field_id);
+  void function_requested(scene::ObjectId object, const QString& field_id);
 
  private:
   // One titled box of fields.
@@ -67,7 +68,7 @@ class PropertyPanel : public QScrollArea {
   void fill_problems();
   void arrange();
   void fill_derived();
-  void show_figures(const std::vector<DerivedFigure>& figures);
+  void show_figures(const std::vector<picture::DerivedFigure>& figures);
   void fold(Group& group, bool open);
   void apply(FieldEditor* editor, const QString& text, bool step);
   void judge(FieldEditor* editor, const QString& text);
@@ -90,4 +91,4 @@ class PropertyPanel : public QScrollArea {
   bool committing_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

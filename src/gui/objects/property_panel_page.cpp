@@ -12,12 +12,12 @@
 
 // How the page of fields of one kind of object is put together.
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 QString fold_key(const PanelSubject& subject, const QString& group) {
-  const std::string_view kind = subject.kind() ? name_of(*subject.kind()) : "options";
+  const std::string_view kind = subject.kind() ? scene::name_of(*subject.kind()) : "options";
   return QString::fromUtf8(kind.data(), static_cast<qsizetype>(kind.size())) + '/' + group;
 }
 
@@ -37,7 +37,7 @@ void PropertyPanel::rebuild() {
   page_ = new QWidget;
   page_layout_ = new QVBoxLayout(page_);
   page_layout_->setContentsMargins(0, 0, 0, 0);
-  for (const Field& field : subject_.fields()) {
+  for (const scene::Field& field : subject_.fields()) {
     Group& group = group_named(QString::fromStdString(field.group));
     FieldEditor* editor = make_field_editor(field, group.box);
     group.editors.push_back(editor);
@@ -145,4 +145,4 @@ void PropertyPanel::connect_editor(FieldEditor* editor) {
   });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

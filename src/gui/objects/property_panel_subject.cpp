@@ -8,7 +8,7 @@
 
 #include "gui/common/object_names.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -20,82 +20,87 @@ std::string within_sentence(std::string label) {
   return label;
 }
 
-std::string words_of(ObjectKind kind, std::size_t count) {
-  const std::string word = kind == ObjectKind::geometry ? "geometry table" : std::string(name_of(kind));
+std::string words_of(scene::ObjectKind kind, std::size_t count) {
+  const std::string word = kind == scene::ObjectKind::geometry ? "geometry table" : std::string(scene::name_of(kind));
   return count == 1 ? word : word + "s";
 }
 
 }  // namespace
 
-PanelSubject::PanelSubject(const Scene& scene, ObjectKind kind, const std::vector<ObjectId>& ids)
+PanelSubject::PanelSubject(const scene::Scene& scene, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids)
     : kind_(kind), options_(scene.options) {
-  std::ranges::copy_if(ids, std::back_inserter(ids_), [&](ObjectId id) { return has_object(scene, id); });
+  std::ranges::copy_if(ids, std::back_inserter(ids_), [&](scene::ObjectId id) { return scene::has_object(scene, id); });
   objects_.reserve(ids_.size());
-  for (const ObjectId id : ids_) objects_.push_back(object_of(scene, id));
+  for (const scene::ObjectId id : ids_) objects_.push_back(scene::object_of(scene, id));
 }
 
-bool PanelSubject::stands_in(const Scene& scene) const {
+bool PanelSubject::stands_in(const scene::Scene& scene) const {
   for (std::size_t i = 0; i < ids_.size(); ++i)
-    if (!has_object(scene, ids_[i]) || object_of(scene, ids_[i]) != objects_[i]) return false;
+    if (!scene::has_object(scene, ids_[i]) || scene::object_of(scene, ids_[i]) != objects_[i]) return false;
   return true;
 }
 
-const std::vector<Field>& PanelSubject::fields() const { return kind_ ? fields_of(*kind_) : option_fields(); }
+const std::vector<scene::Field>& PanelSubject::fields() const {
+  return kind_ ? scene::fields_of(*kind_) : scene::option_fields();
+}
 
-std::string PanelSubject::title(const Scene& scene) const {
+std::string PanelSubject::title(const scene::Scene& scene) const {
   if (!kind_) return "Options of the script";
   if (!single()) return fmt::format("{} {}", ids_.size(), words_of(*kind_, ids_.size()));
-  std::string label = label_of(scene, ids_.front());
-  if (*kind_ == ObjectKind::target || *kind_ == ObjectKind::surface) return label;
+  std::string label = scene::label_of(scene, ids_.front());
+  if (*kind_ == scene::ObjectKind::target || *kind_ == scene::ObjectKind::surface) return label;
   std::string word = words_of(*kind_, 1);
   word[0] = static_cast<char>(word[0] - 'a' + 'A');
   return word + " " + label;
 }
 
 bool PanelSubject::applies(std::string_view field) const {
-  return std::ranges::all_of(objects_, [&](const AnyObject& object) { return field_applies(object, field); });
+  return std::ranges::all_of(objects_,
+                             [&](const scene::AnyObject& object) { return scene::field_applies(object, field); });
 }
 
 std::optional<std::string> PanelSubject::common_text(std::string_view field) const {
-  if (!kind_) return field_text(options_, field);
+  if (!kind_) return scene::field_text(options_, field);
   if (objects_.empty()) return std::nullopt;
-  std::string first = field_text(objects_.front(), field);
+  std::string first = scene::field_text(objects_.front(), field);
   for (std::size_t i = 1; i < objects_.size(); ++i)
-    if (field_text(objects_[i], field) != first) return std::nullopt;
+    if (scene::field_text(objects_[i], field) != first) return std::nullopt;
   return first;
 }
 
 std::string PanelSubject::field_of(std::string_view problem_field) const {
-  return std::string(kind_ ? field_of_problem(*kind_, problem_field) : option_field_of_problem(problem_field));
+  return std::string(kind_ ? scene::field_of_problem(*kind_, problem_field)
+                           : scene::option_field_of_problem(problem_field));
 }
 
-bool PanelSubject::concerns(const Subject& subject) const {
+bool PanelSubject::concerns(const core::Subject& subject) const {
   if (!kind_) return subject.kind == "options";
-  return subject.kind == name_of(*kind_) && std::ranges::binary_search(ids_, ObjectId{*kind_, subject.index});
+  return subject.kind == scene::name_of(*kind_) &&
+         std::ranges::binary_search(ids_, scene::ObjectId{*kind_, subject.index});
 }
 
-FieldChange PanelSubject::change(const Scene& scene, const Field& field, const std::string& text,
+FieldChange PanelSubject::change(const scene::Scene& scene, const scene::Field& field, const std::string& text,
                                  const std::string& merge_key) const {
   FieldChange change;
   if (!kind_) {
-    RunOptions options = options_;
-    change.failure = set_field(options, field.id, text);
-    if (change.failure.empty() && options != options_) change.edit = change_options(scene, options);
+    scene::RunOptions options = options_;
+    change.failure = scene::set_field(options, field.id, text);
+    if (change.failure.empty() && options != options_) change.edit = scene::change_options(scene, options);
     change.edit.merge_key = merge_key;
     return change;
   }
   if (has_name(*kind_) && field.id == "name") {
     change.failure =
-        single() ? name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
-    if (change.failure.empty()) change.edit = rename_object(scene, ids_.front(), text);
+        single() ? scene::name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
+    if (change.failure.empty()) change.edit = scene::rename_object(scene, ids_.front(), text);
     return change;
   }
   const std::string label = "Change " + within_sentence(field.label);
   for (std::size_t i = 0; i < ids_.size() && change.failure.empty(); ++i) {
-    AnyObject object = objects_[i];
-    change.failure = set_field(object, field.id, text);
+    scene::AnyObject object = objects_[i];
+    change.failure = scene::set_field(object, field.id, text);
     if (!change.failure.empty() || object == objects_[i]) continue;
-    Edit one = replace_object(scene, ids_[i], std::move(object), label);
+    scene::Edit one = scene::replace_object(scene, ids_[i], std::move(object), label);
     std::ranges::move(one.changes, std::back_inserter(change.edit.changes));
   }
   if (!change.failure.empty()) change.edit = {};
@@ -104,4 +109,4 @@ FieldChange PanelSubject::change(const Scene& scene, const Field& field, const s
   return change;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

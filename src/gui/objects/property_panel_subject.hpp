@@ -9,11 +9,11 @@
 #include "scene/edit/edit.hpp"
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// An edit, or why there is none, in words.
 struct FieldChange {
-  Edit edit;
+  scene::Edit edit;
   std::string failure;
 };
 
@@ -22,24 +22,24 @@ class PanelSubject {
  public:
   PanelSubject() = default;
   /// The run options of a scene.
-  explicit PanelSubject(const Scene& scene) : options_(scene.options) {}
+  explicit PanelSubject(const scene::Scene& scene) : options_(scene.options) {}
   /// Objects of one kind; ids that the scene does not have are left out.
-  PanelSubject(const Scene& scene, ObjectKind kind, const std::vector<ObjectId>& ids);
+  PanelSubject(const scene::Scene& scene, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
 
   /// Nothing for the run options.
-  [[nodiscard]] std::optional<ObjectKind> kind() const { return kind_; }
-  [[nodiscard]] const std::vector<ObjectId>& ids() const { return ids_; }
+  [[nodiscard]] std::optional<scene::ObjectKind> kind() const { return kind_; }
+  [[nodiscard]] const std::vector<scene::ObjectId>& ids() const { return ids_; }
   [[nodiscard]] bool single() const { return ids_.size() == 1; }
   /// Whether the scene has the same objects, as they are here, at the same ids.
-  [[nodiscard]] bool stands_in(const Scene& scene) const;
+  [[nodiscard]] bool stands_in(const scene::Scene& scene) const;
   [[nodiscard]] bool same_objects(const PanelSubject& other) const {
     return kind_ == other.kind_ && ids_ == other.ids_;
   }
 
   /// The fields of their kind, or of the run options.
-  [[nodiscard]] const std::vector<Field>& fields() const;
+  [[nodiscard]] const std::vector<scene::Field>& fields() const;
   /// "Radar Radar1", "3 targets", "Options of the script".
-  [[nodiscard]] std::string title(const Scene& scene) const;
+  [[nodiscard]] std::string title(const scene::Scene& scene) const;
   /// Whether the field means something for all objects.
   [[nodiscard]] bool applies(std::string_view field) const;
   /// What all objects show for a field; nothing where they differ.
@@ -47,17 +47,17 @@ class PanelSubject {
   /// The field of the panel that a problem's field belongs to; empty where there is none.
   [[nodiscard]] std::string field_of(std::string_view problem_field) const;
   /// Whether a problem is about one of the objects.
-  [[nodiscard]] bool concerns(const Subject& subject) const;
+  [[nodiscard]] bool concerns(const core::Subject& subject) const;
 
   /// The edit that gives all objects the typed value, as one step.
-  [[nodiscard]] FieldChange change(const Scene& scene, const Field& field, const std::string& text,
+  [[nodiscard]] FieldChange change(const scene::Scene& scene, const scene::Field& field, const std::string& text,
                                    const std::string& merge_key = "") const;
 
  private:
-  std::optional<ObjectKind> kind_;
-  std::vector<ObjectId> ids_;
-  std::vector<AnyObject> objects_;
-  RunOptions options_;
+  std::optional<scene::ObjectKind> kind_;
+  std::vector<scene::ObjectId> ids_;
+  std::vector<scene::AnyObject> objects_;
+  scene::RunOptions options_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -24,7 +24,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/edit/import_targets.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -143,7 +143,7 @@ void TargetTable::connect_all() {
 
 void TargetTable::fill_platforms() {
   QStringList names;
-  for (const Platform& platform : session_.scene().platforms) names += QString::fromStdString(platform.name);
+  for (const scene::Platform& platform : session_.scene().platforms) names += QString::fromStdString(platform.name);
   QStringList shown;
   for (int i = 1; i < platform_->count(); ++i) shown += platform_->itemText(i);
   if (platform_->count() > 0 && shown == names) return;
@@ -156,8 +156,8 @@ void TargetTable::fill_platforms() {
   if (kept < 0) model_->set_platform(std::nullopt);
 }
 
-std::vector<ObjectId> TargetTable::selected_targets() const {
-  std::set<ObjectId> targets;
+std::vector<scene::ObjectId> TargetTable::selected_targets() const {
+  std::set<scene::ObjectId> targets;
   for (const QItemSelectionRange& range : view_->selectionModel()->selection())
     for (int row = range.top(); row <= range.bottom(); ++row) targets.insert(model_->target_at(row));
   return {targets.begin(), targets.end()};
@@ -165,7 +165,7 @@ std::vector<ObjectId> TargetTable::selected_targets() const {
 
 void TargetTable::take_selection() {
   if (showing_) return;
-  const std::vector<ObjectId> targets = selected_targets();
+  const std::vector<scene::ObjectId> targets = selected_targets();
   const QScopedValueRollback telling(showing_, true);
   if (!targets.empty()) session_.select({targets.begin(), targets.end()});
 }
@@ -174,7 +174,7 @@ void TargetTable::take_selection() {
 void TargetTable::show_selection() {
   if (showing_) return;
   std::vector<int> rows;
-  for (const ObjectId id : session_.selection())
+  for (const scene::ObjectId id : session_.selection())
     if (const int row = model_->row_of(id); row >= 0) rows.push_back(row);
   const QScopedValueRollback telling(showing_, true);
   QItemSelection selection;
@@ -194,7 +194,7 @@ void TargetTable::update_buttons() {
   for (QPushButton* button : {fill_, delete_, copy_}) button->setEnabled(any);
 }
 
-void TargetTable::say(Severity severity, const QStringList& texts) {
+void TargetTable::say(core::Severity severity, const QStringList& texts) {
   constexpr qsizetype most = 4;
   QStringList shown = texts.mid(0, most);
   if (texts.size() > most) shown += tr("and %1 more").arg(texts.size() - most);
@@ -203,7 +203,7 @@ void TargetTable::say(Severity severity, const QStringList& texts) {
 
 // Opens the cell again with what was typed, so that it can be mended.
 void TargetTable::cell_refused(const QModelIndex& cell, const QString& text, const QString& sentence) {
-  say(Severity::error, {tr("Error: %1.").arg(sentence)});
+  say(core::Severity::error, {tr("Error: %1.").arg(sentence)});
   static_cast<TargetTableDelegate*>(view_->itemDelegate())->remember_refused(cell, text);
   QTimer::singleShot(0, this, [this, again = QPersistentModelIndex(cell)] {
     if (again.isValid() && view_->currentIndex() == again) view_->edit(again);
@@ -214,13 +214,13 @@ void TargetTable::fill_selection(const QString& text) {
   const QModelIndexList cells = view_->selectionModel()->selectedIndexes();
   if (cells.isEmpty()) return;
   if (const QString why = model_->fill(cells, {text}); !why.isEmpty())
-    say(Severity::error, {tr("Error: %1. Nothing was changed.").arg(why)});
+    say(core::Severity::error, {tr("Error: %1. Nothing was changed.").arg(why)});
 }
 
 void TargetTable::copy() {
-  std::vector<Target> targets;
-  for (const ObjectId id : selected_targets()) targets.push_back(session_.scene().targets.at(id.index));
-  if (!targets.empty()) QApplication::clipboard()->setText(QString::fromStdString(targets_text(targets)));
+  std::vector<scene::Target> targets;
+  for (const scene::ObjectId id : selected_targets()) targets.push_back(session_.scene().targets.at(id.index));
+  if (!targets.empty()) QApplication::clipboard()->setText(QString::fromStdString(scene::targets_text(targets)));
 }
 
 std::string TargetTable::platform_for_new() const {
@@ -250,22 +250,22 @@ bool TargetTable::paste_values(const QString& text) {
   }
   if (cells.isEmpty()) return false;
   if (const QString why = model_->fill(cells, values); !why.isEmpty())
-    say(Severity::error, {tr("Error: %1. Nothing was changed.").arg(why)});
+    say(core::Severity::error, {tr("Error: %1. Nothing was changed.").arg(why)});
   return true;
 }
 
 void TargetTable::paste() {
   const QString text = QApplication::clipboard()->text();
-  if (text.trimmed().isEmpty()) return say(Severity::note, {tr("The clipboard holds no text.")});
+  if (text.trimmed().isEmpty()) return say(core::Severity::note, {tr("The clipboard holds no text.")});
   if (paste_values(text)) return;
-  TargetImport import = import_targets(text.toStdString(), platform_for_new());
+  scene::TargetImport import = scene::import_targets(text.toStdString(), platform_for_new());
   QStringList problems;
-  for (const Problem& problem : import.problems)
+  for (const core::Problem& problem : import.problems)
     problems += tr("Line %1: %2").arg(problem.place.line).arg(problem_text(problem));
   const bool any = !import.targets.empty();
-  if (any) session_.perform(add_targets(session_.scene(), std::move(import.targets)));
-  if (!problems.isEmpty()) say(any ? Severity::warning : Severity::error, problems);
-  if (!any && problems.isEmpty()) say(Severity::note, {tr("The clipboard holds no targets.")});
+  if (any) session_.perform(scene::add_targets(session_.scene(), std::move(import.targets)));
+  if (!problems.isEmpty()) say(any ? core::Severity::warning : core::Severity::error, problems);
+  if (!any && problems.isEmpty()) say(core::Severity::note, {tr("The clipboard holds no targets.")});
 }
 
 void TargetTable::import_file() {
@@ -275,15 +275,15 @@ void TargetTable::import_file() {
 }
 
 void TargetTable::add_target() {
-  Target target;
+  scene::Target target;
   target.platform = platform_for_new();
-  session_.perform(add_object(session_.scene(), std::move(target)));
-  session_.select_only({ObjectKind::target, session_.scene().targets.size() - 1});
+  session_.perform(scene::add_object(session_.scene(), std::move(target)));
+  session_.select_only({scene::ObjectKind::target, session_.scene().targets.size() - 1});
 }
 
 void TargetTable::delete_targets() {
-  const std::vector<ObjectId> targets = selected_targets();
-  if (!targets.empty()) session_.perform(remove_objects(session_.scene(), targets));
+  const std::vector<scene::ObjectId> targets = selected_targets();
+  if (!targets.empty()) session_.perform(scene::remove_objects(session_.scene(), targets));
 }
 
 bool TargetTable::eventFilter(QObject* watched, QEvent* event) {
@@ -318,4 +318,4 @@ TargetTableDialog::TargetTableDialog(Session& session, QWidget* parent)
   resize(fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 30);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

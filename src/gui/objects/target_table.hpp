@@ -12,7 +12,7 @@ class QLineEdit;
 class QPushButton;
 class QTableView;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 class TargetTableModel;
@@ -51,9 +51,9 @@ class TargetTable : public QWidget {
   void show_selection();
   void update_buttons();
   void cell_refused(const QModelIndex& cell, const QString& text, const QString& sentence);
-  void say(Severity severity, const QStringList& texts);
+  void say(core::Severity severity, const QStringList& texts);
   [[nodiscard]] bool paste_values(const QString& text);
-  [[nodiscard]] std::vector<ObjectId> selected_targets() const;
+  [[nodiscard]] std::vector<scene::ObjectId> selected_targets() const;
   [[nodiscard]] std::string platform_for_new() const;
 
   Session& session_;
@@ -83,4 +83,4 @@ class TargetTableDialog : public QDialog {
   TargetTable* table_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

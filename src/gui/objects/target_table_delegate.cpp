@@ -5,7 +5,7 @@
 
 #include "gui/objects/target_table_model.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 TargetTableDelegate::TargetTableDelegate(Session& session, QObject* parent)
     : QStyledItemDelegate(parent), session_(session) {}
@@ -18,11 +18,11 @@ void TargetTableDelegate::remember_refused(const QModelIndex& cell, const QStrin
 QWidget* TargetTableDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                            const QModelIndex& index) const {
   const auto* model = qobject_cast<const TargetTableModel*>(index.model());
-  const Field& field = model->field_at(index.column());
+  const scene::Field& field = model->field_at(index.column());
   QStringList choices;
   for (const std::string& choice : field.choices) choices += QString::fromStdString(choice);
-  if (field.kind == FieldKind::platform)
-    for (const Platform& platform : session_.scene().platforms) choices += QString::fromStdString(platform.name);
+  if (field.kind == scene::FieldKind::platform)
+    for (const scene::Platform& platform : session_.scene().platforms) choices += QString::fromStdString(platform.name);
   QWidget* editor = nullptr;
   if (choices.isEmpty()) {
     editor = new QLineEdit(parent);
@@ -58,4 +58,4 @@ void TargetTableDelegate::setModelData(QWidget* editor, QAbstractItemModel* mode
   model->setData(index, box != nullptr ? box->currentText() : edit->text(), Qt::EditRole);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

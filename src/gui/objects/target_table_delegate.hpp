@@ -5,7 +5,7 @@
 
 #include "gui/common/session.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Edits a cell of the table of targets: choices and platforms from a list, everything else as text. A text that was
 /// refused stands in the cell's editor when it is opened again.
@@ -28,4 +28,4 @@ class TargetTableDelegate : public QStyledItemDelegate {
   mutable QString refused_text_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,12 +10,12 @@
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
-  for (const Field& field : fields_of(ObjectKind::target))
-    if (field.kind != FieldKind::function) columns_.push_back(field);
-  std::ranges::stable_partition(columns_, [](const Field& field) { return !field.rare; });
+  for (const scene::Field& field : scene::fields_of(scene::ObjectKind::target))
+    if (field.kind != scene::FieldKind::function) columns_.push_back(field);
+  std::ranges::stable_partition(columns_, [](const scene::Field& field) { return !field.rare; });
   rows_ = wanted_rows();
   read_problems();
   connect(&session_, &Session::scene_changed, this, &TargetTableModel::refresh);
@@ -29,18 +29,18 @@ void TargetTableModel::set_platform(const std::optional<std::string>& platform) 
 }
 
 std::vector<std::size_t> TargetTableModel::wanted_rows() const {
-  const std::vector<Target>& targets = session_.scene().targets;
+  const std::vector<scene::Target>& targets = session_.scene().targets;
   std::vector<std::size_t> rows;
   if (!platform_) {
     rows.resize(targets.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     return rows;
   }
-  const std::size_t wanted = find_platform(session_.scene(), *platform_);
+  const std::size_t wanted = scene::find_platform(session_.scene(), *platform_);
   std::unordered_map<std::string, bool> known;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto [entry, is_new] = known.try_emplace(targets[i].platform, false);
-    if (is_new) entry->second = find_platform(session_.scene(), targets[i].platform) == wanted;
+    if (is_new) entry->second = scene::find_platform(session_.scene(), targets[i].platform) == wanted;
     if (entry->second) rows.push_back(i);
   }
   return rows;
@@ -58,20 +58,22 @@ void TargetTableModel::refresh() {
   endResetModel();
 }
 
-ObjectId TargetTableModel::target_at(int row) const {
-  return {ObjectKind::target, rows_.at(static_cast<std::size_t>(row))};
+scene::ObjectId TargetTableModel::target_at(int row) const {
+  return {scene::ObjectKind::target, rows_.at(static_cast<std::size_t>(row))};
 }
 
-int TargetTableModel::row_of(ObjectId target) const {
-  if (target.kind != ObjectKind::target) return -1;
+int TargetTableModel::row_of(scene::ObjectId target) const {
+  if (target.kind != scene::ObjectKind::target) return -1;
   const auto found = std::ranges::lower_bound(rows_, target.index);
   return found == rows_.end() || *found != target.index ? -1 : static_cast<int>(found - rows_.begin());
 }
 
-const Field& TargetTableModel::field_at(int column) const { return columns_.at(static_cast<std::size_t>(column)); }
+const scene::Field& TargetTableModel::field_at(int column) const {
+  return columns_.at(static_cast<std::size_t>(column));
+}
 
 int TargetTableModel::column_of(const std::string& field) const {
-  const auto found = std::ranges::find(columns_, field, &Field::id);
+  const auto found = std::ranges::find(columns_, field, &scene::Field::id);
   return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
 }
 
@@ -88,7 +90,7 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
     if (role != Qt::DisplayRole || section >= rowCount()) return {};
     return static_cast<qulonglong>(target_at(section).index + 1);
   }
-  const Field& field = field_at(section);
+  const scene::Field& field = field_at(section);
   if (role == Qt::DisplayRole) return QString::fromStdString(field.label);
   if (role == Qt::ToolTipRole) return "<p>" + QString::fromStdString(field.tooltip).toHtmlEscaped() + "</p>";
   return {};
@@ -97,41 +99,42 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
 // The first problem of each cell.
 void TargetTableModel::read_problems() {
   problems_.clear();
-  for (const Problem& problem : session_.problems()) {
+  for (const core::Problem& problem : session_.problems()) {
     if (problem.subject.kind != "target") continue;
-    const int column = column_of(std::string(field_of_problem(ObjectKind::target, problem.subject.field)));
+    const int column =
+        column_of(std::string(scene::field_of_problem(scene::ObjectKind::target, problem.subject.field)));
     if (column >= 0) problems_.try_emplace({problem.subject.index, column}, problem);
   }
 }
 
 QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid() || !has_object(session_.scene(), target_at(index.row()))) return {};
+  if (!index.isValid() || !scene::has_object(session_.scene(), target_at(index.row()))) return {};
   const bool value_wanted = role == Qt::DisplayRole || role == Qt::EditRole;
   if (!value_wanted && role != Qt::ToolTipRole && role != Qt::DecorationRole && role != Qt::TextAlignmentRole)
     return {};
-  const Field& field = field_at(index.column());
+  const scene::Field& field = field_at(index.column());
   if (role == Qt::TextAlignmentRole) {
-    const bool number = field.kind == FieldKind::quantity;
+    const bool number = field.kind == scene::FieldKind::quantity;
     return QVariant::fromValue(Qt::Alignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
   }
   if (value_wanted) {
-    const AnyObject target = session_.scene().targets[target_at(index.row()).index];
+    const scene::AnyObject target = session_.scene().targets[target_at(index.row()).index];
     // What means nothing for a target is not shown as if it did.
-    if (!field_applies(target, field.id)) return role == Qt::DisplayRole ? QStringLiteral("-") : QString();
-    return QString::fromStdString(field_text(target, field.id));
+    if (!scene::field_applies(target, field.id)) return role == Qt::DisplayRole ? QStringLiteral("-") : QString();
+    return QString::fromStdString(scene::field_text(target, field.id));
   }
   const auto problem = problems_.find({target_at(index.row()).index, index.column()});
   if (problem == problems_.end()) return {};
   if (role == Qt::ToolTipRole) return problem_text(problem->second);
-  const bool error = problem->second.severity == Severity::error;
+  const bool error = problem->second.severity == core::Severity::error;
   return QApplication::style()->standardIcon(error ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning);
 }
 
 Qt::ItemFlags TargetTableModel::flags(const QModelIndex& index) const {
-  if (!index.isValid() || !has_object(session_.scene(), target_at(index.row()))) return Qt::NoItemFlags;
-  const AnyObject target = session_.scene().targets[target_at(index.row()).index];
+  if (!index.isValid() || !scene::has_object(session_.scene(), target_at(index.row()))) return Qt::NoItemFlags;
+  const scene::AnyObject target = session_.scene().targets[target_at(index.row()).index];
   const Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
-  return field_applies(target, field_at(index.column()).id) ? flags | Qt::ItemIsEditable : flags;
+  return scene::field_applies(target, field_at(index.column()).id) ? flags | Qt::ItemIsEditable : flags;
 }
 
 bool TargetTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -145,25 +148,25 @@ bool TargetTableModel::setData(const QModelIndex& index, const QVariant& value, 
 }
 
 QString TargetTableModel::fill(const QModelIndexList& cells, const QStringList& texts) {
-  std::map<std::size_t, AnyObject> changed;
+  std::map<std::size_t, scene::AnyObject> changed;
   for (qsizetype i = 0; i < cells.size(); ++i) {
     const QModelIndex& cell = cells[i];
     const QString& text = texts.size() == 1 ? texts.front() : texts.value(i);
-    const ObjectId id = target_at(cell.row());
+    const scene::ObjectId id = target_at(cell.row());
     const auto entry = changed.try_emplace(id.index, session_.scene().targets.at(id.index)).first;
-    const Field& field = field_at(cell.column());
+    const scene::Field& field = field_at(cell.column());
     const std::string why =
-        field_applies(entry->second, field.id)
-            ? set_field(entry->second, field.id, text.toStdString())
+        scene::field_applies(entry->second, field.id)
+            ? scene::set_field(entry->second, field.id, text.toStdString())
             : "the " + field.label + " means nothing here; choose another reflectivity or gain first";
     if (!why.empty())
       return cells.size() == 1 ? QString::fromStdString(why)
                                : tr("target %1: %2").arg(id.index + 1).arg(QString::fromStdString(why));
   }
-  Edit edit;
+  scene::Edit edit;
   for (auto& [index, object] : changed) {
-    const ObjectId id{ObjectKind::target, index};
-    Edit one = replace_object(session_.scene(), id, std::move(object), "Change target");
+    const scene::ObjectId id{scene::ObjectKind::target, index};
+    scene::Edit one = scene::replace_object(session_.scene(), id, std::move(object), "Change target");
     std::ranges::move(one.changes, std::back_inserter(edit.changes));
   }
   edit.label = changed.size() == 1 ? "Change target" : "Change " + std::to_string(changed.size()) + " targets";
@@ -171,4 +174,4 @@ QString TargetTableModel::fill(const QModelIndexList& cells, const QStringList& 
   return {};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -11,7 +11,7 @@
 #include "gui/common/session.hpp"
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// All targets of a scene, or those of one platform, one row each; a column for each of their fields that is text, a
 /// number or a choice, those that are rarely needed last. Cells take what the property panel takes: "3 km", "10 dBsm".
@@ -26,11 +26,11 @@ class TargetTableModel : public QAbstractTableModel {
   [[nodiscard]] const std::optional<std::string>& platform() const { return platform_; }
 
   /// The target of a row that there is.
-  [[nodiscard]] ObjectId target_at(int row) const;
+  [[nodiscard]] scene::ObjectId target_at(int row) const;
   /// -1 where the target is not shown.
-  [[nodiscard]] int row_of(ObjectId target) const;
+  [[nodiscard]] int row_of(scene::ObjectId target) const;
   /// The field of a column that there is.
-  [[nodiscard]] const Field& field_at(int column) const;
+  [[nodiscard]] const scene::Field& field_at(int column) const;
   /// -1 where no column shows the field.
   [[nodiscard]] int column_of(const std::string& field) const;
 
@@ -57,9 +57,9 @@ class TargetTableModel : public QAbstractTableModel {
 
   Session& session_;
   std::optional<std::string> platform_;
-  std::vector<Field> columns_;
-  std::vector<std::size_t> rows_;                            // positions in the scene's list of targets, ascending
-  std::map<std::pair<std::size_t, int>, Problem> problems_;  // by target and column
+  std::vector<scene::Field> columns_;
+  std::vector<std::size_t> rows_;  // positions in the scene's list of targets, ascending
+  std::map<std::pair<std::size_t, int>, core::Problem> problems_;  // by target and column
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -27,7 +27,7 @@
 #include "gui/image/image_viewers.hpp"
 #include "scene/edit/document_data.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -225,7 +225,7 @@ void ProductWindow::make() {
   made_ = folder_->filePath(QString(products[static_cast<std::size_t>(product_->currentIndex())].command) + ".npy");
   try {
     // Names of data files may lead out of the folder, to files of others.
-    const std::string text = self_contained_script(session_.document());
+    const std::string text = scene::self_contained_script(session_.document());
     QFile file(script);
     if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
       throw std::runtime_error(file.errorString().toStdString());
@@ -280,11 +280,11 @@ void ProductWindow::take_end(int status, QProcess::ExitStatus how) {
 }
 
 void ProductWindow::fail(const QStringList& words) {
-  problems_->show_texts(Severity::error, words);
+  problems_->show_texts(core::Severity::error, words);
   state_->setText(tr("Nothing was made"));
   stop_->setEnabled(false);
   make_->setEnabled(simulation_->count() > 0);
   emit ended(false);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

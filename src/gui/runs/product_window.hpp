@@ -16,7 +16,7 @@ class QPlainTextEdit;
 class QPushButton;
 class QTemporaryDir;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ImageViewers;
 class ProblemLine;
@@ -76,4 +76,4 @@ class ProductWindow : public QWidget {
   QPushButton* stop_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

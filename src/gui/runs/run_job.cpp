@@ -18,32 +18,32 @@
 #include "simulate/survey/survey.hpp"
 #include "workflow/record/save_estimate.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-QString size_text(double bytes) { return QString::fromStdString(bytes_text(bytes)); }
+QString size_text(double bytes) { return QString::fromStdString(core::bytes_text(bytes)); }
 
 // The scene with this recording alone: problems of others are of no interest.
-Scene with_only(const Scene& scene, std::size_t simulation) {
-  Scene one = scene;
+scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
+  scene::Scene one = scene;
   one.simulations = {scene.simulations.at(simulation)};
   one.geometries.clear();
   return one;
 }
 
 // Throws where the scene has errors, with all of them in words; otherwise gives the warnings.
-QStringList warnings_of_sound(const Scene& one) {
-  Problems problems = check(one);
-  if (!has_errors(problems)) std::ranges::move(survey(one), std::back_inserter(problems));
-  problems = ranked(std::move(problems));
+QStringList warnings_of_sound(const scene::Scene& one) {
+  core::Problems problems = scene::check(one);
+  if (!core::has_errors(problems)) std::ranges::move(simulate::survey(one), std::back_inserter(problems));
+  problems = core::ranked(std::move(problems));
   QStringList errors;
   QStringList warnings;
-  for (const Problem& problem : problems) {
-    if (problem.severity == Severity::note) continue;
-    (problem.severity == Severity::error ? errors : warnings) += problem_text(problem);
+  for (const core::Problem& problem : problems) {
+    if (problem.severity == core::Severity::note) continue;
+    (problem.severity == core::Severity::error ? errors : warnings) += problem_text(problem);
   }
   if (!errors.isEmpty()) throw std::runtime_error(errors.join('\n').toStdString());
   return warnings;
@@ -62,25 +62,25 @@ void expect_room(const fs::path& file, double bytes) {
           .toStdString());
 }
 
-RunEstimate estimate_of(const Plan& plan, double bytes, QStringList warnings) {
-  const unsigned threads = thread_count(0);
-  const Cost cost = estimated_cost(plan, threads);
-  const bool twice = plan.simulation.lsb_v <= 0.0 && holds_counts(plan.simulation.format);
+RunEstimate estimate_of(const simulate::Plan& plan, double bytes, QStringList warnings) {
+  const unsigned threads = core::thread_count(0);
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
+  const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format);
   RunEstimate estimate;
   estimate.rows = plan.rows;
   estimate.columns = plan.columns;
   estimate.bytes = bytes;
   estimate.seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
   estimate.memory_bytes = cost.memory_bytes;
-  const std::string_view engine = name_of(plan.engine.engine);
+  const std::string_view engine = simulate::name_of(plan.engine.engine);
   estimate.engine = QString::fromLatin1(engine.data(), static_cast<qsizetype>(engine.size()));
   estimate.warnings = std::move(warnings);
   return estimate;
 }
 
 // Part of the work, from `from` to `to` of the whole.
-ProgressReport part_of(const BackgroundJob::Report& report, double from, double to) {
-  return [&report, from, to](const Progress& progress) {
+core::ProgressReport part_of(const BackgroundJob::Report& report, double from, double to) {
+  return [&report, from, to](const core::Progress& progress) {
     const double share =
         progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total) : 1.0;
     report(from + (to - from) * share);
@@ -91,7 +91,7 @@ QString millivolts(double volts) { return QStringLiteral("%1 mV").arg(1e3 * volt
 
 QString percent(double share) { return QStringLiteral("%1 %").arg(100.0 * share, 0, 'g', 4); }
 
-double share(std::uint64_t part, const RunReport& run) {
+double share(std::uint64_t part, const simulate::RunReport& run) {
   const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
   return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
 }
@@ -114,7 +114,7 @@ RunJob::RunJob(RunRequest request, QObject* parent)
 RunJob::~RunJob() { cancel(); }
 
 void RunJob::start() {
-  job_->start([this](const StopFlag& stop, const BackgroundJob::Report& report) { work(stop, report); });
+  job_->start([this](const core::StopFlag& stop, const BackgroundJob::Report& report) { work(stop, report); });
 }
 
 void RunJob::proceed() {
@@ -129,34 +129,37 @@ void RunJob::cancel() {
   changed_.notify_all();
 }
 
-void RunJob::wait_for_leave(const StopFlag& stop) {
+void RunJob::wait_for_leave(const core::StopFlag& stop) {
   std::unique_lock hold(lock_);
   changed_.wait(hold, [&] { return may_proceed_ || stop.requested(); });
-  if (stop.requested()) throw Interrupted();
+  if (stop.requested()) throw core::Interrupted();
 }
 
-void RunJob::work(const StopFlag& stop, const BackgroundJob::Report& report) try {
+void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) try {
   QStringList warnings = warnings_of_sound(with_only(request_.scene, request_.simulation));
-  const auto resolved = std::make_shared<const ResolvedScene>(resolve(request_.scene));
-  const Plan plan = make_plan(request_.scene, request_.simulation, resolved, Engine::automatic);
-  const bool with_script = plan.simulation.format == FileFormat::hdf5;
-  const Product product = product_of(plan, with_script ? write_script(request_.scene) : std::string());
-  const SinkOptions options{plan.simulation.format, request_.replace, false, false};
-  const double bytes = expected_bytes(product, options);
+  const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(request_.scene));
+  const simulate::Plan plan =
+      simulate::make_plan(request_.scene, request_.simulation, resolved, simulate::Engine::automatic);
+  const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+  const simulate::Product product =
+      simulate::product_of(plan, with_script ? scene::write_script(request_.scene) : std::string());
+  const raster::SinkOptions options{plan.simulation.format, request_.replace, false, false};
+  const double bytes = raster::expected_bytes(product, options);
   const RunEstimate estimate = estimate_of(plan, bytes, std::move(warnings));
   QMetaObject::invokeMethod(
       this, [this, estimate] { emit estimated(estimate); }, Qt::QueuedConnection);
   wait_for_leave(stop);
 
-  const double begin_s = now_s();
+  const double begin_s = core::now_s();
   // The size of text is an estimate from above.
-  const bool text = plan.simulation.format != FileFormat::binary && !(with_script || options.format == FileFormat::npy);
+  const bool text =
+      plan.simulation.format != scene::FileFormat::binary && !(with_script || options.format == scene::FileFormat::npy);
   expect_room(request_.file, text ? 0.4 * bytes : bytes);
-  const std::unique_ptr<Sink> sink = make_sink(request_.file, product, options);
+  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(request_.file, product, options);
   const bool seek_lsb = plan.simulation.lsb_v <= 0.0 && sink->wants_counts();
   double lsb_v = plan.simulation.lsb_v;
-  if (seek_lsb) lsb_v = resolved_lsb_v(plan, {0, &stop, part_of(report, 0.0, 0.5)});
-  summary_.report = run(plan, lsb_v, *sink, {0, &stop, part_of(report, seek_lsb ? 0.5 : 0.0, 1.0)});
+  if (seek_lsb) lsb_v = simulate::resolved_lsb_v(plan, {0, &stop, part_of(report, 0.0, 0.5)});
+  summary_.report = simulate::run(plan, lsb_v, *sink, {0, &stop, part_of(report, seek_lsb ? 0.5 : 0.0, 1.0)});
   summary_.counts = sink->wants_counts();
   summary_.simulation = plan.simulation;
   summary_.file = request_.file;
@@ -164,20 +167,20 @@ void RunJob::work(const StopFlag& stop, const BackgroundJob::Report& report) try
   std::error_code failure;
   const auto size = fs::file_size(request_.file, failure);
   summary_.bytes = failure ? bytes : static_cast<double>(size);
-  summary_.seconds = now_s() - begin_s;
-} catch (const ImpossibleEcho& error) {
+  summary_.seconds = core::now_s() - begin_s;
+} catch (const simulate::ImpossibleEcho& error) {
   throw std::runtime_error(problem_text(error.problem).toStdString());
 }
 
 QStringList summary_lines(const RunSummary& summary) {
-  const RunReport& run = summary.report;
+  const simulate::RunReport& run = summary.report;
   const bool given = summary.simulation.lsb_v > 0.0;
   QStringList lines;
   lines += RunJob::tr("%1: %2 x %3 samples, %4, %5")
                .arg(QString::fromStdString(summary.file.string()))
                .arg(run.rows)
                .arg(run.columns)
-               .arg(size_text(summary.bytes), QString::fromStdString(duration_text(summary.seconds)));
+               .arg(size_text(summary.bytes), QString::fromStdString(core::duration_text(summary.seconds)));
   lines += RunJob::tr("Largest magnitude %1, %2 of the converter's range")
                .arg(millivolts(run.maximum_v), percent(run.range_used));
   if (summary.counts || given)
@@ -202,11 +205,11 @@ QString estimate_text(const RunEstimate& estimate) {
   return RunJob::tr("%1 x %2 samples, %3, %4, %5 of memory, %6 engine")
       .arg(estimate.rows)
       .arg(estimate.columns)
-      .arg(size_text(estimate.bytes), QString::fromStdString(about_duration_text(estimate.seconds)),
+      .arg(size_text(estimate.bytes), QString::fromStdString(core::about_duration_text(estimate.seconds)),
            size_text(estimate.memory_bytes), estimate.engine);
 }
 
-fs::path run_file(const Scene& scene, std::size_t simulation, const fs::path& folder) {
+fs::path run_file(const scene::Scene& scene, std::size_t simulation, const fs::path& folder) {
   std::set<fs::path> taken;
   for (std::size_t i = 0; i <= simulation && i < scene.simulations.size(); ++i) {
     const fs::path base = base_name(scene.simulations[i].file);
@@ -222,4 +225,4 @@ fs::path run_file(const Scene& scene, std::size_t simulation, const fs::path& fo
   return {};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -12,11 +12,11 @@
 #include "gui/common/background_job.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// One simulation of a scene to be computed into a file.
 struct RunRequest {
-  Scene scene;
+  scene::Scene scene;
   std::size_t simulation = 0;
   std::filesystem::path file;
   bool replace = false;  ///< An existing file may be replaced.
@@ -35,8 +35,8 @@ struct RunEstimate {
 
 /// What a run came to.
 struct RunSummary {
-  Simulation simulation;
-  RunReport report;
+  scene::Simulation simulation;
+  simulate::RunReport report;
   std::filesystem::path file;
   QString engine;  ///< With the reason for it.
   double bytes = 0.0;
@@ -66,13 +66,13 @@ class RunJob : public QObject {
   [[nodiscard]] const RunRequest& request() const { return request_; }
 
  signals:
-  void estimated(const sarsim::RunEstimate& estimate);     ///< It is planned, and waits.
-  void progressed(double fraction, double seconds_left);   ///< Seconds below 0: not known yet.
-  void ended(sarsim::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
+  void estimated(const sarsim::gui::RunEstimate& estimate);     ///< It is planned, and waits.
+  void progressed(double fraction, double seconds_left);        ///< Seconds below 0: not known yet.
+  void ended(sarsim::gui::JobEnd end, const QString& failure);  ///< With words about its failure, where it failed.
 
  private:
-  void work(const StopFlag& stop, const BackgroundJob::Report& report);
-  void wait_for_leave(const StopFlag& stop);
+  void work(const core::StopFlag& stop, const BackgroundJob::Report& report);
+  void wait_for_leave(const core::StopFlag& stop);
 
   RunRequest request_;
   RunSummary summary_;
@@ -92,7 +92,7 @@ class RunJob : public QObject {
 /// Where a simulation's file goes in a folder: the base name of its name after either kind of slash; where simulations
 /// before it in the scene have the same one, with their number: "sim-2.bin", as `sarsim run` has it. Empty for a name
 /// without a base name.
-[[nodiscard]] std::filesystem::path run_file(const Scene& scene, std::size_t simulation,
+[[nodiscard]] std::filesystem::path run_file(const scene::Scene& scene, std::size_t simulation,
                                              const std::filesystem::path& folder);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -12,7 +12,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -108,7 +108,7 @@ void RunPanel::cancel() {
 void RunPanel::show_estimate(const RunEstimate& estimate) {
   report_->setText(estimate_text(estimate));
   report_->setVisible(true);
-  if (!estimate.warnings.isEmpty()) problems_->show_texts(Severity::warning, estimate.warnings);
+  if (!estimate.warnings.isEmpty()) problems_->show_texts(core::Severity::warning, estimate.warnings);
   if (!cancel_->isEnabled()) return;
   if (estimate.seconds <= patience_s_ && estimate.memory_bytes <= modest_memory_bytes) {
     proceed();
@@ -131,7 +131,7 @@ void RunPanel::show_progress(double fraction, double seconds_left) {
   const QString done = tr("%1 % done").arg(100.0 * fraction, 0, 'f', 0);
   state_->setText(seconds_left < 0.0
                       ? done
-                      : tr("%1, about %2 left").arg(done, QString::fromStdString(duration_text(seconds_left))));
+                      : tr("%1, about %2 left").arg(done, QString::fromStdString(core::duration_text(seconds_left))));
 }
 
 void RunPanel::show_end(JobEnd end, const QString& failure) {
@@ -144,15 +144,15 @@ void RunPanel::show_end(JobEnd end, const QString& failure) {
     report_->setVisible(false);
   } else if (end == JobEnd::failed) {
     report_->setVisible(false);
-    problems_->show_texts(Severity::error, failure.split('\n'));
+    problems_->show_texts(core::Severity::error, failure.split('\n'));
   } else {
     title_->setText(tr("Done"));
     report_->setText(summary_lines(job_->summary()).join('\n'));
     const QString warning = saturation_warning(job_->summary());
-    if (!warning.isEmpty()) problems_->show_texts(Severity::warning, {warning});
+    if (!warning.isEmpty()) problems_->show_texts(core::Severity::warning, {warning});
     use_lsb_->setVisible(!warning.isEmpty());
   }
   emit ended(end);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,7 +10,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 
@@ -32,9 +32,9 @@ class RunPanel : public QWidget {
   void set_patience_s(double seconds) { patience_s_ = seconds; }
 
  signals:
-  void ended(sarsim::JobEnd end);  ///< The run is over; the panel says what came of it.
+  void ended(sarsim::gui::JobEnd end);  ///< The run is over; the panel says what came of it.
   /// The user wants this LSB for the simulation that was run.
-  void lsb_wanted(const sarsim::Simulation& simulation, double lsb_v);
+  void lsb_wanted(const sarsim::scene::Simulation& simulation, double lsb_v);
 
  private:
   void show_estimate(const RunEstimate& estimate);
@@ -54,4 +54,4 @@ class RunPanel : public QWidget {
   ProblemLine* problems_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

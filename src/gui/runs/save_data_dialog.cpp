@@ -24,20 +24,20 @@
 #include "raster/table/formats.hpp"
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array formats{FileFormat::binary,  FileFormat::ascii, FileFormat::csv,
-                             FileFormat::bracket, FileFormat::npy,   FileFormat::hdf5};
+constexpr std::array formats{scene::FileFormat::binary,  scene::FileFormat::ascii, scene::FileFormat::csv,
+                             scene::FileFormat::bracket, scene::FileFormat::npy,   scene::FileFormat::hdf5};
 
 // For people, who do not count nanometres; what is saved is exact.
 QString span_text(double from, double to, const char* unit) {
   constexpr int digits = 8;
   return SaveDataDialog::tr("%1 to %2")
-      .arg(text_of(with_prefix(from, unit, digits)), text_of(with_prefix(to, unit, digits)));
+      .arg(text_of(core::with_prefix(from, unit, digits)), text_of(core::with_prefix(to, unit, digits)));
 }
 
 QFormLayout* add_group(QVBoxLayout* column, const QString& title, QWidget* parent) {
@@ -49,8 +49,8 @@ QFormLayout* add_group(QVBoxLayout* column, const QString& title, QWidget* paren
 
 }  // namespace
 
-SaveDataDialog::SaveDataDialog(Session& session, const Simulation& recording, double bandwidth_hz, double largest_v,
-                               fs::path folder, QWidget* parent)
+SaveDataDialog::SaveDataDialog(Session& session, const scene::Simulation& recording, double bandwidth_hz,
+                               double largest_v, fs::path folder, QWidget* parent)
     : QDialog(parent),
       session_(session),
       bandwidth_hz_(bandwidth_hz),
@@ -59,8 +59,8 @@ SaveDataDialog::SaveDataDialog(Session& session, const Simulation& recording, do
   setObjectName("save_data_dialog");
   setWindowTitle(tr("Save Data"));
   choice_.recording = recording;
-  choice_.lsb = recording.lsb_v > 0.0 ? LsbChoice::given : LsbChoice::estimated;
-  choice_.file = free_file(session_.scene(), folder_, recording.format);
+  choice_.lsb = recording.lsb_v > 0.0 ? workflow::LsbChoice::given : workflow::LsbChoice::estimated;
+  choice_.file = workflow::free_file(session_.scene(), folder_, recording.format);
   make_questions();
   auto* const column = new QVBoxLayout(this);
   make_window_group(add_group(column, tr("Simulation window"), this));
@@ -108,7 +108,7 @@ QComboBox* SaveDataDialog::add_choice(QFormLayout* form, const QString& label, c
 }
 
 void SaveDataDialog::make_window_group(QFormLayout* form) {
-  const Simulation& s = choice_.recording;
+  const scene::Simulation& s = choice_.recording;
   const auto add_text = [&](const QString& label, const QString& text, const char* name) {
     auto* const shown = new QLabel(text, this);
     shown->setObjectName(name);
@@ -121,7 +121,7 @@ void SaveDataDialog::make_window_group(QFormLayout* form) {
   multiple_ = add_line(form, tr("Sampling x bandwidth"), "save_multiple",
                        tr("Sampling frequency over the bandwidth of the pulse; below 1 is accepted"));
   rate_ = add_line(form, tr("Sampling frequency"), "save_rate", tr("Of complex samples, as 60 MHz"));
-  rate_->setText(text_of(quantity_text(s.sample_rate_hz, Quantity::frequency)));
+  rate_->setText(text_of(scene::quantity_text(s.sample_rate_hz, scene::Quantity::frequency)));
   multiple_->setEnabled(bandwidth_hz_ > 0.0);
   if (bandwidth_hz_ > 0.0) multiple_->setText(QString::number(s.sample_rate_hz / bandwidth_hz_, 'g', 10));
   connect(multiple_, &QLineEdit::textEdited, this, &SaveDataDialog::take_multiple);
@@ -143,7 +143,8 @@ void SaveDataDialog::make_converter_group(QFormLayout* form) {
   lsb_from_->setCurrentIndex(static_cast<int>(choice_.lsb));
   lsb_ = add_line(form, tr("LSB value"), "save_lsb", tr("Voltage of one step; a number without unit is in mV"));
   connect(bits_, &QSpinBox::valueChanged, this, &SaveDataDialog::take_rest);
-  if (choice_.recording.lsb_v > 0.0) lsb_->setText(text_of(quantity_text(choice_.recording.lsb_v, Quantity::voltage)));
+  if (choice_.recording.lsb_v > 0.0)
+    lsb_->setText(text_of(scene::quantity_text(choice_.recording.lsb_v, scene::Quantity::voltage)));
   connect(lsb_from_, &QComboBox::currentIndexChanged, this, &SaveDataDialog::take_lsb_choice);
   connect(lsb_, &QLineEdit::textEdited, this, &SaveDataDialog::take_rest);
 }
@@ -189,7 +190,7 @@ void SaveDataDialog::make_questions() {
 
 // The field that is typed into leads, the other one follows.
 void SaveDataDialog::take_rate() {
-  const QuantityReading read = read_quantity(rate_->text().toStdString(), Quantity::frequency);
+  const scene::QuantityReading read = scene::read_quantity(rate_->text().toStdString(), scene::Quantity::frequency);
   rate_failure_ = text_of(read.failure);
   if (read.value && !(*read.value > 0.0)) rate_failure_ = tr("the sampling frequency must be above 0");
   if (rate_failure_.isEmpty()) {
@@ -200,33 +201,34 @@ void SaveDataDialog::take_rate() {
 }
 
 void SaveDataDialog::take_multiple() {
-  const QuantityReading read = read_quantity(multiple_->text().toStdString(), Quantity::number);
+  const scene::QuantityReading read = scene::read_quantity(multiple_->text().toStdString(), scene::Quantity::number);
   rate_failure_ = text_of(read.failure);
   if (read.value && !(*read.value > 0.0)) rate_failure_ = tr("the multiple of the bandwidth must be above 0");
   if (rate_failure_.isEmpty()) {
-    choice_.recording.sample_rate_hz = tidy(*read.value * bandwidth_hz_);
-    rate_->setText(text_of(quantity_text(choice_.recording.sample_rate_hz, Quantity::frequency)));
+    choice_.recording.sample_rate_hz = core::tidy(*read.value * bandwidth_hz_);
+    rate_->setText(text_of(scene::quantity_text(choice_.recording.sample_rate_hz, scene::Quantity::frequency)));
   }
   refresh();
 }
 
 // Back to a value of one's own: the field has shown others meanwhile.
 void SaveDataDialog::take_lsb_choice() {
-  const bool given = static_cast<LsbChoice>(lsb_from_->currentIndex()) == LsbChoice::given;
+  const bool given = static_cast<workflow::LsbChoice>(lsb_from_->currentIndex()) == workflow::LsbChoice::given;
   if (given && choice_.recording.lsb_v > 0.0)
-    lsb_->setText(text_of(quantity_text(choice_.recording.lsb_v, Quantity::voltage)));
+    lsb_->setText(text_of(scene::quantity_text(choice_.recording.lsb_v, scene::Quantity::voltage)));
   take_rest();
 }
 
 void SaveDataDialog::take_rest() {
   choice_.recording.bits = bits_->value();
-  choice_.lsb = static_cast<LsbChoice>(lsb_from_->currentIndex());
-  choice_.target = static_cast<SaveTarget>(target_->currentIndex());
+  choice_.lsb = static_cast<workflow::LsbChoice>(lsb_from_->currentIndex());
+  choice_.target = static_cast<workflow::SaveTarget>(target_->currentIndex());
   choice_.file = file_->text().trimmed().toStdString();
   if (!choice_.file.empty() && choice_.file.is_relative()) choice_.file = folder_ / choice_.file;
   lsb_failure_.clear();
-  if (choice_.lsb == LsbChoice::given) {
-    const QuantityReading read = read_quantity(lsb_->text().toStdString(), Quantity::voltage, "mV");
+  if (choice_.lsb == workflow::LsbChoice::given) {
+    const scene::QuantityReading read =
+        scene::read_quantity(lsb_->text().toStdString(), scene::Quantity::voltage, "mV");
     lsb_failure_ = text_of(read.failure);
     if (read.value && !(*read.value > 0.0)) lsb_failure_ = tr("the LSB must be above 0");
     if (lsb_failure_.isEmpty()) choice_.recording.lsb_v = *read.value;
@@ -237,20 +239,20 @@ void SaveDataDialog::take_rest() {
 
 // Where it is not typed, the field shows what it will be.
 void SaveDataDialog::show_lsb() {
-  const bool given = choice_.lsb == LsbChoice::given;
+  const bool given = choice_.lsb == workflow::LsbChoice::given;
   lsb_->setReadOnly(!given);
   lsb_->setEnabled(given);
   const double lsb_v = simulation().lsb_v;
   if (given) return;
   lsb_->setText(lsb_v > 0.0 ? QStringLiteral("%1 mV").arg(1e3 * lsb_v, 0, 'g', 6) : QString());
-  lsb_->setPlaceholderText(choice_.lsb == LsbChoice::estimated ? tr("unknown until the picture is complete")
-                                                               : tr("known when it has run"));
+  lsb_->setPlaceholderText(choice_.lsb == workflow::LsbChoice::estimated ? tr("unknown until the picture is complete")
+                                                                         : tr("known when it has run"));
 }
 
 void SaveDataDialog::follow_format() {
   choice_.recording.format = formats.at(static_cast<std::size_t>(format_->currentIndex()));
   const fs::path typed = file_->text().trimmed().toStdString();
-  const QString following = text_of(following_format(typed, choice_.recording.format).string());
+  const QString following = text_of(workflow::following_format(typed, choice_.recording.format).string());
   if (following == file_->text())
     refresh();
   else
@@ -261,7 +263,7 @@ void SaveDataDialog::select_file() {
   const QString chosen = ask_file(text_of(choice_.file.string()));
   if (chosen.isEmpty()) return;
   file_->setText(chosen);
-  const auto format = format_from_path(chosen.toStdString());
+  const auto format = raster::format_from_path(chosen.toStdString());
   for (std::size_t i = 0; format && i < formats.size(); ++i)
     if (formats.at(i) == *format) format_->setCurrentIndex(static_cast<int>(i));
   follow_format();
@@ -273,7 +275,7 @@ QStringList SaveDataDialog::objections() const {
     if (!failure.isEmpty()) texts << failure;
   if (choice_.file.filename().empty()) texts << tr("the file has no name");
   std::error_code unreadable;
-  if (choice_.target != SaveTarget::script && !choice_.file.empty()) {
+  if (choice_.target != workflow::SaveTarget::script && !choice_.file.empty()) {
     if (!fs::is_directory(choice_.file.parent_path(), unreadable))
       texts << tr("there is no folder '%1'").arg(text_of(choice_.file.parent_path().string()));
     else if (fs::is_directory(choice_.file, unreadable))
@@ -282,7 +284,7 @@ QStringList SaveDataDialog::objections() const {
   return texts;
 }
 
-std::optional<SaveChoice> SaveDataDialog::choice() const {
+std::optional<workflow::SaveChoice> SaveDataDialog::choice() const {
   return objections().isEmpty() ? std::optional(choice_) : std::nullopt;
 }
 
@@ -304,7 +306,7 @@ void SaveDataDialog::refresh() {
 
 // Text that breaks into lines asks for no room by itself: the dialog would press its fields together.
 void SaveDataDialog::show_objections(const QStringList& texts) {
-  problems_->show_texts(Severity::error, texts);
+  problems_->show_texts(core::Severity::error, texts);
   // From the inside outwards: each tells the next that it needs another height.
   problems_->layout()->activate();
   layout()->activate();
@@ -313,10 +315,10 @@ void SaveDataDialog::show_objections(const QStringList& texts) {
 }
 
 void SaveDataDialog::plan() {
-  forecast_ = std::make_shared<SaveForecast>();
+  forecast_ = std::make_shared<workflow::SaveForecast>();
   planning_.run([scene = session_.scene(), choice = choice_, largest_v = largest_v_, into = forecast_](
-                    const StopFlag& stop, const BackgroundJob::Report&) {
-    *into = forecast(scene, choice, largest_v, thread_count(0), &stop);
+                    const core::StopFlag& stop, const BackgroundJob::Report&) {
+    *into = workflow::forecast(scene, choice, largest_v, core::thread_count(0), &stop);
   });
 }
 
@@ -324,21 +326,22 @@ void SaveDataDialog::show_forecast(bool good, const QString& failure) {
   QStringList texts;
   if (!good) texts << (failure.isEmpty() ? tr("the recording could not be planned") : failure);
   if (good)
-    for (const Problem& problem : forecast_->problems) texts << problem_text(problem);
-  estimate_->setText(good && forecast_->estimate ? QString::fromStdString(sarsim::text_of(*forecast_->estimate))
-                                                 : QString());
+    for (const core::Problem& problem : forecast_->problems) texts << problem_text(problem);
+  estimate_->setText(good && forecast_->estimate
+                         ? QString::fromStdString(sarsim::workflow::text_of(*forecast_->estimate))
+                         : QString());
   if (!texts.isEmpty()) show_objections(texts.mid(0, 5));
   sound_ = texts.isEmpty();
   // What cannot be run yet may still be kept in the script, to be mended there.
-  buttons_->button(QDialogButtonBox::Save)->setEnabled(sound_ || choice_.target == SaveTarget::script);
+  buttons_->button(QDialogButtonBox::Save)->setEnabled(sound_ || choice_.target == workflow::SaveTarget::script);
   emit forecast_ready();
 }
 
 void SaveDataDialog::accept() {
   if (!objections().isEmpty()) return;
-  if (!sound_ && choice_.target != SaveTarget::script) return;
+  if (!sound_ && choice_.target != workflow::SaveTarget::script) return;
   replace_ = false;
-  if (choice_.target != SaveTarget::script) {
+  if (choice_.target != workflow::SaveTarget::script) {
     std::error_code unreadable;
     const bool there = fs::exists(choice_.file, unreadable) || is_taken(choice_.file);
     if (there && !ask_replace(choice_.file)) return;
@@ -348,4 +351,4 @@ void SaveDataDialog::accept() {
   QDialog::accept();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -18,7 +18,7 @@ class QLabel;
 class QLineEdit;
 class QSpinBox;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 
@@ -32,13 +32,13 @@ class SaveDataDialog : public QDialog {
   /// @param bandwidth_hz  of the radar's pulse; 0: unknown
   /// @param largest_v     largest magnitude in the picture; 0: unknown
   /// @param folder        of the proposed file, and of names without one
-  SaveDataDialog(Session& session, const Simulation& recording, double bandwidth_hz, double largest_v,
+  SaveDataDialog(Session& session, const scene::Simulation& recording, double bandwidth_hz, double largest_v,
                  std::filesystem::path folder, QWidget* parent = nullptr);
 
   /// What is chosen; nothing while a field cannot be read.
-  [[nodiscard]] std::optional<SaveChoice> choice() const;
+  [[nodiscard]] std::optional<workflow::SaveChoice> choice() const;
   /// The simulation that it comes to.
-  [[nodiscard]] Simulation simulation() const { return chosen_simulation(choice_, largest_v_); }
+  [[nodiscard]] scene::Simulation simulation() const { return workflow::chosen_simulation(choice_, largest_v_); }
   /// An existing file may be replaced: the user was asked.
   [[nodiscard]] bool replace() const { return replace_; }
 
@@ -77,7 +77,7 @@ class SaveDataDialog : public QDialog {
   void show_forecast(bool good, const QString& failure);
 
   Session& session_;
-  SaveChoice choice_;
+  workflow::SaveChoice choice_;
   double bandwidth_hz_;
   double largest_v_;
   std::filesystem::path folder_;
@@ -96,8 +96,8 @@ class SaveDataDialog : public QDialog {
   ProblemLine* problems_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;
   bool sound_ = true;  // the present choice can be run, as far as is known
-  std::shared_ptr<SaveForecast> forecast_;
+  std::shared_ptr<workflow::SaveForecast> forecast_;
   LatestWork planning_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -15,7 +15,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -149,7 +149,7 @@ void SaveQueue::take_estimate(const RunEstimate& estimate) {
 void SaveQueue::take_progress(double fraction, double seconds_left) {
   bar_->setValue(static_cast<int>(fraction * bar_steps));
   const QString done = tr("%1 %").arg(100.0 * fraction, 0, 'f', 0);
-  const QString left = QString::fromStdString(duration_text(std::max(seconds_left, 0.0)));
+  const QString left = QString::fromStdString(core::duration_text(std::max(seconds_left, 0.0)));
   table_->item(static_cast<int>(current_), 1)
       ->setText(seconds_left < 0.0 ? done : tr("%1, about %2 left").arg(done, left));
 }
@@ -162,7 +162,7 @@ void SaveQueue::take_end(JobEnd end, const QString& failure) {
   run.failure = failure;
   if (end == JobEnd::done) run.summary = job_->summary();
   // Only what is to be saved again needs its scene.
-  if (end != JobEnd::done || run.summary.report.saturated == 0) run.request.scene = Scene();
+  if (end != JobEnd::done || run.summary.report.saturated == 0) run.request.scene = scene::Scene();
   const std::size_t ended_run = current_;
   show_run(ended_run);
   emit ended(ended_run, run.state);
@@ -177,7 +177,7 @@ void SaveQueue::cancel(std::size_t run) {
     job_->cancel();
   } else if (chosen_run.state == SaveState::waiting) {
     chosen_run.state = SaveState::cancelled;
-    chosen_run.request.scene = Scene();
+    chosen_run.request.scene = scene::Scene();
     show_run(run);
     emit ended(run, SaveState::cancelled);
   }
@@ -191,7 +191,7 @@ void SaveQueue::save_again() {
   const std::size_t run = chosen();
   if (run == none || !may_repeat(runs_[run])) return;
   RunRequest request = runs_[run].request;
-  runs_[run].request.scene = Scene();
+  runs_[run].request.scene = scene::Scene();
   runs_[run].repeated = true;
   request.scene.simulations.at(request.simulation).lsb_v = runs_[run].summary.report.best_lsb_v;
   request.replace = true;
@@ -254,9 +254,9 @@ void SaveQueue::show_chosen() {
   QStringList warnings = shown.warnings;
   if (const QString clipped = saturation_warning(shown.summary); !clipped.isEmpty()) warnings.prepend(clipped);
   if (failed)
-    problems_->show_texts(Severity::error, shown.failure.split('\n'));
+    problems_->show_texts(core::Severity::error, shown.failure.split('\n'));
   else if (!warnings.isEmpty())
-    problems_->show_texts(Severity::warning, warnings.mid(0, 5));
+    problems_->show_texts(core::Severity::warning, warnings.mid(0, 5));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -14,7 +14,7 @@ class QProgressBar;
 class QPushButton;
 class QTableWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ProblemLine;
 
@@ -46,7 +46,7 @@ class SaveQueue : public QWidget {
   [[nodiscard]] bool will_write(const std::filesystem::path& file) const;
 
  signals:
-  void ended(std::size_t run, sarsim::SaveState state);  ///< One of them is over.
+  void ended(std::size_t run, sarsim::gui::SaveState state);  ///< One of them is over.
 
  private:
   struct Run {
@@ -84,4 +84,4 @@ class SaveQueue : public QWidget {
   QPushButton* clear_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -15,7 +15,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace fs = std::filesystem;
 
@@ -23,30 +23,32 @@ namespace {
 
 enum Column { processing, radar, slant_range, azimuth_range, rate, bits, lsb, file, column_count };
 
-QString text(double value, Quantity quantity) { return QString::fromStdString(quantity_text(value, quantity)); }
+QString text(double value, scene::Quantity quantity) {
+  return QString::fromStdString(scene::quantity_text(value, quantity));
+}
 
-QString span_text(double from, double to, Quantity quantity) {
+QString span_text(double from, double to, scene::Quantity quantity) {
   return StoredSimulations::tr("%1 to %2").arg(text(from, quantity), text(to, quantity));
 }
 
-QString processing_text(Processing kind) {
+QString processing_text(scene::Processing kind) {
   switch (kind) {
-    case Processing::matched_filter: return StoredSimulations::tr("Compressed");
-    case Processing::srp: return StoredSimulations::tr("Range profiles");
-    case Processing::raw: return StoredSimulations::tr("Raw");
+    case scene::Processing::matched_filter: return StoredSimulations::tr("Compressed");
+    case scene::Processing::srp: return StoredSimulations::tr("Range profiles");
+    case scene::Processing::raw: return StoredSimulations::tr("Raw");
   }
   return {};
 }
 
-std::array<QString, column_count> cells_of(const Simulation& s) {
+std::array<QString, column_count> cells_of(const scene::Simulation& s) {
   std::array<QString, column_count> cells;
   cells[processing] = processing_text(s.processing);
   cells[radar] = QString::fromStdString(s.radar);
-  cells[slant_range] = span_text(s.range_start_m, s.range_end_m, Quantity::length);
-  cells[azimuth_range] = span_text(s.time_start_s, s.time_end_s, Quantity::time);
-  cells[rate] = text(s.sample_rate_hz, Quantity::frequency);
+  cells[slant_range] = span_text(s.range_start_m, s.range_end_m, scene::Quantity::length);
+  cells[azimuth_range] = span_text(s.time_start_s, s.time_end_s, scene::Quantity::time);
+  cells[rate] = text(s.sample_rate_hz, scene::Quantity::frequency);
   cells[bits] = QString::number(s.bits);
-  cells[lsb] = s.lsb_v > 0.0 ? text(s.lsb_v, Quantity::voltage) : StoredSimulations::tr("estimated");
+  cells[lsb] = s.lsb_v > 0.0 ? text(s.lsb_v, scene::Quantity::voltage) : StoredSimulations::tr("estimated");
   cells[file] = QString::fromStdString(s.file);
   return cells;
 }
@@ -140,19 +142,19 @@ QPushButton* StoredSimulations::add_button(const QString& label, const char* nam
   return button;
 }
 
-std::optional<ObjectId> StoredSimulations::chosen() const {
+std::optional<scene::ObjectId> StoredSimulations::chosen() const {
   const QModelIndexList rows = table_->selectionModel()->selectedRows();
   if (rows.isEmpty()) return std::nullopt;
-  const ObjectId id{ObjectKind::simulation, static_cast<std::size_t>(rows.front().row())};
-  return has_object(session_.scene(), id) ? std::optional(id) : std::nullopt;
+  const scene::ObjectId id{scene::ObjectKind::simulation, static_cast<std::size_t>(rows.front().row())};
+  return scene::has_object(session_.scene(), id) ? std::optional(id) : std::nullopt;
 }
 
-void StoredSimulations::choose(ObjectId simulation) {
-  if (simulation.kind == ObjectKind::simulation) table_->selectRow(static_cast<int>(simulation.index));
+void StoredSimulations::choose(scene::ObjectId simulation) {
+  if (simulation.kind == scene::ObjectKind::simulation) table_->selectRow(static_cast<int>(simulation.index));
 }
 
 void StoredSimulations::refresh() {
-  const std::vector<Simulation>& stored = session_.scene().simulations;
+  const std::vector<scene::Simulation>& stored = session_.scene().simulations;
   if (stored != shown_) {
     const int row = table_->currentRow();
     const QSignalBlocker quiet(table_);
@@ -184,7 +186,8 @@ void StoredSimulations::refresh_buttons() {
 }
 
 void StoredSimulations::follow_selection() {
-  if (const auto current = session_.current(); current && current->kind == ObjectKind::simulation) choose(*current);
+  if (const auto current = session_.current(); current && current->kind == scene::ObjectKind::simulation)
+    choose(*current);
 }
 
 void StoredSimulations::show_chosen() {
@@ -199,17 +202,17 @@ void StoredSimulations::delete_chosen() {
   const auto id = chosen();
   if (!id) return;
   session_.end_run();
-  session_.perform(remove_objects(session_.scene(), {*id}));
+  session_.perform(scene::remove_objects(session_.scene(), {*id}));
 }
 
 void StoredSimulations::add_new() {
-  const Scene& scene = session_.scene();
+  const scene::Scene& scene = session_.scene();
   if (scene.radars.empty()) return;
   const auto current = session_.current();
-  const bool on_radar = current && current->kind == ObjectKind::radar && has_object(scene, *current);
+  const bool on_radar = current && current->kind == scene::ObjectKind::radar && scene::has_object(scene, *current);
   session_.end_run();
-  session_.perform(add_object(scene, suitable_simulation(scene, on_radar ? current->index : 0)));
-  const ObjectId made{ObjectKind::simulation, session_.scene().simulations.size() - 1};
+  session_.perform(scene::add_object(scene, suitable_simulation(scene, on_radar ? current->index : 0)));
+  const scene::ObjectId made{scene::ObjectKind::simulation, session_.scene().simulations.size() - 1};
   session_.select_only(made);
   choose(made);
 }
@@ -236,25 +239,25 @@ void StoredSimulations::run_chosen() {
   run_into(*id, path, exists);
 }
 
-void StoredSimulations::run_into(ObjectId simulation, const fs::path& path, bool replace) {
+void StoredSimulations::run_into(scene::ObjectId simulation, const fs::path& path, bool replace) {
   if (run_panel_->running()) return;
   run_panel_->run({session_.scene(), simulation.index, path, replace});
   refresh_buttons();
 }
 
 // The simulation may have moved or changed since it was run; the best LSB is only of use to the same one.
-void StoredSimulations::take_lsb(const Simulation& simulation, double lsb_v) {
-  const std::vector<Simulation>& stored = session_.scene().simulations;
+void StoredSimulations::take_lsb(const scene::Simulation& simulation, double lsb_v) {
+  const std::vector<scene::Simulation>& stored = session_.scene().simulations;
   for (std::size_t i = 0; i < stored.size(); ++i) {
     if (!(stored[i] == simulation)) continue;
-    Simulation changed = stored[i];
+    scene::Simulation changed = stored[i];
     changed.lsb_v = lsb_v;
     session_.end_run();
-    session_.perform(
-        replace_object(session_.scene(), {ObjectKind::simulation, i}, changed, tr("Set best LSB").toStdString()));
+    session_.perform(scene::replace_object(session_.scene(), {scene::ObjectKind::simulation, i}, changed,
+                                           tr("Set best LSB").toStdString()));
     return;
   }
-  session_.log(Severity::warning, tr("The simulation was changed after its run; its LSB was left as it is."));
+  session_.log(core::Severity::warning, tr("The simulation was changed after its run; its LSB was left as it is."));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

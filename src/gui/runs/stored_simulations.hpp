@@ -14,7 +14,7 @@ class QLabel;
 class QPushButton;
 class QTableWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class RunPanel;
 
@@ -26,12 +26,12 @@ class StoredSimulations : public QWidget {
   explicit StoredSimulations(Session& session, QWidget* parent = nullptr);
 
   /// The simulation of the chosen line.
-  [[nodiscard]] std::optional<ObjectId> chosen() const;
+  [[nodiscard]] std::optional<scene::ObjectId> chosen() const;
   /// Makes the line of a simulation the chosen one.
-  void choose(ObjectId simulation);
+  void choose(scene::ObjectId simulation);
 
   /// Runs a simulation into a file without asking anything; not while another run is under way.
-  void run_into(ObjectId simulation, const std::filesystem::path& file, bool replace);
+  void run_into(scene::ObjectId simulation, const std::filesystem::path& file, bool replace);
   [[nodiscard]] RunPanel& run_panel() { return *run_panel_; }
 
   /// Asked for the folder of the files of a scene that was never saved; nothing for no. A file dialog unless replaced.
@@ -52,7 +52,7 @@ class StoredSimulations : public QWidget {
   void add_new();
 
  signals:
-  void show_requested(sarsim::ObjectId simulation);  ///< Open a simulation window with these settings.
+  void show_requested(sarsim::scene::ObjectId simulation);  ///< Open a simulation window with these settings.
 
  private:
   [[nodiscard]] QHBoxLayout* make_buttons();
@@ -61,11 +61,11 @@ class StoredSimulations : public QWidget {
   void refresh();
   void refresh_buttons();
   void follow_selection();
-  void take_lsb(const Simulation& simulation, double lsb_v);
+  void take_lsb(const scene::Simulation& simulation, double lsb_v);
   [[nodiscard]] std::optional<std::filesystem::path> folder() const;
 
   Session& session_;
-  std::vector<Simulation> shown_;
+  std::vector<scene::Simulation> shown_;
   QTableWidget* table_ = nullptr;
   QLabel* empty_ = nullptr;
   std::vector<QPushButton*> of_chosen_;
@@ -76,6 +76,6 @@ class StoredSimulations : public QWidget {
 /// A simulation of a radar with values that suit the scene: the ranges of all targets with two pulse lengths around
 /// them, 1.2 times the bandwidth as sampling frequency, the first 64 pulses, a file name that is free. Where the scene
 /// is faulty, the values of the thesis.
-[[nodiscard]] Simulation suitable_simulation(const Scene& scene, std::size_t radar);
+[[nodiscard]] scene::Simulation suitable_simulation(const scene::Scene& scene, std::size_t radar);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -12,16 +12,16 @@
 
 #include "gui/common/problem_line.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr std::size_t most_kept_values = 8'000'000;  // 64 MB
 constexpr std::size_t most_waiting_blocks = 16;
 
-QString errors_of(const Scene& scene, const GeometryTable& table) {
+QString errors_of(const scene::Scene& scene, const scene::GeometryTable& table) {
   QStringList texts;
-  for (const Problem& problem : geometry_errors(scene, table)) texts += problem_text(problem);
+  for (const core::Problem& problem : geometry_errors(scene, table)) texts += problem_text(problem);
   return texts.join('\n');
 }
 
@@ -43,7 +43,7 @@ class GeometryModel::Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  void set_table(int generation, Scene scene, GeometryChoice choice) {
+  void set_table(int generation, scene::Scene scene, GeometryChoice choice) {
     const std::scoped_lock hold(lock_);
     table_ = Table{generation, std::move(scene), std::move(choice)};
     wanted_.clear();
@@ -61,7 +61,7 @@ class GeometryModel::Worker {
  private:
   struct Table {
     int generation = 0;
-    Scene scene;
+    scene::Scene scene;
     GeometryChoice choice;
   };
 
@@ -145,7 +145,7 @@ GeometryModel::GeometryModel(QObject* parent) : QAbstractTableModel(parent), wor
 
 GeometryModel::~GeometryModel() = default;
 
-void GeometryModel::set_table(const Scene& scene, const GeometryChoice& choice) {
+void GeometryModel::set_table(const scene::Scene& scene, const GeometryChoice& choice) {
   beginResetModel();
   ++generation_;
   pulses_ = {};
@@ -156,7 +156,7 @@ void GeometryModel::set_table(const Scene& scene, const GeometryChoice& choice) 
   worker_->set_table(generation_, scene, choice);
 }
 
-void GeometryModel::take_headings(int generation, std::vector<GeometryHeading> headings, PulseRange pulses) {
+void GeometryModel::take_headings(int generation, std::vector<GeometryHeading> headings, radar::PulseRange pulses) {
   if (generation != generation_) return;
   beginResetModel();
   headings_ = std::move(headings);
@@ -238,4 +238,4 @@ QVariant GeometryModel::headerData(int section, Qt::Orientation orientation, int
   return owner + '\n' + text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

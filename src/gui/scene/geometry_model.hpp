@@ -10,7 +10,7 @@
 
 #include "gui/scene/geometry_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A geometry table of any number of pulses for a view: a row is computed when somebody looks at it, in blocks, on a
 /// thread of its own; until then its cells show "…". The latest blocks are kept.
@@ -25,7 +25,7 @@ class GeometryModel : public QAbstractTableModel {
   ~GeometryModel() override;
 
   /// Begins another table; `ready` or `failed` follows. Until then the model has no rows.
-  void set_table(const Scene& scene, const GeometryChoice& choice);
+  void set_table(const scene::Scene& scene, const GeometryChoice& choice);
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -33,7 +33,7 @@ class GeometryModel : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] const std::vector<GeometryHeading>& headings() const { return headings_; }
   /// Those of the table that was `ready` last; none before and after a failure.
-  [[nodiscard]] const PulseRange& pulses() const { return pulses_; }
+  [[nodiscard]] const radar::PulseRange& pulses() const { return pulses_; }
 
  signals:
   void ready();                          ///< At most 2^31 - 1 of its `pulses` are rows.
@@ -44,7 +44,7 @@ class GeometryModel : public QAbstractTableModel {
   using Block = std::vector<double>;
   static constexpr std::int64_t block_rows = 256;
 
-  void take_headings(int generation, std::vector<GeometryHeading> headings, PulseRange pulses);
+  void take_headings(int generation, std::vector<GeometryHeading> headings, radar::PulseRange pulses);
   void take_failure(int generation, const QString& problems);
   void take_block(int generation, std::int64_t block, Block values);
   [[nodiscard]] const Block* block_of(std::int64_t block) const;
@@ -55,7 +55,7 @@ class GeometryModel : public QAbstractTableModel {
     std::list<std::int64_t>::iterator use;
   };
   std::vector<GeometryHeading> headings_;
-  PulseRange pulses_;
+  radar::PulseRange pulses_;
   int rows_ = 0;
   int generation_ = 0;
   mutable std::list<std::int64_t> uses_;  // the latest first
@@ -63,4 +63,4 @@ class GeometryModel : public QAbstractTableModel {
   std::unique_ptr<Worker> worker_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

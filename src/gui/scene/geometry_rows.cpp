@@ -12,24 +12,24 @@
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
-std::size_t radar_of(const Scene& scene, const GeometryTable& table) {
-  const std::size_t found = find_radar(scene, table.radar);
-  if (found == not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
+std::size_t radar_of(const scene::Scene& scene, const scene::GeometryTable& table) {
+  const std::size_t found = scene::find_radar(scene, table.radar);
+  if (found == scene::not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
   return found;
 }
 
-void add(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
+void add(std::vector<double>& values, const core::Vec3& v) { values.insert(values.end(), {v.x, v.y, v.z}); }
 
 }  // namespace
 
-GeometryRows::GeometryRows(const Scene& scene, GeometryChoice choice)
+GeometryRows::GeometryRows(const scene::Scene& scene, GeometryChoice choice)
     : choice_(std::move(choice)),
-      resolved_(resolve(scene)),
-      radar_(resolve_radar(scene, resolved_, radar_of(scene, choice_.table))),
+      resolved_(simulate::resolve(scene)),
+      radar_(simulate::resolve_radar(scene, resolved_, radar_of(scene, choice_.table))),
       geometry_(resolved_, radar_),
       range_(radar_.repetition.pulses_in(choice_.table.time_start_s, choice_.table.time_end_s)),
       platforms_(scene.platforms.size()) {
@@ -37,24 +37,24 @@ GeometryRows::GeometryRows(const Scene& scene, GeometryChoice choice)
   add_headings(scene);
 }
 
-void GeometryRows::add_headings(const Scene& scene) {
+void GeometryRows::add_headings(const scene::Scene& scene) {
   headings_.push_back({"Pulse", "", "", 1.0, 17});
-  if (has(geometry_time)) headings_.push_back({"Send time", "", "s", 1.0, 10});
-  if (has(geometry_frequency)) headings_.push_back({"Frequency", "", "GHz", 1e9, 10});
-  for (const Platform& platform : scene.platforms) {
+  if (has(simulate::geometry_time)) headings_.push_back({"Send time", "", "s", 1.0, 10});
+  if (has(simulate::geometry_frequency)) headings_.push_back({"Frequency", "", "GHz", 1e9, 10});
+  for (const scene::Platform& platform : scene.platforms) {
     const auto three = [&](const std::string& quantity, const std::string& unit) {
       for (const char axis : {'X', 'Y', 'Z'}) headings_.push_back({quantity + ' ' + axis, platform.name, unit});
     };
-    if (has(geometry_position)) three("Position", "m");
-    if (has(geometry_velocity)) three("Velocity", "m/s");
-    if (has(geometry_rotation)) three("Rotation", "deg");
+    if (has(simulate::geometry_position)) three("Position", "m");
+    if (has(simulate::geometry_velocity)) three("Velocity", "m/s");
+    if (has(simulate::geometry_rotation)) three("Rotation", "deg");
   }
   for (const std::size_t target : choice_.targets) {
     const std::string owner = "Target " + std::to_string(target + 1);
     if (choice_.distance) headings_.push_back({"Distance", owner, "m", 1.0, 12});
-    if (has(geometry_delay)) headings_.push_back({"Two-way delay", owner, "s", 1.0, 12});
-    if (has(geometry_amplitude)) headings_.push_back({"Amplitude", owner, "V", 1.0, 12});
-    if (has(geometry_speed)) headings_.push_back({"Radial speed", owner, "m/s", 1.0, 11});
+    if (has(simulate::geometry_delay)) headings_.push_back({"Two-way delay", owner, "s", 1.0, 12});
+    if (has(simulate::geometry_amplitude)) headings_.push_back({"Amplitude", owner, "V", 1.0, 12});
+    if (has(simulate::geometry_speed)) headings_.push_back({"Radial speed", owner, "m/s", 1.0, 11});
   }
 }
 
@@ -70,38 +70,38 @@ std::vector<double> GeometryRows::values(std::int64_t first_row, std::int64_t ro
 
 void GeometryRows::add_row(std::vector<double>& values) const {
   values.push_back(static_cast<double>(geometry_.pulse()));
-  if (has(geometry_time)) values.push_back(geometry_.send_time_s());
-  if (has(geometry_frequency)) values.push_back(geometry_.carrier_hz());
-  if (has(geometry_position) || has(geometry_velocity) || has(geometry_rotation))
+  if (has(simulate::geometry_time)) values.push_back(geometry_.send_time_s());
+  if (has(simulate::geometry_frequency)) values.push_back(geometry_.carrier_hz());
+  if (has(simulate::geometry_position) || has(simulate::geometry_velocity) || has(simulate::geometry_rotation))
     for (std::size_t i = 0; i < platforms_; ++i) {
-      const Pose pose = resolved_.platforms[i].track.at(geometry_.send_time_s(), geometry_.pulse());
-      if (has(geometry_position)) add(values, pose.position_world_m);
-      if (has(geometry_velocity)) add(values, pose.velocity_world_mps);
-      if (has(geometry_rotation))
-        for (const double angle_rad : pose.rotation_rad) values.push_back(deg_per_rad * angle_rad);
+      const radar::Pose pose = resolved_.platforms[i].track.at(geometry_.send_time_s(), geometry_.pulse());
+      if (has(simulate::geometry_position)) add(values, pose.position_world_m);
+      if (has(simulate::geometry_velocity)) add(values, pose.velocity_world_mps);
+      if (has(simulate::geometry_rotation))
+        for (const double angle_rad : pose.rotation_rad) values.push_back(core::deg_per_rad * angle_rad);
     }
   for (const std::size_t target : choice_.targets) add_target(target, values);
 }
 
 void GeometryRows::add_target(std::size_t target, std::vector<double>& values) const {
-  const ScattererView view = geometry_.view(target);
+  const simulate::ScattererView view = geometry_.view(target);
   const double range_m = 0.5 * resolved_.conventions.light_speed_mps * view.delay_s;
   const bool seen = range_m >= choice_.table.range_start_m && range_m <= choice_.table.range_end_m;
   const auto put = [&](bool wanted, double value) {
     if (wanted) values.push_back(seen ? value : std::numeric_limits<double>::quiet_NaN());
   };
   put(choice_.distance, view.distance_m);
-  put(has(geometry_delay), view.delay_s);
-  put(has(geometry_amplitude), std::abs(view.amplitude_sqrt_w));
-  put(has(geometry_speed), view.speed_mps);
+  put(has(simulate::geometry_delay), view.delay_s);
+  put(has(simulate::geometry_amplitude), std::abs(view.amplitude_sqrt_w));
+  put(has(simulate::geometry_speed), view.speed_mps);
 }
 
-Problems geometry_errors(const Scene& scene, const GeometryTable& table) {
-  Scene one = scene;
+core::Problems geometry_errors(const scene::Scene& scene, const scene::GeometryTable& table) {
+  scene::Scene one = scene;
   one.simulations.clear();
   one.geometries = {table};
-  Problems problems = ranked(check(one));
-  std::erase_if(problems, [](const Problem& problem) { return problem.severity != Severity::error; });
+  core::Problems problems = core::ranked(scene::check(one));
+  std::erase_if(problems, [](const core::Problem& problem) { return problem.severity != core::Severity::error; });
   return problems;
 }
 
@@ -112,12 +112,13 @@ NumberChoice read_numbers(std::string_view text, std::size_t count) {
   };
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view piece = trimmed(text.substr(begin, end - begin));
+    const std::string_view piece = core::trimmed(text.substr(begin, end - begin));
     begin = end + 1;
     if (piece.empty()) continue;
     const std::size_t dash = piece.find('-', 1);
-    const auto first = parse_integer(trimmed(piece.substr(0, dash)));
-    const auto last = dash == std::string_view::npos ? first : parse_integer(trimmed(piece.substr(dash + 1)));
+    const auto first = core::parse_integer(core::trimmed(piece.substr(0, dash)));
+    const auto last =
+        dash == std::string_view::npos ? first : core::parse_integer(core::trimmed(piece.substr(dash + 1)));
     if (!first || !last || *first < 1 || *last < *first) return refuse(piece, "is no number or range such as 1-20");
     if (static_cast<std::uint64_t>(*last) > count)
       return refuse(piece, "goes beyond the last, number " + std::to_string(count));
@@ -126,4 +127,4 @@ NumberChoice read_numbers(std::string_view text, std::size_t count) {
   return {{chosen.begin(), chosen.end()}, {}};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

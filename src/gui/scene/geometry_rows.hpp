@@ -8,11 +8,11 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/run/geometry_table.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// What of a geometry table is to be computed: its `columns` and the targets that are looked at.
 struct GeometryChoice {
-  GeometryTable table;
+  scene::GeometryTable table;
   bool distance = false;             ///< The one-way distance of each target besides the columns of the table.
   std::vector<std::size_t> targets;  ///< In the scene's order; those that the scene does not have are left out.
 
@@ -32,13 +32,13 @@ struct GeometryHeading {
 class GeometryRows {
  public:
   /// The scene must have passed `check` with the table in it; throws std::invalid_argument where not.
-  GeometryRows(const Scene& scene, GeometryChoice choice);
+  GeometryRows(const scene::Scene& scene, GeometryChoice choice);
   GeometryRows(const GeometryRows&) = delete;
   GeometryRows& operator=(const GeometryRows&) = delete;
 
   /// The pulse number first.
   [[nodiscard]] const std::vector<GeometryHeading>& headings() const { return headings_; }
-  [[nodiscard]] const PulseRange& pulses() const { return range_; }
+  [[nodiscard]] const radar::PulseRange& pulses() const { return range_; }
   [[nodiscard]] std::int64_t count() const { return range_.count(); }
 
   /// Values of some rows, row by row, in the order of the headings. Columns of a target are NaN where its range c tau/2
@@ -46,22 +46,22 @@ class GeometryRows {
   [[nodiscard]] std::vector<double> values(std::int64_t first_row, std::int64_t rows);
 
  private:
-  void add_headings(const Scene& scene);
+  void add_headings(const scene::Scene& scene);
   void add_row(std::vector<double>& values) const;
   void add_target(std::size_t target, std::vector<double>& values) const;
-  [[nodiscard]] bool has(GeometryColumn column) const { return (choice_.table.columns & column) != 0; }
+  [[nodiscard]] bool has(simulate::GeometryColumn column) const { return (choice_.table.columns & column) != 0; }
 
   GeometryChoice choice_;
-  ResolvedScene resolved_;
-  ResolvedRadar radar_;
-  PulseGeometry geometry_;
-  PulseRange range_;
+  simulate::ResolvedScene resolved_;
+  simulate::ResolvedRadar radar_;
+  simulate::PulseGeometry geometry_;
+  radar::PulseRange range_;
   std::size_t platforms_ = 0;
   std::vector<GeometryHeading> headings_;
 };
 
 /// What stands in the way of a table of a scene, whatever its other recordings are like; empty where nothing does.
-[[nodiscard]] Problems geometry_errors(const Scene& scene, const GeometryTable& table);
+[[nodiscard]] core::Problems geometry_errors(const scene::Scene& scene, const scene::GeometryTable& table);
 
 /// Numbers from 1 as people type them, "1-20, 35", as ascending indices from 0 below `count`; what is not understood is
 /// said in `failure`.
@@ -71,4 +71,4 @@ struct NumberChoice {
 };
 [[nodiscard]] NumberChoice read_numbers(std::string_view text, std::size_t count);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

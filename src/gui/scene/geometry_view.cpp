@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 ModelPage::ModelPage(QAbstractItemModel* source, QObject* parent) : QAbstractTableModel(parent), source_(source) {
   connect(source_, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
@@ -156,4 +156,4 @@ bool GeometryView::eventFilter(QObject* object, QEvent* event) {
   return QWidget::eventFilter(object, event);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

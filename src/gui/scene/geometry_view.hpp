@@ -6,7 +6,7 @@
 class QScrollBar;
 class QTableView;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// A few rows of a very long model, for a view that keeps something for each row: rows offset ... offset + page - 1.
 class ModelPage : public QAbstractTableModel {
@@ -65,4 +65,4 @@ class GeometryView : public QWidget {
   QScrollBar* bar_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -28,19 +28,19 @@
 #include "scene/edit/edit.hpp"
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr int recompute_ms = 80;
 constexpr std::size_t targets_at_first = 50;
 
-GeometryTable table_at_first(const Session& session) {
-  GeometryTable table;
-  const Scene& scene = session.scene();
+scene::GeometryTable table_at_first(const Session& session) {
+  scene::GeometryTable table;
+  const scene::Scene& scene = session.scene();
   if (scene.radars.empty()) return table;
   const auto current = session.current();
-  const bool on_radar = current && current->kind == ObjectKind::radar && has_object(scene, *current);
+  const bool on_radar = current && current->kind == scene::ObjectKind::radar && scene::has_object(scene, *current);
   table.radar = scene.radars[on_radar ? current->index : 0].name;
   return table;
 }
@@ -103,11 +103,12 @@ void GeometryWindow::connect_all() {
   connect(model_, &GeometryModel::failed, this, [this](const QString& text) {
     save_->setEnabled(false);
     state_->setText(tr("No table"));
-    problems_->show_texts(Severity::error, text.split('\n'));
+    problems_->show_texts(core::Severity::error, text.split('\n'));
   });
   connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double left_s) {
     bar_->setValue(static_cast<int>(fraction * bar_steps));
-    if (left_s >= 0.0) state_->setText(tr("Saving, about %1 left").arg(QString::fromStdString(duration_text(left_s))));
+    if (left_s >= 0.0)
+      state_->setText(tr("Saving, about %1 left").arg(QString::fromStdString(core::duration_text(left_s))));
   });
   connect(&job_, &BackgroundJob::ended, this, &GeometryWindow::show_saved);
   connect(&session_, &Session::scene_changed, this, &GeometryWindow::follow_scene);
@@ -151,7 +152,7 @@ QWidget* GeometryWindow::make_stored_row() {
 void GeometryWindow::add_fields(QWidget* page) {
   QFormLayout* form = nullptr;
   QString group_name;
-  for (const Field& field : fields_of(ObjectKind::geometry)) {
+  for (const scene::Field& field : scene::fields_of(scene::ObjectKind::geometry)) {
     const QString name = QString::fromStdString(field.group);
     if (form == nullptr || name != group_name) {
       group_name = name;
@@ -226,21 +227,21 @@ QWidget* GeometryWindow::make_save_row() {
 }
 
 void GeometryWindow::take_entry(FieldEditor& editor, const QString& text) {
-  AnyObject object = choice_.table;
-  const std::string failure = set_field(object, editor.field().id, text.toStdString());
+  scene::AnyObject object = choice_.table;
+  const std::string failure = scene::set_field(object, editor.field().id, text.toStdString());
   if (!failure.empty()) {
     editor.show_failure(QString::fromStdString(failure));
     return;
   }
-  choice_.table = std::get<GeometryTable>(object);
-  editor.show_value(QString::fromStdString(field_text(object, editor.field().id)));
+  choice_.table = std::get<scene::GeometryTable>(object);
+  editor.show_value(QString::fromStdString(scene::field_text(object, editor.field().id)));
   soon_.start();
 }
 
 void GeometryWindow::take_targets() {
   const NumberChoice read = read_numbers(targets_->text().toStdString(), session_.scene().targets.size());
   if (!read.failure.empty()) {
-    targets_problem_->show_texts(Severity::error, {QString::fromStdString(read.failure)});
+    targets_problem_->show_texts(core::Severity::error, {QString::fromStdString(read.failure)});
     return;
   }
   targets_problem_->clear();
@@ -251,16 +252,16 @@ void GeometryWindow::take_targets() {
 }
 
 void GeometryWindow::show_fields() {
-  const AnyObject object = choice_.table;
+  const scene::AnyObject object = choice_.table;
   QStringList radars;
-  for (const Radar& radar : session_.scene().radars) radars += QString::fromStdString(radar.name);
+  for (const scene::Radar& radar : session_.scene().radars) radars += QString::fromStdString(radar.name);
   for (FieldEditor* editor : fields_) {
-    if (editor->field().kind == FieldKind::radar) editor->set_choices(radars);
-    editor->show_value(QString::fromStdString(field_text(object, editor->field().id)));
+    if (editor->field().kind == scene::FieldKind::radar) editor->set_choices(radars);
+    editor->show_value(QString::fromStdString(scene::field_text(object, editor->field().id)));
   }
 }
 
-void GeometryWindow::show_table(const GeometryTable& table) {
+void GeometryWindow::show_table(const scene::GeometryTable& table) {
   choice_.table = table;
   show_fields();
   compute();
@@ -268,9 +269,9 @@ void GeometryWindow::show_table(const GeometryTable& table) {
 
 void GeometryWindow::refresh_stored() {
   const int row = stored_->currentIndex();
-  const std::vector<GeometryTable>& tables = session_.scene().geometries;
+  const std::vector<scene::GeometryTable>& tables = session_.scene().geometries;
   stored_->clear();
-  for (const GeometryTable& table : tables)
+  for (const scene::GeometryTable& table : tables)
     stored_->addItem(tr("%1: %2").arg(QString::fromStdString(table.file), QString::fromStdString(table.radar)));
   if (!tables.empty()) stored_->setCurrentIndex(std::clamp(row, 0, stored_->count() - 1));
   for (QWidget* widget :
@@ -279,7 +280,7 @@ void GeometryWindow::refresh_stored() {
 }
 
 void GeometryWindow::follow_scene() {
-  if (find_radar(session_.scene(), choice_.table.radar) == not_found)
+  if (scene::find_radar(session_.scene(), choice_.table.radar) == scene::not_found)
     choice_.table.radar = table_at_first(session_).radar;
   const std::size_t count = session_.scene().targets.size();
   if (!targets_typed_) {
@@ -314,7 +315,7 @@ void GeometryWindow::show_ready() {
   save_->setEnabled(!job_.running());
   state_->setText(pulses == 0 ? tr("No pulse is sent in this window") : tr("%1 pulses").arg(pulses));
   if (pulses > model_->rowCount())
-    problems_->show_texts(Severity::note,
+    problems_->show_texts(core::Severity::note,
                           {tr("The first %1 pulses are shown; a saved file holds all.").arg(model_->rowCount())});
   const std::size_t hidden = session_.scene().targets.size() - choice_.targets.size();
   if (hidden > 0 && pulses > 0) state_->setText(state_->text() + tr(", %1 targets not shown").arg(hidden));
@@ -330,20 +331,20 @@ void GeometryWindow::go_to_pulse() {
 
 void GeometryWindow::show_stored() {
   const auto row = static_cast<std::size_t>(std::max(0, stored_->currentIndex()));
-  const std::vector<GeometryTable>& tables = session_.scene().geometries;
+  const std::vector<scene::GeometryTable>& tables = session_.scene().geometries;
   if (row < tables.size()) show_table(tables[row]);
 }
 
 void GeometryWindow::delete_stored() {
-  const ObjectId id{ObjectKind::geometry, static_cast<std::size_t>(std::max(0, stored_->currentIndex()))};
-  if (!has_object(session_.scene(), id)) return;
+  const scene::ObjectId id{scene::ObjectKind::geometry, static_cast<std::size_t>(std::max(0, stored_->currentIndex()))};
+  if (!scene::has_object(session_.scene(), id)) return;
   session_.end_run();
-  session_.perform(remove_objects(session_.scene(), {id}));
+  session_.perform(scene::remove_objects(session_.scene(), {id}));
 }
 
 void GeometryWindow::to_script() {
   session_.end_run();
-  session_.perform(add_object(session_.scene(), choice_.table));
+  session_.perform(scene::add_object(session_.scene(), choice_.table));
   stored_->setCurrentIndex(stored_->count() - 1);
 }
 
@@ -369,19 +370,20 @@ void GeometryWindow::save_to(const std::filesystem::path& path, bool csv) {
   problems_->clear();
   state_->setText(tr("Saving …"));
   const auto lines = static_cast<double>(std::max<std::int64_t>(1, model_->pulses().count()));
-  job_.start([scene = session_.scene(), table = choice_.table, path, csv, lines](const StopFlag& stop,
+  job_.start([scene = session_.scene(), table = choice_.table, path, csv, lines](const core::StopFlag& stop,
                                                                                  const BackgroundJob::Report& report) {
-    for (const Problem& error : geometry_errors(scene, table))
+    for (const core::Problem& error : geometry_errors(scene, table))
       throw std::runtime_error(problem_text(error).toStdString());
-    OutputFile file(path, true);
+    core::OutputFile file(path, true);
     double written = 0.0;
     const auto write = [&](std::string_view piece) {
-      if (stop.requested()) throw Interrupted();
+      if (stop.requested()) throw core::Interrupted();
       file.write(std::as_bytes(std::span(piece)));
       written += static_cast<double>(std::ranges::count(piece, '\n'));
       report(std::min(1.0, written / lines));
     };
-    csv ? write_geometry_csv(scene, table, write, &stop) : write_geometry_text(scene, table, write, &stop);
+    csv ? simulate::write_geometry_csv(scene, table, write, &stop)
+        : simulate::write_geometry_text(scene, table, write, &stop);
     file.commit();
   });
 }
@@ -395,9 +397,9 @@ void GeometryWindow::show_saved(JobEnd end, const QString& failure) {
   if (end == JobEnd::cancelled) state_->setText(tr("Saving was cancelled; no file was written"));
   if (end == JobEnd::failed) {
     state_->clear();
-    problems_->show_texts(Severity::error, {failure});
+    problems_->show_texts(core::Severity::error, {failure});
   }
   emit saved(end);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -17,7 +17,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FieldEditor;
 class GeometryModel;
@@ -35,7 +35,7 @@ class GeometryWindow : public QWidget {
 
   [[nodiscard]] const GeometryChoice& choice() const { return choice_; }
   /// Shows this table of the scene.
-  void show_table(const GeometryTable& table);
+  void show_table(const scene::GeometryTable& table);
   [[nodiscard]] GeometryModel& model() { return *model_; }
   [[nodiscard]] GeometryView& view() { return *view_; }
 
@@ -55,7 +55,7 @@ class GeometryWindow : public QWidget {
   void delete_stored();
 
  signals:
-  void saved(sarsim::JobEnd end);  ///< A file is written, or not.
+  void saved(sarsim::gui::JobEnd end);  ///< A file is written, or not.
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -100,4 +100,4 @@ class GeometryWindow : public QWidget {
   BackgroundJob job_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -16,32 +16,33 @@ namespace {
 constexpr std::size_t most_fine_lines = 4000;
 constexpr std::size_t most_halos = 200;
 
-QColor colour_of(Role role, bool dark) {
-  const Rgb rgb = colour(role, dark);
+QColor paint_of(picture::Role role, bool dark) {
+  const raster::Rgb rgb = picture::colour(role, dark);
   return {rgb.red, rgb.green, rgb.blue};
 }
 
-void paint_polygons(QPainter& painter, const std::vector<Drawing::Polygon>& polygons, double pixel_scale, bool dark) {
-  for (const Drawing::Polygon& polygon : polygons) {
+void paint_polygons(QPainter& painter, const std::vector<picture::Drawing::Polygon>& polygons, double pixel_scale,
+                    bool dark) {
+  for (const picture::Drawing::Polygon& polygon : polygons) {
     QPolygonF corners;
-    for (const PicturePoint& corner : polygon.corners) corners << QPointF(corner.x, corner.y);
-    const bool marked = polygon.role != Role::surface;
-    painter.setPen(QPen(colour_of(polygon.role, dark), (marked ? 2.0 : 1.0) * pixel_scale));
-    const Rgb fill = surface_fill(polygon.shade, dark);
+    for (const picture::PicturePoint& corner : polygon.corners) corners << QPointF(corner.x, corner.y);
+    const bool marked = polygon.role != picture::Role::surface;
+    painter.setPen(QPen(paint_of(polygon.role, dark), (marked ? 2.0 : 1.0) * pixel_scale));
+    const raster::Rgb fill = picture::surface_fill(polygon.shade, dark);
     painter.setBrush(polygon.filled ? QBrush(QColor(fill.red, fill.green, fill.blue)) : QBrush(Qt::NoBrush));
     painter.drawPolygon(corners);
   }
 }
 
 // One call of the painter for all lines of a pen; pens in the order of their roles, so that faint lines lie below.
-void paint_lines(QPainter& painter, const std::vector<Drawing::Line>& lines, bool dark) {
+void paint_lines(QPainter& painter, const std::vector<picture::Drawing::Line>& lines, bool dark) {
   const bool fine = lines.size() <= most_fine_lines;
-  std::map<std::tuple<Role, float, bool>, QList<QLineF>> of_pen;
-  for (const Drawing::Line& line : lines)
+  std::map<std::tuple<picture::Role, float, bool>, QList<QLineF>> of_pen;
+  for (const picture::Drawing::Line& line : lines)
     of_pen[{line.role, line.width_px, line.dotted && fine}].append(QLineF(line.x0, line.y0, line.x1, line.y1));
   for (const auto& [key, group] : of_pen) {
     const auto& [role, width_px, dotted] = key;
-    QPen pen(colour_of(role, dark), width_px);
+    QPen pen(paint_of(role, dark), width_px);
     if (dotted) pen.setDashPattern({1.0, 3.0});
     pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
@@ -55,40 +56,40 @@ void paint_halo(QPainter& painter, const QPointF& start, const QFont& font, cons
                 const ScenePainter::Look& look) {
   QPainterPath outline;
   outline.addText(start, font, words);
-  QColor ground = colour_of(Role::background, look.dark);
+  QColor ground = paint_of(picture::Role::background, look.dark);
   ground.setAlphaF(0.85F);
   painter.strokePath(outline, QPen(ground, 3.0 * look.pixel_scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-void paint_texts(QPainter& painter, const std::vector<Drawing::Text>& texts, const ScenePainter::Look& look) {
+void paint_texts(QPainter& painter, const std::vector<picture::Drawing::Text>& texts, const ScenePainter::Look& look) {
   QFont plain = look.font;
   plain.setPixelSize(static_cast<int>(std::lround(QFontInfo(look.font).pixelSize() * look.pixel_scale)));
   QFont bold = plain;
   bold.setBold(true);
   const QFontMetricsF plain_metrics(plain);
   const QFontMetricsF bold_metrics(bold);
-  const auto start_of = [&](const Drawing::Text& text, const QString& words) {
+  const auto start_of = [&](const picture::Drawing::Text& text, const QString& words) {
     const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
     return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
   };
   // All rims first: none covers another word.
   if (texts.size() <= most_halos)
-    for (const Drawing::Text& text : texts) {
+    for (const picture::Drawing::Text& text : texts) {
       const QString words = QString::fromStdString(text.text);
       paint_halo(painter, start_of(text, words), text.bold ? bold : plain, words, look);
     }
-  for (const Drawing::Text& text : texts) {
+  for (const picture::Drawing::Text& text : texts) {
     const QString words = QString::fromStdString(text.text);
     painter.setFont(text.bold ? bold : plain);
-    painter.setPen(colour_of(text.role, look.dark));
+    painter.setPen(paint_of(text.role, look.dark));
     painter.drawText(start_of(text, words), words);
   }
 }
 
 }  // namespace
 
-void ScenePainter::paint(QPainter& painter, const QRectF& area, const Drawing& drawing, const Look& look) {
-  painter.fillRect(area, colour_of(Role::background, look.dark));
+void ScenePainter::paint(QPainter& painter, const QRectF& area, const picture::Drawing& drawing, const Look& look) {
+  painter.fillRect(area, paint_of(picture::Role::background, look.dark));
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_polygons(painter, drawing.polygons, look.pixel_scale, look.dark);
   paint_lines(painter, drawing.lines, look.dark);
@@ -98,8 +99,8 @@ void ScenePainter::paint(QPainter& painter, const QRectF& area, const Drawing& d
 }
 
 // Runs of equal discs go to the painter in one call, so that the order from back to front is kept.
-void ScenePainter::paint_discs(QPainter& painter, const std::vector<Drawing::Disc>& discs, bool dark) {
-  const auto alike = [](const Drawing::Disc& a, const Drawing::Disc& b) {
+void ScenePainter::paint_discs(QPainter& painter, const std::vector<picture::Drawing::Disc>& discs, bool dark) {
+  const auto alike = [](const picture::Drawing::Disc& a, const picture::Drawing::Disc& b) {
     return a.role == b.role && a.diameter_px == b.diameter_px && a.outlined == b.outlined;
   };
   QList<QPainter::PixmapFragment> run;
@@ -114,7 +115,7 @@ void ScenePainter::paint_discs(QPainter& painter, const std::vector<Drawing::Dis
   }
 }
 
-const QPixmap& ScenePainter::disc_picture(const Drawing::Disc& disc, bool dark) {
+const QPixmap& ScenePainter::disc_picture(const picture::Drawing::Disc& disc, bool dark) {
   QPixmap& picture = disc_pictures_[{disc.role, disc.diameter_px, disc.outlined, dark}];
   if (!picture.isNull()) return picture;
   const auto diameter = static_cast<double>(disc.diameter_px);
@@ -124,11 +125,12 @@ const QPixmap& ScenePainter::disc_picture(const Drawing::Disc& disc, bool dark) 
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   const double rim = disc.outlined ? std::max(1.0, diameter / 8.0) : 0.0;
-  painter.setPen(disc.outlined ? QPen(colour_of(dark ? Role::background : Role::text, dark), rim) : QPen(Qt::NoPen));
-  painter.setBrush(colour_of(disc.role, dark));
+  painter.setPen(disc.outlined ? QPen(paint_of(dark ? picture::Role::background : picture::Role::text, dark), rim)
+                               : QPen(Qt::NoPen));
+  painter.setBrush(paint_of(disc.role, dark));
   const double radius = 0.5 * (diameter - rim);
   painter.drawEllipse(QPointF(0.5 * side, 0.5 * side), radius, radius);
   return picture;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -11,7 +11,7 @@
 
 class QPainter;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// Puts drawings of a scene onto painters; the pictures of its discs are kept from one drawing to the next.
 class ScenePainter {
@@ -24,15 +24,15 @@ class ScenePainter {
   };
 
   /// Paints the background over `area` and the drawing onto it. The painter's unit is a device pixel.
-  void paint(QPainter& painter, const QRectF& area, const Drawing& drawing, const Look& look);
+  void paint(QPainter& painter, const QRectF& area, const picture::Drawing& drawing, const Look& look);
 
  private:
-  using DiscKey = std::tuple<Role, float, bool, bool>;  // role, diameter, outlined, dark
+  using DiscKey = std::tuple<picture::Role, float, bool, bool>;  // role, diameter, outlined, dark
 
-  void paint_discs(QPainter& painter, const std::vector<Drawing::Disc>& discs, bool dark);
-  const QPixmap& disc_picture(const Drawing::Disc& disc, bool dark);
+  void paint_discs(QPainter& painter, const std::vector<picture::Drawing::Disc>& discs, bool dark);
+  const QPixmap& disc_picture(const picture::Drawing::Disc& disc, bool dark);
 
   std::map<DiscKey, QPixmap> disc_pictures_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -14,14 +14,15 @@
 #include "picture/figure/ticks.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 // The position that dragging moves, where an object has one that is its own.
-Vec3* position_of(AnyObject& object) {
-  if (auto* target = std::get_if<Target>(&object)) return &target->position_m;
-  if (auto* platform = std::get_if<Platform>(&object); platform && platform->path == Platform::Path::stationary)
+core::Vec3* position_of(scene::AnyObject& object) {
+  if (auto* target = std::get_if<scene::Target>(&object)) return &target->position_m;
+  if (auto* platform = std::get_if<scene::Platform>(&object);
+      platform && platform->path == scene::Platform::Path::stationary)
     return &platform->position_m;
   return nullptr;
 }
@@ -46,8 +47,8 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(scene_, 1);
   layout->addWidget(time_bar_);
-  scene_->set_namer([this](ObjectId id) {
-    return has_object(session_.scene(), id) ? label_of(session_.scene(), id) : std::string();
+  scene_->set_namer([this](scene::ObjectId id) {
+    return scene::has_object(session_.scene(), id) ? scene::label_of(session_.scene(), id) : std::string();
   });
   connect_gestures();
   scene_->installEventFilter(this);
@@ -73,7 +74,7 @@ ScenePanel::~ScenePanel() = default;
 
 void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::selection_clicked, this,
-          [this](ObjectId id, bool add) { add ? session_.select_also(id) : session_.select_only(id); });
+          [this](scene::ObjectId id, bool add) { add ? session_.select_also(id) : session_.select_only(id); });
   connect(scene_, &SceneWidget::empty_clicked, this, [this] { session_.select({}); });
   connect(scene_, &SceneWidget::edit_requested, this, &ScenePanel::edit_requested);
   connect(scene_, &SceneWidget::menu_requested, this, &ScenePanel::menu_requested);
@@ -96,10 +97,10 @@ bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ScenePanel::take_scene() {
-  maker_ = std::make_unique<SnapshotMaker>(session_.scene());
+  maker_ = std::make_unique<picture::SnapshotMaker>(session_.scene());
   const auto [first_s, last_s] = maker_->time_span_s();
   time_bar_->set_span(first_s, last_s);
-  if (new_document_) time_bar_->set_step(round_below((last_s - first_s) / 100.0));
+  if (new_document_) time_bar_->set_step(picture::round_below((last_s - first_s) / 100.0));
   show_time();
   if (new_document_) scene_->fit();
   new_document_ = false;
@@ -107,9 +108,9 @@ void ScenePanel::take_scene() {
 
 void ScenePanel::show_time() {
   const auto [first_s, last_s] = maker_->time_span_s();
-  Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s);
+  picture::Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s);
   if (followed_) {
-    const auto found = std::ranges::find(snapshot.platforms, *followed_, &Snapshot::Platform::id);
+    const auto found = std::ranges::find(snapshot.platforms, *followed_, &picture::Snapshot::Platform::id);
     if (found != snapshot.platforms.end()) focus_on(found->pose.position_world_m);
   }
   scene_->set_snapshot(std::move(snapshot));
@@ -118,41 +119,41 @@ void ScenePanel::show_time() {
 
 void ScenePanel::show_marks() {
   scene_->set_dark(is_dark(palette()));
-  if (const QColor ground = colour_of(Role::background, palette());
+  if (const QColor ground = colour_of(picture::Role::background, palette());
       direction_->palette().color(QPalette::Window) != ground) {
     QPalette own;  // Only what is set here is the label's own; the rest follows the theme.
     own.setColor(QPalette::Window, ground);
     direction_->setPalette(own);
   }
-  DrawingOptions options = scene_->options();
+  picture::DrawingOptions options = scene_->options();
   options.selected = session_.selection();
   options.hidden = session_.hidden();
   scene_->set_options(options);
 }
 
 void ScenePanel::show_camera() {
-  const auto degrees = [](double rad) { return qRound(rad * deg_per_rad); };
+  const auto degrees = [](double rad) { return qRound(rad * core::deg_per_rad); };
   direction_->setText(tr("Azimuth %1°  Elevation %2°")
                           .arg(degrees(scene_->camera().azimuth_rad))
                           .arg(degrees(scene_->camera().elevation_rad)));
 }
 
-void ScenePanel::follow(std::optional<ObjectId> platform) {
+void ScenePanel::follow(std::optional<scene::ObjectId> platform) {
   followed_ = platform;
   show_time();
 }
 
-void ScenePanel::focus_on(const Vec3& world_m) {
-  Camera camera = scene_->camera();
+void ScenePanel::focus_on(const core::Vec3& world_m) {
+  picture::Camera camera = scene_->camera();
   camera.focus_world_m = world_m;
   scene_->set_camera(camera);
 }
 
 void ScenePanel::focus_on_selection() {
-  const Snapshot& snapshot = scene_->snapshot();
-  Vec3 sum;
+  const picture::Snapshot& snapshot = scene_->snapshot();
+  core::Vec3 sum;
   int count = 0;
-  const auto add = [&](ObjectId id, const Vec3& place) {
+  const auto add = [&](scene::ObjectId id, const core::Vec3& place) {
     if (session_.selection().contains(id)) sum = sum + place, ++count;
   };
   for (const auto& t : snapshot.targets) add(t.id, t.position_world_m);
@@ -164,37 +165,38 @@ void ScenePanel::focus_on_selection() {
   if (count > 0) focus_on((1.0 / count) * sum);
 }
 
-void ScenePanel::begin_drag(ObjectId id) {
+void ScenePanel::begin_drag(scene::ObjectId id) {
   dragged_.reset();
-  if (!has_object(session_.scene(), id)) return;
+  if (!scene::has_object(session_.scene(), id)) return;
   session_.end_run();
-  dragged_ = object_of(session_.scene(), id);
+  dragged_ = scene::object_of(session_.scene(), id);
   written_ = *dragged_;
-  platform_from_world_ = Mat3();
-  if (id.kind == ObjectKind::platform) return;
-  const std::size_t carrier = find_platform(session_.scene(), carrier_of(session_.scene(), id));
+  platform_from_world_ = core::Mat3();
+  if (id.kind == scene::ObjectKind::platform) return;
+  const std::size_t carrier = scene::find_platform(session_.scene(), scene::carrier_of(session_.scene(), id));
   for (const auto& p : scene_->snapshot().platforms)
-    if (p.id.index == carrier) platform_from_world_ = transposed(p.pose.world_from_platform);
+    if (p.id.index == carrier) platform_from_world_ = core::transposed(p.pose.world_from_platform);
 }
 
-void ScenePanel::drag(ObjectId id, const Vec3& delta_world_m) {
+void ScenePanel::drag(scene::ObjectId id, const core::Vec3& delta_world_m) {
   if (!dragged_) return;
   // Undone, removed or edited elsewhere meanwhile: what the hand holds is no longer there.
-  if (!has_object(session_.scene(), id) || object_of(session_.scene(), id) != written_) {
+  if (!scene::has_object(session_.scene(), id) || scene::object_of(session_.scene(), id) != written_) {
     dragged_.reset();
     return;
   }
-  AnyObject object = *dragged_;
-  Vec3* const position = position_of(object);
+  scene::AnyObject object = *dragged_;
+  core::Vec3* const position = position_of(object);
   if (position == nullptr) return;
-  const Vec3 by = platform_from_world_ * delta_world_m;
+  const core::Vec3 by = platform_from_world_ * delta_world_m;
   // A coordinate that does not move keeps all its digits.
-  const auto moved = [](double from, double way) { return way == 0.0 ? from : tidy(from + way); };
+  const auto moved = [](double from, double way) { return way == 0.0 ? from : core::tidy(from + way); };
   *position = {moved(position->x, by.x), moved(position->y, by.y), moved(position->z, by.z)};
-  const bool target = id.kind == ObjectKind::target;
-  session_.perform(replace_object(session_.scene(), id, std::move(object), target ? "Move target" : "Move platform",
-                                  "drag " + std::string(name_of(id.kind)) + std::to_string(id.index)));
-  written_ = object_of(session_.scene(), id);
+  const bool target = id.kind == scene::ObjectKind::target;
+  session_.perform(scene::replace_object(session_.scene(), id, std::move(object),
+                                         target ? "Move target" : "Move platform",
+                                         "drag " + std::string(scene::name_of(id.kind)) + std::to_string(id.index)));
+  written_ = scene::object_of(session_.scene(), id);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,7 +10,7 @@
 
 class QLabel;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class SceneWidget;
 class TimeBar;
@@ -27,18 +27,18 @@ class ScenePanel : public QWidget {
   [[nodiscard]] TimeBar& time_bar() { return *time_bar_; }
 
   /// The view keeps this platform in its middle as time runs; nothing: it stays where it is.
-  void follow(std::optional<ObjectId> platform);
-  [[nodiscard]] std::optional<ObjectId> followed() const { return followed_; }
+  void follow(std::optional<scene::ObjectId> platform);
+  [[nodiscard]] std::optional<scene::ObjectId> followed() const { return followed_; }
   /// Puts a world point into the middle.
-  void focus_on(const Vec3& world_m);
+  void focus_on(const core::Vec3& world_m);
   /// Puts the selected objects into the middle.
   void focus_on_selection();
 
  signals:
-  void edit_requested(sarsim::ObjectId object);  ///< The properties of an object are wanted.
-  void delete_wanted();                          ///< The selected objects are to go.
+  void edit_requested(sarsim::scene::ObjectId object);  ///< The properties of an object are wanted.
+  void delete_wanted();                                 ///< The selected objects are to go.
   /// At a place of the screen; for nothing: that of the scene.
-  void menu_requested(std::optional<sarsim::ObjectId> object, QPoint global);
+  void menu_requested(std::optional<sarsim::scene::ObjectId> object, QPoint global);
 
  protected:
   /// Space in the scene plays and stops the time.
@@ -50,19 +50,19 @@ class ScenePanel : public QWidget {
   void show_time();
   void show_marks();
   void show_camera();
-  void begin_drag(ObjectId id);
-  void drag(ObjectId id, const Vec3& delta_world_m);
+  void begin_drag(scene::ObjectId id);
+  void drag(scene::ObjectId id, const core::Vec3& delta_world_m);
 
   Session& session_;
-  std::unique_ptr<SnapshotMaker> maker_;
+  std::unique_ptr<picture::SnapshotMaker> maker_;
   SceneWidget* scene_ = nullptr;
   TimeBar* time_bar_ = nullptr;
   QLabel* direction_ = nullptr;
-  std::optional<ObjectId> followed_;
-  std::optional<AnyObject> dragged_;  // as it was when the drag began
-  AnyObject written_;                 // as the drag last wrote it
-  Mat3 platform_from_world_;          // of what carries it
+  std::optional<scene::ObjectId> followed_;
+  std::optional<scene::AnyObject> dragged_;  // as it was when the drag began
+  scene::AnyObject written_;                 // as the drag last wrote it
+  core::Mat3 platform_from_world_;           // of what carries it
   bool new_document_ = true;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -10,14 +10,14 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
 constexpr double fit_margin_px = 40.0;  // of the screen
 
 template <class Objects>
-auto* found_in(const Objects& objects, ObjectId id) {
+auto* found_in(const Objects& objects, scene::ObjectId id) {
   const auto at = std::ranges::find(objects, id, [](const auto& object) { return object.id; });
   return at == objects.end() ? nullptr : &*at;
 }
@@ -35,7 +35,7 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   follow_size();
 }
 
-void SceneWidget::set_snapshot(Snapshot snapshot) {
+void SceneWidget::set_snapshot(picture::Snapshot snapshot) {
   snapshot_ = std::move(snapshot);
   if (options_.hovered && press_.gesture == Gesture::none && !position_of(*options_.hovered) &&
       found_in(snapshot_.surfaces, *options_.hovered) == nullptr)
@@ -43,9 +43,9 @@ void SceneWidget::set_snapshot(Snapshot snapshot) {
   redraw();
 }
 
-void SceneWidget::set_camera(const Camera& camera) { change_camera(camera); }
+void SceneWidget::set_camera(const picture::Camera& camera) { change_camera(camera); }
 
-void SceneWidget::set_options(DrawingOptions options) {
+void SceneWidget::set_options(picture::DrawingOptions options) {
   options.hovered = options_.hovered;
   options.pixel_scale = options_.pixel_scale;
   options.coarse = false;
@@ -58,21 +58,21 @@ void SceneWidget::set_dark(bool dark) {
   update();
 }
 
-void SceneWidget::set_namer(std::function<std::string(ObjectId)> namer) { namer_ = std::move(namer); }
+void SceneWidget::set_namer(std::function<std::string(scene::ObjectId)> namer) { namer_ = std::move(namer); }
 
 void SceneWidget::fit() {
   follow_size();
   // Marks and names have a size of their own, beyond the points that are fitted.
-  Camera inner = camera_;
+  picture::Camera inner = camera_;
   inner.width_px = std::max(0.5 * camera_.width_px, camera_.width_px - 2.0 * fit_margin_px * options_.pixel_scale);
   inner.height_px = std::max(0.5 * camera_.height_px, camera_.height_px - 2.0 * fit_margin_px * options_.pixel_scale);
-  change_camera(fitted(inner, points_of(snapshot_)));
+  change_camera(picture::fitted(inner, picture::points_of(snapshot_)));
 }
 
-void SceneWidget::look(ViewPreset view) { change_camera(preset(camera_, view)); }
+void SceneWidget::look(picture::ViewPreset view) { change_camera(picture::preset(camera_, view)); }
 
 void SceneWidget::zoom(double factor) {
-  change_camera(zoomed(camera_, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
+  change_camera(picture::zoomed(camera_, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
 }
 
 // The camera works in device pixels; a window that moves to a finer screen keeps what it shows.
@@ -85,7 +85,7 @@ void SceneWidget::follow_size() {
   drawn_ = false;
 }
 
-void SceneWidget::change_camera(const Camera& camera) {
+void SceneWidget::change_camera(const picture::Camera& camera) {
   camera_ = camera;
   follow_size();
   redraw();
@@ -100,27 +100,27 @@ void SceneWidget::redraw() {
 void SceneWidget::refresh_drawing(bool coarse) {
   if (drawn_ && drawn_coarse_ == coarse) return;
   options_.coarse = coarse;
-  draw_scene(snapshot_, camera_, options_, drawing_);
+  picture::draw_scene(snapshot_, camera_, options_, drawing_);
   options_.coarse = false;
   drawn_ = true;
   drawn_coarse_ = coarse;
 }
 
-std::optional<Vec3> SceneWidget::position_of(ObjectId id) const {
+std::optional<core::Vec3> SceneWidget::position_of(scene::ObjectId id) const {
   if (const auto* target = found_in(snapshot_.targets, id)) return target->position_world_m;
   if (const auto* radar = found_in(snapshot_.radars, id)) return radar->position_world_m;
   if (const auto* platform = found_in(snapshot_.platforms, id)) return platform->pose.position_world_m;
   return std::nullopt;
 }
 
-QString SceneWidget::name_of_object(ObjectId id) const {
+QString SceneWidget::name_of_object(scene::ObjectId id) const {
   if (namer_) return QString::fromStdString(namer_(id));
   if (const auto* platform = found_in(snapshot_.platforms, id)) return QString::fromStdString(platform->name);
   if (const auto* radar = found_in(snapshot_.radars, id)) return QString::fromStdString(radar->name);
-  return (id.kind == ObjectKind::surface ? tr("Surface %1") : tr("Target %1")).arg(id.index + 1);
+  return (id.kind == scene::ObjectKind::surface ? tr("Surface %1") : tr("Target %1")).arg(id.index + 1);
 }
 
-void SceneWidget::set_hovered(std::optional<ObjectId> id) {
+void SceneWidget::set_hovered(std::optional<scene::ObjectId> id) {
   if (options_.hovered == id) return;
   options_.hovered = id;
   redraw();
@@ -130,7 +130,7 @@ void SceneWidget::set_hovered(std::optional<ObjectId> id) {
 void SceneWidget::paintEvent(QPaintEvent*) {
   if (options_.pixel_scale != devicePixelRatioF()) follow_size();
   const bool dragging = press_.gesture != Gesture::none && press_.gesture != Gesture::pressed;
-  refresh_drawing(dragging && snapshot_.targets.size() > coarse_targets);
+  refresh_drawing(dragging && snapshot_.targets.size() > picture::coarse_targets);
   QPainter painter(this);
   painter.scale(1.0 / options_.pixel_scale, 1.0 / options_.pixel_scale);
   const QRectF area(0.0, 0.0, camera_.width_px, camera_.height_px);
@@ -160,4 +160,4 @@ bool SceneWidget::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

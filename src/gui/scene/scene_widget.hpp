@@ -13,7 +13,7 @@
 #include "picture/scene/drawing.hpp"
 #include "picture/scene/snapshot.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The scene in three dimensions ("scene_view"). It shows a snapshot and turns gestures into signals; edits, selection
 /// and menus are the owner's.
@@ -31,23 +31,23 @@ class SceneWidget : public QWidget {
   explicit SceneWidget(QWidget* parent = nullptr);
 
   /// Shows another moment, or another scene.
-  void set_snapshot(Snapshot snapshot);
-  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  void set_snapshot(picture::Snapshot snapshot);
+  [[nodiscard]] const picture::Snapshot& snapshot() const { return snapshot_; }
   /// The size is that of the widget, whatever the camera says.
-  void set_camera(const Camera& camera);
-  [[nodiscard]] const Camera& camera() const { return camera_; }
+  void set_camera(const picture::Camera& camera);
+  [[nodiscard]] const picture::Camera& camera() const { return camera_; }
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
-  void set_options(DrawingOptions options);
-  [[nodiscard]] const DrawingOptions& options() const { return options_; }
+  void set_options(picture::DrawingOptions options);
+  [[nodiscard]] const picture::DrawingOptions& options() const { return options_; }
   /// Light marks on a dark ground, or the other way round.
   void set_dark(bool dark);
   /// How tooltips name an object; without it by its name, or kind and number.
-  void set_namer(std::function<std::string(ObjectId)> namer);
+  void set_namer(std::function<std::string(scene::ObjectId)> namer);
 
   /// Shows all of the snapshot.
   void fit();
   /// Looks from another side at the same focus.
-  void look(ViewPreset view);
+  void look(picture::ViewPreset view);
   /// Times `factor` about the middle.
   void zoom(double factor);
   /// Device pixels per pixel of the screen.
@@ -57,18 +57,18 @@ class SceneWidget : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
 
  signals:
-  void selection_clicked(sarsim::ObjectId id, bool add);  ///< An object was clicked; with Ctrl `add`.
-  void empty_clicked();                                   ///< Nothing stands where the click was.
-  void edit_requested(sarsim::ObjectId id);               ///< A double click, or Enter.
+  void selection_clicked(sarsim::scene::ObjectId id, bool add);  ///< An object was clicked; with Ctrl `add`.
+  void empty_clicked();                                          ///< Nothing stands where the click was.
+  void edit_requested(sarsim::scene::ObjectId id);               ///< A double click, or Enter.
   /// At a place of the screen; nothing: empty space.
-  void menu_requested(std::optional<sarsim::ObjectId> id, QPoint global);
-  void delete_wanted();                    ///< The selected objects, of which there are some, are to go.
-  void drag_started(sarsim::ObjectId id);  ///< What follows moves this object.
+  void menu_requested(std::optional<sarsim::scene::ObjectId> id, QPoint global);
+  void delete_wanted();                           ///< The selected objects, of which there are some, are to go.
+  void drag_started(sarsim::scene::ObjectId id);  ///< What follows moves this object.
   /// All the way from where the object was when the drag started.
-  void dragged_to(sarsim::ObjectId id, sarsim::Vec3 delta_world_m);
-  void drag_ended();                                 ///< The object stays where it is.
-  void hovered(std::optional<sarsim::ObjectId> id);  ///< What the pointer is over.
-  void camera_changed();                             ///< The scene is seen from elsewhere.
+  void dragged_to(sarsim::scene::ObjectId id, sarsim::core::Vec3 delta_world_m);
+  void drag_ended();                                        ///< The object stays where it is.
+  void hovered(std::optional<sarsim::scene::ObjectId> id);  ///< What the pointer is over.
+  void camera_changed();                                    ///< The scene is seen from elsewhere.
 
  protected:
   bool event(QEvent* event) override;
@@ -90,24 +90,24 @@ class SceneWidget : public QWidget {
     Qt::MouseButton button = Qt::NoButton;
     Gesture gesture = Gesture::none;
     QPointF at_px;
-    Camera camera;
-    std::optional<ObjectId> on;
-    Vec3 object_world_m;
+    picture::Camera camera;
+    std::optional<scene::ObjectId> on;
+    core::Vec3 object_world_m;
   };
 
   [[nodiscard]] QPointF device_point(const QPointF& logical) const { return logical * options_.pixel_scale; }
-  [[nodiscard]] std::optional<ObjectId> picked_at(const QPointF& at_px);
-  [[nodiscard]] std::optional<Vec3> position_of(ObjectId id) const;
-  [[nodiscard]] bool movable(ObjectId id) const;
-  [[nodiscard]] QString name_of_object(ObjectId id) const;
-  [[nodiscard]] Vec3 moved_by(const QPointF& step_px, bool snap) const;
+  [[nodiscard]] std::optional<scene::ObjectId> picked_at(const QPointF& at_px);
+  [[nodiscard]] std::optional<core::Vec3> position_of(scene::ObjectId id) const;
+  [[nodiscard]] bool movable(scene::ObjectId id) const;
+  [[nodiscard]] QString name_of_object(scene::ObjectId id) const;
+  [[nodiscard]] core::Vec3 moved_by(const QPointF& step_px, bool snap) const;
   [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
 
   void follow_size();
-  void change_camera(const Camera& camera);
+  void change_camera(const picture::Camera& camera);
   void redraw();
   void refresh_drawing(bool coarse);
-  void set_hovered(std::optional<ObjectId> id);
+  void set_hovered(std::optional<scene::ObjectId> id);
   void begin_gesture(Qt::KeyboardModifiers modifiers);
   void follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
   void end_gesture();
@@ -118,16 +118,16 @@ class SceneWidget : public QWidget {
   bool object_key(const QKeyEvent& event);
   void ask_for_menu_by_key();
 
-  Snapshot snapshot_;
-  Camera camera_ = Camera::start(640.0, 480.0);
-  DrawingOptions options_;
-  std::function<std::string(ObjectId)> namer_;
+  picture::Snapshot snapshot_;
+  picture::Camera camera_ = picture::Camera::start(640.0, 480.0);
+  picture::DrawingOptions options_;
+  std::function<std::string(scene::ObjectId)> namer_;
   bool dark_ = false;
   Press press_;
-  Drawing drawing_;
+  picture::Drawing drawing_;
   bool drawn_ = false;         // `drawing_` shows the present state
   bool drawn_coarse_ = false;  // ... with less detail
   ScenePainter painter_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -11,7 +11,7 @@
 #include "gui/scene/scene_widget.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -24,22 +24,22 @@ constexpr double key_pan_px = 40.0;
 constexpr double snap_px = 10.0;  // coordinates of dragged objects are round to about so many pixels with Shift,
 constexpr double fine_px = 0.5;   // and to so many without, so that scripts do not fill up with digits
 
-Vec3 rounded(const Vec3& v, double step) {
-  return {rounded_to(v.x, step), rounded_to(v.y, step), rounded_to(v.z, step)};
+core::Vec3 rounded(const core::Vec3& v, double step) {
+  return {core::rounded_to(v.x, step), core::rounded_to(v.y, step), core::rounded_to(v.z, step)};
 }
 
 }  // namespace
 
-std::optional<ObjectId> SceneWidget::picked_at(const QPointF& at_px) {
+std::optional<scene::ObjectId> SceneWidget::picked_at(const QPointF& at_px) {
   refresh_drawing(false);
-  return picked(drawing_, snapshot_, camera_, at_px.x(), at_px.y(), reach_px * options_.pixel_scale);
+  return picture::picked(drawing_, snapshot_, camera_, at_px.x(), at_px.y(), reach_px * options_.pixel_scale);
 }
 
 // Targets and platforms; the world itself only where it was selected before.
-bool SceneWidget::movable(ObjectId id) const {
-  if (id.kind == ObjectKind::target) return true;
-  if (id.kind != ObjectKind::platform) return false;
-  return options_.selected.contains(id) || !equal_ignoring_case(name_of_object(id).toStdString(), "Earth");
+bool SceneWidget::movable(scene::ObjectId id) const {
+  if (id.kind == scene::ObjectKind::target) return true;
+  if (id.kind != scene::ObjectKind::platform) return false;
+  return options_.selected.contains(id) || !core::equal_ignoring_case(name_of_object(id).toStdString(), "Earth");
 }
 
 // --- Mouse ----------------------------------------------------------------------------------------------------------
@@ -55,7 +55,7 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
   press_.at_px = device_point(event->position());
   press_.camera = camera_;
   press_.on = picked_at(press_.at_px);
-  if (press_.on) press_.object_world_m = position_of(*press_.on).value_or(Vec3{});
+  if (press_.on) press_.object_world_m = position_of(*press_.on).value_or(core::Vec3{});
   QToolTip::hideText();
 }
 
@@ -79,17 +79,18 @@ void SceneWidget::begin_gesture(Qt::KeyboardModifiers modifiers) {
 
 // How far the object is moved in the plane through it that faces the viewer. Coordinates that the view cannot change
 // keep every digit.
-Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
-  const Mat3 picture_from_world = press_.camera.picture_from_world();
-  const Vec3 at_picture = picture_from_world * (press_.object_world_m - press_.camera.focus_world_m);
+core::Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
+  const core::Mat3 picture_from_world = press_.camera.picture_from_world();
+  const core::Vec3 at_picture = picture_from_world * (press_.object_world_m - press_.camera.focus_world_m);
   const double scale = press_.camera.scale_at(-at_picture.z);
   if (scale <= 0.0) return {};
-  const Vec3 delta = transposed(picture_from_world) * Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
-  const double fine = round_below(fine_px * options_.pixel_scale / scale);
+  const core::Vec3 delta =
+      core::transposed(picture_from_world) * core::Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
+  const double fine = picture::round_below(fine_px * options_.pixel_scale / scale);
   if (!snap) return rounded(delta, fine);
-  const double step = round_below(snap_px * options_.pixel_scale / scale);
+  const double step = picture::round_below(snap_px * options_.pixel_scale / scale);
   const auto snapped = [&](double from, double by) {
-    return std::abs(by) < 0.1 * fine ? 0.0 : rounded_to(from + by, step) - from;
+    return std::abs(by) < 0.1 * fine ? 0.0 : core::rounded_to(from + by, step) - from;
   };
   return {snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
           snapped(press_.object_world_m.z, delta.z)};
@@ -98,11 +99,11 @@ Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
 void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
   const QPointF step = at_px - press_.at_px;
   switch (press_.gesture) {
-    case Gesture::turn: change_camera(turned(press_.camera, step.x(), step.y(), options_.pixel_scale)); break;
-    case Gesture::pan: change_camera(panned(press_.camera, step.x(), step.y())); break;
+    case Gesture::turn: change_camera(picture::turned(press_.camera, step.x(), step.y(), options_.pixel_scale)); break;
+    case Gesture::pan: change_camera(picture::panned(press_.camera, step.x(), step.y())); break;
     case Gesture::zoom: {
       const double factor = std::pow(10.0, -step.y() / (zoom_decade_px * options_.pixel_scale));
-      change_camera(zoomed(press_.camera, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
+      change_camera(picture::zoomed(press_.camera, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));
       break;
     }
     case Gesture::move:
@@ -161,7 +162,8 @@ void SceneWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 void SceneWidget::wheelEvent(QWheelEvent* event) {
   const QPointF at_px = device_point(event->position());
   if (event->angleDelta().y() != 0 && press_.gesture == Gesture::none)
-    change_camera(zoomed(camera_, std::pow(10.0, event->angleDelta().y() / wheel_decade), at_px.x(), at_px.y()));
+    change_camera(
+        picture::zoomed(camera_, std::pow(10.0, event->angleDelta().y() / wheel_decade), at_px.x(), at_px.y()));
   event->accept();
 }
 
@@ -173,7 +175,7 @@ void SceneWidget::take_gesture_back() {
   const Gesture gesture = press_.gesture;
   press_.gesture = Gesture::none;
   if (gesture == Gesture::move) {
-    emit dragged_to(*press_.on, Vec3{});
+    emit dragged_to(*press_.on, core::Vec3{});
     emit drag_ended();
   } else if (gesture != Gesture::pressed) {
     change_camera(press_.camera);
@@ -212,9 +214,9 @@ bool SceneWidget::camera_key(const QKeyEvent& event) {
   const auto arrow = [&](double x, double y) {
     const double scale = options_.pixel_scale;
     if (event.modifiers().testFlag(Qt::ShiftModifier))
-      change_camera(panned(camera_, key_pan_px * scale * x, key_pan_px * scale * y));
+      change_camera(picture::panned(camera_, key_pan_px * scale * x, key_pan_px * scale * y));
     else
-      change_camera(turned(camera_, key_turn_px * x, 0.5 * key_turn_px * y));
+      change_camera(picture::turned(camera_, key_turn_px * x, 0.5 * key_turn_px * y));
     return true;
   };
   if (!knows_key(event)) return false;
@@ -227,9 +229,9 @@ bool SceneWidget::camera_key(const QKeyEvent& event) {
     case Qt::Key_Equal: zoom(key_zoom); return true;
     case Qt::Key_Minus: zoom(1.0 / key_zoom); return true;
     case Qt::Key_Home: fit(); return true;
-    case Qt::Key_1: look(ViewPreset::top); return true;
-    case Qt::Key_2: look(ViewPreset::front); return true;
-    case Qt::Key_3: look(ViewPreset::side); return true;
+    case Qt::Key_1: look(picture::ViewPreset::top); return true;
+    case Qt::Key_2: look(picture::ViewPreset::front); return true;
+    case Qt::Key_3: look(picture::ViewPreset::side); return true;
     default: return false;
   }
 }
@@ -255,7 +257,7 @@ bool SceneWidget::object_key(const QKeyEvent& event) {
 }
 
 void SceneWidget::ask_for_menu_by_key() {
-  std::optional<ObjectId> id;
+  std::optional<scene::ObjectId> id;
   QPointF at = QRectF(rect()).center();
   if (options_.selected.size() == 1) {
     id = *options_.selected.begin();
@@ -267,4 +269,4 @@ void SceneWidget::ask_for_menu_by_key() {
   emit menu_requested(id, mapToGlobal(at.toPoint()));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -22,7 +22,7 @@
 #include "picture/figure/ticks.hpp"
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -31,14 +31,14 @@ constexpr int repeat_ms = 100;       // of a held button (thesis 4.1.1)
 constexpr int frame_ms = 33;         // while playing
 constexpr double frame_parts = 1e5;  // of the span: times that playing announces are rounded to about one of them
 
-QString time_text(double time_s) { return QString::fromStdString(quantity_text(time_s, Quantity::time)); }
+QString time_text(double time_s) { return QString::fromStdString(scene::quantity_text(time_s, scene::Quantity::time)); }
 
 // Marks a field whose text cannot be taken and says why, or takes the mark off where `failure` is empty. The mark is a
 // thicker frame, so that it is not told by colour alone.
 void mark(QLineEdit& field, const QString& failure) {
   field.setProperty("refused", !failure.isEmpty());
   field.setAccessibleDescription(failure);
-  const QString colour = colour_of(Role::error, field.palette()).name();
+  const QString colour = colour_of(picture::Role::error, field.palette()).name();
   field.setStyleSheet(failure.isEmpty() ? QString()
                                         : QStringLiteral("QLineEdit { border: 2px solid %1; }").arg(colour));
   if (!failure.isEmpty() && field.isVisible())
@@ -47,7 +47,7 @@ void mark(QLineEdit& field, const QString& failure) {
 
 // Reads a field; where the text is no time the text stays, marked, until it is mended.
 std::optional<double> taken_from(QLineEdit& field) {
-  const QuantityReading reading = read_quantity(field.text().toStdString(), Quantity::time);
+  const scene::QuantityReading reading = scene::read_quantity(field.text().toStdString(), scene::Quantity::time);
   mark(field, QString::fromStdString(reading.failure));
   if (reading.value) field.setModified(false);
   return reading.value;
@@ -129,9 +129,9 @@ void TimeBar::add_buttons() {
   scrubber_->setMinimumWidth(60);
   connect(scrubber_, &QSlider::valueChanged, this, [this](int value) {
     const double length_s = span_s_[1] - span_s_[0];
-    set_time(value == scrubber_steps
-                 ? span_s_[1]
-                 : span_s_[0] + rounded_to(length_s * value / scrubber_steps, round_below(length_s / scrubber_steps)));
+    set_time(value == scrubber_steps ? span_s_[1]
+                                     : span_s_[0] + core::rounded_to(length_s * value / scrubber_steps,
+                                                                     picture::round_below(length_s / scrubber_steps)));
   });
 }
 
@@ -235,9 +235,9 @@ void TimeBar::take_step_text() {
     mark(*step_field_, tr("A step is 0 or longer; Earlier goes back"));
 }
 
-void TimeBar::earlier() { set_time(tidy(time_s_ - step_s_)); }
+void TimeBar::earlier() { set_time(core::tidy(time_s_ - step_s_)); }
 
-void TimeBar::later() { set_time(tidy(time_s_ + step_s_)); }
+void TimeBar::later() { set_time(core::tidy(time_s_ + step_s_)); }
 
 void TimeBar::set_playing(bool play) {
   if (play == playing()) return;
@@ -277,7 +277,8 @@ void TimeBar::advance() {
     now_s = span_s_[0] + std::fmod(now_s - span_s_[0], length_s);
   else if (ended)
     now_s = span_s_[1];
-  played_to_s_ = ended && !loop_box_->isChecked() ? now_s : rounded_to(now_s, round_below(length_s / frame_parts));
+  played_to_s_ =
+      ended && !loop_box_->isChecked() ? now_s : core::rounded_to(now_s, picture::round_below(length_s / frame_parts));
   set_time(played_to_s_);
   if (ended && loop_box_->isChecked()) {
     played_from_s_ = now_s;
@@ -287,4 +288,4 @@ void TimeBar::advance() {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -12,7 +12,7 @@ class QLineEdit;
 class QSlider;
 class QToolButton;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// The time of the scene ("time_bar"): a scrubber over the scene's span, the time in a field that takes any unit of
 /// time, Earlier and Later that step ten times a second while held (thesis 4.1.1), and playing at a chosen speed.
@@ -79,4 +79,4 @@ class TimeBar : public QWidget {
   QCheckBox* loop_box_ = nullptr;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

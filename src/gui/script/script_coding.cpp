@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -55,14 +55,14 @@ bool is_simple(std::string_view out, std::string_view in, std::string_view text,
 
 }  // namespace
 
-std::optional<std::vector<DecodedChange>> decoded_changes(const TextChanges& changes, bool forwards,
+std::optional<std::vector<DecodedChange>> decoded_changes(const scene::TextChanges& changes, bool forwards,
                                                           std::string_view text, const ScriptCoding& coding) {
   if (line_end_of(text) != coding.line_end) return std::nullopt;
   std::vector<DecodedChange> decoded_ones;
   std::size_t grown = 0;    // modulo 2^n
   std::size_t counted = 0;  // bytes of the text
   int position = 0;         // of those in the decoded text
-  for (const TextChange& change : changes) {
+  for (const scene::TextChange& change : changes) {
     const std::string& out = forwards ? change.before : change.after;
     const std::string& in = forwards ? change.after : change.before;
     const std::size_t begin = forwards ? change.at + grown : change.at;
@@ -121,4 +121,4 @@ int position_of_column(const QString& line, std::size_t column, const ScriptCodi
   return static_cast<int>(at);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

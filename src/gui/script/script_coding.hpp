@@ -9,7 +9,7 @@
 
 #include "scene/edit/text_change.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// How the characters and lines of a script stand in its bytes, so that an editor gives back what it was given: UTF-8,
 /// or Latin-1 where that cannot be (scripts of the 1998 programs); line ends LF, CR LF or CR.
@@ -45,8 +45,8 @@ struct DecodedChange {
 /// @param forwards  the changes were applied, rather than reverted
 /// @param text      after that
 /// @param coding    of the text before
-[[nodiscard]] std::optional<std::vector<DecodedChange>> decoded_changes(const TextChanges& changes, bool forwards,
-                                                                        std::string_view text,
+[[nodiscard]] std::optional<std::vector<DecodedChange>> decoded_changes(const scene::TextChanges& changes,
+                                                                        bool forwards, std::string_view text,
                                                                         const ScriptCoding& coding);
 
 /// The decoded text after changes that come in the order of their places; takes time linear in the text.
@@ -55,4 +55,4 @@ struct DecodedChange {
 /// Position in a decoded line (from 0) of a column in bytes (from 1); the line's length for a column beyond its end.
 [[nodiscard]] int position_of_column(const QString& line, std::size_t column, const ScriptCoding& coding);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

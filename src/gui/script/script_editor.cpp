@@ -19,7 +19,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/script/script_text.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -191,7 +191,7 @@ void ScriptEditor::take_session_text() {
 
 // The usual case, a drag for instance: one step more than is shown, and nothing typed. Costs little in a long script.
 bool ScriptEditor::take_last_changes() {
-  const Document& document = session_.document();
+  const scene::Document& document = session_.document();
   if (!agreed_) return false;
   if (document.revision() == revision_) return true;
   if (document.revision() != revision_ + 1 || !document.last_edit()) return false;
@@ -250,28 +250,28 @@ void ScriptEditor::commit() {
   refresh_problems();
 }
 
-Problems ScriptEditor::listed_problems() const {
-  Problems found = session_.problems();
-  if (of_echoes_.empty() || has_errors(found)) return found;
+core::Problems ScriptEditor::listed_problems() const {
+  core::Problems found = session_.problems();
+  if (of_echoes_.empty() || core::has_errors(found)) return found;
   std::ranges::copy(of_echoes_, std::back_inserter(found));
-  return ranked(std::move(found));
+  return core::ranked(std::move(found));
 }
 
 void ScriptEditor::refresh_problems() {
   problems_soon_.stop();
-  const Problems found = listed_problems();
+  const core::Problems found = listed_problems();
   const std::filesystem::path& script = session_.document().path();
   places_.clear();
   problems_->clear();
-  std::vector<Problem> here;
-  for (const Problem& problem : found) {
+  std::vector<core::Problem> here;
+  for (const core::Problem& problem : found) {
     const bool ours = stands_in(problem.place, script);
     if (ours) here.push_back(problem);
     if (places_.size() == most_listed) continue;
     const QString text = placed_problem_text(problem, script);
     auto* item = new QListWidgetItem(severity_icon(problem.severity, *this), text, problems_);
     item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
-    places_.push_back(ours ? problem.place : Place{});
+    places_.push_back(ours ? problem.place : core::Place{});
   }
   if (found.size() > most_listed) {
     problems_->addItem(tr("and %1 more").arg(found.size() - most_listed));
@@ -284,14 +284,14 @@ void ScriptEditor::refresh_problems() {
                                                     : QString());
 }
 
-void ScriptEditor::jump_to(const Place& place) { text_->jump_to(place, coding_); }
+void ScriptEditor::jump_to(const core::Place& place) { text_->jump_to(place, coding_); }
 
-void ScriptEditor::show_problem(const Place& place) {
+void ScriptEditor::show_problem(const core::Place& place) {
   text_->setFocus();
   if (stands_in(place, session_.document().path())) jump_to(place);
 }
 
-void ScriptEditor::list_also(Problems of_echoes) {
+void ScriptEditor::list_also(core::Problems of_echoes) {
   of_echoes_ = std::move(of_echoes);
   problems_soon_.start();
 }
@@ -313,9 +313,9 @@ void ScriptEditor::copy_command() {
   if (command.isEmpty()) return;
   QApplication::clipboard()->setText(command);
   if (session_.document().changed())
-    session_.log(Severity::note, tr("Copied '%1'; it runs the script as it was saved last.").arg(command));
+    session_.log(core::Severity::note, tr("Copied '%1'; it runs the script as it was saved last.").arg(command));
   else
-    session_.log(Severity::note, tr("Copied '%1'.").arg(command));
+    session_.log(core::Severity::note, tr("Copied '%1'.").arg(command));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -13,7 +13,7 @@ class QAction;
 class QLabel;
 class QListWidget;
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class FindBar;
 class ScriptText;
@@ -32,11 +32,11 @@ class ScriptEditor : public QWidget {
   void commit();
   [[nodiscard]] ScriptText& text() { return *text_; }
   /// Puts the cursor where a problem is.
-  void jump_to(const Place& place);
+  void jump_to(const core::Place& place);
   /// Takes the keyboard, with the cursor where a problem is, where that is in the script.
-  void show_problem(const Place& place);
+  void show_problem(const core::Place& place);
   /// Lists these below those that the session knows, as long as it knows no errors.
-  void list_also(Problems of_echoes);
+  void list_also(core::Problems of_echoes);
   /// The command that runs the script without the workbench: "sarsim run 'ship.scr'"; empty where it was never saved.
   [[nodiscard]] QString command_line() const;
   [[nodiscard]] QAction* find_action() const { return find_; }
@@ -57,7 +57,7 @@ class ScriptEditor : public QWidget {
   void refresh_problems();
   void show_position();
   void copy_command();
-  [[nodiscard]] Problems listed_problems() const;
+  [[nodiscard]] core::Problems listed_problems() const;
 
   Session& session_;
   ScriptText* text_ = nullptr;
@@ -71,16 +71,16 @@ class ScriptEditor : public QWidget {
   QTimer run_end_;  // after which typing is another step of undo
   QTimer problems_soon_;
   ScriptCoding coding_;
-  QString shared_;              // the text that editor and session had in common last
-  bool stale_ = false;          // the session's text changed while nobody looked
-  bool agreed_ = true;          // nothing was typed since
-  std::uint64_t revision_ = 0;  // of the document then
-  bool splicing_ = false;       // the session's text is being put in
-  std::vector<Place> places_;   // of the lines of the list
-  Problems of_echoes_;          // what the session does not know
+  QString shared_;                   // the text that editor and session had in common last
+  bool stale_ = false;               // the session's text changed while nobody looked
+  bool agreed_ = true;               // nothing was typed since
+  std::uint64_t revision_ = 0;       // of the document then
+  bool splicing_ = false;            // the session's text is being put in
+  std::vector<core::Place> places_;  // of the lines of the list
+  core::Problems of_echoes_;         // what the session does not know
 };
 
 /// A file name as one word for a shell.
 [[nodiscard]] QString shell_word(const QString& name);
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -6,15 +6,15 @@
 #include "scene/schema/grammar.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
-ScriptPart part_of(const script::Token& token) {
-  if (token.kind == script::TokenKind::command) return ScriptPart::command;
-  if (token.kind == script::TokenKind::quoted) return ScriptPart::name;
-  if (script::is_keyword(token.text)) return ScriptPart::keyword;
-  return script::begins_like_number(token.text) ? ScriptPart::number : ScriptPart::name;
+ScriptPart part_of(const scene::script::Token& token) {
+  if (token.kind == scene::script::TokenKind::command) return ScriptPart::command;
+  if (token.kind == scene::script::TokenKind::quoted) return ScriptPart::name;
+  if (scene::script::is_keyword(token.text)) return ScriptPart::keyword;
+  return scene::script::begins_like_number(token.text) ? ScriptPart::number : ScriptPart::name;
 }
 
 }  // namespace
@@ -23,12 +23,12 @@ std::vector<ScriptSpan> script_spans(const QString& line) {
   // One byte for each character, so that offsets in both are the same; the language's own characters are all in ASCII.
   const QByteArray bytes = line.toLatin1();
   std::vector<ScriptSpan> spans;
-  script::Tokens tokens(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
+  scene::script::Tokens tokens(std::string_view(bytes.data(), static_cast<std::size_t>(bytes.size())));
   qsizetype behind = 0;
-  for (script::Token token = tokens.take(); token.kind != script::TokenKind::end; token = tokens.take()) {
+  for (scene::script::Token token = tokens.take(); token.kind != scene::script::TokenKind::end; token = tokens.take()) {
     const int at = static_cast<int>(token.column) - 1;
     behind = token.text.data() - bytes.data() + static_cast<qsizetype>(token.text.size());
-    if (token.kind == script::TokenKind::quoted && !token.open_quote) ++behind;
+    if (token.kind == scene::script::TokenKind::quoted && !token.open_quote) ++behind;
     spans.push_back({at, static_cast<int>(behind) - at, part_of(token)});
   }
   const qsizetype comment = line.indexOf(u'!', behind);
@@ -39,17 +39,17 @@ std::vector<ScriptSpan> script_spans(const QString& line) {
 
 void ScriptHighlighter::set_palette(const QPalette& palette) {
   dark_ = is_dark(palette);
-  const auto set = [&](ScriptPart part, Role role, bool bold, bool italic) {
+  const auto set = [&](ScriptPart part, picture::Role role, bool bold, bool italic) {
     QTextCharFormat& format = formats_[static_cast<std::size_t>(part)];
     format.setForeground(colour_of(role, palette));
     format.setFontWeight(bold ? QFont::Bold : QFont::Normal);
     format.setFontItalic(italic);
   };
-  set(ScriptPart::command, Role::curve, true, false);
-  set(ScriptPart::keyword, Role::curve_2, true, false);
-  set(ScriptPart::number, Role::text, false, false);
-  set(ScriptPart::name, Role::hovered, false, false);
-  set(ScriptPart::comment, Role::curve_3, false, true);
+  set(ScriptPart::command, picture::Role::curve, true, false);
+  set(ScriptPart::keyword, picture::Role::curve_2, true, false);
+  set(ScriptPart::number, picture::Role::text, false, false);
+  set(ScriptPart::name, picture::Role::hovered, false, false);
+  set(ScriptPart::comment, picture::Role::curve_3, false, true);
 }
 
 void ScriptHighlighter::colour(QTextBlock line) const {
@@ -65,4 +65,4 @@ void ScriptHighlighter::colour(QTextBlock line) const {
   line.clearLayout();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::gui {
 
 /// What a stretch of script text is.
 enum class ScriptPart { command, keyword, number, name, comment, count };
@@ -39,4 +39,4 @@ class ScriptHighlighter {
   bool dark_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

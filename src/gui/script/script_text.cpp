@@ -14,7 +14,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/script/script_highlighter.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 namespace {
 
@@ -89,7 +89,7 @@ void ScriptText::splice(const std::vector<DecodedChange>& changes) {
   horizontalScrollBar()->setValue(across);
 }
 
-QTextCursor ScriptText::stretch_of(const Place& place, const ScriptCoding& coding) const {
+QTextCursor ScriptText::stretch_of(const core::Place& place, const ScriptCoding& coding) const {
   const QTextBlock block = document()->findBlockByNumber(static_cast<int>(place.line) - 1);
   if (!block.isValid()) return {};
   const QString line = block.text();
@@ -105,9 +105,9 @@ QTextCursor ScriptText::stretch_of(const Place& place, const ScriptCoding& codin
   return cursor;
 }
 
-void ScriptText::underline(const std::vector<Problem>& problems, const ScriptCoding& coding) {
+void ScriptText::underline(const std::vector<core::Problem>& problems, const ScriptCoding& coding) {
   marks_.clear();
-  for (const Problem& problem : problems) {
+  for (const core::Problem& problem : problems) {
     if (marks_.size() == most_marks) break;
     if (problem.place.line == 0) continue;
     Mark mark{stretch_of(problem.place, coding), problem_text(problem), problem.severity};
@@ -129,7 +129,7 @@ QString ScriptText::problem_at(int position) const {
   return texts.join('\n');
 }
 
-void ScriptText::jump_to(const Place& place, const ScriptCoding& coding) {
+void ScriptText::jump_to(const core::Place& place, const ScriptCoding& coding) {
   const QTextCursor stretch = stretch_of(place, coding);
   if (stretch.isNull()) return;
   QTextCursor cursor = textCursor();
@@ -143,7 +143,7 @@ void ScriptText::jump_to(const Place& place, const ScriptCoding& coding) {
 void ScriptText::show_marks() {
   QList<QTextEdit::ExtraSelection> selections;
   QTextEdit::ExtraSelection line;
-  QColor tint = colour_of(Role::selected, palette());
+  QColor tint = colour_of(picture::Role::selected, palette());
   tint.setAlphaF(is_dark(palette()) ? 0.18F : 0.09F);
   line.format.setBackground(tint);
   line.format.setProperty(QTextFormat::FullWidthSelection, true);
@@ -154,9 +154,9 @@ void ScriptText::show_marks() {
     QTextEdit::ExtraSelection selection;
     selection.cursor = mark->where;
     selection.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    const Role role = mark->severity == Severity::error     ? Role::error
-                      : mark->severity == Severity::warning ? Role::warning
-                                                            : Role::curve;
+    const picture::Role role = mark->severity == core::Severity::error     ? picture::Role::error
+                               : mark->severity == core::Severity::warning ? picture::Role::warning
+                                                                           : picture::Role::curve;
     selection.format.setUnderlineColor(colour_of(role, palette()));
     selections += selection;
   }
@@ -189,7 +189,7 @@ void ScriptText::paint_margin(QPaintEvent* event) {
     const double height = blockBoundingRect(block).height();
     if (block.isVisible() && top + height >= event->rect().top()) {
       const bool here = block.blockNumber() == current;
-      painter.setPen(here ? palette().color(QPalette::Text) : colour_of(Role::platform, palette()));
+      painter.setPen(here ? palette().color(QPalette::Text) : colour_of(picture::Role::platform, palette()));
       painter.drawText(QRectF(0.0, top, right, fontMetrics().height()), Qt::AlignRight,
                        QString::number(block.blockNumber() + 1));
     }
@@ -280,4 +280,4 @@ void ScriptText::refresh_colours() {
   show_marks();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -8,7 +8,7 @@
 #include "core/report/problem.hpp"
 #include "gui/script/script_coding.hpp"
 
-namespace sarsim {
+namespace sarsim::gui {
 
 class ScriptHighlighter;
 
@@ -29,13 +29,13 @@ class ScriptText : public QPlainTextEdit {
   void splice(const std::vector<DecodedChange>& changes);
 
   /// Underlines problems; they move with the text until they are set again.
-  void underline(const std::vector<Problem>& problems, const ScriptCoding& coding);
+  void underline(const std::vector<core::Problem>& problems, const ScriptCoding& coding);
   /// The underlined stretches, as begin and end.
   [[nodiscard]] std::vector<std::pair<int, int>> underlined() const;
   /// Words of the problems underlined at a position of the text; empty where there are none.
   [[nodiscard]] QString problem_at(int position) const;
   /// Puts the cursor where a problem is, and brings it into sight.
-  void jump_to(const Place& place, const ScriptCoding& coding);
+  void jump_to(const core::Place& place, const ScriptCoding& coding);
 
   /// Makes the text larger (steps above 0) or smaller; 0 steps: as at first.
   void zoom(int steps);
@@ -64,14 +64,14 @@ class ScriptText : public QPlainTextEdit {
   struct Mark {
     QTextCursor where;
     QString text;
-    Severity severity = Severity::error;
+    core::Severity severity = core::Severity::error;
   };
 
   void place_margin();
   void scroll_margin(const QRect& area, int dy);
   void show_marks();
   void refresh_colours();
-  [[nodiscard]] QTextCursor stretch_of(const Place& place, const ScriptCoding& coding) const;
+  [[nodiscard]] QTextCursor stretch_of(const core::Place& place, const ScriptCoding& coding) const;
 
   QWidget* margin_ = nullptr;
   std::unique_ptr<ScriptHighlighter> highlighter_;
@@ -79,4 +79,4 @@ class ScriptText : public QPlainTextEdit {
   double first_size_pt_ = 0.0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::gui

@@ -7,7 +7,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -53,11 +53,11 @@ std::uint8_t byte_of(double zero_to_255) {
 }
 
 OkLab polar(double lightness, double chroma, double hue_deg) {
-  const double hue = hue_deg * pi / 180.0;
+  const double hue = hue_deg * core::pi / 180.0;
   return {lightness, chroma * std::cos(hue), chroma * std::sin(hue)};
 }
 
-double smooth(double x) { return std::sin(0.5 * pi * std::clamp(x, 0.0, 1.0)); }
+double smooth(double x) { return std::sin(0.5 * core::pi * std::clamp(x, 0.0, 1.0)); }
 
 // The path of a map before its speed is made constant, 0 <= t <= 1. The numbers keep it inside what a screen shows.
 OkLab path(ColourMap map, double t) {
@@ -66,7 +66,7 @@ OkLab path(ColourMap map, double t) {
       const double end = std::max(0.0, t - 0.6) / 0.4;
       return polar(0.22 + 0.73 * t, 0.09 + 0.06 * end * end, 305.0 - 200.0 * t);
     }
-    case ColourMap::ember: return polar(0.12 + 0.84 * t, 0.046 + 0.13 * std::sin(pi * t), 290.0 + 165.0 * t);
+    case ColourMap::ember: return polar(0.12 + 0.84 * t, 0.046 + 0.13 * std::sin(core::pi * t), 290.0 + 165.0 * t);
     case ColourMap::balance: {
       const double s = std::abs(2.0 * t - 1.0);
       return polar(0.96 - 0.54 * s, 0.13 * smooth(1.8 * s), t < 0.5 ? 30.0 : 255.0);
@@ -75,7 +75,8 @@ OkLab path(ColourMap map, double t) {
       const double s = std::abs(2.0 * t - 1.0);
       return polar(0.14 + 0.64 * s, 0.105 * smooth(2.4 * s), t < 0.5 ? 30.0 : 255.0);
     }
-    case ColourMap::cycle: return polar(0.6 - 0.3 * std::cos(2.0 * pi * t), 0.115 * std::sin(2.0 * pi * t), 60.0);
+    case ColourMap::cycle:
+      return polar(0.6 - 0.3 * std::cos(2.0 * core::pi * t), 0.115 * std::sin(2.0 * core::pi * t), 60.0);
     default: return {0.13 + 0.87 * t, 0.0, 0.0};  // below, 8 bits have too few greys
   }
 }
@@ -109,7 +110,7 @@ class Pace {
   std::array<double, steps + 1> length_{};
 };
 
-Rgb from_hue(double hue_turns, double saturation, double lightness) {
+raster::Rgb from_hue(double hue_turns, double saturation, double lightness) {
   const double s = std::clamp(saturation, 0.0, 1.0);
   const double l = std::clamp(lightness, 0.0, 1.0);
   const double reach = s * std::min(l, 1.0 - l);
@@ -126,7 +127,7 @@ std::uint8_t classic_grey(double distance_of_236, const ClassicSliders& s) {
   return byte_of(m * std::pow(distance_of_236 / classic_levels, n) - 127.0 + s.saturation);
 }
 
-Rgb classic_colour(ColourMap map, int level, const ClassicSliders& s) {
+raster::Rgb classic_colour(ColourMap map, int level, const ClassicSliders& s) {
   const double share = static_cast<double>(level) / classic_levels;
   if (map == ColourMap::classic_rainbow)
     return from_hue((0.3 + 0.00274 * s.contrast) * share, s.saturation / 256.0, s.brightness / 256.0);
@@ -134,7 +135,7 @@ Rgb classic_colour(ColourMap map, int level, const ClassicSliders& s) {
   if (map == ColourMap::classic_red_blue) {
     const int from_middle = level - classic_levels / 2;
     const std::uint8_t y = classic_grey(2.0 * std::abs(from_middle), s);
-    return from_middle < 0 ? Rgb{y, 0, 0} : Rgb{0, 0, y};
+    return from_middle < 0 ? raster::Rgb{y, 0, 0} : raster::Rgb{0, 0, y};
   }
   const std::uint8_t y = classic_grey(level, s);
   return {y, y, y};
@@ -146,8 +147,8 @@ std::span<const ColourMapInfo> colour_maps() { return maps; }
 
 const ColourMapInfo& info_of(ColourMap map) { return *std::ranges::find(maps, map, &ColourMapInfo::map); }
 
-std::vector<Rgb> colour_table(ColourMap map, const ClassicSliders& sliders, bool inverted, std::size_t levels) {
-  std::vector<Rgb> table;
+std::vector<raster::Rgb> colour_table(ColourMap map, const ClassicSliders& sliders, bool inverted, std::size_t levels) {
+  std::vector<raster::Rgb> table;
   if (info_of(map).classic) {
     for (int i = 0; i < classic_levels; ++i) table.push_back(classic_colour(map, i, sliders));
   } else {
@@ -165,7 +166,7 @@ OkLab colour_at(ColourMap map, double position) {
   return path(map, Pace(map).parameter_at(std::clamp(position, 0.0, 1.0)));
 }
 
-OkLab oklab_of(Rgb colour) {
+OkLab oklab_of(raster::Rgb colour) {
   const double r = linear_of(colour.red / 255.0);
   const double g = linear_of(colour.green / 255.0);
   const double b = linear_of(colour.blue / 255.0);
@@ -177,7 +178,7 @@ OkLab oklab_of(Rgb colour) {
           0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-Rgb rgb_of(const OkLab& colour) {
+raster::Rgb rgb_of(const OkLab& colour) {
   const LinearRgb c = linear_of(colour);
   const auto byte = [](double linear) { return byte_of(255.0 * encoded_of(std::max(0.0, linear))); };
   return {byte(c.red), byte(c.green), byte(c.blue)};
@@ -190,4 +191,4 @@ bool is_displayable(const OkLab& colour) {
   return least >= -rounding && most <= 1.0 + rounding;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

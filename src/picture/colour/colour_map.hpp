@@ -7,7 +7,7 @@
 
 #include "picture/colour/theme.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// How numbers become colours. All but the classic ones are paths of constant speed through OKLab (B. Ottosson, "A
 /// perceptual color space for image processing", 2020), so that equal differences of a number look equally large.
@@ -58,8 +58,8 @@ struct ClassicSliders {
 ///
 /// @param inverted  from the last to the first
 /// @param levels    of all maps but the classic ones, at least 2
-[[nodiscard]] std::vector<Rgb> colour_table(ColourMap map, const ClassicSliders& sliders = {}, bool inverted = false,
-                                            std::size_t levels = 256);
+[[nodiscard]] std::vector<raster::Rgb> colour_table(ColourMap map, const ClassicSliders& sliders = {},
+                                                    bool inverted = false, std::size_t levels = 256);
 
 /// A colour in OKLab: lightness 0 to 1, green-red, blue-yellow.
 struct OkLab {
@@ -67,13 +67,13 @@ struct OkLab {
   double a = 0.0;
   double b = 0.0;
 };
-[[nodiscard]] OkLab oklab_of(Rgb colour);
+[[nodiscard]] OkLab oklab_of(raster::Rgb colour);
 /// The nearest colour of 8 bits; outside what a screen can show each primary is cut off.
-[[nodiscard]] Rgb rgb_of(const OkLab& colour);
+[[nodiscard]] raster::Rgb rgb_of(const OkLab& colour);
 /// Whether a screen (sRGB) can show it.
 [[nodiscard]] bool is_displayable(const OkLab& colour);
 /// The colour of a map that is not classic at `position` from 0 to 1, before rounding to 8 bits; positions are
 /// proportional to the length of the path.
 [[nodiscard]] OkLab colour_at(ColourMap map, double position);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

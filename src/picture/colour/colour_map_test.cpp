@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 constexpr std::array sequential{ColourMap::ocean, ColourMap::ember, ColourMap::grey};
@@ -17,7 +17,7 @@ double distance(const OkLab& p, const OkLab& q) { return std::hypot(p.lightness 
 double chroma(const OkLab& c) { return std::hypot(c.a, c.b); }
 
 // What somebody without the green receptors sees (G. Machado, M. Oliveira, L. Fernandes, IEEE TVCG 15, 2009).
-OkLab seen_by_deuteranope(Rgb colour) {
+OkLab seen_by_deuteranope(raster::Rgb colour) {
   const auto linear = [](std::uint8_t byte) {
     const double x = byte / 255.0;
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -47,7 +47,7 @@ double unevenness(const std::vector<OkLab>& colours) {
 
 std::vector<OkLab> colours_of(ColourMap map, std::size_t count) {
   std::vector<OkLab> colours;
-  for (const Rgb c : colour_table(map, {}, false, count)) colours.push_back(oklab_of(c));
+  for (const raster::Rgb c : colour_table(map, {}, false, count)) colours.push_back(oklab_of(c));
   return colours;
 }
 
@@ -65,7 +65,8 @@ TEST(OkLab, OfEveryFewthColourComesBack) {
   for (int r = 0; r < 256; r += 51)
     for (int g = 0; g < 256; g += 51)
       for (int b = 0; b < 256; b += 51) {
-        const Rgb colour{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(b)};
+        const raster::Rgb colour{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                                 static_cast<std::uint8_t>(b)};
         EXPECT_EQ(rgb_of(oklab_of(colour)), colour);
         EXPECT_TRUE(is_displayable(oklab_of(colour)));
       }
@@ -170,7 +171,7 @@ TEST(ColourMap, OfOneLevelIsRefused) {
 // n = 1/(4.92e-5 127^2 + 0.2) = 1.00649, m = 0.01271 127^2 + 50 = 255.0: nearly the identity.
 TEST(ClassicPalette, GreyAtTheMiddleOfTheSlidersIsNearlyProportional) {
   const auto table = colour_table(ColourMap::classic_grey);
-  EXPECT_EQ(table[0], (Rgb{0, 0, 0}));
+  EXPECT_EQ(table[0], (raster::Rgb{0, 0, 0}));
   EXPECT_EQ(table[118].red, 127);  // 255.0 (1/2)^1.00649 = 126.9
   EXPECT_EQ(table[235].red, 254);  // 255.0 (235/236)^1.00649 = 253.9
 }
@@ -185,17 +186,17 @@ TEST(ClassicPalette, GreyFollowsItsSliders) {
 
 TEST(ClassicPalette, RedBlueIsBlackInTheMiddleRedBelowAndBlueAbove) {
   const auto table = colour_table(ColourMap::classic_red_blue);
-  EXPECT_EQ(table[118], (Rgb{0, 0, 0}));
-  EXPECT_EQ(table[0], (Rgb{255, 0, 0}));
-  EXPECT_EQ(table[59], (Rgb{127, 0, 0}));
-  EXPECT_EQ(table[177], (Rgb{0, 0, 127}));
+  EXPECT_EQ(table[118], (raster::Rgb{0, 0, 0}));
+  EXPECT_EQ(table[0], (raster::Rgb{255, 0, 0}));
+  EXPECT_EQ(table[59], (raster::Rgb{127, 0, 0}));
+  EXPECT_EQ(table[177], (raster::Rgb{0, 0, 127}));
   EXPECT_EQ(table[235].blue, 253);  // 255.0 (234/236)^1.00649 = 252.8
 }
 
 TEST(ClassicPalette, RainbowRunsFromRedThroughGreenToBlue) {
   const auto table = colour_table(ColourMap::classic_rainbow);
   // S = L = 127/256: parts from 127 (1 - S) = 63.8 to 127 (1 + S) = 189.3.
-  EXPECT_EQ(table[0], (Rgb{189, 64, 64}));
+  EXPECT_EQ(table[0], (raster::Rgb{189, 64, 64}));
   EXPECT_EQ(table[118].green, 189);  // hue 0.324 of a turn
   EXPECT_EQ(table[235].blue, 189);   // hue 0.645
   EXPECT_EQ(table[118].blue, 64);
@@ -203,10 +204,10 @@ TEST(ClassicPalette, RainbowRunsFromRedThroughGreenToBlue) {
 
 TEST(ClassicPalette, CustomHasOneHueFromBlackToWhite) {
   const auto table = colour_table(ColourMap::classic_custom, {0.0, 127.0, 256.0});
-  EXPECT_EQ(table[0], (Rgb{0, 0, 0}));
-  EXPECT_EQ(table[118], (Rgb{255, 0, 0}));
-  EXPECT_EQ(table[177], (Rgb{255, 128, 128}));
+  EXPECT_EQ(table[0], (raster::Rgb{0, 0, 0}));
+  EXPECT_EQ(table[118], (raster::Rgb{255, 0, 0}));
+  EXPECT_EQ(table[177], (raster::Rgb{255, 128, 128}));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

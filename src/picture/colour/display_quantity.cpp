@@ -8,7 +8,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 std::string_view title_of(DisplayQuantity quantity) {
   switch (quantity) {
@@ -46,7 +46,7 @@ double value_of(DisplayQuantity quantity, std::complex<double> sample, double re
     case DisplayQuantity::real: return sample.real();
     case DisplayQuantity::imaginary: return sample.imag();
     case DisplayQuantity::magnitude: return std::abs(sample);
-    case DisplayQuantity::phase: return std::arg(sample) * deg_per_rad;
+    case DisplayQuantity::phase: return std::arg(sample) * core::deg_per_rad;
     case DisplayQuantity::decibels: break;
   }
   const double magnitude = std::abs(sample);
@@ -171,4 +171,4 @@ std::size_t colour_index(double value, const ColourLimits& limits, std::size_t l
   return static_cast<std::size_t>(std::min(std::floor(share * count), count - 1.0));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

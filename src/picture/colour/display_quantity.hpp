@@ -8,7 +8,7 @@
 
 #include "picture/colour/colour_map.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What of a complex sample is shown.
 enum class DisplayQuantity { real, imaginary, magnitude, phase, decibels };
@@ -115,4 +115,4 @@ struct SampleStatistics {
 [[nodiscard]] std::size_t colour_index(double value, const ColourLimits& limits, std::size_t levels,
                                        bool cyclic = false);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
@@ -156,4 +156,4 @@ TEST(ColourIndex, OfACyclicQuantityWrapsAround) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

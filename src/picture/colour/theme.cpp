@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
 struct Tones {
   Role role = Role::background;
-  Rgb light;
-  Rgb dark;
+  raster::Rgb light;
+  raster::Rgb dark;
 };
 
 // Axes, curves and the marks of objects stay apart for people who do not tell red from green: reds lean to orange,
@@ -50,28 +50,28 @@ double linear(std::uint8_t channel) {
 }
 
 // Relative luminance of WCAG 2.1.
-double luminance(Rgb colour) {
+double luminance(raster::Rgb colour) {
   return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
 }
 
 }  // namespace
 
-Rgb colour(Role role, bool dark) {
+raster::Rgb colour(Role role, bool dark) {
   const Tones& tone = tones[std::min(static_cast<std::size_t>(role), tones.size() - 1)];
   return dark ? tone.dark : tone.light;
 }
 
-Rgb surface_fill(std::uint8_t shade, bool dark) {
+raster::Rgb surface_fill(std::uint8_t shade, bool dark) {
   // Above the dark ground, below the light one.
   const int grey = dark ? 45 + shade / 2 : shade * 220 / 255;
   const auto channel = static_cast<std::uint8_t>(grey);
   return {channel, channel, channel};
 }
 
-double contrast(Rgb a, Rgb b) {
+double contrast(raster::Rgb a, raster::Rgb b) {
   const double first = luminance(a) + 0.05;
   const double second = luminance(b) + 0.05;
   return std::max(first, second) / std::min(first, second);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

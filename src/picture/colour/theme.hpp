@@ -4,7 +4,7 @@
 
 #include "raster/table/rgb.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What colours of drawings are for. Light and dark give each its own.
 enum class Role {
@@ -31,13 +31,13 @@ enum class Role {
 
 /// Text and marks have a contrast of at least 4.5 : 1 (faint: 1.5 : 1; surface: 1.2 : 1) against the background
 /// (WCAG 2.1, 1.4.3).
-[[nodiscard]] Rgb colour(Role role, bool dark);
+[[nodiscard]] raster::Rgb colour(Role role, bool dark);
 
 /// The fill of a surface of a shade, a grey that grows with it, with a contrast of at least 1.2 : 1 against the
 /// background: neither white nor black surfaces are lost on a ground of their own colour.
-[[nodiscard]] Rgb surface_fill(std::uint8_t shade, bool dark);
+[[nodiscard]] raster::Rgb surface_fill(std::uint8_t shade, bool dark);
 
 /// Contrast of two colours, 1 to 21, after WCAG 2.1.
-[[nodiscard]] double contrast(Rgb a, Rgb b);
+[[nodiscard]] double contrast(raster::Rgb a, raster::Rgb b);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 
 #include "core/maths/vector.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 double linear(std::uint8_t channel) {
@@ -17,7 +17,7 @@ double linear(std::uint8_t channel) {
 }
 
 // CIE L*a*b* of linear sRGB.
-Vec3 lab(const Vec3& rgb) {
+core::Vec3 lab(const core::Vec3& rgb) {
   const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
   const double x = f((0.4124 * rgb.x + 0.3576 * rgb.y + 0.1805 * rgb.z) / 0.9505);
   const double y = f(0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z);
@@ -26,18 +26,19 @@ Vec3 lab(const Vec3& rgb) {
 }
 
 // What people without red or without green cones see of a colour (Machado, Oliveira and Fernandes 2009, severity 1).
-const std::array<Mat3, 3> eyes{Mat3{},
-                               Mat3{{Vec3{0.152286, 1.052583, -0.204868}, Vec3{0.114503, 0.786281, 0.099216},
-                                     Vec3{-0.003882, -0.048116, 1.051998}}},
-                               Mat3{{Vec3{0.367322, 0.860646, -0.227968}, Vec3{0.280085, 0.672501, 0.047413},
-                                     Vec3{-0.011820, 0.042940, 0.968881}}}};
+const std::array<core::Mat3, 3> eyes{
+    core::Mat3{},
+    core::Mat3{{core::Vec3{0.152286, 1.052583, -0.204868}, core::Vec3{0.114503, 0.786281, 0.099216},
+                core::Vec3{-0.003882, -0.048116, 1.051998}}},
+    core::Mat3{{core::Vec3{0.367322, 0.860646, -0.227968}, core::Vec3{0.280085, 0.672501, 0.047413},
+                core::Vec3{-0.011820, 0.042940, 0.968881}}}};
 
-double difference(Rgb a, Rgb b, const Mat3& eye) {
-  const auto seen = [&](Rgb c) {
-    const Vec3 v = eye * Vec3{linear(c.red), linear(c.green), linear(c.blue)};
+double difference(raster::Rgb a, raster::Rgb b, const core::Mat3& eye) {
+  const auto seen = [&](raster::Rgb c) {
+    const core::Vec3 v = eye * core::Vec3{linear(c.red), linear(c.green), linear(c.blue)};
     return lab({std::clamp(v.x, 0.0, 1.0), std::clamp(v.y, 0.0, 1.0), std::clamp(v.z, 0.0, 1.0)});
   };
-  return norm(seen(a) - seen(b));
+  return core::norm(seen(a) - seen(b));
 }
 
 TEST(Theme, ContrastOfBlackAndWhiteIs21) {
@@ -51,7 +52,7 @@ TEST(Theme, ContrastOfBlackAndWhiteIs21) {
 
 TEST(Theme, EveryRoleIsReadableOnBothBackgrounds) {
   for (const bool dark : {false, true}) {
-    const Rgb background = colour(Role::background, dark);
+    const raster::Rgb background = colour(Role::background, dark);
     for (int i = 1; i < static_cast<int>(Role::count); ++i) {
       const Role role = static_cast<Role>(i);
       const double least = role == Role::faint ? 1.5 : role == Role::surface ? 1.2 : 4.5;
@@ -63,7 +64,7 @@ TEST(Theme, EveryRoleIsReadableOnBothBackgrounds) {
 TEST(Theme, SurfacesOfEveryShadeStandOutFromTheGroundAndGrowBrighterWithIt) {
   for (const bool dark : {false, true}) {
     for (int shade = 0; shade <= 255; ++shade) {
-      const Rgb fill = surface_fill(static_cast<std::uint8_t>(shade), dark);
+      const raster::Rgb fill = surface_fill(static_cast<std::uint8_t>(shade), dark);
       EXPECT_GE(contrast(fill, colour(Role::background, dark)), 1.2) << shade;
       EXPECT_GE(fill.red, surface_fill(static_cast<std::uint8_t>(std::max(shade - 1, 0)), dark).red) << shade;
     }
@@ -73,7 +74,7 @@ TEST(Theme, SurfacesOfEveryShadeStandOutFromTheGroundAndGrowBrighterWithIt) {
 
 TEST(Theme, FaintIsFainterThanText) {
   for (const bool dark : {false, true}) {
-    const Rgb background = colour(Role::background, dark);
+    const raster::Rgb background = colour(Role::background, dark);
     EXPECT_LT(contrast(colour(Role::faint, dark), background), contrast(colour(Role::text, dark), background) / 3.0);
   }
 }
@@ -84,7 +85,7 @@ TEST(Theme, ColoursThatAreToldApartStayApartForColourBlindEyes) {
                                                        {Role::curve, Role::curve_2, Role::curve_3},
                                                        {Role::target, Role::selected, Role::radar}}};
   for (const bool dark : {false, true})
-    for (const Mat3& eye : eyes)
+    for (const core::Mat3& eye : eyes)
       for (const auto& group : groups)
         for (std::size_t i = 0; i < 3; ++i)
           EXPECT_GT(difference(colour(group[i], dark), colour(group[(i + 1) % 3], dark), eye), 20.0)
@@ -94,9 +95,9 @@ TEST(Theme, ColoursThatAreToldApartStayApartForColourBlindEyes) {
 
 TEST(Theme, AxesAreRedGreenAndBlue) {
   for (const bool dark : {false, true}) {
-    const Rgb x = colour(Role::x_axis, dark);
-    const Rgb y = colour(Role::y_axis, dark);
-    const Rgb z = colour(Role::z_axis, dark);
+    const raster::Rgb x = colour(Role::x_axis, dark);
+    const raster::Rgb y = colour(Role::y_axis, dark);
+    const raster::Rgb z = colour(Role::z_axis, dark);
     EXPECT_GT(x.red, std::max(x.green, x.blue));
     EXPECT_GT(y.green, std::max(y.red, y.blue));
     EXPECT_GT(z.blue, std::max(z.red, z.green));
@@ -104,4 +105,4 @@ TEST(Theme, AxesAreRedGreenAndBlue) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -87,4 +87,4 @@ EchoCurves curves_per_range(const EchoMatrix& matrix, const EchoColours& colours
   return out;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 
 #include "picture/echo/echo_picture.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A line through points of the plot, device pixels.
 struct EchoCurve {
@@ -35,4 +35,4 @@ struct EchoCurves {
 /// a value is drawn to the right.
 [[nodiscard]] EchoCurves curves_per_range(const EchoMatrix& matrix, const EchoColours& colours);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -13,14 +13,14 @@
 #include "picture/echo/echo_readout.hpp"
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
 constexpr int title_digits = 9;
 
 // What is not drawn: neither of the ends that colours have.
-constexpr Rgb nothing{128, 128, 128};
+constexpr raster::Rgb nothing{128, 128, 128};
 
 FigureAxis range_axis(const EchoMatrix& matrix) {
   const EchoView view = view_of(matrix.window());
@@ -36,7 +36,7 @@ FigureAxis time_axis(const EchoMatrix& matrix) {
           time_at(view, matrix.size(), -0.5), std::nullopt};
 }
 
-Rgb rgb(std::uint32_t pixel) {
+raster::Rgb rgb(std::uint32_t pixel) {
   if (pixel >> 24U == 0) return nothing;
   return {static_cast<std::uint8_t>(pixel >> 16U), static_cast<std::uint8_t>(pixel >> 8U),
           static_cast<std::uint8_t>(pixel)};
@@ -124,10 +124,12 @@ Figure cut_figure(const EchoMatrix& matrix, const EchoColours& colours, std::siz
   FigureAxis across = range_axis(matrix);
   across.twin.reset();
   FigureAxis along = time_axis(matrix);
-  figure.panels.push_back(cut_panel("Pulse at " + format_number(tidy(matrix.time_s(row), title_digits)) + " s",
-                                    std::move(across), colours, row_cut(matrix, colours, row)));
-  figure.panels.push_back(cut_panel("Range " + format_number(tidy(matrix.range_m(column), title_digits)) + " m",
-                                    std::move(along), colours, column_cut(matrix, colours, column)));
+  figure.panels.push_back(
+      cut_panel("Pulse at " + core::format_number(core::tidy(matrix.time_s(row), title_digits)) + " s",
+                std::move(across), colours, row_cut(matrix, colours, row)));
+  figure.panels.push_back(
+      cut_panel("Range " + core::format_number(core::tidy(matrix.range_m(column), title_digits)) + " m",
+                std::move(along), colours, column_cut(matrix, colours, column)));
   return figure;
 }
 
@@ -137,13 +139,13 @@ std::string pulse_table(const EchoMatrix& matrix, std::size_t row, char separato
   text += '\n';
   const auto samples = matrix.row(row);
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    text += format_number(matrix.range_m(k));
+    text += core::format_number(matrix.range_m(k));
     const double values[] = {samples[k].real(), samples[k].imag(), std::abs(samples[k]),
                              std::arg(samples[k]) * 180.0 / std::numbers::pi};
-    for (const double value : values) (text += separator) += format_number(value);
+    for (const double value : values) (text += separator) += core::format_number(value);
     text += '\n';
   }
   return text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 #include "picture/echo/echo_window.hpp"
 #include "picture/figure/figure.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What a simulation window shows, as a figure: coloured pixels with their colour bar, or curves; slant range (and
 /// delay as its twin) across, azimuth time upwards, the highest magnitude as the note.
@@ -23,4 +23,4 @@ namespace sarsim {
 /// @param row  of the matrix, ready
 [[nodiscard]] std::string pulse_table(const EchoMatrix& matrix, std::size_t row, char separator);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

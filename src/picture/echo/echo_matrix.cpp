@@ -4,26 +4,27 @@
 #include <cmath>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
 // Row of the recording that leaves nearest to a time.
-std::size_t nearest_row(const Plan& plan, double time_s) {
-  const Repetition& repetition = plan.radar.repetition;
+std::size_t nearest_row(const simulate::Plan& plan, double time_s) {
+  const radar::Repetition& repetition = plan.radar.repetition;
   const std::int64_t before = repetition.pulses_in(time_s, time_s).last;
   std::int64_t pulse = std::clamp(before, plan.pulses.first, plan.pulses.last);
   const std::int64_t after = std::clamp(before + 1, plan.pulses.first, plan.pulses.last);
   if (std::abs(repetition.send_time_s(after) - time_s) < std::abs(repetition.send_time_s(pulse) - time_s))
     pulse = after;
-  if (plan.simulation.processing == Processing::srp) pulse = floor_divide(pulse, plan.burst_pulses());
-  const std::int64_t first = plan.simulation.processing == Processing::srp ? plan.first_burst : plan.pulses.first;
+  if (plan.simulation.processing == scene::Processing::srp) pulse = radar::floor_divide(pulse, plan.burst_pulses());
+  const std::int64_t first =
+      plan.simulation.processing == scene::Processing::srp ? plan.first_burst : plan.pulses.first;
   const std::int64_t last = static_cast<std::int64_t>(plan.rows) - 1;
   return static_cast<std::size_t>(std::clamp<std::int64_t>(pulse - first, 0, last));
 }
 
 // Column of the recording nearest to a range; ranges ascend.
-std::size_t nearest_column(const Plan& plan, double range_m) {
+std::size_t nearest_column(const simulate::Plan& plan, double range_m) {
   const std::vector<double>& ranges = plan.column_range_m;
   const auto above = std::ranges::lower_bound(ranges, range_m);
   if (above == ranges.begin()) return 0;
@@ -50,8 +51,8 @@ Distinct distinct(const std::vector<std::size_t>& wanted) {
 }
 
 // The elements alone, or with all that lie nearer to them than to the next wanted one.
-std::vector<IndexSpan> spans_of(const std::vector<std::size_t>& element, std::size_t count, PixelRule rule) {
-  std::vector<IndexSpan> spans;
+std::vector<simulate::IndexSpan> spans_of(const std::vector<std::size_t>& element, std::size_t count, PixelRule rule) {
+  std::vector<simulate::IndexSpan> spans;
   spans.reserve(element.size());
   if (rule == PixelRule::sample) {
     for (const std::size_t e : element) spans.push_back({e, e + 1});
@@ -68,16 +69,17 @@ std::vector<IndexSpan> spans_of(const std::vector<std::size_t>& element, std::si
 
 }  // namespace
 
-SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rule) {
-  const Simulation& s = plan.simulation;
+SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, PixelRule rule) {
+  const scene::Simulation& s = plan.simulation;
   const EchoView view{s.range_start_m, s.range_end_m, s.time_start_s, s.time_end_s};
   std::vector<std::size_t> rows(std::max<std::size_t>(size.height_px, 1));
   for (std::size_t y = 0; y < rows.size(); ++y)
     rows[y] = nearest_row(plan, time_at(view, size, static_cast<double>(y)));
   std::vector<std::size_t> columns(std::max<std::size_t>(size.width_px, 1));
   for (std::size_t x = 0; x < columns.size(); ++x)
-    columns[x] = s.processing == Processing::srp ? x * plan.columns / columns.size()
-                                                 : nearest_column(plan, range_at(view, size, static_cast<double>(x)));
+    columns[x] = s.processing == scene::Processing::srp
+                     ? x * plan.columns / columns.size()
+                     : nearest_column(plan, range_at(view, size, static_cast<double>(x)));
   // Where there are fewer than pixels every one is shown, however unevenly they lie.
   const auto all_of = [](std::size_t count, std::vector<std::size_t>& element) {
     element.resize(count);
@@ -91,8 +93,9 @@ SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rul
   }
   SamplePlaces places;
   // A compressed echo may be a single sample wide, which a subset would leave out; its row is computed whole anyway.
-  const PixelRule across = s.processing == Processing::raw ? rule : PixelRule::peak;
-  places.selection.pick = across == PixelRule::peak ? SampleSelection::Pick::peak : SampleSelection::Pick::first;
+  const PixelRule across = s.processing == scene::Processing::raw ? rule : PixelRule::peak;
+  places.selection.pick =
+      across == PixelRule::peak ? simulate::SampleSelection::Pick::peak : simulate::SampleSelection::Pick::first;
   places.selection.rows = spans_of(row.element, plan.rows, rule);
   places.selection.columns = spans_of(column.element, plan.columns, across);
   places.row = std::move(row.element);
@@ -121,7 +124,7 @@ void SampleRoom::give_back(std::vector<std::complex<double>> samples) {
   if (kept_.size() < most) kept_.push_back(std::move(samples));
 }
 
-EchoMatrix::EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size,
+EchoMatrix::EchoMatrix(std::shared_ptr<const simulate::Plan> plan, EchoWindow window, const PlotSize& size,
                        std::shared_ptr<SampleRoom> room)
     : plan_(std::move(plan)),
       window_(std::move(window)),
@@ -156,4 +159,4 @@ std::vector<std::size_t> EchoMatrix::nearest_ready() const {
   return nearest;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -13,11 +13,11 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/run/sampled_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Which samples of a recording a picture shows, and where.
 struct SamplePlaces {
-  SampleSelection selection;
+  simulate::SampleSelection selection;
   std::vector<std::size_t> row;              ///< Of the recording, for each row of the selection; ascending.
   std::vector<std::size_t> column;           ///< Of the recording, for each column of the selection; ascending.
   std::vector<std::size_t> row_of_pixel;     ///< Row of the selection for each row of pixels, from the top.
@@ -28,7 +28,7 @@ struct SamplePlaces {
 /// pulses than pixels that is a subset of the recording's; with PixelRule::peak the samples in between belong to the
 /// nearest pixel, as those of one pulse do in any case where data are compressed: their peaks may be one sample wide.
 /// Columns of a synthetic range profile, whose ranges overlap, are spread evenly.
-[[nodiscard]] SamplePlaces place_samples(const Plan& plan, const PlotSize& size, PixelRule rule);
+[[nodiscard]] SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, PixelRule rule);
 
 /// Room for samples that is used again: a new matrix at every step of a drag would otherwise spend longer on fresh
 /// memory than on its echoes. Safe to use from several threads.
@@ -50,13 +50,13 @@ class EchoMatrix {
  public:
   /// @param window  as asked for; its sampling may differ from the plan's
   /// @param room    where the samples come from and go to; may be null
-  EchoMatrix(std::shared_ptr<const Plan> plan, EchoWindow window, const PlotSize& size,
+  EchoMatrix(std::shared_ptr<const simulate::Plan> plan, EchoWindow window, const PlotSize& size,
              std::shared_ptr<SampleRoom> room = nullptr);
   ~EchoMatrix();
   EchoMatrix(const EchoMatrix&) = delete;
   EchoMatrix& operator=(const EchoMatrix&) = delete;
 
-  [[nodiscard]] const Plan& plan() const { return *plan_; }
+  [[nodiscard]] const simulate::Plan& plan() const { return *plan_; }
   [[nodiscard]] const EchoWindow& window() const { return window_; }
   [[nodiscard]] const PlotSize& size() const { return size_; }
   [[nodiscard]] const SamplePlaces& places() const { return places_; }
@@ -86,7 +86,7 @@ class EchoMatrix {
   void set_ready(std::size_t row);
 
  private:
-  std::shared_ptr<const Plan> plan_;
+  std::shared_ptr<const simulate::Plan> plan_;
   EchoWindow window_;
   PlotSize size_;
   SamplePlaces places_;
@@ -97,4 +97,4 @@ class EchoMatrix {
   std::atomic<std::size_t> ready_rows_{0};
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -10,7 +10,7 @@
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -29,9 +29,9 @@ double quick_phase_deg(std::complex<double> v) {
   const double a = std::abs(v.real());
   const double b = std::abs(v.imag());
   if (!(std::max(a, b) > 0.0)) return 0.0;
-  double angle = a >= b ? short_arc_tangent(b / a) : 0.5 * pi - short_arc_tangent(a / b);
-  if (v.real() < 0.0) angle = pi - angle;
-  return (v.imag() < 0.0 ? -angle : angle) * deg_per_rad;
+  double angle = a >= b ? short_arc_tangent(b / a) : 0.5 * core::pi - short_arc_tangent(a / b);
+  if (v.real() < 0.0) angle = core::pi - angle;
+  return (v.imag() < 0.0 ? -angle : angle) * core::deg_per_rad;
 }
 
 // Finds levels of samples; for decibels by comparing powers, so that no logarithm is taken for each.
@@ -143,7 +143,7 @@ EchoColours colours_for(const EchoMatrix& matrix, const EchoWindow& how) {
         ready.size(), [&](std::size_t i) { return matrix.row(ready[i]); }, how.limits.percentile);
   colours.reference_v = reference_v(how.decibels, colours.statistics);
   colours.limits = colour_limits(how.quantity, how.limits, how.decibels, colours.statistics);
-  for (const Rgb c : colour_table(how.map, how.sliders, how.inverted)) colours.level.push_back(pixel_of(c));
+  for (const raster::Rgb c : colour_table(how.map, how.sliders, how.inverted)) colours.level.push_back(pixel_of(c));
   return colours;
 }
 
@@ -163,23 +163,24 @@ void paint(const EchoMatrix& matrix, const EchoColours& colours, RowPlacing plac
   const std::vector<std::size_t> rows = rows_of_pixels(matrix, placing);
   const std::vector<std::size_t>& columns = matrix.places().column_of_pixel;
   const Leveller leveller(colours);
-  parallel_ranges(height, rows_at_once, {thread_count(threads), nullptr}, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> painted(matrix.columns());
-    std::size_t painted_row = matrix.rows();
-    for (std::size_t y = begin; y < end; ++y) {
-      const auto out = std::span(image.pixel).subspan(y * width, width);
-      if (rows[y] == matrix.rows()) {
-        std::ranges::fill(out, 0U);
-        continue;
-      }
-      if (rows[y] != painted_row) {
-        painted_row = rows[y];
-        auto next = painted.begin();
-        leveller.for_each(matrix.row(painted_row), [&](std::size_t level) { *next++ = colours.level[level]; });
-      }
-      for (std::size_t x = 0; x < width; ++x) out[x] = painted[columns[x]];
-    }
-  });
+  core::parallel_ranges(
+      height, rows_at_once, {core::thread_count(threads), nullptr}, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> painted(matrix.columns());
+        std::size_t painted_row = matrix.rows();
+        for (std::size_t y = begin; y < end; ++y) {
+          const auto out = std::span(image.pixel).subspan(y * width, width);
+          if (rows[y] == matrix.rows()) {
+            std::ranges::fill(out, 0U);
+            continue;
+          }
+          if (rows[y] != painted_row) {
+            painted_row = rows[y];
+            auto next = painted.begin();
+            leveller.for_each(matrix.row(painted_row), [&](std::size_t level) { *next++ = colours.level[level]; });
+          }
+          for (std::size_t x = 0; x < width; ++x) out[x] = painted[columns[x]];
+        }
+      });
 }
 
 DrawAs drawn_as(const EchoWindow& how, const EchoMatrix& matrix) {
@@ -215,7 +216,7 @@ PlotAxes plot_axes(const EchoView& view, const PlotSize& size, double light_spee
 
 std::string highest_magnitude_text(const SampleStatistics& statistics) {
   if (statistics.count == 0) return "Highest magnitude: unknown";
-  return "Highest magnitude: " + with_prefix(statistics.largest_v, "V");
+  return "Highest magnitude: " + core::with_prefix(statistics.largest_v, "V");
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -12,7 +12,7 @@
 #include "picture/echo/echo_window.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A picture in device pixels, rows from the top, each pixel 0xAARRGGBB; alpha 0 where nothing is drawn.
 struct EchoImage {
@@ -24,7 +24,7 @@ struct EchoImage {
 };
 
 /// Opaque pixel of a colour.
-[[nodiscard]] constexpr std::uint32_t pixel_of(Rgb colour) {
+[[nodiscard]] constexpr std::uint32_t pixel_of(raster::Rgb colour) {
   return 0xFF000000U | std::uint32_t{colour.red} << 16U | std::uint32_t{colour.green} << 8U | colour.blue;
 }
 
@@ -81,4 +81,4 @@ struct PlotAxes {
 /// "Highest magnitude: 40.9856 uV", or that it is unknown where no row is ready.
 [[nodiscard]] std::string highest_magnitude_text(const SampleStatistics& statistics);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "picture/echo/preview_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // 11 pulses from 0 to 10 ms and 40 samples.
@@ -40,7 +40,7 @@ TEST(Paint, GivesEveryPixelTheColourOfItsNearestSample) {
       const double range = range_at(view, size, static_cast<double>(x));
       const auto r = static_cast<std::size_t>(std::clamp(std::lround(time / 1e-3), 0L, 10L));
       const auto k = static_cast<std::size_t>(
-          std::clamp(std::lround((range - 2000.0) / (exact_light_speed_mps / 120e6)), 0L, 39L));
+          std::clamp(std::lround((range - 2000.0) / (core::exact_light_speed_mps / 120e6)), 0L, 39L));
       if (std::abs(time / 1e-3 - std::floor(time / 1e-3) - 0.5) < 1e-6) continue;  // halfway between two
       const double value = value_of(DisplayQuantity::real, numbered(r, k));
       EXPECT_EQ(image.at(x, y), colours.level[colour_index(value, colours.limits, 256)]) << x << " " << y;
@@ -72,7 +72,7 @@ TEST(Paint, LeavesRowsEmptyBetweenPulsesThatFillOneEach) {
 TEST(Paint, RepeatsRowsUntilTheirNeighboursAreReady) {
   const EchoWindow window = small_window();
   const auto full = filled_matrix(window, {40, 11}, numbered);
-  EchoMatrix matrix(std::make_shared<const Plan>(full->plan()), window, {40, 11});
+  EchoMatrix matrix(std::make_shared<const simulate::Plan>(full->plan()), window, {40, 11});
   EchoImage image;
   paint(matrix, colours_for(matrix, window), RowPlacing::nearest, 1, image);
   for (const std::uint32_t pixel : image.pixel) EXPECT_EQ(pixel, 0U);
@@ -178,4 +178,4 @@ TEST(HighestMagnitude, IsInMillivoltsOrUnknown) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

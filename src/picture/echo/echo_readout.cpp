@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -44,10 +44,10 @@ std::optional<ReadOut> read_out(const EchoMatrix& matrix, const EchoColours& col
 std::vector<ReadOutLine> lines_of(const ReadOut& r) {
   const auto volts = [](double v) { return fmt::format("{:.6g} V", v); };
   return {{"Slant range", fmt::format("{:.3f} m", r.range_m)},
-          {"Delay", with_prefix(r.delay_s, "s", 9)},
+          {"Delay", core::with_prefix(r.delay_s, "s", 9)},
           {"Azimuth", fmt::format("{:.6f} s", r.time_s)},
           {"Pulse", fmt::format("{}", r.pulse)},
-          {"Frequency", with_prefix(r.carrier_hz, "Hz", 9)},
+          {"Frequency", core::with_prefix(r.carrier_hz, "Hz", 9)},
           {"I", volts(r.sample_v.real())},
           {"Q", volts(r.sample_v.imag())},
           {"Magnitude", volts(r.magnitude_v)},
@@ -91,4 +91,4 @@ SideCut column_cut(const EchoMatrix& matrix, const EchoColours& colours, std::si
   return cut;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 
 #include "picture/echo/echo_picture.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Everything about the sample that a pixel shows; its own range and time, not those of the cursor.
 struct ReadOut {
@@ -57,4 +57,4 @@ struct SideCut {
 /// Along a column, through the rows that are ready.
 [[nodiscard]] SideCut column_cut(const EchoMatrix& matrix, const EchoColours& colours, std::size_t column);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

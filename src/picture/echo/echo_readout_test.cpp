@@ -8,7 +8,7 @@
 #include "picture/echo/echo_curves.hpp"
 #include "picture/echo/preview_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // 11 pulses from 0 to 10 ms and 40 samples.
@@ -32,8 +32,8 @@ TEST(ReadOut, IsThatOfTheSampleNotOfTheCursor) {
   ASSERT_TRUE(r);
   EXPECT_EQ(r->row, 3U);
   EXPECT_EQ(r->column, 7U);
-  EXPECT_NEAR(r->range_m, 2000.0 + 7.0 * exact_light_speed_mps / 120e6, 1e-9);
-  EXPECT_NEAR(r->delay_s, 2.0 * r->range_m / exact_light_speed_mps, 1e-18);
+  EXPECT_NEAR(r->range_m, 2000.0 + 7.0 * core::exact_light_speed_mps / 120e6, 1e-9);
+  EXPECT_NEAR(r->delay_s, 2.0 * r->range_m / core::exact_light_speed_mps, 1e-18);
   EXPECT_NEAR(r->time_s, 0.003, 1e-15);
   EXPECT_EQ(r->pulse, 3);
   EXPECT_EQ(r->carrier_hz, 5e9);
@@ -59,7 +59,7 @@ TEST(ReadOut, IsNothingOutsideThePlotOrWhereNothingIsReady) {
   EXPECT_FALSE(read_out(*matrix, colours, 5.0, 100.6));
   EXPECT_FALSE(read_out(*matrix, colours, -0.6, 50.0));
   EXPECT_FALSE(read_out(*matrix, colours, std::nan(""), 50.0));
-  const EchoMatrix empty(std::make_shared<const Plan>(matrix->plan()), window, size);
+  const EchoMatrix empty(std::make_shared<const simulate::Plan>(matrix->plan()), window, size);
   EXPECT_FALSE(read_out(empty, colours, 5.0, 5.0));
 }
 
@@ -105,7 +105,7 @@ TEST(SideCut, HoldsTheValuesAlongARowOrAColumn) {
   ASSERT_EQ(column.value.size(), 11U);
   EXPECT_EQ(column.value[10], 5.0);
   EXPECT_NEAR(column.position[10], 0.01, 1e-15);
-  const EchoMatrix empty(std::make_shared<const Plan>(matrix->plan()), window, {400, 101});
+  const EchoMatrix empty(std::make_shared<const simulate::Plan>(matrix->plan()), window, {400, 101});
   EXPECT_TRUE(row_cut(empty, colours, 2).value.empty());
   EXPECT_TRUE(column_cut(empty, colours, 2).value.empty());
 }
@@ -125,7 +125,7 @@ TEST(EchoCurves, OfPulsesRiseFromTheirTimesByThreeEighthsOfTheSpacing) {
   ASSERT_EQ(top.points.size(), 40U);
   // 5 V of the largest magnitude, hypot(5, 3.9).
   EXPECT_NEAR(top.points[0].y_px, -0.375 * spacing * 5.0 / std::hypot(5.0, 3.9), 1e-9);
-  EXPECT_NEAR(top.points[20].x_px, 20.0 * exact_light_speed_mps / 120e6 / 0.25, 1e-9);
+  EXPECT_NEAR(top.points[20].x_px, 20.0 * core::exact_light_speed_mps / 120e6 / 0.25, 1e-9);
 }
 
 TEST(EchoCurves, AreDrawnForEveryNthPulseWhereTheyAreDense) {
@@ -183,4 +183,4 @@ TEST(EchoCurves, OfAPlotWithoutPixelsAreFew) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "core/text/number_text.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -19,7 +19,7 @@ double chosen_rate_hz(const EchoWindow& window, double bandwidth_hz) {
 }
 
 // Rate at which a window holds `count` samples.
-double rate_for(const Simulation& simulation, double count, double light_speed_mps) {
+double rate_for(const scene::Simulation& simulation, double count, double light_speed_mps) {
   return count * light_speed_mps / (2.0 * (simulation.range_end_m - simulation.range_start_m));
 }
 
@@ -36,31 +36,31 @@ double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
 }  // namespace
 
-EchoWindow new_echo_window(std::string radar, Processing processing) {
+EchoWindow new_echo_window(std::string radar, scene::Processing processing) {
   EchoWindow window;
   window.recording.radar = std::move(radar);
   window.recording.processing = processing;
-  if (processing != Processing::raw) window.sampling.kind = Sampling::Kind::multiple;
+  if (processing != scene::Processing::raw) window.sampling.kind = Sampling::Kind::multiple;
   return window;
 }
 
-EchoWindow window_of(const Simulation& simulation) {
+EchoWindow window_of(const scene::Simulation& simulation) {
   EchoWindow window;
   window.recording = simulation;
   window.sampling = {Sampling::Kind::rate, simulation.sample_rate_hz, 1.0};
   return window;
 }
 
-Simulation simulation_of(const EchoWindow& window, double bandwidth_hz) {
-  Simulation simulation = window.recording;
+scene::Simulation simulation_of(const EchoWindow& window, double bandwidth_hz) {
+  scene::Simulation simulation = window.recording;
   simulation.sample_rate_hz =
       window.sampling.kind == Sampling::Kind::screen ? bandwidth_hz : chosen_rate_hz(window, bandwidth_hz);
   return simulation;
 }
 
-Simulation shown_simulation(const EchoWindow& window, double bandwidth_hz, std::size_t width_px,
-                            const Conventions& conventions) {
-  Simulation simulation = window.recording;
+scene::Simulation shown_simulation(const EchoWindow& window, double bandwidth_hz, std::size_t width_px,
+                                   const simulate::Conventions& conventions) {
+  scene::Simulation simulation = window.recording;
   const double c = conventions.light_speed_mps;
   const auto pixels = static_cast<double>(std::max<std::size_t>(width_px, 1));
   if (window.sampling.kind == Sampling::Kind::screen) {
@@ -68,11 +68,11 @@ Simulation shown_simulation(const EchoWindow& window, double bandwidth_hz, std::
     return simulation;
   }
   simulation.sample_rate_hz = chosen_rate_hz(window, bandwidth_hz);
-  const double count = sample_count(simulation, c);
-  if (simulation.processing != Processing::raw || !(count >= 1.0) || count >= pixels) return simulation;
+  const double count = simulate::sample_count(simulation, c);
+  if (simulation.processing != scene::Processing::raw || !(count >= 1.0) || count >= pixels) return simulation;
   // A whole multiple, so that the recording's own samples are among those that are shown.
   const double times = std::ceil(pixels / count);
-  simulation.sample_rate_hz = conventions.spacing == Conventions::SampleSpacing::sampling_rate
+  simulation.sample_rate_hz = conventions.spacing == simulate::Conventions::SampleSpacing::sampling_rate
                                   ? times * simulation.sample_rate_hz
                                   : rate_for(simulation, times * count, c);
   return simulation;
@@ -86,14 +86,14 @@ bool needs_computing(const EchoWindow& before, const EchoWindow& after) {
 std::string sampling_warning(const EchoWindow& window, double sample_rate_hz, double bandwidth_hz) {
   constexpr double smooth = 3.0;
   constexpr double rounding = 1e-9;
-  if (window.recording.processing != Processing::matched_filter) return {};
+  if (window.recording.processing != scene::Processing::matched_filter) return {};
   if (!(sample_rate_hz < smooth * bandwidth_hz * (1.0 - rounding))) return {};
   return fmt::format("{} is {:.3g} times the bandwidth; below 3 times compressed curves look jagged",
-                     with_prefix(sample_rate_hz, "Hz", 4), sample_rate_hz / bandwidth_hz);
+                     core::with_prefix(sample_rate_hz, "Hz", 4), sample_rate_hz / bandwidth_hz);
 }
 
 EchoView view_of(const EchoWindow& window) {
-  const Simulation& s = window.recording;
+  const scene::Simulation& s = window.recording;
   return {s.range_start_m, s.range_end_m, s.time_start_s, s.time_end_s};
 }
 
@@ -209,4 +209,4 @@ EchoView linked(const EchoView& own, const EchoView& leader, const AxisLink& lin
   return view;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "scene/model/scene.hpp"
 #include "simulate/resolve/conventions.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// The part of the echo matrix that a window shows: slant range across, azimuth time upwards.
 struct EchoView {
@@ -59,7 +59,7 @@ enum class PixelRule {
 struct EchoWindow : ColourLook {
   /// What would be recorded: radar, window, processing, pulse position, converter, file. Its sampling frequency counts
   /// for Sampling::Kind::rate only and is the same as `sampling.rate_hz` then.
-  Simulation recording;
+  scene::Simulation recording;
   Sampling sampling;
   PixelRule pixel_rule = PixelRule::sample;
   DrawAs draw_as = DrawAs::automatic;
@@ -69,20 +69,20 @@ struct EchoWindow : ColourLook {
 };
 
 /// A new window: raw, sampled as the screen needs; compressed, at the pulse's bandwidth (thesis 4.5.1).
-[[nodiscard]] EchoWindow new_echo_window(std::string radar, Processing processing);
+[[nodiscard]] EchoWindow new_echo_window(std::string radar, scene::Processing processing);
 /// A stored simulation as a window that shows it exactly.
-[[nodiscard]] EchoWindow window_of(const Simulation& simulation);
+[[nodiscard]] EchoWindow window_of(const scene::Simulation& simulation);
 /// The window as a simulation to be stored or run. Where the screen sets the sampling, the bandwidth does now (thesis
 /// 4.5.2).
 /// @param bandwidth_hz  of the radar's pulse
-[[nodiscard]] Simulation simulation_of(const EchoWindow& window, double bandwidth_hz);
+[[nodiscard]] scene::Simulation simulation_of(const EchoWindow& window, double bandwidth_hz);
 
 /// The simulation that is computed for the screen. The recording's own sampling, but one sample per pixel where the
 /// screen sets it, and, for raw data, so many times the recording's that there is one for every pixel where it has
 /// fewer.
 /// @param width_px  device pixels across
-[[nodiscard]] Simulation shown_simulation(const EchoWindow& window, double bandwidth_hz, std::size_t width_px,
-                                          const Conventions& conventions);
+[[nodiscard]] scene::Simulation shown_simulation(const EchoWindow& window, double bandwidth_hz, std::size_t width_px,
+                                                 const simulate::Conventions& conventions);
 
 /// Whether what is to be computed differs, not only how it is drawn: quantity, colours, placing and draw-as only
 /// redraw.
@@ -147,4 +147,4 @@ struct AxisLink {
 /// `own` with the linked axes of `leader`.
 [[nodiscard]] EchoView linked(const EchoView& own, const EchoView& leader, const AxisLink& link);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

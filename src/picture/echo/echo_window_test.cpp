@@ -8,16 +8,16 @@
 #include "core/maths/constants.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 constexpr EchoView view{1000.0, 3000.0, -1.0, 1.0};
 constexpr PlotSize size{200, 101};
 
-Conventions physical() { return conventions_of(Profile::physical); }
+simulate::Conventions physical() { return simulate::conventions_of(scene::Profile::physical); }
 
 TEST(EchoWindow, OfANewRawSimulationIsSampledAsTheScreenNeeds) {
-  const EchoWindow window = new_echo_window("Radar1", Processing::raw);
+  const EchoWindow window = new_echo_window("Radar1", scene::Processing::raw);
   EXPECT_EQ(window.recording.radar, "Radar1");
   EXPECT_EQ(window.sampling.kind, Sampling::Kind::screen);
   EXPECT_EQ(window.quantity, DisplayQuantity::real);
@@ -26,13 +26,13 @@ TEST(EchoWindow, OfANewRawSimulationIsSampledAsTheScreenNeeds) {
 }
 
 TEST(EchoWindow, OfANewCompressedSimulationIsSampledAtTheBandwidth) {
-  const EchoWindow window = new_echo_window("Radar1", Processing::matched_filter);
+  const EchoWindow window = new_echo_window("Radar1", scene::Processing::matched_filter);
   EXPECT_EQ(window.sampling.kind, Sampling::Kind::multiple);
   EXPECT_EQ(simulation_of(window, 50e6).sample_rate_hz, 50e6);
 }
 
 TEST(EchoWindow, OfAStoredSimulationIsThatSimulationAgain) {
-  Simulation s;
+  scene::Simulation s;
   s.radar = "X";
   s.range_start_m = 10010.0;
   s.range_end_m = 10510.5;
@@ -41,10 +41,10 @@ TEST(EchoWindow, OfAStoredSimulationIsThatSimulationAgain) {
   s.bits = 12;
   s.sample_rate_hz = 123.456e6;
   s.lsb_v = 1e-9;
-  s.format = FileFormat::npy;
-  s.processing = Processing::srp;
+  s.format = scene::FileFormat::npy;
+  s.processing = scene::Processing::srp;
   s.file = "a.npy";
-  s.pulse_position = Simulation::PulsePosition::centre;
+  s.pulse_position = scene::Simulation::PulsePosition::centre;
   s.oversampling = 5.0;
   s.width_factor = 2.0;
   EXPECT_EQ(simulation_of(window_of(s), 50e6), s);
@@ -53,22 +53,22 @@ TEST(EchoWindow, OfAStoredSimulationIsThatSimulationAgain) {
 }
 
 TEST(EchoWindow, TakesTheBandwidthWhereTheScreenSampledTheWindow) {
-  EchoWindow window = new_echo_window("Radar1", Processing::raw);
+  EchoWindow window = new_echo_window("Radar1", scene::Processing::raw);
   EXPECT_EQ(simulation_of(window, 50e6).sample_rate_hz, 50e6);
   window.sampling = {Sampling::Kind::multiple, 0.0, 2.5};
   EXPECT_EQ(simulation_of(window, 50e6).sample_rate_hz, 125e6);
 }
 
 TEST(ShownSimulation, HasASampleForEveryPixelWhereTheScreenSetsTheSampling) {
-  EchoWindow window = new_echo_window("Radar1", Processing::raw);
+  EchoWindow window = new_echo_window("Radar1", scene::Processing::raw);
   set_view(window, {1234.5, 4321.9, 0.0, 1.0});
   for (const std::size_t width : {1U, 799U, 1600U})
-    EXPECT_EQ(sample_count(shown_simulation(window, 50e6, width, physical()), exact_light_speed_mps),
+    EXPECT_EQ(simulate::sample_count(shown_simulation(window, 50e6, width, physical()), core::exact_light_speed_mps),
               static_cast<double>(width));
 }
 
 TEST(ShownSimulation, IsTheRecordingWhereItHasEnoughSamples) {
-  EchoWindow window = new_echo_window("Radar1", Processing::raw);
+  EchoWindow window = new_echo_window("Radar1", scene::Processing::raw);
   set_view(window, {0.0, 3000.0, 0.0, 1.0});
   window.sampling = {Sampling::Kind::rate, 100e6, 1.0};  // 2001 samples
   EXPECT_EQ(shown_simulation(window, 50e6, 2001, physical()).sample_rate_hz, 100e6);
@@ -77,22 +77,22 @@ TEST(ShownSimulation, IsTheRecordingWhereItHasEnoughSamples) {
 }
 
 TEST(ShownSimulation, BeyondTheClassicGridStillHoldsTheRecordingsSamples) {
-  EchoWindow window = new_echo_window("Radar1", Processing::raw);
+  EchoWindow window = new_echo_window("Radar1", scene::Processing::raw);
   set_view(window, {0.0, 100.0, 0.0, 1.0});
   window.sampling = {Sampling::Kind::rate, 51e6, 1.0};  // 34 samples in the window
-  const Conventions classic = conventions_of(Profile::classic);
-  const Simulation shown = shown_simulation(window, 50e6, 400, classic);
-  EXPECT_EQ(sample_count(shown, classic.light_speed_mps), 12.0 * 34.0);
+  const simulate::Conventions classic = simulate::conventions_of(scene::Profile::classic);
+  const scene::Simulation shown = shown_simulation(window, 50e6, 400, classic);
+  EXPECT_EQ(simulate::sample_count(shown, classic.light_speed_mps), 12.0 * 34.0);
 }
 
 TEST(ShownSimulation, KeepsTheSamplingOfCompressedData) {
-  EchoWindow window = new_echo_window("Radar1", Processing::matched_filter);
+  EchoWindow window = new_echo_window("Radar1", scene::Processing::matched_filter);
   set_view(window, {0.0, 30.0, 0.0, 1.0});
   EXPECT_EQ(shown_simulation(window, 50e6, 1600, physical()).sample_rate_hz, 50e6);
 }
 
 TEST(EchoWindow, IsComputedAnewOnlyWhereItsSamplesChange) {
-  const EchoWindow before = new_echo_window("Radar1", Processing::raw);
+  const EchoWindow before = new_echo_window("Radar1", scene::Processing::raw);
   EchoWindow after = before;
   after.quantity = DisplayQuantity::phase;
   after.map = ColourMap::cycle;
@@ -103,7 +103,7 @@ TEST(EchoWindow, IsComputedAnewOnlyWhereItsSamplesChange) {
   EXPECT_FALSE(needs_computing(before, after));
   EXPECT_NE(before, after);
   after = before;
-  after.recording.pulse_position = Simulation::PulsePosition::centre;
+  after.recording.pulse_position = scene::Simulation::PulsePosition::centre;
   EXPECT_TRUE(needs_computing(before, after));
   after = before;
   after.sampling.kind = Sampling::Kind::rate;
@@ -114,8 +114,8 @@ TEST(EchoWindow, IsComputedAnewOnlyWhereItsSamplesChange) {
 }
 
 TEST(SamplingWarning, ConcernsCompressedDataBelowThreeTimesTheBandwidth) {
-  const EchoWindow raw = new_echo_window("Radar1", Processing::raw);
-  const EchoWindow compressed = new_echo_window("Radar1", Processing::matched_filter);
+  const EchoWindow raw = new_echo_window("Radar1", scene::Processing::raw);
+  const EchoWindow compressed = new_echo_window("Radar1", scene::Processing::matched_filter);
   EXPECT_EQ(sampling_warning(raw, 50e6, 50e6), "");
   EXPECT_NE(sampling_warning(compressed, 50e6, 50e6), "");
   EXPECT_NE(sampling_warning(compressed, 149e6, 50e6).find("149 MHz"), std::string::npos);
@@ -139,7 +139,7 @@ TEST(EchoView, PixelsAndRangesAndTimesBelongTogether) {
     EXPECT_NEAR(x_of_range(view, size, range_at(view, size, p)), p, 1e-9);
     EXPECT_NEAR(y_of_time(view, size, time_at(view, size, p)), p, 1e-9);
   }
-  EXPECT_NEAR(delay_of_range(3000.0, exact_light_speed_mps), 20.0138e-6, 1e-10);
+  EXPECT_NEAR(delay_of_range(3000.0, core::exact_light_speed_mps), 20.0138e-6, 1e-10);
   const EchoView instant{0.0, 1.0, 5.0, 5.0};
   EXPECT_EQ(time_at(instant, size, 30.0), 5.0);
   EXPECT_TRUE(std::isfinite(y_of_time(instant, size, 5.0)));
@@ -200,4 +200,4 @@ TEST(EchoView, FollowsAnotherWindowInTheLinkedAxesOnly) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

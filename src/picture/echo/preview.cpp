@@ -9,7 +9,7 @@
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -23,25 +23,25 @@ constexpr auto between_events = std::chrono::milliseconds(30);
 // Longer rows of raw data are long (LongRows).
 constexpr double longest_row = 0x1p20;
 
-Problem failure(std::string message) {
-  Problem problem;
+core::Problem failure(std::string message) {
+  core::Problem problem;
   problem.message = std::move(message);
   return problem;
 }
 
 // Errors that stop a recording of one radar.
-Problems errors_for(Problems problems, std::size_t radar) {
-  std::erase_if(problems, [&](const Problem& p) {
+core::Problems errors_for(core::Problems problems, std::size_t radar) {
+  std::erase_if(problems, [&](const core::Problem& p) {
     const std::string& kind = p.subject.kind;
-    return p.severity != Severity::error || kind == "simulation" || kind == "geometry" ||
+    return p.severity != core::Severity::error || kind == "simulation" || kind == "geometry" ||
            (kind == "radar" && p.subject.index != radar);
   });
   return problems;
 }
 
 // What a plan needs of a scene besides its resolved targets, with the simulation in question alone.
-Scene scene_for(const Scene& scene, const Simulation& simulation) {
-  Scene small;
+scene::Scene scene_for(const scene::Scene& scene, const scene::Simulation& simulation) {
+  scene::Scene small;
   small.platforms = scene.platforms;
   small.radars = scene.radars;
   small.options = scene.options;
@@ -49,53 +49,55 @@ Scene scene_for(const Scene& scene, const Simulation& simulation) {
   return small;
 }
 
-Problems simulation_errors(const Scene& scene) {
-  Problems problems = check(scene);
-  std::erase_if(problems,
-                [](const Problem& p) { return p.severity != Severity::error || p.subject.kind != "simulation"; });
+core::Problems simulation_errors(const scene::Scene& scene) {
+  core::Problems problems = scene::check(scene);
+  std::erase_if(problems, [](const core::Problem& p) {
+    return p.severity != core::Severity::error || p.subject.kind != "simulation";
+  });
   return problems;
 }
 
 }  // namespace
 
-ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved, const EchoWindow& window,
-                     const PlotSize& size, Engine engine, LongRows long_rows, const StopFlag* stop) {
+ShownPlan plan_shown(const scene::Scene& scene, std::shared_ptr<const simulate::ResolvedScene> resolved,
+                     const EchoWindow& window, const PlotSize& size, simulate::Engine engine, LongRows long_rows,
+                     const core::StopFlag* stop) {
   ShownPlan shown;
-  const std::size_t radar = find_radar(scene, window.recording.radar);
-  if (radar == not_found) {
+  const std::size_t radar = scene::find_radar(scene, window.recording.radar);
+  if (radar == scene::not_found) {
     shown.problems.push_back(failure("radar '" + window.recording.radar + "' is not defined"));
     return shown;
   }
-  const double bandwidth = bandwidth_hz(resolve_radar(scene, *resolved, radar).pulse);
-  const Conventions& conventions = resolved->conventions;
-  Simulation simulation = shown_simulation(window, bandwidth, size.width_px, conventions);
-  if (long_rows == LongRows::by_screen && simulation.processing == Processing::raw &&
-      sample_count(simulation, conventions.light_speed_mps) > longest_row) {
+  const double bandwidth = radar::bandwidth_hz(simulate::resolve_radar(scene, *resolved, radar).pulse);
+  const simulate::Conventions& conventions = resolved->conventions;
+  scene::Simulation simulation = shown_simulation(window, bandwidth, size.width_px, conventions);
+  if (long_rows == LongRows::by_screen && simulation.processing == scene::Processing::raw &&
+      simulate::sample_count(simulation, conventions.light_speed_mps) > longest_row) {
     EchoWindow screen = window;
     screen.sampling.kind = Sampling::Kind::screen;
     simulation = shown_simulation(screen, bandwidth, size.width_px, conventions);
   }
-  const Scene small = scene_for(scene, simulation);
+  const scene::Scene small = scene_for(scene, simulation);
   shown.problems = simulation_errors(small);
   if (!shown.problems.empty()) return shown;
-  Plan plan = make_plan(small, 0, std::move(resolved), engine, stop);
+  simulate::Plan plan = simulate::make_plan(small, 0, std::move(resolved), engine, stop);
   if (plan.rows == 0) {
     shown.problems.push_back(failure("no complete burst leaves within the azimuth window"));
     return shown;
   }
-  shown.plan = std::make_shared<const Plan>(std::move(plan));
+  shown.plan = std::make_shared<const simulate::Plan>(std::move(plan));
   return shown;
 }
 
 // What a scene needs before any window of it can be planned.
 struct Preview::Prepared {
-  std::shared_ptr<const Scene> scene;
-  Problems problems;                              // of all kinds
-  std::shared_ptr<const ResolvedScene> resolved;  // where there are no errors for the radar asked for
+  std::shared_ptr<const scene::Scene> scene;
+  core::Problems problems;                                  // of all kinds
+  std::shared_ptr<const simulate::ResolvedScene> resolved;  // where there are no errors for the radar asked for
 };
 
 Preview::Preview(Listener listener, unsigned threads)
-    : listener_(std::move(listener)), threads_(thread_count(threads)), worker_([this] { work(); }) {}
+    : listener_(std::move(listener)), threads_(core::thread_count(threads)), worker_([this] { work(); }) {}
 
 Preview::~Preview() {
   {
@@ -113,7 +115,7 @@ std::uint64_t Preview::show(PreviewRequest request) {
   {
     const std::scoped_lock hold(lock_);
     if (stop_) stop_->request();
-    stop_ = std::make_shared<StopFlag>();
+    stop_ = std::make_shared<core::StopFlag>();
     pending_ = std::move(request);
     number = ++number_;
     changed_.notify_all();
@@ -140,7 +142,7 @@ void Preview::wait() {
 void Preview::work() {
   for (;;) {
     PreviewRequest request;
-    std::shared_ptr<StopFlag> stop;
+    std::shared_ptr<core::StopFlag> stop;
     std::uint64_t number = 0;
     {
       std::unique_lock hold(lock_);
@@ -156,9 +158,9 @@ void Preview::work() {
     }
     try {
       compute(request, number, *stop);
-    } catch (const Interrupted&) {
+    } catch (const core::Interrupted&) {
       continue;
-    } catch (const ImpossibleEcho& e) {
+    } catch (const simulate::ImpossibleEcho& e) {
       tell({PreviewEvent::Kind::failed, number, nullptr, {e.problem}}, *stop);
     } catch (const std::exception& e) {
       tell({PreviewEvent::Kind::failed, number, nullptr, {failure(e.what())}}, *stop);
@@ -166,38 +168,39 @@ void Preview::work() {
   }
 }
 
-void Preview::tell(const PreviewEvent& event, const StopFlag& stop) {
+void Preview::tell(const PreviewEvent& event, const core::StopFlag& stop) {
   const std::scoped_lock hold(telling_);
   if (!stop.requested() && listener_) listener_(event);
 }
 
-std::shared_ptr<const Preview::Prepared> Preview::prepared(const PreviewRequest& request, const StopFlag& stop) {
+std::shared_ptr<const Preview::Prepared> Preview::prepared(const PreviewRequest& request, const core::StopFlag& stop) {
   if (prepared_ && prepared_->scene == request.scene) return prepared_;
   auto fresh = std::make_shared<Prepared>();
   fresh->scene = request.scene;
-  const WorkControl control{threads_, &stop};
-  fresh->problems = check(*request.scene, control);
+  const core::WorkControl control{threads_, &stop};
+  fresh->problems = scene::check(*request.scene, control);
   prepared_ = fresh;
   return fresh;
 }
 
-void Preview::compute(const PreviewRequest& request, std::uint64_t number, const StopFlag& stop) {
+void Preview::compute(const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop) {
   const auto scene = prepared(request, stop);
-  const std::size_t radar = find_radar(*request.scene, request.window.recording.radar);
-  Problems errors = errors_for(scene->problems, radar);
-  if (errors.empty() && radar != not_found && !scene->resolved) {
+  const std::size_t radar = scene::find_radar(*request.scene, request.window.recording.radar);
+  core::Problems errors = errors_for(scene->problems, radar);
+  if (errors.empty() && radar != scene::not_found && !scene->resolved) {
     auto with_resolved = std::make_shared<Prepared>(*scene);
-    with_resolved->resolved = std::make_shared<const ResolvedScene>(resolve(*request.scene, {threads_, &stop}));
+    with_resolved->resolved =
+        std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*request.scene, {threads_, &stop}));
     prepared_ = with_resolved;
   }
   EchoWindow window = request.window;
   ShownPlan shown;
   if (errors.empty() && prepared_->resolved) {
     if (request.show_all_targets) {
-      const ResolvedRadar seen_by = resolve_radar(*request.scene, *prepared_->resolved, radar);
-      const Simulation& s = window.recording;
-      const RangeExtent extent = target_ranges(*prepared_->resolved, seen_by,
-                                               seen_by.repetition.pulses_in(s.time_start_s, s.time_end_s), &stop);
+      const simulate::ResolvedRadar seen_by = simulate::resolve_radar(*request.scene, *prepared_->resolved, radar);
+      const scene::Simulation& s = window.recording;
+      const simulate::RangeExtent extent = simulate::target_ranges(
+          *prepared_->resolved, seen_by, seen_by.repetition.pulses_in(s.time_start_s, s.time_end_s), &stop);
       set_view(window, showing_targets(view_of(window), extent.nearest_m, extent.farthest_m, seen_by.pulse.width_s,
                                        prepared_->resolved->conventions.light_speed_mps));
     }
@@ -218,25 +221,26 @@ void Preview::compute(const PreviewRequest& request, std::uint64_t number, const
 }
 
 void Preview::compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoMatrix>& shared, std::uint64_t number,
-                           const StopFlag& stop) {
+                           const core::StopFlag& stop) {
   std::mutex pace;
   bool coarse_shown = false;
   const Clock::time_point begin = Clock::now();
   Clock::time_point last;
-  const std::vector<std::size_t> order = refinement_order(matrix.rows());
-  compute_sampled_rows(matrix.plan(), matrix.places().selection, order, {threads_, &stop}, matrix.samples(),
-                       [&](std::size_t row) {
-                         matrix.set_ready(row);
-                         {
-                           const std::scoped_lock hold(pace);
-                           const Clock::time_point now = Clock::now();
-                           const std::size_t enough = now - begin < coarse_wait ? coarse_rows : coarsest_rows;
-                           if (matrix.ready_rows() < enough || (coarse_shown && now - last < between_events)) return;
-                           coarse_shown = true;
-                           last = now;
-                         }
-                         tell({PreviewEvent::Kind::rows, number, shared, {}}, stop);
-                       });
+  const std::vector<std::size_t> order = simulate::refinement_order(matrix.rows());
+  simulate::compute_sampled_rows(matrix.plan(), matrix.places().selection, order, {threads_, &stop}, matrix.samples(),
+                                 [&](std::size_t row) {
+                                   matrix.set_ready(row);
+                                   {
+                                     const std::scoped_lock hold(pace);
+                                     const Clock::time_point now = Clock::now();
+                                     const std::size_t enough = now - begin < coarse_wait ? coarse_rows : coarsest_rows;
+                                     if (matrix.ready_rows() < enough || (coarse_shown && now - last < between_events))
+                                       return;
+                                     coarse_shown = true;
+                                     last = now;
+                                   }
+                                   tell({PreviewEvent::Kind::rows, number, shared, {}}, stop);
+                                 });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

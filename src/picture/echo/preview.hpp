@@ -16,7 +16,7 @@
 #include "simulate/plan/engine.hpp"
 #include "simulate/plan/target_ranges.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What becomes of rows of raw data that are longer than 2^20 samples.
 enum class LongRows {
@@ -26,10 +26,10 @@ enum class LongRows {
 
 /// What a simulation window wants to see.
 struct PreviewRequest {
-  std::shared_ptr<const Scene> scene;  ///< Its own simulations and geometry tables do not matter.
+  std::shared_ptr<const scene::Scene> scene;  ///< Its own simulations and geometry tables do not matter.
   EchoWindow window;
   PlotSize size;
-  Engine engine = Engine::automatic;
+  simulate::Engine engine = simulate::Engine::automatic;
   bool show_all_targets = false;  ///< Choose the ranges so that all targets are seen; `EchoMatrix::window` has them.
   LongRows long_rows = LongRows::by_screen;
 };
@@ -45,7 +45,7 @@ struct PreviewEvent {
   Kind kind = Kind::started;
   std::uint64_t request = 0;                 ///< What `show` returned.
   std::shared_ptr<const EchoMatrix> matrix;  ///< Not where planning failed.
-  Problems problems;                         ///< Errors where it failed.
+  core::Problems problems;                   ///< Errors where it failed.
 };
 
 /// Computes the echo matrix of one simulation window in the background, on all cores, coarse rows first. The samples
@@ -73,11 +73,11 @@ class Preview {
  private:
   struct Prepared;
   void work();
-  void compute(const PreviewRequest& request, std::uint64_t number, const StopFlag& stop);
+  void compute(const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop);
   void compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoMatrix>& shared, std::uint64_t number,
-                    const StopFlag& stop);
-  std::shared_ptr<const Prepared> prepared(const PreviewRequest& request, const StopFlag& stop);
-  void tell(const PreviewEvent& event, const StopFlag& stop);
+                    const core::StopFlag& stop);
+  std::shared_ptr<const Prepared> prepared(const PreviewRequest& request, const core::StopFlag& stop);
+  void tell(const PreviewEvent& event, const core::StopFlag& stop);
 
   Listener listener_;
   unsigned threads_;
@@ -85,7 +85,7 @@ class Preview {
   std::mutex telling_;  // held while the listener is called
   std::condition_variable changed_;
   std::optional<PreviewRequest> pending_;
-  std::shared_ptr<StopFlag> stop_;  // of the request that is pending or being computed
+  std::shared_ptr<core::StopFlag> stop_;  // of the request that is pending or being computed
   std::uint64_t number_ = 0;
   bool busy_ = false;
   bool ending_ = false;
@@ -97,12 +97,12 @@ class Preview {
 /// What `Preview` does before its first row, for those who want the plan: the scene's problems that stop it, or the
 /// plan of what is shown.
 struct ShownPlan {
-  Problems problems;  ///< Errors only.
-  std::shared_ptr<const Plan> plan;
+  core::Problems problems;  ///< Errors only.
+  std::shared_ptr<const simulate::Plan> plan;
 };
 /// @param resolved  of the scene
-[[nodiscard]] ShownPlan plan_shown(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
-                                   const EchoWindow& window, const PlotSize& size, Engine engine, LongRows long_rows,
-                                   const StopFlag* stop = nullptr);
+[[nodiscard]] ShownPlan plan_shown(const scene::Scene& scene, std::shared_ptr<const simulate::ResolvedScene> resolved,
+                                   const EchoWindow& window, const PlotSize& size, simulate::Engine engine,
+                                   LongRows long_rows, const core::StopFlag* stop = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

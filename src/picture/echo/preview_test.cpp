@@ -16,25 +16,25 @@
 #include "simulate/resolve/resolved.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 using Kind = PreviewEvent::Kind;
 
 // Waits for the outcome of one request.
-PreviewEvent shown(const Scene& scene, const EchoWindow& window, const PlotSize& size,
-                   Engine engine = Engine::automatic) {
+PreviewEvent shown(const scene::Scene& scene, const EchoWindow& window, const PlotSize& size,
+                   simulate::Engine engine = simulate::Engine::automatic) {
   PreviewEvent last;
   Preview preview([&](const PreviewEvent& event) { last = event; }, 3);
-  preview.show({std::make_shared<const Scene>(scene), window, size, engine, false});
+  preview.show({std::make_shared<const scene::Scene>(scene), window, size, engine, false});
   preview.wait();
   return last;
 }
 
 // What `sarsim run` saves for the window.
-Plan saved_plan(Scene scene, const Simulation& simulation, Engine engine) {
+simulate::Plan saved_plan(scene::Scene scene, const scene::Simulation& simulation, simulate::Engine engine) {
   scene.simulations = {simulation};
-  return make_plan(scene, 0, nullptr, engine);
+  return simulate::make_plan(scene, 0, nullptr, engine);
 }
 
 struct Difference {
@@ -54,16 +54,16 @@ double off_peak(std::complex<double> peak, std::span<const std::complex<double>>
 }
 
 // Between what is shown and what is saved, where their samples coincide: every `finer`-th column that is shown.
-Difference difference(const EchoMatrix& matrix, const Plan& saved, std::size_t finer) {
-  const Recording recording = record(saved);
+Difference difference(const EchoMatrix& matrix, const simulate::Plan& saved, std::size_t finer) {
+  const simulate::Recording recording = simulate::record(saved);
   const std::span<const std::complex<double>> samples(recording.samples);
-  const SampleSelection& selection = matrix.places().selection;
+  const simulate::SampleSelection& selection = matrix.places().selection;
   Difference d;
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t k = 0; k < matrix.columns(); ++k) {
       const std::size_t row = matrix.places().row[i] * saved.columns;
-      if (selection.pick == SampleSelection::Pick::peak && finer == 1) {
-        const IndexSpan span = selection.columns[k];
+      if (selection.pick == simulate::SampleSelection::Pick::peak && finer == 1) {
+        const simulate::IndexSpan span = selection.columns[k];
         const double off = off_peak(matrix.row(i)[k], samples.subspan(row + span.begin, span.end - span.begin));
         d.largest = std::max(d.largest, off / recording.report.maximum_v);
         ++d.samples;
@@ -78,33 +78,37 @@ Difference difference(const EchoMatrix& matrix, const Plan& saved, std::size_t f
   return d;
 }
 
-Scene with_pulse(Radar::Pulse pulse) {
-  Scene scene = flight_scene();
-  Radar& radar = scene.radars[0];
+scene::Scene with_pulse(scene::Radar::Pulse pulse) {
+  scene::Scene scene = simulate::flight_scene();
+  scene::Radar& radar = scene.radars[0];
   radar.pulse = pulse;
-  radar.pulse_iq.part = {SampledFunction{Interpolation::cubic, {{0.0, 0.2}, {0.3, 1.0}, {0.6, -0.8}, {1.0, 0.1}}},
-                         SampledFunction{Interpolation::linear, {{0.0, 0.0}, {0.5, 0.7}, {1.0, -0.3}}}};
-  if (pulse == Radar::Pulse::mono) {
-    radar.envelope = Radar::Envelope::linear;
+  radar.pulse_iq.part = {
+      core::SampledFunction{core::Interpolation::cubic, {{0.0, 0.2}, {0.3, 1.0}, {0.6, -0.8}, {1.0, 0.1}}},
+      core::SampledFunction{core::Interpolation::linear, {{0.0, 0.0}, {0.5, 0.7}, {1.0, -0.3}}}};
+  if (pulse == scene::Radar::Pulse::mono) {
+    radar.envelope = scene::Radar::Envelope::linear;
     radar.rise_s = radar.fall_s = 100e-9;
   }
   return scene;
 }
 
-constexpr std::array pulses{Radar::Pulse::mono, Radar::Pulse::chirp, Radar::Pulse::user, Radar::Pulse::barker};
-constexpr std::array processings{Processing::raw, Processing::matched_filter};
+constexpr std::array pulses{scene::Radar::Pulse::mono, scene::Radar::Pulse::chirp, scene::Radar::Pulse::user,
+                            scene::Radar::Pulse::barker};
+constexpr std::array processings{scene::Processing::raw, scene::Processing::matched_filter};
 
 // Noise, jitter of platforms, positions, cross-sections and angles, motion, an antenna: every kind of random number.
 TEST(Preview, ShowsTheSamplesThatAreSavedBitForBit) {
-  for (const Radar::Pulse pulse : pulses)
-    for (const Processing processing : processings)
-      for (const Engine engine : {Engine::direct, Engine::spectral, Engine::reference})
+  for (const scene::Radar::Pulse pulse : pulses)
+    for (const scene::Processing processing : processings)
+      for (const simulate::Engine engine :
+           {simulate::Engine::direct, simulate::Engine::spectral, simulate::Engine::reference})
         for (const EchoView& view : {EchoView{2100.0, 2700.0, -0.1, 0.1}, EchoView{2203.7, 2411.1, -0.0505, 0.0123}}) {
           EchoWindow window = flight_window(processing);
           set_view(window, view);
-          window.recording.pulse_position =
-              engine == Engine::direct ? Simulation::PulsePosition::centre : Simulation::PulsePosition::begin;
-          const Scene scene = with_pulse(pulse);
+          window.recording.pulse_position = engine == simulate::Engine::direct
+                                                ? scene::Simulation::PulsePosition::centre
+                                                : scene::Simulation::PulsePosition::begin;
+          const scene::Scene scene = with_pulse(pulse);
           const PreviewEvent event = shown(scene, window, {64, 48}, engine);
           ASSERT_EQ(event.kind, Kind::finished);
           const Difference d = difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), engine), 1);
@@ -117,14 +121,14 @@ TEST(Preview, ShowsTheSamplesThatAreSavedBitForBit) {
 
 // Without noise, which a finer sampling has more of.
 TEST(Preview, BeyondTheGridStillShowsTheSamplesThatAreSaved) {
-  for (const Radar::Pulse pulse : pulses)
-    for (const Engine engine : {Engine::direct, Engine::spectral}) {
-      Scene scene = with_pulse(pulse);
+  for (const scene::Radar::Pulse pulse : pulses)
+    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+      scene::Scene scene = with_pulse(pulse);
       scene.radars[0].noise_temperature_k = 0.0;
       EchoWindow window = flight_window();
       const PreviewEvent event = shown(scene, window, {600, 40}, engine);
       ASSERT_EQ(event.kind, Kind::finished);
-      const Plan saved = saved_plan(scene, simulation_of(window, 20e6), engine);
+      const simulate::Plan saved = saved_plan(scene, simulation_of(window, 20e6), engine);
       ASSERT_EQ(saved.columns, 240U);
       ASSERT_EQ(event.matrix->plan().columns, 720U);
       const Difference d = difference(*event.matrix, saved, 3);
@@ -134,41 +138,45 @@ TEST(Preview, BeyondTheGridStillShowsTheSamplesThatAreSaved) {
 }
 
 TEST(Preview, ShowsCompressedDataOfEitherEngineWithinTwiceTheTolerance) {
-  const Scene scene = flight_scene();
-  const EchoWindow window = flight_window(Processing::matched_filter);
-  const PreviewEvent event = shown(scene, window, {100, 60}, Engine::spectral);
+  const scene::Scene scene = simulate::flight_scene();
+  const EchoWindow window = flight_window(scene::Processing::matched_filter);
+  const PreviewEvent event = shown(scene, window, {100, 60}, simulate::Engine::spectral);
   ASSERT_EQ(event.kind, Kind::finished);
-  const Difference d = difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), Engine::direct), 1);
+  const Difference d =
+      difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::direct), 1);
   EXPECT_LT(d.largest, 2.0 * scene.options.tolerance);
   EXPECT_GT(d.samples, 0U);
 }
 
 TEST(Preview, ShowsSyntheticRangeProfilesAndTheClassicProfile) {
-  Scene scene = flight_scene();
-  Radar& radar = scene.radars[0];
-  radar.carrier = Radar::Carrier::stepped;
+  scene::Scene scene = simulate::flight_scene();
+  scene::Radar& radar = scene.radars[0];
+  radar.carrier = scene::Radar::Carrier::stepped;
   radar.carrier_step_hz = 1e6;
   radar.carrier_steps = 8;
   radar.pulses_per_step = 2;
-  EchoWindow window = flight_window(Processing::srp);
+  EchoWindow window = flight_window(scene::Processing::srp);
   window.sampling.rate_hz = 1e6;
-  PreviewEvent event = shown(scene, window, {30, 5}, Engine::direct);
+  PreviewEvent event = shown(scene, window, {30, 5}, simulate::Engine::direct);
   ASSERT_EQ(event.kind, Kind::finished);
-  EXPECT_EQ(difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), Engine::direct), 1).largest, 0.0);
-  scene.options.profile = Profile::classic;
-  for (const Processing processing : processings) {
+  EXPECT_EQ(
+      difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::direct), 1).largest,
+      0.0);
+  scene.options.profile = scene::Profile::classic;
+  for (const scene::Processing processing : processings) {
     window = flight_window(processing);
-    event = shown(scene, window, {50, 20}, Engine::direct);
+    event = shown(scene, window, {50, 20}, simulate::Engine::direct);
     ASSERT_EQ(event.kind, Kind::finished);
-    EXPECT_EQ(difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), Engine::direct), 1).largest,
-              0.0);
+    EXPECT_EQ(
+        difference(*event.matrix, saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::direct), 1).largest,
+        0.0);
   }
 }
 
 TEST(Preview, ShowsOneSamplePerPixelWhereTheScreenSetsTheSampling) {
   EchoWindow window = flight_window();
   window.sampling.kind = Sampling::Kind::screen;
-  const PreviewEvent event = shown(flight_scene(), window, {333, 20});
+  const PreviewEvent event = shown(simulate::flight_scene(), window, {333, 20});
   ASSERT_EQ(event.kind, Kind::finished);
   EXPECT_EQ(event.matrix->plan().columns, 333U);
   for (std::size_t x = 0; x < 333; ++x) {
@@ -195,7 +203,11 @@ TEST(Preview, CoversTheWindowWithACoarsePictureFirst) {
         }
       },
       1);
-  preview.show({std::make_shared<const Scene>(flight_scene()), window, {64, 200}, Engine::reference, false});
+  preview.show({std::make_shared<const scene::Scene>(simulate::flight_scene()),
+                window,
+                {64, 200},
+                simulate::Engine::reference,
+                false});
   preview.wait();
   ASSERT_GE(kinds.size(), 3U);
   EXPECT_EQ(kinds.front(), Kind::started);
@@ -214,11 +226,11 @@ TEST(Preview, TellsNothingAboutARequestThatWasReplaced) {
     if (event.request < newest) ++outdated;
     if (event.kind == Kind::finished) finished = event.request;
   });
-  const auto scene = std::make_shared<const Scene>(flight_scene());
+  const auto scene = std::make_shared<const scene::Scene>(simulate::flight_scene());
   EchoWindow window = flight_window();
   for (int i = 0; i < 40; ++i) {
     window.recording.range_end_m += 1.0;
-    newest = preview.show({scene, window, {64, 200}, Engine::reference, false});
+    newest = preview.show({scene, window, {64, 200}, simulate::Engine::reference, false});
     if (i % 8 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   preview.wait();
@@ -240,14 +252,18 @@ TEST(Preview, TellsNoNewsThatWaitedWhileTheirRequestWasReplaced) {
         std::this_thread::sleep_for(milliseconds(150));
       },
       2);
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.targets.resize(2000, scene.targets[0]);
-  const auto shared = std::make_shared<const Scene>(scene);
-  preview.show({shared, flight_window(), {64, 200}, Engine::reference, false});
+  const auto shared = std::make_shared<const scene::Scene>(scene);
+  preview.show({shared, flight_window(), {64, 200}, simulate::Engine::reference, false});
   while (!held_up) std::this_thread::sleep_for(milliseconds(1));
   std::this_thread::sleep_for(milliseconds(80));
   replaced = true;
-  preview.show({std::make_shared<const Scene>(flight_scene()), flight_window(), {4, 4}, Engine::direct, false});
+  preview.show({std::make_shared<const scene::Scene>(simulate::flight_scene()),
+                flight_window(),
+                {4, 4},
+                simulate::Engine::direct,
+                false});
   preview.wait();
   EXPECT_EQ(outdated, 0);
 }
@@ -255,33 +271,35 @@ TEST(Preview, TellsNoNewsThatWaitedWhileTheirRequestWasReplaced) {
 TEST(Preview, FollowsTheSceneAndKeepsNothingOfTheOneBefore) {
   std::shared_ptr<const EchoMatrix> matrix;
   Preview preview([&](const PreviewEvent& event) { matrix = event.matrix; });
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   const EchoWindow window = flight_window();
-  preview.show({std::make_shared<const Scene>(scene), window, {64, 48}, Engine::direct, false});
+  preview.show({std::make_shared<const scene::Scene>(scene), window, {64, 48}, simulate::Engine::direct, false});
   preview.wait();
   ASSERT_TRUE(matrix && matrix->complete());
   const auto before = matrix;
   scene.targets[5].position_m.y += 3.0;
-  preview.show({std::make_shared<const Scene>(scene), window, {64, 48}, Engine::direct, false});
+  preview.show({std::make_shared<const scene::Scene>(scene), window, {64, 48}, simulate::Engine::direct, false});
   preview.wait();
   ASSERT_TRUE(matrix && matrix->complete());
   EXPECT_NE(matrix, before);
-  EXPECT_EQ(difference(*matrix, saved_plan(scene, simulation_of(window, 20e6), Engine::direct), 1).largest, 0.0);
-  EXPECT_GT(difference(*before, saved_plan(scene, simulation_of(window, 20e6), Engine::direct), 1).largest, 0.01);
+  EXPECT_EQ(difference(*matrix, saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::direct), 1).largest,
+            0.0);
+  EXPECT_GT(difference(*before, saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::direct), 1).largest,
+            0.01);
 }
 
 TEST(Preview, IsCancelledWithinATenthOfASecond) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.targets.resize(20000, scene.targets[0]);
   scene.radars[0].pulse_width_s = 3e-6;
   std::atomic<int> events{0};
   Preview preview([&](const PreviewEvent& event) { events += event.kind == Kind::rows ? 1 : 0; });
-  const auto shared = std::make_shared<const Scene>(scene);
+  const auto shared = std::make_shared<const scene::Scene>(scene);
   // The best of several, because other programs may hold this one up.
   auto least = std::chrono::steady_clock::duration::max();
   for (int i = 0; i < 5; ++i) {
     events = 0;
-    preview.show({shared, flight_window(), {400, 200}, Engine::spectral, false});
+    preview.show({shared, flight_window(), {400, 200}, simulate::Engine::spectral, false});
     while (events == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const auto asked = std::chrono::steady_clock::now();
     preview.cancel();
@@ -294,7 +312,7 @@ TEST(Preview, IsCancelledWithinATenthOfASecond) {
 }
 
 TEST(Preview, ShowsNothingInAWindowWithoutPixels) {
-  const PreviewEvent event = shown(flight_scene(), flight_window(), {0, 0});
+  const PreviewEvent event = shown(simulate::flight_scene(), flight_window(), {0, 0});
   ASSERT_EQ(event.kind, Kind::finished);
   EXPECT_EQ(event.matrix->rows(), 1U);
   EXPECT_EQ(event.matrix->columns(), 1U);
@@ -306,7 +324,11 @@ TEST(Preview, FindsTheRangesOfAllTargetsWhereAskedTo) {
   EchoWindow window = flight_window();
   window.sampling.kind = Sampling::Kind::screen;
   set_view(window, {0.0, 0.0, 0.0, 0.01});
-  preview.show({std::make_shared<const Scene>(flight_scene()), window, {100, 50}, Engine::automatic, true});
+  preview.show({std::make_shared<const scene::Scene>(simulate::flight_scene()),
+                window,
+                {100, 50},
+                simulate::Engine::automatic,
+                true});
   preview.wait();
   ASSERT_EQ(last.kind, Kind::finished);
   const EchoView view = view_of(last.matrix->window());
@@ -317,7 +339,7 @@ TEST(Preview, FindsTheRangesOfAllTargetsWhereAskedTo) {
 }
 
 TEST(Preview, SaysWhyThereIsNothingToShow) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   EchoWindow window = flight_window();
   window.recording.radar = "Nobody";
   PreviewEvent event = shown(scene, window, {10, 10});
@@ -335,16 +357,16 @@ TEST(Preview, SaysWhyThereIsNothingToShow) {
   ASSERT_EQ(event.kind, Kind::failed);
   EXPECT_EQ(event.problems.at(0).subject.kind, "target");
 
-  scene = flight_scene();
+  scene = simulate::flight_scene();
   scene.targets[0].platform = "Plane";
   scene.targets[0].position_m = {};  // at the radar's own place
-  event = shown(scene, flight_window(), {10, 10}, Engine::direct);
+  event = shown(scene, flight_window(), {10, 10}, simulate::Engine::direct);
   ASSERT_EQ(event.kind, Kind::failed);
   EXPECT_EQ(event.problems.at(0).subject.kind, "target");
 }
 
 TEST(Preview, IsNotHeldUpByMistakesElsewhere) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.radars.push_back(scene.radars[0]);
   scene.radars[1].name = "Broken";
   scene.radars[1].prf_hz = -1.0;
@@ -356,36 +378,36 @@ TEST(Preview, IsNotHeldUpByMistakesElsewhere) {
 TEST(Preview, OfAVeryLongRowOfRawDataIsSampledByTheScreen) {
   EchoWindow window = flight_window();
   window.sampling.rate_hz = 1e12;  // four million samples
-  const PreviewEvent event = shown(flight_scene(), window, {64, 3});
+  const PreviewEvent event = shown(simulate::flight_scene(), window, {64, 3});
   ASSERT_EQ(event.kind, Kind::finished);
   EXPECT_EQ(event.matrix->plan().columns, 64U);
 }
 
 TEST(PlanShown, HasVeryLongRowsWhereTheyAreToBeComputed) {
-  const Scene scene = flight_scene();
-  const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
+  const scene::Scene scene = simulate::flight_scene();
+  const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene));
   EchoWindow window = flight_window();
   window.sampling.rate_hz = 5e11;
   const auto columns = [&](LongRows long_rows) {
-    const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, Engine::direct, long_rows);
+    const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, simulate::Engine::direct, long_rows);
     return shown.plan ? shown.plan->columns : 0;
   };
   EXPECT_EQ(columns(LongRows::by_screen), 64U);
   // 2 x 5e11 Hz x 600 m / c
   EXPECT_NEAR(static_cast<double>(columns(LongRows::computed)), 2001384.0, 2.0);
   window.sampling.rate_hz = 5e12;
-  const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, Engine::direct, LongRows::computed);
+  const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, simulate::Engine::direct, LongRows::computed);
   EXPECT_EQ(shown.plan, nullptr);
   ASSERT_EQ(shown.problems.size(), 1U);
   EXPECT_EQ(shown.problems[0].subject.field, "range_end_m");
 }
 
 TEST(SamplePlaces, AreThePulsesNearestInTimeAlsoForStaggeredIntervals) {
-  Scene scene = flight_scene();
-  scene.radars[0].repetition = Radar::Repetition::user;
+  scene::Scene scene = simulate::flight_scene();
+  scene.radars[0].repetition = scene::Radar::Repetition::user;
   scene.radars[0].pri_s.part[0].knots = {{0.0, 1e-3}, {1.0, 5e-3}, {2.0, 2e-3}};
   scene.simulations = {simulation_of(flight_window(), 20e6)};
-  const Plan plan = make_plan(scene, 0);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   for (const std::size_t height : {7U, 30U, 75U, 400U}) {
     const PlotSize size{16, height};
     const SamplePlaces places = place_samples(plan, size, PixelRule::sample);
@@ -401,24 +423,24 @@ TEST(SamplePlaces, AreThePulsesNearestInTimeAlsoForStaggeredIntervals) {
 }
 
 TEST(SamplePlaces, HoldEveryPulseWhereThereAreFewerThanPixelRows) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   EchoWindow window = flight_window();
   set_view(window, {2100.0, 2700.0, 0.0, 0.0091});  // 10 pulses, the last one before the end
   scene.simulations = {simulation_of(window, 20e6)};
-  const SamplePlaces places = place_samples(make_plan(scene, 0), {16, 100}, PixelRule::sample);
+  const SamplePlaces places = place_samples(simulate::make_plan(scene, 0), {16, 100}, PixelRule::sample);
   EXPECT_EQ(places.row.size(), 10U);
   EXPECT_EQ(places.row_of_pixel.back(), 0U);  // time runs upwards
   EXPECT_EQ(places.row_of_pixel.front(), 9U);
 }
 
 TEST(SamplePlaces, OfPeaksHoldEverySampleOfTheRecordingOnce) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.simulations = {simulation_of(flight_window(), 20e6)};
-  const Plan plan = make_plan(scene, 0);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   const SamplePlaces places = place_samples(plan, {37, 23}, PixelRule::peak);
-  const auto covers = [](const std::vector<IndexSpan>& spans, std::size_t count) {
+  const auto covers = [](const std::vector<simulate::IndexSpan>& spans, std::size_t count) {
     std::size_t next = 0;
-    for (const IndexSpan& span : spans) {
+    for (const simulate::IndexSpan& span : spans) {
       EXPECT_EQ(span.begin, next);
       EXPECT_LT(span.begin, span.end);
       next = span.end;
@@ -427,8 +449,8 @@ TEST(SamplePlaces, OfPeaksHoldEverySampleOfTheRecordingOnce) {
   };
   covers(places.selection.rows, plan.rows);
   covers(places.selection.columns, plan.columns);
-  EXPECT_EQ(places.selection.pick, SampleSelection::Pick::peak);
-  const auto nearest = [](const std::vector<std::size_t>& element, const std::vector<IndexSpan>& spans) {
+  EXPECT_EQ(places.selection.pick, simulate::SampleSelection::Pick::peak);
+  const auto nearest = [](const std::vector<std::size_t>& element, const std::vector<simulate::IndexSpan>& spans) {
     for (std::size_t i = 0; i < element.size(); ++i)
       for (std::size_t e = spans[i].begin; e < spans[i].end; ++e) {
         const auto off = [&](std::size_t k) { return std::max(element[k], e) - std::min(element[k], e); };
@@ -442,31 +464,31 @@ TEST(SamplePlaces, OfPeaksHoldEverySampleOfTheRecordingOnce) {
 
 // A target's peak may be a single sample wide, which one sample in so many would leave out.
 TEST(SamplePlaces, OfCompressedDataHoldEverySampleOfAPulse) {
-  Scene scene = flight_scene();
-  scene.simulations = {simulation_of(flight_window(Processing::matched_filter), 20e6)};
-  const Plan plan = make_plan(scene, 0);
+  scene::Scene scene = simulate::flight_scene();
+  scene.simulations = {simulation_of(flight_window(scene::Processing::matched_filter), 20e6)};
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   const SamplePlaces places = place_samples(plan, {37, 23}, PixelRule::sample);
-  EXPECT_EQ(places.selection.pick, SampleSelection::Pick::peak);
+  EXPECT_EQ(places.selection.pick, simulate::SampleSelection::Pick::peak);
   std::size_t next = 0;
-  for (const IndexSpan& span : places.selection.columns) {
+  for (const simulate::IndexSpan& span : places.selection.columns) {
     EXPECT_EQ(span.begin, next);
     next = span.end;
   }
   EXPECT_EQ(next, plan.columns);
-  for (const IndexSpan& span : places.selection.rows) EXPECT_EQ(span.end, span.begin + 1);
+  for (const simulate::IndexSpan& span : places.selection.rows) EXPECT_EQ(span.end, span.begin + 1);
 }
 
 TEST(Preview, ShowsThePeakOfACompressedTargetOnFewPixels) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.radars[0].noise_temperature_k = 0.0;
-  EchoWindow window = flight_window(Processing::matched_filter);
-  const Plan plan = saved_plan(scene, simulation_of(window, 20e6), Engine::reference);
-  const PreviewEvent event = shown(scene, window, {20, 400}, Engine::reference);
+  EchoWindow window = flight_window(scene::Processing::matched_filter);
+  const simulate::Plan plan = saved_plan(scene, simulation_of(window, 20e6), simulate::Engine::reference);
+  const PreviewEvent event = shown(scene, window, {20, 400}, simulate::Engine::reference);
   ASSERT_EQ(event.kind, Kind::finished);
   double largest_v = 0.0;
   for (std::size_t i = 0; i < event.matrix->rows(); ++i)
     largest_v = std::max(largest_v, event.matrix->row_statistics(i).largest_v);
-  EXPECT_DOUBLE_EQ(largest_v, record(plan).report.maximum_v);
+  EXPECT_DOUBLE_EQ(largest_v, simulate::record(plan).report.maximum_v);
 }
 
 TEST(SampleRoom, IsUsedAgainByTheNextMatrix) {
@@ -480,9 +502,9 @@ TEST(SampleRoom, IsUsedAgainByTheNextMatrix) {
 }
 
 TEST(EchoMatrix, ShowsTheNearestRowThatIsReady) {
-  Scene scene = flight_scene();
+  scene::Scene scene = simulate::flight_scene();
   scene.simulations = {simulation_of(flight_window(), 20e6)};
-  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
+  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
   EchoMatrix matrix(plan, flight_window(), {16, 9});
   EXPECT_TRUE(matrix.nearest_ready().empty());
   matrix.set_ready(2);
@@ -496,4 +518,4 @@ TEST(EchoMatrix, ShowsTheNearestRowThatIsReady) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

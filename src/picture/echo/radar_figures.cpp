@@ -13,12 +13,12 @@
 #include "picture/colour/display_quantity.hpp"
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
 constexpr std::size_t most_samples = std::size_t{1} << 25;
-double in_degrees(double radians) { return radians * deg_per_rad; }
+double in_degrees(double radians) { return radians * core::deg_per_rad; }
 
 FigureAxis range_axis(const EchoBlock& block) {
   FigureAxis axis = axis_along("Slant range", "m", block.range_m);
@@ -29,7 +29,7 @@ FigureAxis range_axis(const EchoBlock& block) {
 std::string interval_text(const EchoBlock& block) {
   if (block.rows == 0) return "no pulse";
   return fmt::format("{} pulse{} from {} to {}", block.rows, block.rows == 1 ? "" : "s",
-                     with_prefix(block.time_s.front(), "s"), with_prefix(block.time_s.back(), "s"));
+                     core::with_prefix(block.time_s.front(), "s"), core::with_prefix(block.time_s.back(), "s"));
 }
 
 // Spacing of an axis whose first and last cell have their centres at its ends.
@@ -39,7 +39,7 @@ double half_cell(const std::vector<double>& centres) {
 
 // Largest levels of as many neighbouring ranges as make a picture of a modest width.
 FigureImage map_image(const RangeDoppler& map, const std::vector<double>& level_db, const ColourLimits& limits,
-                      const std::vector<Rgb>& colours) {
+                      const std::vector<raster::Rgb>& colours) {
   constexpr std::size_t most_columns = 1600;
   const std::size_t columns = map.range_m.size();
   const std::size_t step = (columns + most_columns - 1) / most_columns;
@@ -69,7 +69,7 @@ std::vector<double> levels_of(const RangeDoppler& map, double reference) {
   return level_db;
 }
 
-std::size_t row_sent_nearest(const Plan& plan, double time_s) {
+std::size_t row_sent_nearest(const simulate::Plan& plan, double time_s) {
   const auto time_of = [&](std::size_t row) { return plan.radar.repetition.send_time_s(plan.first_pulse_of_row(row)); };
   std::size_t low = 0;
   std::size_t high = plan.rows;
@@ -98,7 +98,7 @@ std::string_view title_of(RadarView view) {
   return "Phase history";
 }
 
-RadarViewPlace place_of(const Plan& plan, const RadarViewChoice& choice) {
+RadarViewPlace place_of(const simulate::Plan& plan, const RadarViewChoice& choice) {
   RadarViewPlace place;
   if (plan.rows == 0) return place;
   place.row = row_sent_nearest(plan, choice.time_s);
@@ -111,13 +111,13 @@ RadarViewPlace place_of(const Plan& plan, const RadarViewChoice& choice) {
   return place;
 }
 
-Figure radar_figure(const Plan& plan, const RadarViewChoice& choice, const WorkControl& control) {
+Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, const core::WorkControl& control) {
   const RadarViewPlace place = place_of(plan, choice);
-  const IndexSpan all_columns{0, plan.columns};
+  const simulate::IndexSpan all_columns{0, plan.columns};
   const bool one_pulse = choice.view == RadarView::spectrum;
   const bool one_range = choice.view == RadarView::phase_history;
-  const IndexSpan rows = one_pulse ? IndexSpan{place.row, place.row + 1} : place.rows;
-  const IndexSpan columns = one_range ? IndexSpan{place.column, place.column + 1} : all_columns;
+  const simulate::IndexSpan rows = one_pulse ? simulate::IndexSpan{place.row, place.row + 1} : place.rows;
+  const simulate::IndexSpan columns = one_range ? simulate::IndexSpan{place.column, place.column + 1} : all_columns;
   const std::size_t padding = choice.view == RadarView::range_doppler ? std::max<std::size_t>(choice.padding, 1) : 1;
   const double samples = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin) *
                          static_cast<double>(padding);
@@ -162,7 +162,7 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
   const SampleStatistics statistics = statistics_of(map.samples);
   const std::vector<double> level_db = levels_of(map, reference_v(decibels, statistics));
   const ColourLimits limits = colour_limits(DisplayQuantity::decibels, {}, decibels, statistics);
-  const std::vector<Rgb> colours = colour_table(ColourMap::ember);
+  const std::vector<raster::Rgb> colours = colour_table(ColourMap::ember);
 
   FigurePanel& panel = figure.panels.emplace_back();
   panel.image = map_image(map, level_db, limits, colours);
@@ -173,9 +173,9 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
 
   std::vector<double> cut;
   for (std::size_t d = 0; d < map.doppler_hz.size(); ++d) cut.push_back(std::abs(map.at(d, column)));
-  figure.panels.push_back(
-      curve_panel("At " + with_prefix(map.range_m[column], "m"), axis_along("Doppler frequency", "Hz", map.doppler_hz),
-                  {"Level above 1 V", "dB", 0.0, 1.0, {}}, map.doppler_hz, decibels_of(std::move(cut), 20.0)));
+  figure.panels.push_back(curve_panel(
+      "At " + core::with_prefix(map.range_m[column], "m"), axis_along("Doppler frequency", "Hz", map.doppler_hz),
+      {"Level above 1 V", "dB", 0.0, 1.0, {}}, map.doppler_hz, decibels_of(std::move(cut), 20.0)));
   return figure;
 }
 
@@ -190,8 +190,8 @@ Figure spectrum_figure(const EchoBlock& block, std::size_t row, const RadarViewC
     values = decibels_of(std::move(values), 10.0);
     up = {"Density above 1 W/Hz", "dB", 0.0, 1.0, {}};
   }
-  figure.note =
-      "Pulse at " + with_prefix(block.time_s[row], "s") + ", carrier " + with_prefix(block.carrier_hz[row], "Hz");
+  figure.note = "Pulse at " + core::with_prefix(block.time_s[row], "s") + ", carrier " +
+                core::with_prefix(block.carrier_hz[row], "Hz");
   FigureAxis across = axis_along("Frequency from the carrier", "Hz", spectrum.frequency_hz);
   figure.panels.push_back(
       curve_panel("", std::move(across), std::move(up), std::move(spectrum.frequency_hz), std::move(values)));
@@ -208,7 +208,7 @@ Figure phase_figure(const EchoBlock& block, std::size_t column, const RadarViewC
   std::vector<double> path = std::move(history.path_m);
   const double start_m = path.front();
   for (double& metres : path) metres -= start_m;
-  figure.note = "Range " + with_prefix(block.range_m[column], "m") + ", " + interval_text(block);
+  figure.note = "Range " + core::with_prefix(block.range_m[column], "m") + ", " + interval_text(block);
   if (block.rows > 1)
     figure.note +=
         fmt::format(", mean step {:.6g} deg", in_degrees(history.unwrapped_rad.back() - history.unwrapped_rad.front()) /
@@ -236,10 +236,10 @@ std::string curves_table(const Figure& figure, char separator) {
       for (std::size_t k = first; k < end; ++k) (text += separator) += heading(panel.y, panel.curves[k].name);
       text += '\n';
       for (std::size_t i = 0; i < x.size(); ++i) {
-        if (std::isfinite(x[i])) append_number(text, x[i]);
+        if (std::isfinite(x[i])) core::append_number(text, x[i]);
         for (std::size_t k = first; k < end; ++k) {
           text += separator;
-          if (std::isfinite(panel.curves[k].y[i])) append_number(text, panel.curves[k].y[i]);
+          if (std::isfinite(panel.curves[k].y[i])) core::append_number(text, panel.curves[k].y[i]);
         }
         text += '\n';
       }
@@ -249,4 +249,4 @@ std::string curves_table(const Figure& figure, char separator) {
   return text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "picture/figure/figure.hpp"
 
 /// The views of radar engineers as figures.
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What is looked at.
 enum class RadarView {
@@ -40,15 +40,16 @@ struct RadarViewChoice {
 
 /// Rows and columns of a recording that a choice means.
 struct RadarViewPlace {
-  std::size_t row = 0;     ///< Sent nearest to the cursor's time.
-  std::size_t column = 0;  ///< Nearest to its range.
-  IndexSpan rows;          ///< As many as chosen about `row`, moved so that they are in the recording.
+  std::size_t row = 0;       ///< Sent nearest to the cursor's time.
+  std::size_t column = 0;    ///< Nearest to its range.
+  simulate::IndexSpan rows;  ///< As many as chosen about `row`, moved so that they are in the recording.
 };
-[[nodiscard]] RadarViewPlace place_of(const Plan& plan, const RadarViewChoice& choice);
+[[nodiscard]] RadarViewPlace place_of(const simulate::Plan& plan, const RadarViewChoice& choice);
 
 /// Computes the samples of a view and draws it as a figure; what is not as the view supposes is in its note.
 /// @throws Interrupted when stopped; std::runtime_error with what to do where it would take more than 2^25 samples
-[[nodiscard]] Figure radar_figure(const Plan& plan, const RadarViewChoice& choice, const WorkControl& control = {});
+[[nodiscard]] Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice,
+                                  const core::WorkControl& control = {});
 
 /// The figures of samples that are there. `row` and `column` belong to the block.
 /// @{
@@ -63,4 +64,4 @@ struct RadarViewPlace {
 /// is left empty.
 [[nodiscard]] std::string curves_table(const Figure& figure, char separator);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 #include "core/maths/fft.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -19,7 +19,7 @@ std::vector<double> weights(SpectrumWindow window, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     // Half a sample from either end, so that no sample is lost to a weight of 0.
     const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    w[i] = window == SpectrumWindow::hann ? hanning_window(x, 0.0) : hamming_window(x);
+    w[i] = window == SpectrumWindow::hann ? core::hanning_window(x, 0.0) : core::hamming_window(x);
   }
   return w;
 }
@@ -46,11 +46,12 @@ std::string remark_on(const EchoBlock& block, double interval_s) {
 
 }  // namespace
 
-EchoBlock echo_block(const Plan& plan, IndexSpan rows, const WorkControl& control) {
+EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, const core::WorkControl& control) {
   return echo_block(plan, rows, {0, plan.columns}, control);
 }
 
-EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const WorkControl& control) {
+EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, simulate::IndexSpan columns,
+                     const core::WorkControl& control) {
   EchoBlock block;
   const std::size_t end = std::min(rows.end, plan.rows);
   const std::size_t begin = std::min(rows.begin, end);
@@ -62,7 +63,7 @@ EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const 
                        plan.column_range_m.begin() + static_cast<std::ptrdiff_t>(last_column));
   block.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   block.light_speed_mps = plan.scene->conventions.light_speed_mps;
-  SampleSelection selection;
+  simulate::SampleSelection selection;
   for (std::size_t r = begin; r < end; ++r) {
     selection.rows.push_back({r, r + 1});
     const std::int64_t pulse = plan.first_pulse_of_row(r);
@@ -73,7 +74,7 @@ EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const 
   block.samples.resize(block.rows * block.columns);
   std::vector<std::size_t> order(block.rows);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  compute_sampled_rows(plan, selection, order, control, block.samples, {});
+  simulate::compute_sampled_rows(plan, selection, order, control, block.samples, {});
   return block;
 }
 
@@ -98,7 +99,7 @@ RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::s
   if (block.rows == 0) return map;
   const double interval_s = mean_interval_s(block);
   map.remark = remark_on(block, interval_s);
-  const std::size_t size = good_fft_size(std::max(bins, block.rows));
+  const std::size_t size = core::good_fft_size(std::max(bins, block.rows));
   const std::vector<double> w = weights(window, block.rows);
   const double scale = 1.0 / std::accumulate(w.begin(), w.end(), 0.0);
   const double rate_hz = interval_s > 0.0 ? 1.0 / interval_s : 0.0;
@@ -107,7 +108,7 @@ RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::s
     map.speed_mps.push_back(-map.doppler_hz.back() * block.light_speed_mps / (2.0 * block.carrier_hz[0]));
   }
   map.samples.resize(size * block.columns);
-  const Fft fft(size);
+  const core::Fft fft(size);
   std::vector<std::complex<double>> line(size);
   for (std::size_t c = 0; c < block.columns; ++c) {
     std::ranges::fill(line, std::complex<double>());
@@ -126,7 +127,7 @@ PowerSpectrum power_spectrum(const EchoBlock& block, std::size_t row, SpectrumWi
   const double energy = std::inner_product(w.begin(), w.end(), w.begin(), 0.0);
   std::vector<std::complex<double>> line(size);
   for (std::size_t c = 0; c < size; ++c) line[c] = w[c] * block.at(row, c);
-  const Fft fft(size);
+  const core::Fft fft(size);
   fft.forward(line);
   for (std::size_t i = 0; i < size; ++i) {
     spectrum.frequency_hz.push_back(cycles_at(i, size) / static_cast<double>(size) * block.sample_rate_hz);
@@ -141,12 +142,13 @@ PhaseHistory phase_history(const EchoBlock& block, std::size_t column) {
   double turns = 0.0;
   for (std::size_t r = 0; r < block.rows; ++r) {
     const double phase = std::arg(block.at(r, column));
-    if (r > 0) turns -= std::round((phase - history.phase_rad.back()) / (2.0 * pi));
+    if (r > 0) turns -= std::round((phase - history.phase_rad.back()) / (2.0 * core::pi));
     history.phase_rad.push_back(phase);
-    history.unwrapped_rad.push_back(phase + 2.0 * pi * turns);
-    history.path_m.push_back(-history.unwrapped_rad.back() * block.light_speed_mps / (4.0 * pi * block.carrier_hz[r]));
+    history.unwrapped_rad.push_back(phase + 2.0 * core::pi * turns);
+    history.path_m.push_back(-history.unwrapped_rad.back() * block.light_speed_mps /
+                             (4.0 * core::pi * block.carrier_hz[r]));
   }
   return history;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "simulate/run/sampled_rows.hpp"
 
 /// What radar engineers look at besides the echo matrix, from the samples of the same recording.
-namespace sarsim {
+namespace sarsim::picture {
 
 /// All samples of consecutive rows of a recording.
 struct EchoBlock {
@@ -30,9 +30,11 @@ struct EchoBlock {
 /// Computes a block: the samples that a run saves, bit for bit.
 /// @param rows  of the plan's product; cut off at its end
 /// @throws Interrupted when stopped
-[[nodiscard]] EchoBlock echo_block(const Plan& plan, IndexSpan rows, const WorkControl& control = {});
+[[nodiscard]] EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows,
+                                   const core::WorkControl& control = {});
 /// Same for some of the columns, cut off at the last one.
-[[nodiscard]] EchoBlock echo_block(const Plan& plan, IndexSpan rows, IndexSpan columns, const WorkControl& control);
+[[nodiscard]] EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, simulate::IndexSpan columns,
+                                   const core::WorkControl& control);
 
 /// Weights over a spectrum's input.
 enum class SpectrumWindow { rectangular, hann, hamming };
@@ -82,4 +84,4 @@ struct PhaseHistory {
 };
 [[nodiscard]] PhaseHistory phase_history(const EchoBlock& block, std::size_t column);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

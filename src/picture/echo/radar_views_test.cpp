@@ -12,33 +12,35 @@
 #include "picture/echo/radar_figures.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // One target at 3000 m that recedes at 3 m/s, 1 GHz, 1 kHz, 64 pulses; no noise, no jitter.
-Plan receding_plan(double speed_mps = 3.0) {
-  Scene scene;
+simulate::Plan receding_plan(double speed_mps = 3.0) {
+  scene::Scene scene;
   scene.platforms.push_back({});
-  Platform car;
+  scene::Platform car;
   car.name = "Car";
-  car.path = Platform::Path::trajectory;
-  const auto line = [](double a, double b) { return SampledFunction{Interpolation::linear, {{0.0, a}, {1.0, b}}}; };
+  car.path = scene::Platform::Path::trajectory;
+  const auto line = [](double a, double b) {
+    return core::SampledFunction{core::Interpolation::linear, {{0.0, a}, {1.0, b}}};
+  };
   car.trajectory_m.part = {line(3000.0, 3000.0 + speed_mps), line(0.0, 0.0), line(0.0, 0.0)};
   scene.platforms.push_back(car);
-  Target target;
+  scene::Target target;
   target.platform = "Car";
   scene.targets.push_back(target);
-  Radar radar;
-  radar.pulse = Radar::Pulse::chirp;
+  scene::Radar radar;
+  radar.pulse = scene::Radar::Pulse::chirp;
   scene.radars.push_back(radar);
-  Simulation s;
+  scene::Simulation s;
   s.radar = "Radar1";
   s.range_start_m = 2900.0;
   s.range_end_m = 3900.0;
   s.time_end_s = 0.063;
   s.sample_rate_hz = 100e6;
   scene.simulations.push_back(s);
-  return make_plan(scene, 0, nullptr, Engine::direct);
+  return simulate::make_plan(scene, 0, nullptr, simulate::Engine::direct);
 }
 
 std::size_t strongest(const std::vector<std::complex<double>>& samples) {
@@ -47,8 +49,8 @@ std::size_t strongest(const std::vector<std::complex<double>>& samples) {
 }
 
 TEST(EchoBlock, HoldsTheSamplesOfTheRecordingWithTheirAxes) {
-  const Plan plan = receding_plan();
-  const Recording recording = record(plan);
+  const simulate::Plan plan = receding_plan();
+  const simulate::Recording recording = simulate::record(plan);
   const EchoBlock block = echo_block(plan, {10, 1000}, {2, nullptr});
   ASSERT_EQ(block.rows, 54U);
   for (std::size_t i = 0; i < block.samples.size(); ++i)
@@ -58,16 +60,16 @@ TEST(EchoBlock, HoldsTheSamplesOfTheRecordingWithTheirAxes) {
   EXPECT_EQ(block.carrier_hz[5], 1e9);
   EXPECT_NEAR(block.sample_rate_hz, 100e6, 1e-3);
   EXPECT_EQ(echo_block(plan, {100, 200}).rows, 0U);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)echo_block(plan, {0, 10}, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)echo_block(plan, {0, 10}, {1, &stop}), core::Interrupted);
 }
 
 TEST(RangeDoppler, PutsAMovingTargetAtItsDopplerFrequencyAndSpeedWithItsAmplitude) {
   // 2 v f/c = 20.01 Hz at 3 m/s: choose the speed whose frequency is exactly 5 bins of 64.
   const double doppler_hz = 5.0 * 1000.0 / 64.0;
-  const double speed = doppler_hz * exact_light_speed_mps / 2e9;
-  const Plan plan = receding_plan(speed);
+  const double speed = doppler_hz * core::exact_light_speed_mps / 2e9;
+  const simulate::Plan plan = receding_plan(speed);
   const EchoBlock block = echo_block(plan, {0, 64});
   for (const SpectrumWindow window : {SpectrumWindow::rectangular, SpectrumWindow::hann, SpectrumWindow::hamming}) {
     const RangeDoppler map = range_doppler(block, window);
@@ -135,7 +137,7 @@ TEST(PowerSpectrum, OfATonePeaksAtItsFrequency) {
   block.rows = 1;
   block.columns = 100;
   block.sample_rate_hz = 1000.0;
-  for (int i = 0; i < 100; ++i) block.samples.push_back(std::polar(2.0, -2.0 * pi * 0.13 * i));
+  for (int i = 0; i < 100; ++i) block.samples.push_back(std::polar(2.0, -2.0 * core::pi * 0.13 * i));
   const PowerSpectrum spectrum = power_spectrum(block, 0, SpectrumWindow::hann);
   const auto peak = std::ranges::max_element(spectrum.density_w_per_hz) - spectrum.density_w_per_hz.begin();
   EXPECT_NEAR(spectrum.frequency_hz[static_cast<std::size_t>(peak)], -130.0, 1e-9);
@@ -147,10 +149,10 @@ TEST(PhaseHistory, UnwrappedIsThePathOfTheTarget) {
   const PhaseHistory history = phase_history(block, 300);
   ASSERT_EQ(history.path_m.size(), 64U);
   for (std::size_t r = 0; r < 64; ++r) {
-    EXPECT_LE(std::abs(history.phase_rad[r]), pi);
-    EXPECT_NEAR(std::remainder(history.unwrapped_rad[r] - history.phase_rad[r], 2.0 * pi), 0.0, 1e-9);
+    EXPECT_LE(std::abs(history.phase_rad[r]), core::pi);
+    EXPECT_NEAR(std::remainder(history.unwrapped_rad[r] - history.phase_rad[r], 2.0 * core::pi), 0.0, 1e-9);
     if (r == 0) continue;
-    EXPECT_LT(std::abs(history.unwrapped_rad[r] - history.unwrapped_rad[r - 1]), pi);
+    EXPECT_LT(std::abs(history.unwrapped_rad[r] - history.unwrapped_rad[r - 1]), core::pi);
   }
   // The chirp moves with the target: a fixed cell sees its phase change by 2 pi K tau' (t - tau) too, below 30 %.
   EXPECT_NEAR(history.path_m[63] - history.path_m[0], 63.0 * 0.04, 0.3 * 63.0 * 0.04);
@@ -175,4 +177,4 @@ TEST(CurvesTable, LeavesPlacesThatAreNotKnownEmpty) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

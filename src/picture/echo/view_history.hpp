@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Views that were shown before, to go back to.
 /// @tparam View  a value that can be copied and compared
@@ -46,4 +46,4 @@ class ViewHistory {
   std::vector<View> future_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -4,7 +4,7 @@
 
 #include "picture/echo/echo_window.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 TEST(ViewHistory, GoesBackAndForwardAndForgetsWhatLayAhead) {
@@ -41,4 +41,4 @@ TEST(ViewHistory, KeepsAViewThatIsLeftTwiceOnce) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

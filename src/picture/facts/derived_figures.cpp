@@ -1,3 +1,5 @@
+#include "picture/facts/derived_figures.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -10,21 +12,21 @@
 #include "scene/model/limits.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace derived {
 
 namespace {
 
-double rounded(double value) { return parse_number(fmt::format("{:.4g}", value)).value_or(value); }
+double rounded(double value) { return core::parse_number(fmt::format("{:.4g}", value)).value_or(value); }
 
 bool is_one_of(const std::set<std::string>& fields, std::initializer_list<std::string_view> names) {
   return std::ranges::any_of(names, [&](std::string_view name) { return fields.contains(std::string(name)); });
 }
 
 void take_waveform(SoundRadar& sound, const std::set<std::string>& faulty) {
-  const Radar initial;
-  Radar& r = sound.radar;
+  const scene::Radar initial;
+  scene::Radar& r = sound.radar;
   if (is_one_of(faulty,
                 {"bandwidth_hz", "barker_code", "pulse_iq", "pulse_width_s", "rise_s", "fall_s", "envelope_gain"})) {
     sound.pulse = false;
@@ -55,10 +57,10 @@ void take_waveform(SoundRadar& sound, const std::set<std::string>& faulty) {
 }
 
 void take_power(SoundRadar& sound, const std::set<std::string>& faulty) {
-  Radar& r = sound.radar;
+  scene::Radar& r = sound.radar;
   if (is_one_of(faulty, {"power_w", "transmit_gain", "receive_gain", "losses"})) {
     sound.power = false;
-    r.power_w = Radar{}.power_w;
+    r.power_w = scene::Radar{}.power_w;
     r.transmit_gain = r.receive_gain = r.losses = {};
   }
   if (faulty.contains("noise_temperature_k")) {
@@ -68,7 +70,7 @@ void take_power(SoundRadar& sound, const std::set<std::string>& faulty) {
 }
 
 void take_antenna(SoundRadar& sound, const std::set<std::string>& faulty) {
-  Radar& r = sound.radar;
+  scene::Radar& r = sound.radar;
   const bool antenna = std::ranges::any_of(faulty, [](const std::string& field) {
     return field.starts_with("transmit_antenna") || field.starts_with("receive_antenna");
   });
@@ -77,7 +79,7 @@ void take_antenna(SoundRadar& sound, const std::set<std::string>& faulty) {
     sound.antenna = false;
     r.transmit_antenna = r.receive_antenna = {};
     r.same_antenna = true;
-    r.beam = Radar::Beam::fixed;
+    r.beam = scene::Radar::Beam::fixed;
     r.beam_elevation = r.beam_azimuth = r.beam_rate = {};
     r.spot_world_m = {};
     r.beam_target_world_m = {};
@@ -86,14 +88,16 @@ void take_antenna(SoundRadar& sound, const std::set<std::string>& faulty) {
 
 }  // namespace
 
-std::string rounded_text(double value, Quantity quantity) { return quantity_text(rounded(value), quantity); }
+std::string rounded_text(double value, scene::Quantity quantity) {
+  return scene::quantity_text(rounded(value), quantity);
+}
 
 void Figures::text(std::string label, std::string text, std::string formula, std::initializer_list<double> numbers) {
   if (std::ranges::any_of(numbers, [](double number) { return !std::isfinite(number); })) return;
   figures_.push_back({std::move(label), std::move(text), std::move(formula)});
 }
 
-void Figures::number(std::string label, double value, Quantity quantity, std::string formula) {
+void Figures::number(std::string label, double value, scene::Quantity quantity, std::string formula) {
   if (std::isfinite(value)) text(std::move(label), rounded_text(value, quantity), std::move(formula));
 }
 
@@ -102,25 +106,25 @@ void Figures::plain(std::string label, double value, std::string_view unit, std:
   text(std::move(label), fmt::format("{:.4g}{}{}", value + 0.0, unit.empty() ? "" : " ", unit), std::move(formula));
 }
 
-std::set<std::string> faulty_fields(const Scene& scene, std::string_view kind, std::size_t index) {
+std::set<std::string> faulty_fields(const scene::Scene& scene, std::string_view kind, std::size_t index) {
   std::set<std::string> fields;
-  for (const Problem& problem : check(scene))
-    if (problem.severity == Severity::error && problem.subject.kind == kind && problem.subject.index == index)
+  for (const core::Problem& problem : scene::check(scene))
+    if (problem.severity == core::Severity::error && problem.subject.kind == kind && problem.subject.index == index)
       fields.insert(problem.subject.field);
   return fields;
 }
 
-SoundRadar sound_radar(const Scene& scene, std::size_t index) {
+SoundRadar sound_radar(const scene::Scene& scene, std::size_t index) {
   SoundRadar sound{scene.radars.at(index)};
-  Radar& r = sound.radar;
+  scene::Radar& r = sound.radar;
   r.platform = "Earth";
   // Neither shapes what is computed here: the filter's window and the gain over range.
-  r.window = Radar::Window::rectangular;
+  r.window = scene::Radar::Window::rectangular;
   r.hanning_pedestal = 1.0;
   r.window_gain = {};
-  r.stc = Radar::Stc::none;
+  r.stc = scene::Radar::Stc::none;
   r.stc_gain = {};
-  Scene alone;
+  scene::Scene alone;
   alone.radars.push_back(r);
   const std::set<std::string> faulty = faulty_fields(alone, "radar");
   take_waveform(sound, faulty);
@@ -129,66 +133,70 @@ SoundRadar sound_radar(const Scene& scene, std::size_t index) {
   return sound;
 }
 
-std::optional<Platform> nominal_platform(Platform platform) {
+std::optional<scene::Platform> nominal_platform(scene::Platform platform) {
   if (platform.name.empty()) platform.name = "Platform";
-  platform.position_error = platform.rotation_error = Platform::MotionError::gaussian;
+  platform.position_error = platform.rotation_error = scene::Platform::MotionError::gaussian;
   platform.position_stddev_m = {};
   platform.rotation_stddev = {};
   platform.position_envelope = {};
   platform.rotation_envelope = {};
-  Scene alone;
+  scene::Scene alone;
   alone.platforms.push_back(std::move(platform));
   if (!faulty_fields(alone, "platform").empty()) return std::nullopt;
   return std::move(alone.platforms.front());
 }
 
-void platform_figures(Figures& figures, const Scene& scene, std::size_t index, double time_s) {
+void platform_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s) {
   auto nominal = nominal_platform(scene.platforms.at(index));
   if (!nominal) return;
-  Scene alone;
+  scene::Scene alone;
   alone.options.profile = scene.options.profile;
   alone.platforms.push_back(std::move(*nominal));
-  const Pose pose = resolve(alone).platforms.front().track.at(time_s, 0);
-  const Vec3& at = pose.position_world_m;
-  const Vec3& velocity = pose.velocity_world_mps;
+  const radar::Pose pose = simulate::resolve(alone).platforms.front().track.at(time_s, 0);
+  const core::Vec3& at = pose.position_world_m;
+  const core::Vec3& velocity = pose.velocity_world_mps;
   figures.text("Position",
-               fmt::format("{}, {}, {}", rounded_text(at.x, Quantity::length), rounded_text(at.y, Quantity::length),
-                           rounded_text(at.z, Quantity::length)),
+               fmt::format("{}, {}, {}", rounded_text(at.x, scene::Quantity::length),
+                           rounded_text(at.y, scene::Quantity::length), rounded_text(at.z, scene::Quantity::length)),
                fmt::format("x, y, z in the world at {:g} s", time_s), {at.x, at.y, at.z});
-  figures.plain("Speed", norm(velocity), "m/s", "|dr/dt|");
-  if (norm(velocity) == 0.0) return;
-  figures.plain("Course", azimuth_rad(velocity) * deg_per_rad, "deg", "azimuth of the velocity, from +y towards +x");
-  figures.plain("Climb", elevation_rad(velocity) * deg_per_rad, "deg", "elevation of the velocity");
+  figures.plain("Speed", core::norm(velocity), "m/s", "|dr/dt|");
+  if (core::norm(velocity) == 0.0) return;
+  figures.plain("Course", core::azimuth_rad(velocity) * core::deg_per_rad, "deg",
+                "azimuth of the velocity, from +y towards +x");
+  figures.plain("Climb", core::elevation_rad(velocity) * core::deg_per_rad, "deg", "elevation of the velocity");
 }
 
-void surface_figures(Figures& figures, const Scene& scene, std::size_t index) {
+void surface_figures(Figures& figures, const scene::Scene& scene, std::size_t index) {
   const auto& corners = scene.surfaces.at(index).corner_m;
-  const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const double area_m2 = 0.5 * norm(normal);
+  const core::Vec3 normal = core::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double area_m2 = 0.5 * core::norm(normal);
   if (!std::isfinite(area_m2)) return;
-  figures.number("Area", area_m2, Quantity::area, "|(p2 - p1) x (p3 - p1)|/2");
-  figures.text("Scatterers", format_number(std::round(expected_points(corners, surface_points_per_m2))),
+  figures.number("Area", area_m2, scene::Quantity::area, "|(p2 - p1) x (p3 - p1)|/2");
+  figures.text("Scatterers",
+               core::format_number(std::round(radar::expected_points(corners, simulate::surface_points_per_m2))),
                "one per square metre");
   if (area_m2 == 0.0) return;
-  figures.plain("Normal azimuth", azimuth_rad(normal) * deg_per_rad, "deg", "of (p2 - p1) x (p3 - p1), the front");
-  figures.plain("Normal elevation", elevation_rad(normal) * deg_per_rad, "deg", "of (p2 - p1) x (p3 - p1), the front");
+  figures.plain("Normal azimuth", core::azimuth_rad(normal) * core::deg_per_rad, "deg",
+                "of (p2 - p1) x (p3 - p1), the front");
+  figures.plain("Normal elevation", core::elevation_rad(normal) * core::deg_per_rad, "deg",
+                "of (p2 - p1) x (p3 - p1), the front");
 }
 
 }  // namespace derived
 
-std::vector<DerivedFigure> derived_figures(const Scene& scene, ObjectId id, double time_s) {
+std::vector<DerivedFigure> derived_figures(const scene::Scene& scene, scene::ObjectId id, double time_s) {
   derived::Figures figures;
-  if (!has_object(scene, id) || !computable(time_s)) return {};
+  if (!scene::has_object(scene, id) || !scene::computable(time_s)) return {};
   // What `check` lets pass can be computed; should something else stand in the way, the figures so far are what can be
   // said, and a panel must never fail over them.
   try {
     switch (id.kind) {
-      case ObjectKind::platform: derived::platform_figures(figures, scene, id.index, time_s); break;
-      case ObjectKind::target: derived::target_figures(figures, scene, id.index, time_s); break;
-      case ObjectKind::surface: derived::surface_figures(figures, scene, id.index); break;
-      case ObjectKind::radar: derived::radar_figures_of(figures, scene, id.index); break;
-      case ObjectKind::simulation: derived::simulation_figures_of(figures, scene, id.index); break;
-      case ObjectKind::geometry: derived::geometry_figures(figures, scene, id.index); break;
+      case scene::ObjectKind::platform: derived::platform_figures(figures, scene, id.index, time_s); break;
+      case scene::ObjectKind::target: derived::target_figures(figures, scene, id.index, time_s); break;
+      case scene::ObjectKind::surface: derived::surface_figures(figures, scene, id.index); break;
+      case scene::ObjectKind::radar: derived::radar_figures_of(figures, scene, id.index); break;
+      case scene::ObjectKind::simulation: derived::simulation_figures_of(figures, scene, id.index); break;
+      case scene::ObjectKind::geometry: derived::geometry_figures(figures, scene, id.index); break;
     }
   } catch (const std::exception&) {
     return figures.take();
@@ -196,4 +204,4 @@ std::vector<DerivedFigure> derived_figures(const Scene& scene, ObjectId id, doub
   return figures.take();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,73 +8,75 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/derived.hpp"
 
-namespace sarsim::derived {
+namespace sarsim::picture::derived {
 
 namespace {
 
 constexpr std::size_t most_radars = 8;  // whose view of a target is told
 
-void waveform_figures(Figures& figures, const SoundRadar& sound, const RadarFigures& f) {
-  const bool shaped = sound.radar.pulse == Radar::Pulse::user;
+void waveform_figures(Figures& figures, const SoundRadar& sound, const simulate::RadarFigures& f) {
+  const bool shaped = sound.radar.pulse == scene::Radar::Pulse::user;
   if (sound.carrier && f.lowest_carrier_hz == f.highest_carrier_hz)
-    figures.number("Wavelength", f.longest_wavelength_m, Quantity::length, "lambda = c/f");
+    figures.number("Wavelength", f.longest_wavelength_m, scene::Quantity::length, "lambda = c/f");
   else if (sound.carrier)
     figures.text("Wavelength",
-                 fmt::format("{} to {}", rounded_text(f.shortest_wavelength_m, Quantity::length),
-                             rounded_text(f.longest_wavelength_m, Quantity::length)),
+                 fmt::format("{} to {}", rounded_text(f.shortest_wavelength_m, scene::Quantity::length),
+                             rounded_text(f.longest_wavelength_m, scene::Quantity::length)),
                  "lambda = c/f", {f.shortest_wavelength_m, f.longest_wavelength_m});
   if (sound.pulse) {
-    figures.number("Bandwidth", f.bandwidth_hz, Quantity::frequency,
+    figures.number("Bandwidth", f.bandwidth_hz, scene::Quantity::frequency,
                    "|B| of a chirp, chips/Tp of a code, else 1/Tp; of a given pulse what holds 99 % of its energy");
-    figures.number("Range resolution", f.range_resolution_m, Quantity::length,
+    figures.number("Range resolution", f.range_resolution_m, scene::Quantity::length,
                    shaped ? "c/2 times the half-power width of the pulse's autocorrelation" : "c/(2 B)");
   }
   if (sound.carrier && f.synthetic_range_resolution_m > 0.0)
-    figures.number("Synthetic range resolution", f.synthetic_range_resolution_m, Quantity::length,
+    figures.number("Synthetic range resolution", f.synthetic_range_resolution_m, scene::Quantity::length,
                    "c/(2 N step) of N frequency steps");
   if (!sound.pulse) return;
-  figures.number("Pulse length", f.pulse_length_m, Quantity::length, "c Tp in space; half of it on the range axis");
+  figures.number("Pulse length", f.pulse_length_m, scene::Quantity::length,
+                 "c Tp in space; half of it on the range axis");
   figures.plain("Time-bandwidth product", f.time_bandwidth, "", "B Tp");
 }
 
-void repetition_figures(Figures& figures, const SoundRadar& sound, const RadarFigures& f) {
+void repetition_figures(Figures& figures, const SoundRadar& sound, const simulate::RadarFigures& f) {
   if (!sound.repetition) return;
-  figures.number("Pulse interval", f.shortest_pri_s, Quantity::time, "1/PRF, the shortest of a list");
-  figures.number("Unambiguous range", f.unambiguous_range_m, Quantity::length, "c PRI/2 of the shortest interval");
+  figures.number("Pulse interval", f.shortest_pri_s, scene::Quantity::time, "1/PRF, the shortest of a list");
+  figures.number("Unambiguous range", f.unambiguous_range_m, scene::Quantity::length,
+                 "c PRI/2 of the shortest interval");
   if (sound.carrier)
     figures.text("Unambiguous velocity", fmt::format("+/- {:.4g} m/s", f.unambiguous_speed_mps), "lambda PRF/4",
                  {f.unambiguous_speed_mps});
   if (!sound.pulse) return;
   figures.plain("Duty cycle", 100.0 * f.duty_cycle, "%", "Tp PRF");
   if (sound.power)
-    figures.number("Mean power", f.mean_power_w, Quantity::power, "P Tp PRF times the mean of |pulse|^2");
+    figures.number("Mean power", f.mean_power_w, scene::Quantity::power, "P Tp PRF times the mean of |pulse|^2");
 }
 
-std::string watts(double value, std::string_view unit) { return with_prefix(value, unit, 4); }
+std::string watts(double value, std::string_view unit) { return core::with_prefix(value, unit, 4); }
 
 // One radar and one target with what carries them, sound as far as the flags say.
 struct Sighting {
-  Scene scene;
+  scene::Scene scene;
   SoundRadar radar;
   bool reflectivity = true;
 };
 
 // Puts the platform that `name` means into the small scene and makes the name exact; false where it cannot be used.
-bool carry(const Scene& scene, Scene& into, std::string& name) {
-  const std::size_t index = find_platform(scene, name);
-  if (index == not_found) return equal_ignoring_case(name, "Earth");
+bool carry(const scene::Scene& scene, scene::Scene& into, std::string& name) {
+  const std::size_t index = scene::find_platform(scene, name);
+  if (index == scene::not_found) return core::equal_ignoring_case(name, "Earth");
   auto nominal = nominal_platform(scene.platforms[index]);
   if (!nominal) return false;
   name = nominal->name;
-  const bool known = std::ranges::any_of(into.platforms, [&](const Platform& p) { return p.name == name; });
+  const bool known = std::ranges::any_of(into.platforms, [&](const scene::Platform& p) { return p.name == name; });
   if (!known) into.platforms.push_back(std::move(*nominal));
   return true;
 }
 
-std::optional<Sighting> sighting_of(const Scene& scene, const Target& target, std::size_t radar) {
+std::optional<Sighting> sighting_of(const scene::Scene& scene, const scene::Target& target, std::size_t radar) {
   Sighting s{.scene = {}, .radar = sound_radar(scene, radar)};
   s.scene.options.profile = scene.options.profile;
-  Target seen = target;
+  scene::Target seen = target;
   seen.position_stddev_m = {};
   seen.rcs_stddev_m2 = 0.0;
   seen.azimuth_stddev = seen.elevation_stddev = {};
@@ -85,7 +87,7 @@ std::optional<Sighting> sighting_of(const Scene& scene, const Target& target, st
   if (faulty.contains("position_m")) return std::nullopt;
   if (!faulty.empty()) {
     s.reflectivity = false;
-    Target bare;
+    scene::Target bare;
     bare.platform = seen.platform;
     bare.position_m = seen.position_m;
     s.scene.targets.front() = bare;
@@ -94,32 +96,33 @@ std::optional<Sighting> sighting_of(const Scene& scene, const Target& target, st
 }
 
 // Moves a pulse of the radar to exactly this time, with the carrier that the nearest one has.
-void send_at(Radar& radar, double time_s) {
-  const auto repetition = repetition_of(radar);
-  if (radar.carrier == Radar::Carrier::single || !repetition) return;
+void send_at(scene::Radar& radar, double time_s) {
+  const auto repetition = scene::repetition_of(radar);
+  if (radar.carrier == scene::Radar::Carrier::single || !repetition) return;
   const double pulses = std::clamp(time_s / repetition->mean_interval_s(), -1e15, 1e15);
   const double guess_s = pulses * repetition->mean_interval_s();
-  const PulseRange near = repetition->pulses_in(guess_s - repetition->mean_interval_s(), guess_s);
+  const radar::PulseRange near = repetition->pulses_in(guess_s - repetition->mean_interval_s(), guess_s);
   const std::int64_t pulse = near.count() > 0 ? near.last : std::llround(pulses);
-  Scene alone;
+  scene::Scene alone;
   alone.radars.push_back(radar);
   alone.radars.front().platform = "Earth";
-  radar.carrier_hz = resolve_radar(alone, resolve(alone), 0).carrier.carrier_hz(pulse);
-  radar.carrier = Radar::Carrier::single;
+  radar.carrier_hz = simulate::resolve_radar(alone, simulate::resolve(alone), 0).carrier.carrier_hz(pulse);
+  radar.carrier = scene::Radar::Carrier::single;
 }
 
 void sighting_figures(Figures& figures, Sighting& s, double time_s, const std::string& suffix) {
   send_at(s.radar.radar, time_s);
   s.scene.radars.push_back(s.radar.radar);
-  const ResolvedScene resolved = resolve(s.scene);
-  ResolvedRadar radar = resolve_radar(s.scene, resolved, 0);
+  const simulate::ResolvedScene resolved = simulate::resolve(s.scene);
+  simulate::ResolvedRadar radar = simulate::resolve_radar(s.scene, resolved, 0);
   if (std::abs(time_s) < 1e-200) time_s = 0.0;  // so that its reciprocal is a number
-  if (time_s != 0.0) radar.repetition = Repetition::constant(1.0 / std::abs(time_s));
-  PulseGeometry geometry(resolved, radar);
+  if (time_s != 0.0) radar.repetition = radar::Repetition::constant(1.0 / std::abs(time_s));
+  simulate::PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(time_s < 0.0 ? -1 : time_s > 0.0 ? 1 : 0);
-  const ScattererView view = geometry.view(0);
-  figures.number("Range" + suffix, view.distance_m, Quantity::length, fmt::format("|r| at {:g} s, one way", time_s));
-  figures.number("Delay" + suffix, view.delay_s, Quantity::time, "2 R/(c - v)");
+  const simulate::ScattererView view = geometry.view(0);
+  figures.number("Range" + suffix, view.distance_m, scene::Quantity::length,
+                 fmt::format("|r| at {:g} s, one way", time_s));
+  figures.number("Delay" + suffix, view.delay_s, scene::Quantity::time, "2 R/(c - v)");
   figures.plain("Radial speed" + suffix, view.speed_mps, "m/s", "dR/dt, positive receding");
   const bool amplitude = s.reflectivity && s.radar.carrier && s.radar.power && s.radar.antenna;
   if (!amplitude || !std::isfinite(view.amplitude_sqrt_w)) return;
@@ -134,13 +137,14 @@ void sighting_figures(Figures& figures, Sighting& s, double time_s, const std::s
 
 }  // namespace
 
-void radar_figures_of(Figures& figures, const Scene& scene, std::size_t index) {
+void radar_figures_of(Figures& figures, const scene::Scene& scene, std::size_t index) {
   const SoundRadar sound = sound_radar(scene, index);
-  Scene alone;
+  scene::Scene alone;
   alone.options.profile = scene.options.profile;
   alone.radars.push_back(sound.radar);
-  const ResolvedScene resolved = resolve(alone);
-  const RadarFigures f = radar_figures(resolve_radar(alone, resolved, 0), sound.radar.power_w, resolved.conventions);
+  const simulate::ResolvedScene resolved = simulate::resolve(alone);
+  const simulate::RadarFigures f =
+      simulate::radar_figures(simulate::resolve_radar(alone, resolved, 0), sound.radar.power_w, resolved.conventions);
   waveform_figures(figures, sound, f);
   repetition_figures(figures, sound, f);
   if (sound.noise && sound.pulse)
@@ -148,7 +152,7 @@ void radar_figures_of(Figures& figures, const Scene& scene, std::size_t index) {
                  {f.noise_power_w});
 }
 
-void target_figures(Figures& figures, const Scene& scene, std::size_t index, double time_s) {
+void target_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s) {
   const std::size_t count = std::min(scene.radars.size(), most_radars);
   for (std::size_t radar = 0; radar < count; ++radar) {
     auto sighting = sighting_of(scene, scene.targets.at(index), radar);
@@ -157,4 +161,4 @@ void target_figures(Figures& figures, const Scene& scene, std::size_t index, dou
   }
 }
 
-}  // namespace sarsim::derived
+}  // namespace sarsim::picture::derived

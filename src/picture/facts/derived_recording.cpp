@@ -9,7 +9,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/resolve/conventions.hpp"
 
-namespace sarsim::derived {
+namespace sarsim::picture::derived {
 
 namespace {
 
@@ -17,10 +17,10 @@ constexpr double exact_integers = 0x1p53;
 
 // Pulses that leave within a window; nothing where they cannot be counted.
 template <class Product>
-std::optional<PulseRange> pulses_of(const Product& product, const SoundRadar& sound) {
-  const auto repetition = repetition_of(sound.radar);
+std::optional<radar::PulseRange> pulses_of(const Product& product, const SoundRadar& sound) {
+  const auto repetition = scene::repetition_of(sound.radar);
   if (!sound.repetition || !repetition) return std::nullopt;
-  if (!computable(product.time_start_s) || !computable(product.time_end_s)) return std::nullopt;
+  if (!scene::computable(product.time_start_s) || !scene::computable(product.time_end_s)) return std::nullopt;
   const double farthest_s = std::max(std::abs(product.time_start_s), std::abs(product.time_end_s));
   if (farthest_s / repetition->mean_interval_s() >= exact_integers) return std::nullopt;
   return repetition->pulses_in(product.time_start_s, product.time_end_s);
@@ -28,11 +28,11 @@ std::optional<PulseRange> pulses_of(const Product& product, const SoundRadar& so
 
 template <class Product>
 bool window_is_sound(const Product& product) {
-  return computable(product.range_start_m) && computable(product.range_end_m) &&
+  return scene::computable(product.range_start_m) && scene::computable(product.range_end_m) &&
          product.range_end_m > product.range_start_m;
 }
 
-void pulse_figures(Figures& figures, const std::optional<PulseRange>& pulses) {
+void pulse_figures(Figures& figures, const std::optional<radar::PulseRange>& pulses) {
   if (!pulses) return;
   figures.text(
       "Pulses",
@@ -46,16 +46,16 @@ struct SampleBytes {
   bool at_most;
 };
 
-SampleBytes sample_bytes(const Simulation& simulation) {
+SampleBytes sample_bytes(const scene::Simulation& simulation) {
   const int bits = std::clamp(simulation.bits, 1, 64);
   const double digits = std::floor((bits - 1) * std::log10(2.0)) + 1.0;
   switch (simulation.format) {
-    case FileFormat::binary: return {2.0 * ((bits + 7) / 8), false};
-    case FileFormat::npy:
-    case FileFormat::hdf5: return {8.0, false};
-    case FileFormat::ascii: return {2.0 * (digits + 2.0), true};
-    case FileFormat::csv: return {2.0 * (std::floor(bits * std::log10(2.0)) + 2.0), true};
-    case FileFormat::bracket: return {2.0 * (digits + 1.0) + 4.0, true};
+    case scene::FileFormat::binary: return {2.0 * ((bits + 7) / 8), false};
+    case scene::FileFormat::npy:
+    case scene::FileFormat::hdf5: return {8.0, false};
+    case scene::FileFormat::ascii: return {2.0 * (digits + 2.0), true};
+    case scene::FileFormat::csv: return {2.0 * (std::floor(bits * std::log10(2.0)) + 2.0), true};
+    case scene::FileFormat::bracket: return {2.0 * (digits + 1.0) + 4.0, true};
   }
   return {0.0, true};
 }
@@ -66,62 +66,66 @@ struct Shape {
 };
 
 // Of a synthetic range profile a row holds a burst, each sample of which becomes a profile of as many bins as steps.
-Shape shape_of(const Simulation& simulation, const Radar& radar, const PulseRange& pulses, double samples) {
-  if (simulation.processing != Processing::srp) return {static_cast<double>(pulses.count()), samples};
+Shape shape_of(const scene::Simulation& simulation, const scene::Radar& radar, const radar::PulseRange& pulses,
+               double samples) {
+  if (simulation.processing != scene::Processing::srp) return {static_cast<double>(pulses.count()), samples};
   const std::int64_t burst = std::max<std::int64_t>(1, std::int64_t{radar.carrier_steps} * radar.pulses_per_step);
-  const std::int64_t first = -floor_divide(-pulses.first, burst);
-  const std::int64_t beyond = floor_divide(pulses.last + 1, burst);
+  const std::int64_t first = -radar::floor_divide(-pulses.first, burst);
+  const std::int64_t beyond = radar::floor_divide(pulses.last + 1, burst);
   return {static_cast<double>(std::max<std::int64_t>(0, beyond - first)), samples * radar.carrier_steps};
 }
 
-void size_figures(Figures& figures, const Simulation& simulation, const Shape& shape) {
-  figures.text("Size", fmt::format("{} rows of {} samples", format_number(shape.rows), format_number(shape.columns)),
-               "a row for each pulse, or for each burst of a synthetic range profile", {shape.rows, shape.columns});
+void size_figures(Figures& figures, const scene::Simulation& simulation, const Shape& shape) {
+  figures.text(
+      "Size", fmt::format("{} rows of {} samples", core::format_number(shape.rows), core::format_number(shape.columns)),
+      "a row for each pulse, or for each burst of a synthetic range profile", {shape.rows, shape.columns});
   const SampleBytes size = sample_bytes(simulation);
-  figures.text("File",
-               fmt::format("{}{}", size.at_most ? "up to " : "", bytes_text(shape.rows * shape.columns * size.bytes)),
-               fmt::format("rows x samples x {:g} bytes", size.bytes));
+  figures.text(
+      "File",
+      fmt::format("{}{}", size.at_most ? "up to " : "", core::bytes_text(shape.rows * shape.columns * size.bytes)),
+      fmt::format("rows x samples x {:g} bytes", size.bytes));
 }
 
-void unambiguous_figure(Figures& figures, const Simulation& simulation, const Radar& radar, double light_speed_mps) {
-  const auto repetition = repetition_of(radar);
+void unambiguous_figure(Figures& figures, const scene::Simulation& simulation, const scene::Radar& radar,
+                        double light_speed_mps) {
+  const auto repetition = scene::repetition_of(radar);
   if (!repetition) return;
   const double range_m = 0.5 * light_speed_mps * repetition->shortest_interval_s();
   const bool within = simulation.range_end_m <= range_m;
   figures.text("Unambiguous range",
-               fmt::format("{}, {}", rounded_text(range_m, Quantity::length),
+               fmt::format("{}, {}", rounded_text(range_m, scene::Quantity::length),
                            within ? "the window lies within" : "the window reaches beyond"),
                "c PRI/2 of the shortest interval", {range_m});
 }
 
-void converter_figures(Figures& figures, const Simulation& simulation) {
-  if (simulation.bits < 1 || simulation.bits > 64 || !computable(simulation.lsb_v)) return;
+void converter_figures(Figures& figures, const scene::Simulation& simulation) {
+  if (simulation.bits < 1 || simulation.bits > 64 || !scene::computable(simulation.lsb_v)) return;
   const double counts = std::max(1.0, std::ldexp(1.0, simulation.bits - 1) - 1.0);
   figures.plain("Dynamic range", 20.0 * std::log10(counts), "dB", "20 log10(2^(bits-1) - 1)");
   if (simulation.lsb_v > 0.0)
-    figures.number("Full scale", simulation.lsb_v * counts, Quantity::voltage, "LSB (2^(bits-1) - 1)");
+    figures.number("Full scale", simulation.lsb_v * counts, scene::Quantity::voltage, "LSB (2^(bits-1) - 1)");
   else
     figures.text("LSB", "estimated when it runs", "largest magnitude/(2^(bits-1) - 1)");
 }
 
 }  // namespace
 
-void simulation_figures_of(Figures& figures, const Scene& scene, std::size_t index) {
-  const Simulation& simulation = scene.simulations.at(index);
-  const double c = conventions_of(scene.options.profile).light_speed_mps;
-  const std::size_t radar_index = find_radar(scene, simulation.radar);
-  const bool rate = computable(simulation.sample_rate_hz) && simulation.sample_rate_hz > 0.0;
-  const double samples = rate && window_is_sound(simulation) ? sample_count(simulation, c) : 0.0;
-  if (rate) figures.number("Sample spacing", 0.5 * c / simulation.sample_rate_hz, Quantity::length, "c/(2 fs)");
-  if (samples >= 1.0) figures.text("Range samples", format_number(samples), "round(2 fs (end - start)/c)");
-  if (radar_index != not_found) {
+void simulation_figures_of(Figures& figures, const scene::Scene& scene, std::size_t index) {
+  const scene::Simulation& simulation = scene.simulations.at(index);
+  const double c = simulate::conventions_of(scene.options.profile).light_speed_mps;
+  const std::size_t radar_index = scene::find_radar(scene, simulation.radar);
+  const bool rate = scene::computable(simulation.sample_rate_hz) && simulation.sample_rate_hz > 0.0;
+  const double samples = rate && window_is_sound(simulation) ? simulate::sample_count(simulation, c) : 0.0;
+  if (rate) figures.number("Sample spacing", 0.5 * c / simulation.sample_rate_hz, scene::Quantity::length, "c/(2 fs)");
+  if (samples >= 1.0) figures.text("Range samples", core::format_number(samples), "round(2 fs (end - start)/c)");
+  if (radar_index != scene::not_found) {
     const SoundRadar sound = sound_radar(scene, radar_index);
     const auto pulses = pulses_of(simulation, sound);
     pulse_figures(figures, pulses);
-    const bool sizes = simulation.processing != Processing::srp || sound.carrier;
+    const bool sizes = simulation.processing != scene::Processing::srp || sound.carrier;
     if (pulses && samples >= 1.0 && sizes)
       size_figures(figures, simulation, shape_of(simulation, sound.radar, *pulses, samples));
-    const auto bandwidth_hz = nominal_bandwidth_hz(sound.radar);
+    const auto bandwidth_hz = scene::nominal_bandwidth_hz(sound.radar);
     if (rate && sound.pulse && bandwidth_hz)
       figures.plain("Sampling ratio", simulation.sample_rate_hz / *bandwidth_hz, "x Nyquist",
                     "fs/B; below 1 the echoes alias");
@@ -130,11 +134,11 @@ void simulation_figures_of(Figures& figures, const Scene& scene, std::size_t ind
   converter_figures(figures, simulation);
 }
 
-void geometry_figures(Figures& figures, const Scene& scene, std::size_t index) {
-  const GeometryTable& table = scene.geometries.at(index);
-  const std::size_t radar = find_radar(scene, table.radar);
-  if (radar == not_found) return;
+void geometry_figures(Figures& figures, const scene::Scene& scene, std::size_t index) {
+  const scene::GeometryTable& table = scene.geometries.at(index);
+  const std::size_t radar = scene::find_radar(scene, table.radar);
+  if (radar == scene::not_found) return;
   pulse_figures(figures, pulses_of(table, sound_radar(scene, radar)));
 }
 
-}  // namespace sarsim::derived
+}  // namespace sarsim::picture::derived

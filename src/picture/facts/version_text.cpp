@@ -9,13 +9,13 @@
 #include "simulate/resolve/compiled_simd.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
-std::string version_text(std::string_view program, const Build& build, const std::vector<UsedLibrary>& more) {
+std::string version_text(std::string_view program, const core::Build& build, const std::vector<UsedLibrary>& more) {
   std::vector<UsedLibrary> libraries{
-      {"FFTW", fft_library_version()},
-      {"HDF5", hdf5_library_version()},
-      {"Highway", simd_library_version()},
+      {"FFTW", core::fft_library_version()},
+      {"HDF5", raster::hdf5_library_version()},
+      {"Highway", simulate::simd_library_version()},
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
   libraries.insert(libraries.end(), more.begin(), more.end());
   std::vector<std::string> names;
@@ -28,8 +28,8 @@ std::string version_text(std::string_view program, const Build& build, const std
       "SIMD: {} in use; compiled in: {}\n"
       "Libraries: {}\n"
       "Licence GPL-3.0-or-later: free software that comes without any warranty.",
-      program, program_version, build.source.empty() ? "the release" : build.source, build.type, build.compiler,
-      build.system, simd_level(), fmt::join(compiled_simd_levels(), ", "), fmt::join(names, ", "));
+      program, core::program_version, build.source.empty() ? "the release" : build.source, build.type, build.compiler,
+      build.system, simulate::simd_level(), fmt::join(simulate::compiled_simd_levels(), ", "), fmt::join(names, ", "));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 
 #include "core/build/build.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A library that a program uses.
 struct UsedLibrary {
@@ -18,7 +18,7 @@ struct UsedLibrary {
 /// stand, how they were built, the instruction sets, the libraries with the versions that this process runs with, and
 /// the licence. Loads the module for HDF5, which takes some milliseconds. No newline at the end.
 /// @param more  libraries that only this program uses
-[[nodiscard]] std::string version_text(std::string_view program, const Build& build,
+[[nodiscard]] std::string version_text(std::string_view program, const core::Build& build,
                                        const std::vector<UsedLibrary>& more);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -5,18 +5,18 @@
 #include "core/build/version.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr Build development{"commit 0123456789ab, 5 after v1.2.3", "Debug", "GNU 12.2.0", "Linux x86_64"};
+constexpr core::Build development{"commit 0123456789ab, 5 after v1.2.3", "Debug", "GNU 12.2.0", "Linux x86_64"};
 
 TEST(VersionText, FirstLineHoldsProgramAndNumberAlone) {
   EXPECT_THAT(version_text("sarsim-x", development, {}),
-              StartsWith(std::string("sarsim-x ") + program_version + "\nSource: "));
+              StartsWith(std::string("sarsim-x ") + core::program_version + "\nSource: "));
 }
 
 TEST(VersionText, SaysWhatTheProgramWasBuiltFromAndHow) {
@@ -26,13 +26,13 @@ TEST(VersionText, SaysWhatTheProgramWasBuiltFromAndHow) {
 }
 
 TEST(VersionText, SourcesOfAReleaseAreCalledSo) {
-  EXPECT_THAT(version_text("sarsim", Build{"", "Release", "GNU 12.2.0", "Linux x86_64"}, {}),
+  EXPECT_THAT(version_text("sarsim", core::Build{"", "Release", "GNU 12.2.0", "Linux x86_64"}, {}),
               HasSubstr("\nSource: the release\n"));
 }
 
 TEST(VersionText, SaysWhichInstructionSetIsUsed) {
   const std::string text = version_text("sarsim", development, {});
-  EXPECT_THAT(text, HasSubstr("\nSIMD: " + simd_level() + " in use; compiled in: "));
+  EXPECT_THAT(text, HasSubstr("\nSIMD: " + simulate::simd_level() + " in use; compiled in: "));
 }
 
 TEST(VersionText, NamesLibrariesWithTheirVersions) {
@@ -43,4 +43,4 @@ TEST(VersionText, NamesLibrariesWithTheirVersions) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

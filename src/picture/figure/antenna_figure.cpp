@@ -12,7 +12,7 @@
 #include "core/maths/constants.hpp"
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -24,12 +24,12 @@ struct Cut {
   std::function<double(double)> amplitude;  // of an offset in degrees
 };
 
-std::vector<Cut> cuts_of(const AntennaPattern& pattern, PatternRule rule, const std::string& antenna) {
+std::vector<Cut> cuts_of(const radar::AntennaPattern& pattern, radar::PatternRule rule, const std::string& antenna) {
   const auto azimuth = [&pattern, rule](double deg) {
-    return one_way_amplitude(pattern, deg * rad_per_deg, 0.0, rule);
+    return radar::one_way_amplitude(pattern, deg * core::rad_per_deg, 0.0, rule);
   };
   const auto elevation = [&pattern, rule](double deg) {
-    return one_way_amplitude(pattern, 0.0, deg * rad_per_deg, rule);
+    return radar::one_way_amplitude(pattern, 0.0, deg * core::rad_per_deg, rule);
   };
   return {{antenna + "azimuth", azimuth}, {antenna + "elevation", elevation}};
 }
@@ -71,14 +71,15 @@ FigureAxis axis_for(DisplayQuantity quantity) {
   }
 }
 
-std::string words_of(const AntennaPattern& pattern) {
+std::string words_of(const radar::AntennaPattern& pattern) {
   switch (pattern.kind) {
-    case AntennaPattern::Kind::isotropic: return "isotropic";
-    case AntennaPattern::Kind::user: return "user-defined";
-    case AntennaPattern::Kind::sinx: break;
+    case radar::AntennaPattern::Kind::isotropic: return "isotropic";
+    case radar::AntennaPattern::Kind::user: return "user-defined";
+    case radar::AntennaPattern::Kind::sinx: break;
   }
   return fmt::format("sin(x)/x, {:.6g} deg in azimuth, {:.6g} deg in elevation",
-                     pattern.azimuth_beamwidth_rad / rad_per_deg, pattern.elevation_beamwidth_rad / rad_per_deg);
+                     pattern.azimuth_beamwidth_rad / core::rad_per_deg,
+                     pattern.elevation_beamwidth_rad / core::rad_per_deg);
 }
 
 // Curves of all cuts; those that coincide share one.
@@ -121,7 +122,7 @@ void mark_half_powers(FigurePanel& panel, const std::vector<Cut>& cuts, const An
 
 }  // namespace
 
-Figure antenna_figure(const ResolvedRadar& radar, PatternRule rule, const AntennaLook& look) {
+Figure antenna_figure(const simulate::ResolvedRadar& radar, radar::PatternRule rule, const AntennaLook& look) {
   std::vector<double> offset_deg;
   for (std::size_t i = 0; i < points; ++i)
     offset_deg.push_back(look.first_deg +
@@ -148,4 +149,4 @@ Figure antenna_figure(const ResolvedRadar& radar, PatternRule rule, const Antenn
   return figure;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

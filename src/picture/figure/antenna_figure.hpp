@@ -5,7 +5,7 @@
 #include "simulate/resolve/conventions.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// How antenna patterns are looked at.
 struct AntennaLook {
@@ -20,6 +20,7 @@ struct AntennaLook {
 /// half-power points are marked: the nearest offsets at which the power is half that in the middle, in the profile's
 /// reading of the pattern (decision 9).
 /// @throws std::invalid_argument for another quantity
-[[nodiscard]] Figure antenna_figure(const ResolvedRadar& radar, PatternRule rule, const AntennaLook& look);
+[[nodiscard]] Figure antenna_figure(const simulate::ResolvedRadar& radar, radar::PatternRule rule,
+                                    const AntennaLook& look);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

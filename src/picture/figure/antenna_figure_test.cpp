@@ -8,15 +8,15 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
-ResolvedRadar radar_with(double azimuth_deg, double elevation_deg) {
-  ResolvedRadar radar;
+simulate::ResolvedRadar radar_with(double azimuth_deg, double elevation_deg) {
+  simulate::ResolvedRadar radar;
   radar.name = "Radar1";
-  radar.transmit.kind = AntennaPattern::Kind::sinx;
-  radar.transmit.azimuth_beamwidth_rad = azimuth_deg * pi / 180.0;
-  radar.transmit.elevation_beamwidth_rad = elevation_deg * pi / 180.0;
+  radar.transmit.kind = radar::AntennaPattern::Kind::sinx;
+  radar.transmit.azimuth_beamwidth_rad = azimuth_deg * core::pi / 180.0;
+  radar.transmit.elevation_beamwidth_rad = elevation_deg * core::pi / 180.0;
   radar.receive = radar.transmit;
   return radar;
 }
@@ -29,18 +29,18 @@ double value_at(const FigureCurve& curve, double x) {
 
 // Where sin(x)/x is 1/sqrt(2) or 1/2: x = 1.391557 and 1.895494.
 double offset_deg(double x, double beamwidth_deg) {
-  return std::asin(x * beamwidth_deg * pi / 180.0 / (0.88 * pi)) * 180.0 / pi;
+  return std::asin(x * beamwidth_deg * core::pi / 180.0 / (0.88 * core::pi)) * 180.0 / core::pi;
 }
 
 TEST(AntennaFigure, OfEqualCutsIsOneCurve) {
-  const Figure figure = antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, {});
+  const Figure figure = antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, {});
   ASSERT_EQ(figure.panels.at(0).curves.size(), 1U);
   EXPECT_EQ(figure.panels[0].curves[0].name, "azimuth and elevation");
   EXPECT_DOUBLE_EQ(value_at(figure.panels[0].curves[0], 0.0), 1.0);
 }
 
 TEST(AntennaFigure, MarksWhereTheAmplitudeHasFallenToHalfThePower) {
-  const Figure figure = antenna_figure(radar_with(10.0, 30.0), PatternRule::amplitude, {});
+  const Figure figure = antenna_figure(radar_with(10.0, 30.0), radar::PatternRule::amplitude, {});
   ASSERT_EQ(figure.panels[0].curves.size(), 2U);
   ASSERT_EQ(figure.panels[0].marks.size(), 4U);
   EXPECT_NEAR(figure.panels[0].marks[1].x, offset_deg(1.391557, 10.0), 1e-5);
@@ -52,7 +52,7 @@ TEST(AntennaFigure, MarksWhereTheAmplitudeHasFallenToHalfThePower) {
 }
 
 TEST(AntennaFigure, TakesThePatternAsPowerWhereTheProfileDoes) {
-  const Figure figure = antenna_figure(radar_with(10.0, 10.0), PatternRule::power, {});
+  const Figure figure = antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::power, {});
   EXPECT_NEAR(figure.panels[0].marks.at(1).x, offset_deg(1.895494, 10.0), 1e-5);
 }
 
@@ -60,20 +60,20 @@ TEST(AntennaFigure, ShowsTheSignOfSidelobesWhereTheRealPartIsWanted) {
   AntennaLook look;
   look.quantity = DisplayQuantity::real;
   const double side_deg = offset_deg(4.4934, 10.0);
-  EXPECT_NEAR(
-      value_at(antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, look).panels[0].curves[0], side_deg),
-      -0.2172, 1e-3);
+  EXPECT_NEAR(value_at(antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, look).panels[0].curves[0],
+                       side_deg),
+              -0.2172, 1e-3);
   look.quantity = DisplayQuantity::magnitude;
-  EXPECT_NEAR(
-      value_at(antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, look).panels[0].curves[0], side_deg),
-      0.2172, 1e-3);
+  EXPECT_NEAR(value_at(antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, look).panels[0].curves[0],
+                       side_deg),
+              0.2172, 1e-3);
 }
 
 TEST(AntennaFigure, InDecibelsEndsAtTheSpan) {
   AntennaLook look;
   look.quantity = DisplayQuantity::decibels;
   look.span_db = 40.0;
-  const Figure figure = antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, look);
+  const Figure figure = antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, look);
   const std::vector<double>& level = figure.panels[0].curves[0].y;
   EXPECT_DOUBLE_EQ(*std::ranges::min_element(level), -40.0);
   EXPECT_DOUBLE_EQ(*std::ranges::max_element(level), 0.0);
@@ -81,9 +81,9 @@ TEST(AntennaFigure, InDecibelsEndsAtTheSpan) {
 }
 
 TEST(AntennaFigure, NamesBothAntennasWhereTheyDiffer) {
-  ResolvedRadar radar = radar_with(10.0, 10.0);
+  simulate::ResolvedRadar radar = radar_with(10.0, 10.0);
   radar.receive = radar_with(3.0, 5.0).transmit;
-  const Figure figure = antenna_figure(radar, PatternRule::amplitude, {});
+  const Figure figure = antenna_figure(radar, radar::PatternRule::amplitude, {});
   ASSERT_EQ(figure.panels[0].curves.size(), 3U);
   EXPECT_EQ(figure.panels[0].curves[0].name, "transmit, azimuth and transmit, elevation");
   EXPECT_EQ(figure.panels[0].curves[2].name, "receive, elevation");
@@ -91,8 +91,8 @@ TEST(AntennaFigure, NamesBothAntennasWhereTheyDiffer) {
 }
 
 TEST(AntennaFigure, OfAnIsotropicAntennaIsALineWithoutMarks) {
-  ResolvedRadar radar;
-  const Figure figure = antenna_figure(radar, PatternRule::amplitude, {});
+  simulate::ResolvedRadar radar;
+  const Figure figure = antenna_figure(radar, radar::PatternRule::amplitude, {});
   EXPECT_TRUE(figure.panels[0].marks.empty());
   for (const double gain : figure.panels[0].curves.at(0).y) EXPECT_EQ(gain, 1.0);
 }
@@ -101,14 +101,15 @@ TEST(AntennaFigure, LeavesOutMarksThatAreNotSeen) {
   AntennaLook look;
   look.first_deg = -2.0;
   look.last_deg = 20.0;
-  EXPECT_EQ(antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, look).panels[0].marks.size(), 1U);
+  EXPECT_EQ(antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, look).panels[0].marks.size(), 1U);
 }
 
 TEST(AntennaFigure, RefusesWhatAPatternDoesNotHave) {
   AntennaLook look;
   look.quantity = DisplayQuantity::phase;
-  EXPECT_THROW((void)antenna_figure(radar_with(10.0, 10.0), PatternRule::amplitude, look), std::invalid_argument);
+  EXPECT_THROW((void)antenna_figure(radar_with(10.0, 10.0), radar::PatternRule::amplitude, look),
+               std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -53,7 +53,7 @@ void visit(maybe_const<Figure> auto& figure, V& visitor) {
 }
 
 template <class T>
-constexpr bool plain = std::is_arithmetic_v<T> || std::is_same_v<T, Rgb>;
+constexpr bool plain = std::is_arithmetic_v<T> || std::is_same_v<T, raster::Rgb>;
 
 class Writer {
  public:
@@ -197,4 +197,4 @@ Figure figure_from(std::string_view bytes) {
   return figure;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 
 #include "picture/colour/theme.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A picture with axes, described by what it shows; how it is drawn is the business of whoever draws it. All figures of
 /// the program, on screen and in files, are made from this value.
@@ -51,7 +51,7 @@ struct FigureImage {
   double x_last = 1.0;
   double y_first = 0.0;
   double y_last = 1.0;
-  std::vector<Rgb> cells;  ///< height rows of width cells, the first row at y_first.
+  std::vector<raster::Rgb> cells;  ///< height rows of width cells, the first row at y_first.
 
   friend bool operator==(const FigureImage&, const FigureImage&) = default;
 };
@@ -62,7 +62,7 @@ struct FigureColourBar {
   std::string unit;
   double first = 0.0;
   double last = 1.0;
-  std::vector<Rgb> colours;  ///< Evenly spaced from first to last, at least two.
+  std::vector<raster::Rgb> colours;  ///< Evenly spaced from first to last, at least two.
 
   friend bool operator==(const FigureColourBar&, const FigureColourBar&) = default;
 };
@@ -106,4 +106,4 @@ struct Figure {
 /// there
 [[nodiscard]] Figure figure_from(std::string_view bytes);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

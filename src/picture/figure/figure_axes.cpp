@@ -11,7 +11,7 @@
 #include "picture/colour/display_quantity.hpp"
 #include "picture/figure/ticks.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 void fit(FigureAxis& axis, const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity();
@@ -113,4 +113,4 @@ void mark_peaks(FigurePanel& panel, std::size_t count) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

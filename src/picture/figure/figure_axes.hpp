@@ -6,7 +6,7 @@
 #include "picture/figure/figure.hpp"
 
 /// Axes and panels that figures of curves have in common.
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Decibels below the largest value of a curve that are still drawn; silence would hide everything else.
 inline constexpr double deepest_db = 120.0;
@@ -34,4 +34,4 @@ void break_where_it_turns_back(FigureCurve& curve);
 /// @param count  at most so many
 void mark_peaks(FigurePanel& panel, std::size_t count);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(PeakMarks, OnAFlatTopAreAtItsBeginning) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 Figure rich_figure() {
@@ -76,4 +76,4 @@ TEST(Figure, WithAColourBarOfOneColourIsRefused) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -15,18 +15,18 @@ constexpr std::size_t intervals = 1000;
 constexpr std::size_t most_crosses = 200;
 
 struct Method {
-  Interpolation interpolation;
+  core::Interpolation interpolation;
   const char* name;
   Role role;
 };
-constexpr std::array<Method, 3> methods{{{Interpolation::linear, "linear", Role::curve},
-                                         {Interpolation::cubic, "cubic splines", Role::curve_2},
-                                         {Interpolation::low_pass, "low-pass filter", Role::curve_3}}};
+constexpr std::array<Method, 3> methods{{{core::Interpolation::linear, "linear", Role::curve},
+                                         {core::Interpolation::cubic, "cubic splines", Role::curve_2},
+                                         {core::Interpolation::low_pass, "low-pass filter", Role::curve_3}}};
 
-bool constant(const SampledFunction& part) { return part.knots.size() < 2; }
+bool constant(const core::SampledFunction& part) { return part.knots.size() < 2; }
 
 // Where the points are, and an eighth of that on either side, so that what the curve does outside is seen.
-std::pair<double, double> seen(const FunctionInfo& info, const SampledFunction& part) {
+std::pair<double, double> seen(const scene::FunctionInfo& info, const core::SampledFunction& part) {
   if (constant(part)) return {info.x_range[0], info.x_range[1]};
   const double first = part.knots.front().x;
   const double last = part.knots.back().x;
@@ -34,10 +34,11 @@ std::pair<double, double> seen(const FunctionInfo& info, const SampledFunction& 
   return {std::max(first - more, info.x_limits[0]), std::min(last + more, info.x_limits[1])};
 }
 
-FigureCurve curve_of(const SampledFunction& part, const Method& method, LowPassRule rule, std::pair<double, double> x) {
-  SampledFunction function = part;
+FigureCurve curve_of(const core::SampledFunction& part, const Method& method, core::LowPassRule rule,
+                     std::pair<double, double> x) {
+  core::SampledFunction function = part;
   function.method = method.interpolation;
-  const Interpolator interpolator(function, rule);
+  const core::Interpolator interpolator(function, rule);
   FigureCurve curve{"", method.role, false, {}, {}};
   for (std::size_t i = 0; i <= intervals; ++i) {
     curve.x.push_back(x.first + (x.second - x.first) * static_cast<double>(i) / static_cast<double>(intervals));
@@ -46,11 +47,11 @@ FigureCurve curve_of(const SampledFunction& part, const Method& method, LowPassR
   return curve;
 }
 
-const char* name_of(Interpolation interpolation) {
+const char* name_of(core::Interpolation interpolation) {
   return std::ranges::find(methods, interpolation, &Method::interpolation)->name;
 }
 
-void add_bars(FigurePanel& panel, const SampledFunction& part) {
+void add_bars(FigurePanel& panel, const core::SampledFunction& part) {
   FigureCurve bars{"", Role::curve, true, {}, {}};
   for (std::size_t i = 0; i < part.knots.size(); ++i) {
     bars.x.push_back(static_cast<double>(i));
@@ -64,8 +65,8 @@ void add_bars(FigurePanel& panel, const SampledFunction& part) {
   panel.curves.push_back(std::move(bars));
 }
 
-void add_curves(FigurePanel& panel, const FunctionInfo& info, const SampledFunction& part, LowPassRule rule,
-                bool compare) {
+void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const core::SampledFunction& part,
+                core::LowPassRule rule, bool compare) {
   const auto x = seen(info, part);
   std::tie(panel.x.first, panel.x.last) = x;
   std::vector<double> values;
@@ -76,7 +77,7 @@ void add_curves(FigurePanel& panel, const FunctionInfo& info, const SampledFunct
     values.insert(values.end(), curve.y.begin(), curve.y.end());
     panel.curves.push_back(std::move(curve));
   }
-  for (const Knot& knot : part.knots) {
+  for (const core::Knot& knot : part.knots) {
     values.push_back(knot.y);
     if (part.knots.size() <= most_crosses) panel.marks.push_back({knot.x, knot.y, ""});
   }
@@ -85,12 +86,13 @@ void add_curves(FigurePanel& panel, const FunctionInfo& info, const SampledFunct
 
 }  // namespace
 
-Figure function_figure(const FunctionInfo& info, const FunctionDraft& function, LowPassRule rule, bool compare) {
+Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function, core::LowPassRule rule,
+                       bool compare) {
   Figure figure;
   figure.title = info.title;
   const bool all_constant = std::ranges::all_of(function.parts, constant);
   for (std::size_t i = 0; i < function.parts.size(); ++i) {
-    const SampledFunction& part = function.parts[i];
+    const core::SampledFunction& part = function.parts[i];
     if (!info.per_pulse && constant(part) && !all_constant) continue;
     FigurePanel& panel = figure.panels.emplace_back();
     panel.x = {info.x_name, info.x_unit, 0.0, 1.0, {}};
@@ -106,4 +108,4 @@ Figure function_figure(const FunctionInfo& info, const FunctionDraft& function, 
   return figure;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

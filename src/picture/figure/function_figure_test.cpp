@@ -5,23 +5,24 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // Figure 4.12 of the thesis in x, a constant in y and z.
-AnyObject mover() {
-  Platform platform;
+scene::AnyObject mover() {
+  scene::Platform platform;
   platform.name = "Mover";
-  platform.path = Platform::Path::trajectory;
-  platform.trajectory_m.part[0] = {Interpolation::cubic,
+  platform.path = scene::Platform::Path::trajectory;
+  platform.trajectory_m.part[0] = {core::Interpolation::cubic,
                                    {{0.0, 0.0}, {1.0, 1.5}, {2.0, 0.0}, {3.0, -5.0}, {4.0, -3.5}}};
-  platform.trajectory_m.part[1] = {Interpolation::linear, {{0.0, 7.0}}};
-  platform.trajectory_m.part[2] = {Interpolation::linear, {{0.0, 8.0}}};
+  platform.trajectory_m.part[1] = {core::Interpolation::linear, {{0.0, 7.0}}};
+  platform.trajectory_m.part[2] = {core::Interpolation::linear, {{0.0, 8.0}}};
   return platform;
 }
 
-Figure figure_of(const AnyObject& object, const char* field, bool compare) {
-  return function_figure(function_info(object, field), function_of(object, field), LowPassRule::first_knot, compare);
+Figure figure_of(const scene::AnyObject& object, const char* field, bool compare) {
+  return function_figure(scene::function_info(object, field), scene::function_of(object, field),
+                         core::LowPassRule::first_knot, compare);
 }
 
 double value_at(const FigureCurve& curve, double x) {
@@ -59,14 +60,14 @@ TEST(FunctionFigure, SeesALittleMoreThanThePoints) {
 }
 
 TEST(FunctionFigure, OfConstantsAloneShowsThemAll) {
-  AnyObject object = mover();
-  std::get<Platform>(object).trajectory_m.part[0].knots.resize(1);
+  scene::AnyObject object = mover();
+  std::get<scene::Platform>(object).trajectory_m.part[0].knots.resize(1);
   EXPECT_EQ(figure_of(object, "trajectory_m", true).panels.size(), 3U);
 }
 
 TEST(FunctionFigure, OfThePulseNumberIsBars) {
-  Radar radar;
-  radar.repetition = Radar::Repetition::user;
+  scene::Radar radar;
+  radar.repetition = scene::Radar::Repetition::user;
   radar.pri_s.part[0].knots = {{0.0, 1e-3}, {1.0, 2e-3}, {2.0, 1.5e-3}};
   const Figure figure = figure_of(radar, "pri_s", true);
   ASSERT_EQ(figure.panels.size(), 1U);
@@ -77,4 +78,4 @@ TEST(FunctionFigure, OfThePulseNumberIsBars) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

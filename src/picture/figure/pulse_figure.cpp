@@ -11,7 +11,7 @@
 #include "core/text/number_text.hpp"
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -24,7 +24,7 @@ struct SentSamples {
   std::vector<std::complex<double>> value;
 };
 
-SentSamples samples_of(const Pulse& pulse, double bandwidth) {
+SentSamples samples_of(const radar::Pulse& pulse, double bandwidth) {
   const double wanted = std::min(16.0 * pulse.width_s * bandwidth, most_samples / 8.0);
   const auto count = std::max(fewest_samples, static_cast<std::size_t>(std::ceil(wanted)));
   SentSamples samples;
@@ -56,10 +56,10 @@ FigurePanel pulse_panel(const SentSamples& samples, double width_s) {
 }
 
 FigurePanel spectrum_panel(const SentSamples& samples, double seen_hz, double span_db) {
-  const std::size_t size = good_fft_size(8 * samples.value.size());
+  const std::size_t size = core::good_fft_size(8 * samples.value.size());
   std::vector<std::complex<double>> line = samples.value;
   line.resize(size);
-  Fft(size).forward(line);
+  core::Fft(size).forward(line);
   std::vector<double> frequency_hz;
   std::vector<double> energy;
   const double spacing_hz = 1.0 / (static_cast<double>(size) * samples.interval_s);
@@ -77,26 +77,27 @@ FigurePanel spectrum_panel(const SentSamples& samples, double seen_hz, double sp
                      std::move(frequency_hz), decibels_of(std::move(energy), 10.0, span_db));
 }
 
-std::string words_of(const Pulse& pulse, double bandwidth) {
-  const std::string sizes = with_prefix(pulse.width_s, "s") + " long, bandwidth " + with_prefix(bandwidth, "Hz") +
+std::string words_of(const radar::Pulse& pulse, double bandwidth) {
+  const std::string sizes = core::with_prefix(pulse.width_s, "s") + " long, bandwidth " +
+                            core::with_prefix(bandwidth, "Hz") +
                             fmt::format(", time-bandwidth product {:.6g}", pulse.width_s * bandwidth);
   switch (pulse.kind) {
-    case Pulse::Kind::mono: return "One frequency, " + sizes;
-    case Pulse::Kind::chirp: return (pulse.sweep_hz < 0.0 ? "Down chirp, " : "Chirp, ") + sizes;
-    case Pulse::Kind::code: return fmt::format("Barker code of {}, ", pulse.code.size()) + sizes;
-    case Pulse::Kind::user: break;
+    case radar::Pulse::Kind::mono: return "One frequency, " + sizes;
+    case radar::Pulse::Kind::chirp: return (pulse.sweep_hz < 0.0 ? "Down chirp, " : "Chirp, ") + sizes;
+    case radar::Pulse::Kind::code: return fmt::format("Barker code of {}, ", pulse.code.size()) + sizes;
+    case radar::Pulse::Kind::user: break;
   }
   return "User-defined pulse, " + sizes;
 }
 
 }  // namespace
 
-Figure sent_pulse_figure(const Pulse& pulse, double span_db) {
-  const double measured = bandwidth_hz(pulse);
+Figure sent_pulse_figure(const radar::Pulse& pulse, double span_db) {
+  const double measured = radar::bandwidth_hz(pulse);
   const double bandwidth = measured > 0.0 ? measured : 1.0 / pulse.width_s;
   const SentSamples samples = samples_of(pulse, bandwidth);
   // A chirp fills its band; the others have sidelobes worth seeing.
-  const double seen_hz = (pulse.kind == Pulse::Kind::chirp ? 1.5 : 5.0) * bandwidth;
+  const double seen_hz = (pulse.kind == radar::Pulse::Kind::chirp ? 1.5 : 5.0) * bandwidth;
   Figure figure;
   figure.note = words_of(pulse, bandwidth);
   figure.panels.push_back(pulse_panel(samples, pulse.width_s));
@@ -104,4 +105,4 @@ Figure sent_pulse_figure(const Pulse& pulse, double span_db) {
   return figure;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 double value_at(const FigureCurve& curve, double x) {
@@ -17,8 +17,8 @@ double value_at(const FigureCurve& curve, double x) {
   return curve.y[static_cast<std::size_t>(nearest)];
 }
 
-Pulse mono() {
-  Pulse pulse;
+radar::Pulse mono() {
+  radar::Pulse pulse;
   pulse.width_s = 1e-6;
   return pulse;
 }
@@ -28,8 +28,8 @@ TEST(SentPulse, OfOneFrequencyHasTheSpectrumOfARectangle) {
   ASSERT_EQ(figure.panels.size(), 2U);
   const FigureCurve& spectrum = figure.panels[1].curves.at(0);
   EXPECT_DOUBLE_EQ(value_at(spectrum, 0.0), 0.0);
-  EXPECT_NEAR(value_at(spectrum, 0.5e6), 20.0 * std::log10(2.0 / pi), 0.01);
-  EXPECT_NEAR(value_at(spectrum, 1.5e6), 20.0 * std::log10(2.0 / (3.0 * pi)), 0.02);
+  EXPECT_NEAR(value_at(spectrum, 0.5e6), 20.0 * std::log10(2.0 / core::pi), 0.01);
+  EXPECT_NEAR(value_at(spectrum, 1.5e6), 20.0 * std::log10(2.0 / (3.0 * core::pi)), 0.02);
   EXPECT_LT(value_at(spectrum, 1e6), -55.0);
 }
 
@@ -44,8 +44,8 @@ TEST(SentPulse, ShowsInPhaseAndQuadratureFromEdgeToEdge) {
 }
 
 TEST(SentPulse, OfAChirpFillsItsBand) {
-  Pulse chirp = mono();
-  chirp.kind = Pulse::Kind::chirp;
+  radar::Pulse chirp = mono();
+  chirp.kind = radar::Pulse::Kind::chirp;
   chirp.width_s = 10e-6;
   chirp.sweep_hz = -50e6;
   const Figure figure = sent_pulse_figure(chirp);
@@ -58,19 +58,19 @@ TEST(SentPulse, OfAChirpFillsItsBand) {
 }
 
 TEST(SentPulse, OfAnyLengthTakesLimitedMemory) {
-  Pulse chirp = mono();
-  chirp.kind = Pulse::Kind::chirp;
+  radar::Pulse chirp = mono();
+  chirp.kind = radar::Pulse::Kind::chirp;
   chirp.width_s = 1.0;
   chirp.sweep_hz = 1e9;
   EXPECT_LT(sent_pulse_figure(chirp).panels[0].curves[0].x.size(), 200'000U);
 }
 
 TEST(SentPulse, OfNothingIsFinite) {
-  Pulse silent = mono();
-  silent.kind = Pulse::Kind::user;
+  radar::Pulse silent = mono();
+  silent.kind = radar::Pulse::Kind::user;
   const Figure figure = sent_pulse_figure(silent);
   for (const double level : figure.panels[1].curves[0].y) ASSERT_TRUE(std::isfinite(level));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

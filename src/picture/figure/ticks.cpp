@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -90,4 +90,4 @@ double round_below(double value) {
   return 0.5 * power;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

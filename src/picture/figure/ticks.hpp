@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// One mark of an axis.
 struct Tick {
@@ -25,4 +25,4 @@ struct Ticks {
 /// for anything but a positive number.
 [[nodiscard]] double round_below(double value);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(RoundBelow, IsTheLargestRoundNumberThatIsNotAbove) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

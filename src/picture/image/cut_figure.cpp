@@ -9,12 +9,13 @@
 #include "core/text/number_text.hpp"
 #include "picture/figure/figure_axes.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
 std::string place_text(const CutPlaces& places, double value) {
-  return places.label + " " + (places.unit.empty() ? format_number(value) : with_prefix(value, places.unit));
+  return places.label + " " +
+         (places.unit.empty() ? core::format_number(value) : core::with_prefix(value, places.unit));
 }
 
 // The shown quantity of some samples, and its axis without limits.
@@ -42,7 +43,8 @@ Shown shown(std::vector<std::complex<double>> samples, const CutLook& look) {
 }
 
 std::string largest_text(double largest, const std::string& unit) {
-  return "Highest magnitude: " + (unit == "V" ? with_prefix(largest, unit) : format_number(largest) + " " + unit);
+  return "Highest magnitude: " +
+         (unit == "V" ? core::with_prefix(largest, unit) : core::format_number(largest) + " " + unit);
 }
 
 Figure cut(std::string title, FigureAxis across, std::vector<double> x, Shown up, const CutLook& look) {
@@ -91,13 +93,13 @@ std::string sample_table(const EchoBlock& block, const CutLook& look, bool rows,
   for (std::size_t r = 0; r < block.rows; ++r)
     for (std::size_t c = 0; c < block.columns; ++c) {
       const std::complex<double> v = block.at(r, c);
-      if (rows) append_number(text, block.time_s[r]), text += separator;
-      if (columns) append_number(text, block.range_m[c]), text += separator;
-      for (const double value : {v.real(), v.imag(), std::abs(v)}) append_number(text, value), text += separator;
-      append_number(text, std::arg(v) * 180.0 / pi);
+      if (rows) core::append_number(text, block.time_s[r]), text += separator;
+      if (columns) core::append_number(text, block.range_m[c]), text += separator;
+      for (const double value : {v.real(), v.imag(), std::abs(v)}) core::append_number(text, value), text += separator;
+      core::append_number(text, std::arg(v) * 180.0 / core::pi);
       text += '\n';
     }
   return text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -8,7 +8,7 @@
 #include "picture/figure/figure.hpp"
 
 /// Cuts through samples that are there: one row against its columns, one column against its rows.
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What the rows or columns of samples stand for.
 struct CutPlaces {
@@ -37,4 +37,4 @@ struct CutLook {
 [[nodiscard]] std::string sample_table(const EchoBlock& block, const CutLook& look, bool rows, bool columns,
                                        char separator);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

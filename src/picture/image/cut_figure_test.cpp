@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // Two pulses of three samples.
@@ -98,4 +98,4 @@ TEST(SampleTable, LeavesOutThePlacesThatAllShare) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

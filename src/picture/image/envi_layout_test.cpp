@@ -10,7 +10,7 @@
 
 #include "raster/format/image_source.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,12 +20,12 @@ class EnviLayout : public testing::Test {
   EnviLayout() { fs::create_directories(folder_); }
   ~EnviLayout() override { fs::remove_all(folder_); }
 
-  fs::path write(const std::string& name, EnviHeader::Pixel pixel) const {
-    EnviHeader header;
+  fs::path write(const std::string& name, raster::EnviHeader::Pixel pixel) const {
+    raster::EnviHeader header;
     header.samples = 3;
     header.lines = 2;
     header.pixel = pixel;
-    EnviWriter writer(folder_ / name, header, true);
+    raster::EnviWriter writer(folder_ / name, header, true);
     for (float row = 0.0F; row < 2.0F; row += 1.0F) {
       const std::vector<std::complex<float>> values{{row, 1.0F}, {row, 2.0F}, {row, 3.0F}};
       writer.append(values);
@@ -38,17 +38,17 @@ class EnviLayout : public testing::Test {
 };
 
 TEST_F(EnviLayout, OpensImagesOfBothKinds) {
-  for (const auto pixel : {EnviHeader::Pixel::complex_float, EnviHeader::Pixel::real_float}) {
-    const bool complex = pixel == EnviHeader::Pixel::complex_float;
+  for (const auto pixel : {raster::EnviHeader::Pixel::complex_float, raster::EnviHeader::Pixel::real_float}) {
+    const bool complex = pixel == raster::EnviHeader::Pixel::complex_float;
     const fs::path file = write(complex ? "complex.img" : "real.img", pixel);
-    ImageHints hints;
+    raster::ImageHints hints;
     hints.raw = envi_layout(file);
     ASSERT_TRUE(hints.raw);
-    const OpenedImage opened = ImageSource::open(file, hints);
+    const raster::OpenedImage opened = raster::ImageSource::open(file, hints);
     ASSERT_TRUE(opened.source);
     EXPECT_EQ(opened.source->rows(), 2u);
     EXPECT_EQ(opened.source->columns(), 3u);
-    EXPECT_EQ(opened.source->info().value, complex ? ImageValue::complex : ImageValue::magnitude);
+    EXPECT_EQ(opened.source->info().value, complex ? raster::ImageValue::complex : raster::ImageValue::magnitude);
     std::vector<std::complex<float>> read(1);
     opened.source->read_window({1, 1, 2, 1, 1, 1}, read);
     EXPECT_FLOAT_EQ(std::abs(read[0]), std::hypot(1.0F, 3.0F));
@@ -57,7 +57,7 @@ TEST_F(EnviLayout, OpensImagesOfBothKinds) {
 
 TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
   EXPECT_FALSE(envi_layout(folder_ / "none.img"));
-  const fs::path cut = write("cut.img", EnviHeader::Pixel::complex_float);
+  const fs::path cut = write("cut.img", raster::EnviHeader::Pixel::complex_float);
   fs::resize_file(cut, 5);
   EXPECT_FALSE(envi_layout(cut));
   std::ofstream(folder_ / "bad.img") << "data";
@@ -66,4 +66,4 @@ TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

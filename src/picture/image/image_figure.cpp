@@ -10,7 +10,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -66,14 +66,16 @@ double place_of(const Extent& extent, const Places& places, std::size_t shown) {
   return places.first + places.step * static_cast<double>(extent.first + shown * extent.step);
 }
 
-Samples read_subset(const ImageSource& source, const Extent& across, const Extent& up, const WorkControl& control) {
+Samples read_subset(const raster::ImageSource& source, const Extent& across, const Extent& up,
+                    const core::WorkControl& control) {
   std::vector<std::complex<float>> read(across.shown * up.shown);
   source.read_window({up.first, up.shown, across.first, across.shown, up.step, across.step}, read, control);
   return {read.begin(), read.end()};
 }
 
 // The largest sample of each cell of up.step rows and across.step columns.
-Samples read_peaks(const ImageSource& source, const Extent& across, const Extent& up, const WorkControl& control) {
+Samples read_peaks(const raster::ImageSource& source, const Extent& across, const Extent& up,
+                   const core::WorkControl& control) {
   Samples peaks(across.shown * up.shown);
   std::vector<std::complex<float>> read(across.count * up.step);
   for (std::size_t r = 0; r < up.shown; ++r) {
@@ -113,21 +115,22 @@ ShownSamples shown(Samples samples, const Extent& across, const Extent& up, cons
 }
 
 // Files that others made, and pictures, do not say what their numbers are.
-std::string unit_for(const ImageSource& source, const ImageLook& look) {
+std::string unit_for(const raster::ImageSource& source, const ImageLook& look) {
   if (look.unit) return *look.unit;
-  const ImageInfo& info = source.info();
-  const bool unknown = info.counts || info.format == ImageFormat::custom || info.format == ImageFormat::sun_raster;
+  const raster::ImageInfo& info = source.info();
+  const bool unknown =
+      info.counts || info.format == raster::ImageFormat::custom || info.format == raster::ImageFormat::sun_raster;
   return unknown ? "" : "V";
 }
 
 std::string largest_text(double largest, const std::string& unit, bool counts) {
-  if (unit == "V") return "Highest magnitude: " + with_prefix(largest, unit);
+  if (unit == "V") return "Highest magnitude: " + core::with_prefix(largest, unit);
   return fmt::format("Highest magnitude: {:.6g}{}", largest, counts ? " counts" : "");
 }
 
 void add_pixels(FigurePanel& panel, const ShownSamples& seen, const Extent& across, const Extent& up,
                 const ImageLook& look, const std::string& volts) {
-  const std::vector<Rgb> colours = colour_table(look.map, look.sliders, look.inverted);
+  const std::vector<raster::Rgb> colours = colour_table(look.map, look.sliders, look.inverted);
   const bool cyclic = kind_for(look.quantity) == ColourMapKind::cyclic;
   FigureImage& image = panel.image.emplace();
   image = {across.shown, up.shown, panel.x.first, panel.x.last, panel.y.first, panel.y.last, {}};
@@ -197,8 +200,8 @@ std::size_t curves_in(std::size_t pixels) {
 
 }  // namespace
 
-Figure image_figure(const ImageSource& source, const ImageLook& wanted, const PlotSize& size,
-                    const WorkControl& control) {
+Figure image_figure(const raster::ImageSource& source, const ImageLook& wanted, const PlotSize& size,
+                    const core::WorkControl& control) {
   ImageLook look = wanted;
   const std::size_t seen_rows = look.rows > 0 ? look.rows : source.rows();
   if (look.draw_as == DrawAs::automatic)
@@ -234,4 +237,4 @@ Figure image_figure(const ImageSource& source, const ImageLook& wanted, const Pl
   return figure;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

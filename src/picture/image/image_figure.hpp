@@ -8,7 +8,7 @@
 #include "picture/figure/figure.hpp"
 #include "raster/format/image_source.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Places of rows or columns that the file does not say itself: `first` is that of the first, `step` from one to the
 /// next.
@@ -46,7 +46,7 @@ struct ImageLook : ColourLook {
 /// is above, also where the step of the rows is negative.
 /// @param size  device pixels at most
 /// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
-[[nodiscard]] Figure image_figure(const ImageSource& source, const ImageLook& look, const PlotSize& size,
-                                  const WorkControl& control = {});
+[[nodiscard]] Figure image_figure(const raster::ImageSource& source, const ImageLook& look, const PlotSize& size,
+                                  const core::WorkControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

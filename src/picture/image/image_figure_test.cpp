@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 constexpr std::size_t rows = 6;
@@ -26,10 +26,10 @@ class ImageFigure : public testing::Test {
         file.write(reinterpret_cast<const char*>(pair), sizeof pair);
       }
     file.close();
-    RawLayout layout;
+    raster::RawLayout layout;
     layout.width = columns;
-    layout.number = RawNumber::float32;
-    source_ = ImageSource::open(path_, {{}, layout}).source;
+    layout.number = raster::RawNumber::float32;
+    source_ = raster::ImageSource::open(path_, {{}, layout}).source;
     ASSERT_TRUE(source_);
   }
   void TearDown() override {
@@ -42,7 +42,7 @@ class ImageFigure : public testing::Test {
   }
 
   std::filesystem::path path_;
-  std::shared_ptr<ImageSource> source_;
+  std::shared_ptr<raster::ImageSource> source_;
 };
 
 TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {
@@ -166,4 +166,4 @@ TEST_F(ImageFigure, SaysTheUnitOfDecibelsOnce) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

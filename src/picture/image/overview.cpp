@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -98,7 +98,8 @@ class CellRow {
 }  // namespace
 
 void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
-                  std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out, const StopFlag* stop) {
+                  std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
+                  const core::StopFlag* stop) {
   if (out.size() != rows * cols) throw std::invalid_argument("the cells and the room for them differ");
   std::ranges::fill(out, 0.0F);
   if (out.empty() || row0 >= plane.rows || col0 >= plane.columns) return;
@@ -113,8 +114,8 @@ void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0,
     CellRow cells(kind, cols, col_bin);
     for (std::size_t row = first; row < last; row += height)
       for (std::size_t at = 0; at < extent; at += width) {
-        if (stop != nullptr && stop->requested()) throw Interrupted();
-        const ImageWindow window{row, std::min(height, last - row), col0 + at, std::min(width, extent - at)};
+        if (stop != nullptr && stop->requested()) throw core::Interrupted();
+        const raster::ImageWindow window{row, std::min(height, last - row), col0 + at, std::min(width, extent - at)};
         samples.resize(window.samples());
         plane.read(window, samples);
         for (std::size_t r = 0; r < window.rows; ++r)
@@ -153,7 +154,7 @@ void Overview::work() {
     }
     make_levels();
     done = true;
-  } catch (const Interrupted&) {
+  } catch (const core::Interrupted&) {
     failure.clear();
   } catch (const std::exception& error) {
     failure = error.what();
@@ -208,7 +209,7 @@ void Overview::make_levels() {
     for (std::size_t row = 0; row < next.shape.rows; ++row)
       add_cells(*finer, next.shape.row_log2, next.shape.col_log2, row, 0,
                 std::span(next.cells).subspan(row * next.shape.columns, next.shape.columns));
-    if (stop_.requested()) throw Interrupted();
+    if (stop_.requested()) throw core::Interrupted();
     levels.push_back(std::move(next));
     finer = &levels.back();
   }
@@ -245,7 +246,7 @@ OverviewState Overview::state() const {
   return state_;
 }
 
-Progress Overview::progress() const {
+core::Progress Overview::progress() const {
   const std::scoped_lock hold(lock_);
   return {exact_rows_, base_.rows, plane_.columns << base_.row_log2};
 }
@@ -260,11 +261,11 @@ bool Overview::from_cache() const {
   return from_cache_;
 }
 
-void Overview::wait(const StopFlag* stop) const {
+void Overview::wait(const core::StopFlag* stop) const {
   std::unique_lock hold(lock_);
   while (state_ == OverviewState::building) {
     ended_.wait_for(hold, std::chrono::milliseconds(20));
-    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
   }
 }
 
@@ -326,4 +327,4 @@ void Overview::read(unsigned row_log2, unsigned col_log2, std::size_t row0, std:
     add_cells(*source, row_log2, col_log2, row0 + i, col0, out.subspan(i * cols, cols));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -17,7 +17,7 @@
 #include "picture/image/overview_cache.hpp"
 #include "picture/image/sample_plane.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What a cell of an overview holds of the magnitudes of its samples.
 enum class OverviewKind { peak, mean };
@@ -66,13 +66,13 @@ class Overview {
   /// How much of it is there now.
   [[nodiscard]] OverviewState state() const;
   /// Cell rows of the finest level that are exact, of all.
-  [[nodiscard]] Progress progress() const;
+  [[nodiscard]] core::Progress progress() const;
   /// What made the work end early; empty where nothing did.
   [[nodiscard]] std::string failure() const;
   /// Whether it came from the cache.
   [[nodiscard]] bool from_cache() const;
   /// Waits until it is complete or ended; throws Interrupted where asked to stop.
-  void wait(const StopFlag* stop = nullptr) const;
+  void wait(const core::StopFlag* stop = nullptr) const;
   /// Ends the work early; what is there stays.
   void stop() { stop_.request(); }
 
@@ -117,7 +117,7 @@ class Overview {
   bool from_cache_ = false;
   mutable std::mutex lock_;  // For everything above.
   mutable std::condition_variable ended_;
-  StopFlag stop_;
+  core::StopFlag stop_;
   std::thread thread_;
 };
 
@@ -126,6 +126,6 @@ class Overview {
 /// some MB at a time; throws Interrupted.
 void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
                   std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
-                  const StopFlag* stop = nullptr);
+                  const core::StopFlag* stop = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

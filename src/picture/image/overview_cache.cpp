@@ -17,7 +17,7 @@
 
 #include "scene/edit/text_file.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -116,7 +116,7 @@ void OverviewCache::store(const std::string& words, const std::vector<float>& nu
   fs::create_directories(folder_, error);
   std::string text = head_of(identity_ + "\n" + words, numbers);
   text.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
-  write_text_file(file_of(words), text);
+  scene::write_text_file(file_of(words), text);
   remove_oldest();
 } catch (const std::exception&) {
   // What cannot be kept is made again.
@@ -144,4 +144,4 @@ void OverviewCache::remove_oldest() const {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What identifies the content of a file: its full path, its size and when it was last changed. Nothing where it cannot
 /// be asked for.
@@ -45,4 +45,4 @@ class OverviewCache {
   std::uint64_t most_bytes_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numeric>
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ using Magnitude = std::function<float(std::size_t, std::size_t)>;
 SamplePlane plane_of(std::size_t rows, std::size_t columns, const Magnitude& magnitude,
                      std::atomic<std::uint64_t>* read = nullptr) {
   SamplePlane plane{rows, columns, {}};
-  plane.read = [=](const ImageWindow& window, std::span<std::complex<float>> out) {
+  plane.read = [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     if (read != nullptr) *read += out.size();
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
@@ -154,7 +154,7 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
   std::atomic<bool> go_on{false};
   SamplePlane plane =
       plane_of(1 << 18, 1 << 13, [](std::size_t row, std::size_t) { return 1.0F + static_cast<float>(row); });
-  plane.read = [&, read = plane.read](const ImageWindow& window, std::span<std::complex<float>> out) {
+  plane.read = [&, read = plane.read](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     if (++reads > 2) {
       while (!go_on) usleep(100);
       throw std::runtime_error("enough");
@@ -187,7 +187,7 @@ TEST(Overview, OfLongRowsKeepsTheirColumnsApart) {
 
 TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
   SamplePlane plane = plane_of(100, 100, scrambled);
-  plane.read = [read = plane.read](const ImageWindow& window, std::span<std::complex<float>> out) {
+  plane.read = [read = plane.read](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     if (window.row0 >= 50) throw std::runtime_error("the disk is gone");
     read(window, out);
   };
@@ -201,7 +201,7 @@ TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
 
 TEST(Overview, TakesWhatIsNoNumberAsNothingAndTheInfiniteAsTheLargest) {
   for (const OverviewKind kind : {OverviewKind::peak, OverviewKind::mean}) {
-    SamplePlane plane{2, 4, [](const ImageWindow& window, std::span<std::complex<float>> out) {
+    SamplePlane plane{2, 4, [](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
                         for (std::size_t i = 0; i < out.size(); ++i)
                           out[i] = window.col0 + i % window.cols < 2
                                        ? std::complex<float>(std::numeric_limits<float>::quiet_NaN(), 0.0F)
@@ -362,4 +362,4 @@ TEST_F(CacheTest, FolderOfTheUserIsThatOfTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

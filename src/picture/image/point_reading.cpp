@@ -12,7 +12,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -51,7 +51,7 @@ Patch patch_of(const SamplePlane& plane, std::size_t row, std::size_t column, st
   Patch patch{rows, cols, std::vector<Complex>(rows * cols)};
   const CutExtent down = extent_of(row, rows, plane.rows);
   const CutExtent across = extent_of(column, cols, plane.columns);
-  const ImageWindow window{down.first, down.count, across.first, across.count};
+  const raster::ImageWindow window{down.first, down.count, across.first, across.count};
   std::vector<std::complex<float>> read(window.samples());
   plane.read(window, read);
   for (std::size_t i = 0; i < down.count; ++i)
@@ -91,7 +91,7 @@ void remove(const Centroid& centroid, Patch& patch) {
 }
 
 // A line with `finer` times as many samples: its spectrum padded with zeros, the middle bin shared by both sides.
-std::vector<Complex> refined(std::vector<Complex> line, const Fft& coarse, const Fft& fine) {
+std::vector<Complex> refined(std::vector<Complex> line, const core::Fft& coarse, const core::Fft& fine) {
   const std::size_t size = line.size();
   coarse.forward(line);
   std::vector<Complex> result(size * finer);
@@ -105,8 +105,8 @@ std::vector<Complex> refined(std::vector<Complex> line, const Fft& coarse, const
 
 // Both directions of a square patch.
 Patch refined(const Patch& patch) {
-  const Fft coarse(patch.cols);
-  const Fft fine(patch.cols * finer);
+  const core::Fft coarse(patch.cols);
+  const core::Fft fine(patch.cols * finer);
   Patch wide{patch.rows, patch.cols * finer, {}};
   for (std::size_t i = 0; i < patch.rows; ++i) {
     const auto line = std::span(patch.samples).subspan(i * patch.cols, patch.cols);
@@ -158,8 +158,9 @@ std::vector<double> weights_at(double place, std::size_t size) {
   std::vector<double> weights(size);
   for (std::size_t n = 0; n < size; ++n) {
     const double distance = place - static_cast<double>(n);
-    const double tangent = std::tan(pi * distance / static_cast<double>(size));
-    weights[n] = std::abs(tangent) < 1e-12 ? 1.0 : std::sin(pi * distance) / (static_cast<double>(size) * tangent);
+    const double tangent = std::tan(core::pi * distance / static_cast<double>(size));
+    weights[n] =
+        std::abs(tangent) < 1e-12 ? 1.0 : std::sin(core::pi * distance) / (static_cast<double>(size) * tangent);
   }
   return weights;
 }
@@ -171,7 +172,7 @@ struct Cut {
 };
 
 Cut cut_of(const std::vector<Complex>& line, double near) {
-  const auto fine = refined(line, Fft(line.size()), Fft(line.size() * finer));
+  const auto fine = refined(line, core::Fft(line.size()), core::Fft(line.size() * finer));
   Cut result;
   result.power.reserve(fine.size());
   for (const Complex& value : fine) result.power.push_back(std::norm(value));
@@ -236,8 +237,8 @@ std::optional<CutReading> measure(const Cut& line) {
   return reading;
 }
 
-Problem no_point(const std::string& message, std::size_t row, std::size_t column, const std::string& hint = {}) {
-  Problem problem;
+core::Problem no_point(const std::string& message, std::size_t row, std::size_t column, const std::string& hint = {}) {
+  core::Problem problem;
   problem.message = message;
   problem.found = fmt::format("row {}, column {}", row, column);
   problem.hint = hint;
@@ -246,8 +247,8 @@ Problem no_point(const std::string& message, std::size_t row, std::size_t column
 
 }  // namespace
 
-std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::size_t row, std::size_t column,
-                                               const PointOptions& options) {
+std::variant<PointReading, core::Problem> read_point(const SamplePlane& plane, std::size_t row, std::size_t column,
+                                                     const PointOptions& options) {
   if (row >= plane.rows || column >= plane.columns) return no_point("the place is outside the image", row, column);
   const std::size_t around = 2 * std::min<std::size_t>(options.search, 1024) + 1;
   const Patch near = patch_of(plane, row, column, around, around);
@@ -293,4 +294,4 @@ std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::si
   return reading;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 #include "core/report/problem.hpp"
 #include "picture/image/sample_plane.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A cut through the response of a point, along the rows or along the columns.
 struct CutReading {
@@ -39,7 +39,8 @@ struct PointOptions {
 ///
 /// Samples beyond the image are 0. A problem where the click is outside, where nothing but zeros is around it, or where
 /// the response has no main lobe with minima on both sides. What reading the plane throws comes out.
-[[nodiscard]] std::variant<PointReading, Problem> read_point(const SamplePlane& plane, std::size_t row,
-                                                             std::size_t column, const PointOptions& options = {});
+[[nodiscard]] std::variant<PointReading, core::Problem> read_point(const SamplePlane& plane, std::size_t row,
+                                                                   std::size_t column,
+                                                                   const PointOptions& options = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

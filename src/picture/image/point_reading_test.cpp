@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 using Weight = std::function<double(double)>;
@@ -21,7 +21,7 @@ double response(const Weight& weight, double distance) {
   double all = 0.0;
   for (int i = 0; i < points; ++i) {
     const double x = (i + 0.5) / points;
-    sum += weight(x) * std::cos(2.0 * pi * (x - 0.5) * distance);
+    sum += weight(x) * std::cos(2.0 * core::pi * (x - 0.5) * distance);
     all += weight(x);
   }
   return sum / all;
@@ -45,7 +45,7 @@ SamplePlane image_of(const Target& target, const Weight& weight, std::size_t row
   for (std::size_t k = 0; k < columns; ++k)
     across[k] = response(weight, (static_cast<double>(k) - target.column) / target.column_cell);
   SamplePlane plane{rows, columns, {}};
-  plane.read = [=](const ImageWindow& window, std::span<std::complex<float>> out) {
+  plane.read = [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
         const std::size_t row = window.row0 + i * window.row_step;
@@ -61,8 +61,8 @@ SamplePlane image_of(const Target& target, const Weight& weight, std::size_t row
 
 PointReading reading_of(const SamplePlane& plane, std::size_t row, std::size_t column) {
   const auto result = read_point(plane, row, column);
-  const auto* problem = std::get_if<Problem>(&result);
-  EXPECT_EQ(problem, nullptr) << (problem == nullptr ? "" : to_string(*problem));
+  const auto* problem = std::get_if<core::Problem>(&result);
+  EXPECT_EQ(problem, nullptr) << (problem == nullptr ? "" : core::to_string(*problem));
   return problem == nullptr ? std::get<PointReading>(result) : PointReading{};
 }
 
@@ -103,10 +103,10 @@ TEST_P(PointOfWindow, HasTheWidthAndSidelobesOfTheory) {
 INSTANTIATE_TEST_SUITE_P(
     Windows, PointOfWindow,
     testing::Values(Theory{"none", [](double) { return 1.0; }, 0.886, 1.0, -13.26, -10.11},
-                    Theory{"kaiser_2_5", [](double x) { return kaiser_window(2.0 * x - 1.0, 2.5); }, 1.042, 1.281,
+                    Theory{"kaiser_2_5", [](double x) { return core::kaiser_window(2.0 * x - 1.0, 2.5); }, 1.042, 1.281,
                            -20.94, -18.80},
-                    Theory{"hamming", hamming_window, 1.303, 2.0, -42.7, -35.3},
-                    Theory{"hann", [](double x) { return hanning_window(x, 0.0); }, 1.441, 2.0, -31.5, -32.9}),
+                    Theory{"hamming", core::hamming_window, 1.303, 2.0, -42.7, -35.3},
+                    Theory{"hann", [](double x) { return core::hanning_window(x, 0.0); }, 1.441, 2.0, -31.5, -32.9}),
     [](const auto& tested) { return tested.param.name; });
 
 double rectangular(double) { return 1.0; }
@@ -120,7 +120,8 @@ TEST(ReadPoint, FindsThePeakNextToTheClickAndNotASidelobe) {
 
 TEST(ReadPoint, AtTheCornerOfAnImageKeepsPlaceAndWidth) {
   const Target target{3.4, 256.2, {1.0, 0.0}};
-  const PointReading reading = reading_of(image_of(target, [](double x) { return hanning_window(x, 0.0); }), 3, 256);
+  const PointReading reading =
+      reading_of(image_of(target, [](double x) { return core::hanning_window(x, 0.0); }), 3, 256);
   EXPECT_NEAR(reading.row, 3.4, 0.03);
   EXPECT_NEAR(reading.column, 256.2, 0.03);
   EXPECT_NEAR(reading.along_row.width / target.column_cell, 1.441, 0.03);
@@ -129,10 +130,11 @@ TEST(ReadPoint, AtTheCornerOfAnImageKeepsPlaceAndWidth) {
 TEST(ReadPoint, SaysWhyThereIsNone) {
   const auto message = [](const SamplePlane& plane, std::size_t row, std::size_t column) {
     const auto result = read_point(plane, row, column);
-    return std::holds_alternative<Problem>(result) ? to_string(std::get<Problem>(result)) : std::string();
+    return std::holds_alternative<core::Problem>(result) ? core::to_string(std::get<core::Problem>(result))
+                                                         : std::string();
   };
   const auto constant = [](float value) {
-    return SamplePlane{50, 40, [value](const ImageWindow&, std::span<std::complex<float>> out) {
+    return SamplePlane{50, 40, [value](const raster::ImageWindow&, std::span<std::complex<float>> out) {
                          std::ranges::fill(out, std::complex<float>(value));
                        }};
   };
@@ -146,4 +148,4 @@ TEST(ReadPoint, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

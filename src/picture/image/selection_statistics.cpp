@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -173,7 +173,7 @@ Part part_of(const std::vector<std::complex<float>>& samples) {
     part.magnitude.add(values[2], largest_of(part.moments[2]));
   }
   add_fixed(part.decibels, lowest_decibels, highest_decibels, values[3]);
-  add_fixed(part.phase, -pi, pi, values[4]);
+  add_fixed(part.phase, -core::pi, core::pi, values[4]);
   return part;
 }
 
@@ -199,19 +199,19 @@ SelectionStatistics statistics_of(const Part& part) {
   result.of = {figures_of(part.moments[0], part.real.result()), figures_of(part.moments[1], part.imaginary.result()),
                figures_of(part.moments[2], part.magnitude.result()),
                figures_of(part.moments[3], {lowest_decibels, highest_decibels, part.decibels}),
-               figures_of(part.moments[4], {-pi, pi, part.phase})};
+               figures_of(part.moments[4], {-core::pi, core::pi, part.phase})};
   return result;
 }
 
 // A window cut into parts that are read at once: whole rows, or pieces of long ones.
 struct Parts {
-  ImageWindow window;
+  raster::ImageWindow window;
   std::size_t cols = 1;
   std::size_t rows = 1;
   std::size_t across = 0;
   std::size_t down = 0;
 
-  explicit Parts(const ImageWindow& whole) : window(whole) {
+  explicit Parts(const raster::ImageWindow& whole) : window(whole) {
     if (whole.samples() == 0) return;
     cols = std::min(whole.cols, samples_per_step);
     rows = std::max<std::size_t>(1, samples_per_step / cols);
@@ -219,7 +219,7 @@ struct Parts {
     down = (whole.rows - 1) / rows + 1;
   }
   [[nodiscard]] std::size_t count() const { return across * down; }
-  [[nodiscard]] ImageWindow part(std::size_t index) const {
+  [[nodiscard]] raster::ImageWindow part(std::size_t index) const {
     const std::size_t i = index / across * rows;
     const std::size_t k = index % across * cols;
     return {window.row0 + i * window.row_step,
@@ -266,15 +266,15 @@ QuantityStatistics::Limits QuantityStatistics::limits(double part) const {
           std::clamp(histogram.percentile(1.0 - part), minimum, maximum)};
 }
 
-SelectionStatistics measure_selection(const SamplePlane& plane, const ImageWindow& window, const WorkControl& control,
-                                      const ProgressReport& progress) {
+SelectionStatistics measure_selection(const SamplePlane& plane, const raster::ImageWindow& window,
+                                      const core::WorkControl& control, const core::ProgressReport& progress) {
   const Parts parts(window);
   Part sum;
-  ordered_parallel<Part>(
+  core::ordered_parallel<Part>(
       parts.count(), control.threads,
       [&] {
         return [&, samples = std::vector<std::complex<float>>()](std::size_t index) mutable {
-          const ImageWindow part = parts.part(index);
+          const raster::ImageWindow part = parts.part(index);
           samples.resize(part.samples());
           plane.read(part, samples);
           return part_of(samples);
@@ -288,4 +288,4 @@ SelectionStatistics measure_selection(const SamplePlane& plane, const ImageWindo
   return statistics_of(sum);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -10,7 +10,7 @@
 #include "core/task/progress.hpp"
 #include "picture/image/sample_plane.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What of a complex sample is looked at.
 enum class SampleQuantity {
@@ -73,8 +73,8 @@ struct SelectionStatistics {
 /// result. Means and deviations are gathered part by part (Chan, Golub, LeVeque: "Updating formulae and a pairwise
 /// algorithm for computing sample variances", 1979), so that a small deviation of large values keeps its digits.
 /// Throws Interrupted where asked to stop, and what reading the plane throws.
-[[nodiscard]] SelectionStatistics measure_selection(const SamplePlane& plane, const ImageWindow& window,
-                                                    const WorkControl& control = {},
-                                                    const ProgressReport& progress = {});
+[[nodiscard]] SelectionStatistics measure_selection(const SamplePlane& plane, const raster::ImageWindow& window,
+                                                    const core::WorkControl& control = {},
+                                                    const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -10,18 +10,19 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 SamplePlane plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
   const std::size_t rows = samples.size() / columns;
-  return {rows, columns,
-          [samples = std::move(samples), columns](const ImageWindow& window, std::span<std::complex<float>> out) {
-            for (std::size_t i = 0; i < window.rows; ++i)
-              for (std::size_t k = 0; k < window.cols; ++k)
-                out[i * window.cols + k] =
-                    samples[(window.row0 + i * window.row_step) * columns + window.col0 + k * window.col_step];
-          }};
+  return {
+      rows, columns,
+      [samples = std::move(samples), columns](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+        for (std::size_t i = 0; i < window.rows; ++i)
+          for (std::size_t k = 0; k < window.cols; ++k)
+            out[i * window.cols + k] =
+                samples[(window.row0 + i * window.row_step) * columns + window.col0 + k * window.col_step];
+      }};
 }
 
 SelectionStatistics measure(const std::vector<std::complex<float>>& samples, std::size_t columns) {
@@ -179,7 +180,7 @@ TEST(SelectionStatistics, LimitsLeaveOutTheEnds) {
 TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
   const auto samples = noise(900 * 1200, 0.1F, 2.0F);
   const SamplePlane plane = plane_of(samples, 1200);
-  const ImageWindow window{3, 400, 5, 500, 2, 2};
+  const raster::ImageWindow window{3, 400, 5, 500, 2, 2};
   const SelectionStatistics one = measure_selection(plane, window, {1, nullptr});
   const SelectionStatistics three = measure_selection(plane, window, {3, nullptr});
   EXPECT_EQ(one.samples, 200000U);
@@ -197,13 +198,14 @@ TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
 TEST(SelectionStatistics, ReportProgressAndStop) {
   const SamplePlane plane = plane_of(noise(1 << 20, 0.0F, 1.0F), 1 << 10);
   std::vector<std::size_t> done;
-  (void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {},
-                          [&](const Progress& progress) { done.push_back(progress.done * 100 / progress.total); });
+  (void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {}, [&](const core::Progress& progress) {
+    done.push_back(progress.done * 100 / progress.total);
+  });
   EXPECT_THAT(done, testing::ElementsAre(25, 50, 75, 100));
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {1, &stop}), core::Interrupted);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -14,27 +14,27 @@ constexpr double nearest_part = 1e-3;   // of the viewer's distance: nothing is 
 constexpr double fitted_part = 0.4;     // of the picture on either side of its middle
 constexpr double nearest_fitted = 0.5;  // of the viewer's distance: no fitted point comes nearer
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // In (-pi, pi].
 double wrapped(double angle_rad) {
-  const double reduced = std::remainder(angle_rad, 2.0 * pi);
-  return reduced <= -pi ? reduced + 2.0 * pi : reduced;
+  const double reduced = std::remainder(angle_rad, 2.0 * core::pi);
+  return reduced <= -core::pi ? reduced + 2.0 * core::pi : reduced;
 }
 
 // The world's step that moves a point at the focus's depth by so many pixels.
-Vec3 world_step(const Camera& camera, double dx_px, double dy_px) {
-  const Vec3 picture_m{dx_px / camera.pixels_per_m, -dy_px / camera.pixels_per_m, 0.0};
-  return transposed(camera.picture_from_world()) * picture_m;
+core::Vec3 world_step(const Camera& camera, double dx_px, double dy_px) {
+  const core::Vec3 picture_m{dx_px / camera.pixels_per_m, -dy_px / camera.pixels_per_m, 0.0};
+  return core::transposed(camera.picture_from_world()) * picture_m;
 }
 
 // The box that holds points in the picture's axes.
 struct Box {
-  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-           std::numeric_limits<double>::infinity()};
-  Vec3 high = -low;
+  core::Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                 std::numeric_limits<double>::infinity()};
+  core::Vec3 high = -low;
 
-  void add(const Vec3& p) {
+  void add(const core::Vec3& p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
@@ -61,12 +61,12 @@ Camera Camera::start(double width_px, double height_px) {
   return preset(camera, ViewPreset::start);
 }
 
-Mat3 Camera::picture_from_world() const {
+core::Mat3 Camera::picture_from_world() const {
   const double s = std::sin(azimuth_rad);
   const double c = std::cos(azimuth_rad);
-  const Vec3 right{-c, s, 0.0};
-  const Vec3 towards = direction(azimuth_rad, elevation_rad);
-  return {{right, cross(towards, right), towards}};
+  const core::Vec3 right{-c, s, 0.0};
+  const core::Vec3 towards = core::direction(azimuth_rad, elevation_rad);
+  return {{right, core::cross(towards, right), towards}};
 }
 
 double Camera::scale_at(double depth_m) const {
@@ -76,21 +76,22 @@ double Camera::scale_at(double depth_m) const {
   return ahead_m > nearest_part * viewer_m ? pixels_per_m * viewer_m / ahead_m : 0.0;
 }
 
-std::optional<PicturePoint> Camera::project(const Vec3& world_m) const {
-  const Vec3 picture_m = picture_from_world() * (world_m - focus_world_m);
+std::optional<PicturePoint> Camera::project(const core::Vec3& world_m) const {
+  const core::Vec3 picture_m = picture_from_world() * (world_m - focus_world_m);
   if (!finite(picture_m)) return std::nullopt;
   const double scale = scale_at(-picture_m.z);
   if (scale == 0.0) return std::nullopt;
   return PicturePoint{0.5 * width_px + scale * picture_m.x, 0.5 * height_px - scale * picture_m.y, -picture_m.z};
 }
 
-Vec3 Camera::unproject(double x_px, double y_px) const {
+core::Vec3 Camera::unproject(double x_px, double y_px) const {
   return focus_world_m + world_step(*this, x_px - 0.5 * width_px, y_px - 0.5 * height_px);
 }
 
 Camera turned(Camera camera, double dx_px, double dy_px, double scale) {
-  camera.azimuth_rad = wrapped(camera.azimuth_rad + dx_px / (4.0 * scale) * rad_per_deg);
-  camera.elevation_rad = std::clamp(camera.elevation_rad + dy_px / (2.0 * scale) * rad_per_deg, -0.5 * pi, 0.5 * pi);
+  camera.azimuth_rad = wrapped(camera.azimuth_rad + dx_px / (4.0 * scale) * core::rad_per_deg);
+  camera.elevation_rad =
+      std::clamp(camera.elevation_rad + dy_px / (2.0 * scale) * core::rad_per_deg, -0.5 * core::pi, 0.5 * core::pi);
   return camera;
 }
 
@@ -101,38 +102,38 @@ Camera panned(Camera camera, double dx_px, double dy_px) {
 
 Camera zoomed(Camera camera, double factor, double x_px, double y_px) {
   if (!(factor > 0.0)) return camera;
-  const Vec3 kept = camera.unproject(x_px, y_px);
+  const core::Vec3 kept = camera.unproject(x_px, y_px);
   camera.pixels_per_m = std::clamp(camera.pixels_per_m * factor, smallest_pixels_per_m, largest_pixels_per_m);
   camera.focus_world_m = kept - world_step(camera, x_px - 0.5 * camera.width_px, y_px - 0.5 * camera.height_px);
   return camera;
 }
 
-Camera fitted(Camera camera, const std::vector<Vec3>& points_world_m) {
-  const Mat3 picture_from_world = camera.picture_from_world();
+Camera fitted(Camera camera, const std::vector<core::Vec3>& points_world_m) {
+  const core::Mat3 picture_from_world = camera.picture_from_world();
   Box box;
-  for (const Vec3& point : points_world_m)
+  for (const core::Vec3& point : points_world_m)
     if (finite(point)) box.add(picture_from_world * point);
   if (!(box.low.x <= box.high.x)) return camera;
-  const Vec3 middle = 0.5 * (box.low + box.high);
-  camera.focus_world_m = transposed(picture_from_world) * middle;
+  const core::Vec3 middle = 0.5 * (box.low + box.high);
+  camera.focus_world_m = core::transposed(picture_from_world) * middle;
   double scale = std::numeric_limits<double>::infinity();
-  for (const Vec3& point : points_world_m) {
+  for (const core::Vec3& point : points_world_m) {
     if (!finite(point)) continue;
-    const Vec3 p = picture_from_world * point - middle;
+    const core::Vec3 p = picture_from_world * point - middle;
     scale = std::min({scale, largest_scale(camera, std::abs(p.x), -p.z, fitted_part * camera.width_px),
                       largest_scale(camera, std::abs(p.y), -p.z, fitted_part * camera.height_px)});
   }
   // Points that differ by rounding alone are one point.
-  const double size = std::max({norm(box.low), norm(box.high), 1e-3});
-  if (!std::isfinite(scale) || norm(box.high - box.low) < 1e-9 * size) return camera;
+  const double size = std::max({core::norm(box.low), core::norm(box.high), 1e-3});
+  if (!std::isfinite(scale) || core::norm(box.high - box.low) < 1e-9 * size) return camera;
   camera.pixels_per_m = std::clamp(scale, smallest_pixels_per_m, largest_pixels_per_m);
   return camera;
 }
 
 Camera preset(Camera camera, ViewPreset view) {
   const auto look_from = [&](double azimuth_deg, double elevation_deg) {
-    camera.azimuth_rad = azimuth_deg * rad_per_deg;
-    camera.elevation_rad = elevation_deg * rad_per_deg;
+    camera.azimuth_rad = azimuth_deg * core::rad_per_deg;
+    camera.elevation_rad = elevation_deg * core::rad_per_deg;
   };
   switch (view) {
     case ViewPreset::start: look_from(60.0, 30.0); break;
@@ -143,4 +144,4 @@ Camera preset(Camera camera, ViewPreset view) {
   return camera;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 
 #include "core/maths/vector.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// A point of the picture: x to the right, y down, in device pixels; depth grows away from the viewer [m].
 struct PicturePoint {
@@ -24,7 +24,7 @@ inline constexpr double distance_in_heights = 2.0;
 /// focus; z is up in the picture. Orthographic by default (thesis 4.1); in perspective the viewer stands
 /// `distance_in_heights` picture heights away from the focus, where the scale is that of the orthographic view.
 struct Camera {
-  Vec3 focus_world_m;
+  core::Vec3 focus_world_m;
   double azimuth_rad = 0.0;
   double elevation_rad = 0.0;
   double pixels_per_m = 0.01;
@@ -36,12 +36,12 @@ struct Camera {
   [[nodiscard]] static Camera start(double width_px, double height_px);
 
   /// Rows are the picture's axes right, up and towards the viewer, in the world.
-  [[nodiscard]] Mat3 picture_from_world() const;
+  [[nodiscard]] core::Mat3 picture_from_world() const;
   /// Nothing for a point behind the viewer of a perspective view, or so near to the viewer's eye that the scale is
   /// over 1000 times that of the focus, or that is not a finite number.
-  [[nodiscard]] std::optional<PicturePoint> project(const Vec3& world_m) const;
+  [[nodiscard]] std::optional<PicturePoint> project(const core::Vec3& world_m) const;
   /// The world point under a picture point at the focus's depth.
-  [[nodiscard]] Vec3 unproject(double x_px, double y_px) const;
+  [[nodiscard]] core::Vec3 unproject(double x_px, double y_px) const;
   /// Pixels per metre at a depth of `project`; 0 behind the viewer of a perspective view.
   [[nodiscard]] double scale_at(double depth_m) const;
   /// Distance of the viewer of a perspective view from the focus [m].
@@ -60,9 +60,9 @@ inline constexpr double largest_pixels_per_m = 1e5;
 /// that is not a positive number changes nothing.
 [[nodiscard]] Camera zoomed(Camera camera, double factor, double x_px, double y_px);
 /// All points in the picture with a margin; direction kept. One point, or none: the scale is kept.
-[[nodiscard]] Camera fitted(Camera camera, const std::vector<Vec3>& points_world_m);
+[[nodiscard]] Camera fitted(Camera camera, const std::vector<core::Vec3>& points_world_m);
 enum class ViewPreset { start, top, front, side };
 /// Top looks down with +y up in the picture, front along +y, side along -x.
 [[nodiscard]] Camera preset(Camera camera, ViewPreset view);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

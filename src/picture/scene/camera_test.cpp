@@ -8,15 +8,15 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
-constexpr double deg = pi / 180.0;
+constexpr double deg = core::pi / 180.0;
 
 // Cameras of all directions, scales and both kinds.
 std::vector<Camera> cameras() {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> angle(-pi, pi), side(-2000.0, 2000.0), exponent(-3.0, 2.0);
+  std::uniform_real_distribution<double> angle(-core::pi, core::pi), side(-2000.0, 2000.0), exponent(-3.0, 2.0);
   std::vector<Camera> all;
   for (int i = 0; i < 60; ++i) {
     Camera camera;
@@ -32,14 +32,16 @@ std::vector<Camera> cameras() {
   return all;
 }
 
-void expect_near(const Vec3& a, const Vec3& b, double tolerance) { EXPECT_LT(norm(a - b), tolerance); }
+void expect_near(const core::Vec3& a, const core::Vec3& b, double tolerance) {
+  EXPECT_LT(core::norm(a - b), tolerance);
+}
 
 TEST(Camera, AxesOfThePictureAreARightHandedRotation) {
   for (const Camera& camera : cameras()) {
-    const Mat3 r = camera.picture_from_world();
-    const Mat3 unit = r * transposed(r);
-    for (std::size_t i = 0; i < 3; ++i) expect_near(unit.row[i], Mat3{}.row[i], 1e-14);
-    expect_near(cross(r.row[0], r.row[1]), r.row[2], 1e-14);
+    const core::Mat3 r = camera.picture_from_world();
+    const core::Mat3 unit = r * core::transposed(r);
+    for (std::size_t i = 0; i < 3; ++i) expect_near(unit.row[i], core::Mat3{}.row[i], 1e-14);
+    expect_near(core::cross(r.row[0], r.row[1]), r.row[2], 1e-14);
     EXPECT_NEAR(r.row[0].z, 0.0, 1e-15);  // z is up: the horizon is level
     EXPECT_GE(r.row[1].z, 0.0);
   }
@@ -58,11 +60,11 @@ TEST(Camera, FocusIsTheMiddleOfThePicture) {
 TEST(Camera, ProjectIsTheInverseOfUnproject) {
   for (const Camera& camera : cameras())
     for (const double x : {0.0, 333.0, 900.0}) {
-      const Vec3 world_m = camera.unproject(x, 100.0);
+      const core::Vec3 world_m = camera.unproject(x, 100.0);
       const auto point = camera.project(world_m);
       ASSERT_TRUE(point);
       // Rounding of the world's coordinates, seen at this scale.
-      const double tolerance = 1e-11 * (1.0 + norm(world_m) * camera.pixels_per_m);
+      const double tolerance = 1e-11 * (1.0 + core::norm(world_m) * camera.pixels_per_m);
       EXPECT_NEAR(point->x, x, tolerance);
       EXPECT_NEAR(point->y, 100.0, tolerance);
       EXPECT_NEAR(point->depth_m * camera.pixels_per_m, 0.0, tolerance);
@@ -76,18 +78,18 @@ TEST(Camera, StartsWhereTheThesisStarts) {
   EXPECT_EQ(camera.width_px, 640.0);
   EXPECT_EQ(camera.height_px, 480.0);
   // The viewer stands on the side of +x and +y, above the plane.
-  expect_near(camera.picture_from_world().row[2], direction(60.0 * deg, 30.0 * deg), 1e-15);
+  expect_near(camera.picture_from_world().row[2], core::direction(60.0 * deg, 30.0 * deg), 1e-15);
 }
 
 TEST(Camera, PresetsLookAlongTheAxes) {
-  const Mat3 top = preset(Camera{}, ViewPreset::top).picture_from_world();
+  const core::Mat3 top = preset(Camera{}, ViewPreset::top).picture_from_world();
   expect_near(top.row[0], {1, 0, 0}, 1e-15);
   expect_near(top.row[1], {0, 1, 0}, 1e-15);
-  const Mat3 front = preset(Camera{}, ViewPreset::front).picture_from_world();
+  const core::Mat3 front = preset(Camera{}, ViewPreset::front).picture_from_world();
   expect_near(front.row[0], {1, 0, 0}, 1e-15);
   expect_near(front.row[1], {0, 0, 1}, 1e-15);
   expect_near(front.row[2], {0, -1, 0}, 1e-15);
-  const Mat3 side = preset(Camera{}, ViewPreset::side).picture_from_world();
+  const core::Mat3 side = preset(Camera{}, ViewPreset::side).picture_from_world();
   expect_near(side.row[0], {0, 1, 0}, 1e-15);
   expect_near(side.row[2], {1, 0, 0}, 1e-15);
 }
@@ -105,7 +107,7 @@ TEST(Camera, HigherPointsAreHigherInThePicture) {
   for (const Camera& camera : cameras()) {
     if (std::abs(camera.elevation_rad) > 80.0 * deg) continue;
     const auto low = camera.project(camera.focus_world_m);
-    const auto high = camera.project(camera.focus_world_m + Vec3{0, 0, 1.0 / camera.pixels_per_m});
+    const auto high = camera.project(camera.focus_world_m + core::Vec3{0, 0, 1.0 / camera.pixels_per_m});
     EXPECT_LT(high->y, low->y);
   }
 }
@@ -122,7 +124,7 @@ TEST(Camera, FourPixelsTurnOneDegreeOfAzimuthAndTwoOneOfElevation) {
 
 TEST(Camera, TheNearSideFollowsATurningCursor) {
   const Camera before = Camera::start(800, 600);
-  const Vec3 near_side = 1000.0 * before.picture_from_world().row[2];
+  const core::Vec3 near_side = 1000.0 * before.picture_from_world().row[2];
   const auto moved = turned(before, 8.0, 8.0).project(near_side);
   EXPECT_GT(moved->x, 400.0);
   EXPECT_GT(moved->y, 300.0);
@@ -130,18 +132,18 @@ TEST(Camera, TheNearSideFollowsATurningCursor) {
 
 TEST(Camera, ElevationStaysWithin90DegreesAndAzimuthWraps) {
   const Camera before = Camera::start(800, 600);
-  EXPECT_DOUBLE_EQ(turned(before, 0.0, 1e6).elevation_rad, 0.5 * pi);
-  EXPECT_DOUBLE_EQ(turned(before, 0.0, -1e6).elevation_rad, -0.5 * pi);
+  EXPECT_DOUBLE_EQ(turned(before, 0.0, 1e6).elevation_rad, 0.5 * core::pi);
+  EXPECT_DOUBLE_EQ(turned(before, 0.0, -1e6).elevation_rad, -0.5 * core::pi);
   EXPECT_NEAR(turned(before, 4.0 * 130.0, 0.0).azimuth_rad, -170.0 * deg, 1e-12);
   EXPECT_NEAR(turned(before, 4.0 * 360.0, 0.0).azimuth_rad, before.azimuth_rad, 1e-12);
 }
 
 TEST(Camera, PanKeepsThePointUnderTheCursor) {
   for (const Camera& camera : cameras()) {
-    const Vec3 held = camera.unproject(200.0, 320.0);
+    const core::Vec3 held = camera.unproject(200.0, 320.0);
     const auto point = panned(camera, 57.0, -31.0).project(held);
     ASSERT_TRUE(point);
-    const double tolerance = 1e-11 * (1.0 + norm(held) * camera.pixels_per_m);
+    const double tolerance = 1e-11 * (1.0 + core::norm(held) * camera.pixels_per_m);
     EXPECT_NEAR(point->x, 257.0, tolerance);
     EXPECT_NEAR(point->y, 289.0, tolerance);
   }
@@ -150,12 +152,12 @@ TEST(Camera, PanKeepsThePointUnderTheCursor) {
 TEST(Camera, ZoomKeepsTheCursorsPoint) {
   for (const Camera& camera : cameras())
     for (const double factor : {0.3, 1.0, 7.0}) {
-      const Vec3 held = camera.unproject(200.0, 320.0);
+      const core::Vec3 held = camera.unproject(200.0, 320.0);
       const Camera after = zoomed(camera, factor, 200.0, 320.0);
       EXPECT_DOUBLE_EQ(after.pixels_per_m, camera.pixels_per_m * factor);
       const auto point = after.project(held);
       ASSERT_TRUE(point);
-      const double tolerance = 1e-11 * (1.0 + norm(held) * after.pixels_per_m);
+      const double tolerance = 1e-11 * (1.0 + core::norm(held) * after.pixels_per_m);
       EXPECT_NEAR(point->x, 200.0, tolerance);
       EXPECT_NEAR(point->y, 320.0, tolerance);
     }
@@ -177,7 +179,7 @@ TEST(Camera, PerspectiveHasTheOrthographicScaleInTheFocusPlane) {
   Camera flat = Camera::start(800, 600);
   Camera deep = flat;
   deep.perspective = true;
-  const Vec3 in_plane = flat.unproject(100.0, 500.0);
+  const core::Vec3 in_plane = flat.unproject(100.0, 500.0);
   EXPECT_NEAR(deep.project(in_plane)->x, 100.0, 1e-9);
   EXPECT_NEAR(deep.project(in_plane)->y, 500.0, 1e-9);
   EXPECT_DOUBLE_EQ(deep.scale_at(0.0), flat.pixels_per_m);
@@ -188,7 +190,7 @@ TEST(Camera, PerspectiveHasTheOrthographicScaleInTheFocusPlane) {
 
 TEST(Camera, NothingBehindTheViewerOfAPerspectiveView) {
   Camera camera = Camera::start(800, 600);
-  const Vec3 towards = camera.picture_from_world().row[2];
+  const core::Vec3 towards = camera.picture_from_world().row[2];
   const double viewer_m = camera.viewer_distance_m();
   EXPECT_TRUE(camera.project(1.5 * viewer_m * towards));
   camera.perspective = true;
@@ -208,12 +210,12 @@ TEST(Camera, FitShowsAllPointsAndFillsThePicture) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> side(-1.0, 1.0);
   for (Camera camera : cameras()) {
-    std::vector<Vec3> points;
+    std::vector<core::Vec3> points;
     for (int i = 0; i < 20; ++i)
       points.push_back({5000.0 + 300.0 * side(random), 900.0 * side(random), 40.0 * side(random)});
     camera = fitted(camera, points);
     double widest = 0.0;
-    for (const Vec3& p : points) {
+    for (const core::Vec3& p : points) {
       const auto point = camera.project(p);
       ASSERT_TRUE(point);
       const double x = std::abs(point->x - 450.0) / 450.0;
@@ -254,4 +256,4 @@ TEST(Camera, FitInPerspectiveKeepsNearPointsInFrontOfTheViewer) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 #include "picture/figure/ticks.hpp"
 #include "picture/scene/drawing_pen.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr double triad_room_px = 48.0;   // about the corner triad: main axes en
 constexpr double label_gap_px = 12.0;    // from a mark to its label
 constexpr double letter_room_px = 12.0;  // a letter that stands nearer to the edge of the picture is cut
 
-Vec3 axis_of(std::size_t i) { return Mat3{}.row[i]; }
+core::Vec3 axis_of(std::size_t i) { return core::Mat3{}.row[i]; }
 
 double distance_px(const PicturePoint& a, const PicturePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -76,7 +76,7 @@ void put_mark_label(Pen& pen, const PicturePoint& origin, const PicturePoint& ma
 
 // One axis from the world's origin with the mark at a round distance.
 void draw_main_axis(Pen& pen, const PicturePoint& origin, std::size_t axis, double length_m) {
-  const Vec3 unit = axis_of(axis);
+  const core::Vec3 unit = axis_of(axis);
   const auto end = pen.project(length_m * unit);
   const double shown = end ? part_before_triad(pen, origin, *end) : 1.0;
   pen.world_line({}, shown * length_m * unit, axis_roles[axis], 2.0);
@@ -88,14 +88,15 @@ void draw_main_axis(Pen& pen, const PicturePoint& origin, std::size_t axis, doub
   if (!mark || shown * length_m < mark_m || in_triad(pen, *mark) || distance_px(origin, *mark) < pen.px(end_on_px))
     return;
   pen.disc(*mark, 5.0, Role::text, false);
-  if (pen.options().labels && !pen.options().coarse) put_mark_label(pen, origin, *mark, with_prefix(mark_m, "m", 3));
+  if (pen.options().labels && !pen.options().coarse)
+    put_mark_label(pen, origin, *mark, core::with_prefix(mark_m, "m", 3));
 }
 
 }  // namespace
 
-void draw_axes(Pen& pen, const PicturePoint& origin, const Mat3& world_from_frame, double length_px, double width_px,
-               bool letters) {
-  const Mat3 axes_world = transposed(world_from_frame);
+void draw_axes(Pen& pen, const PicturePoint& origin, const core::Mat3& world_from_frame, double length_px,
+               double width_px, bool letters) {
+  const core::Mat3 axes_world = core::transposed(world_from_frame);
   for (std::size_t i = 0; i < 3; ++i) {
     const PicturePoint end = pen.along(origin, axes_world.row[i], length_px);
     pen.line(origin, end, axis_roles[i], width_px);
@@ -111,7 +112,7 @@ void draw_main_axes(Pen& pen) {
   for (std::size_t i = 0; i < 3; ++i) draw_main_axis(pen, *origin, i, length_m);
 }
 
-void draw_corner_triad(Pen& pen) { draw_axes(pen, triad_origin(pen), Mat3{}, 30.0, 1.0, true); }
+void draw_corner_triad(Pen& pen) { draw_axes(pen, triad_origin(pen), core::Mat3{}, 30.0, 1.0, true); }
 
 void draw_scale_bar(Pen& pen) {
   const double length_m = round_below(pen.px(120.0) / pen.camera().pixels_per_m);
@@ -121,7 +122,8 @@ void draw_scale_bar(Pen& pen) {
   pen.line(left, right, Role::text, 2.0);
   for (const PicturePoint& end : {left, right})
     pen.line({end.x, end.y - pen.px(4.0), 0.0}, {end.x, end.y + pen.px(4.0), 0.0}, Role::text, 1.0);
-  pen.text(0.5 * (left.x + right.x), left.y - pen.px(7.0), with_prefix(length_m, "m", 3), Role::text, false, true);
+  pen.text(0.5 * (left.x + right.x), left.y - pen.px(7.0), core::with_prefix(length_m, "m", 3), Role::text, false,
+           true);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 #include "core/text/number_text.hpp"
 #include "picture/scene/drawing_pen.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -19,16 +19,18 @@ constexpr double platform_axis_px = 50.0;
 constexpr double normal_px = 20.0;
 
 // What is selected or hovered is told by size as well as by colour.
-double emphasis_px(const Pen& pen, const ObjectId& id) { return pen.hovered(id) ? 4.0 : pen.selected(id) ? 2.0 : 0.0; }
+double emphasis_px(const Pen& pen, const scene::ObjectId& id) {
+  return pen.hovered(id) ? 4.0 : pen.selected(id) ? 2.0 : 0.0;
+}
 
 // --- Targets --------------------------------------------------------------------------------------------------------
 
 // Membership of targets in a set of objects, by index: one look-up each for the many.
 class TargetFlags {
  public:
-  TargetFlags(const std::set<ObjectId>& objects, std::size_t count) {
-    for (auto at = objects.lower_bound({ObjectKind::target, 0}); at != objects.end() && at->kind == ObjectKind::target;
-         ++at) {
+  TargetFlags(const std::set<scene::ObjectId>& objects, std::size_t count) {
+    for (auto at = objects.lower_bound({scene::ObjectKind::target, 0});
+         at != objects.end() && at->kind == scene::ObjectKind::target; ++at) {
       if (at->index >= count) break;
       if (flags_.empty()) flags_.resize(count, false);
       flags_[at->index] = true;
@@ -82,26 +84,26 @@ void draw_dotted_circle(Pen& pen, const PicturePoint& centre, double diameter_px
   constexpr int parts = 32;
   const double radius = 0.5 * pen.px(diameter_px);
   const auto at = [&](int i) {
-    const double angle = 2.0 * pi * i / parts;
+    const double angle = 2.0 * core::pi * i / parts;
     return PicturePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle), centre.depth_m};
   };
   for (int i = 0; i < parts; i += 2) pen.line(at(i), at(i + 1), Role::beam, 1.0);
 }
 
 // The unit vector that lies at the given offsets from a beam's axis.
-Vec3 off_axis(const Snapshot::Radar& radar, double azimuth, double elevation) {
-  const Vec3 antenna = direction(azimuth, elevation);
+core::Vec3 off_axis(const Snapshot::Radar& radar, double azimuth, double elevation) {
+  const core::Vec3 antenna = core::direction(azimuth, elevation);
   return antenna.x * radar.across_world + antenna.y * radar.axis_world +
-         antenna.z * cross(radar.across_world, radar.axis_world);
+         antenna.z * core::cross(radar.across_world, radar.axis_world);
 }
 
 void draw_cone(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex, Role role) {
-  const double half_azimuth = std::min(pi, 0.5 * radar.azimuth_width_rad);
-  const double half_elevation = std::min(0.5 * pi, 0.5 * radar.elevation_width_rad);
+  const double half_azimuth = std::min(core::pi, 0.5 * radar.azimuth_width_rad);
+  const double half_elevation = std::min(0.5 * core::pi, 0.5 * radar.elevation_width_rad);
   std::array<PicturePoint, rim_points> rim;
   for (int i = 0; i < rim_points; ++i) {
-    const double angle = 2.0 * pi * i / rim_points;
-    const Vec3 towards = off_axis(radar, half_azimuth * std::cos(angle), half_elevation * std::sin(angle));
+    const double angle = 2.0 * core::pi * i / rim_points;
+    const core::Vec3 towards = off_axis(radar, half_azimuth * std::cos(angle), half_elevation * std::sin(angle));
     rim[static_cast<std::size_t>(i)] = pen.along(apex, towards, cone_px);
   }
   for (std::size_t i = 0; i < rim.size(); ++i) pen.line(rim[i], rim[(i + 1) % rim.size()], role, 1.0);
@@ -138,7 +140,7 @@ void draw_radar(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& at) 
 // --- Platforms ------------------------------------------------------------------------------------------------------
 
 void draw_trail(Pen& pen, const Snapshot::Platform& platform) {
-  const std::vector<Vec3>& trail = platform.trail_world_m;
+  const std::vector<core::Vec3>& trail = platform.trail_world_m;
   for (std::size_t i = 1; i < trail.size(); ++i)
     pen.world_line(trail[i - 1], trail[i], pen.role_of(platform.id, Role::faint), 1.0);
 }
@@ -147,9 +149,9 @@ void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
   const DrawingOptions& options = pen.options();
   const auto at = pen.project(platform.pose.position_world_m);
   if (!at || !pen.visible(*at)) return;
-  const bool world = equal_ignoring_case(platform.name, "Earth");  // The main axes are its own (thesis 4.1).
+  const bool world = core::equal_ignoring_case(platform.name, "Earth");  // The main axes are its own (thesis 4.1).
   const bool marked = pen.selected(platform.id) || pen.hovered(platform.id);
-  const Vec3& p = platform.pose.position_world_m;
+  const core::Vec3& p = platform.pose.position_world_m;
   if (options.elevation_lines && p.z != 0.0) pen.world_line(p, {p.x, p.y, 0.0}, Role::faint, 1.0, true);
   if (options.coordinate_systems && !world)
     draw_axes(pen, *at, platform.pose.world_from_platform, platform_axis_px, marked ? 2.0 : 1.0,
@@ -166,10 +168,10 @@ void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
 // --- Surfaces -------------------------------------------------------------------------------------------------------
 
 // Grey by the elevation of the normal, white where it points down (thesis 4.1).
-std::uint8_t shade_of(const Vec3& normal_world) {
-  const double elevation = elevation_rad(normal_world);
+std::uint8_t shade_of(const core::Vec3& normal_world) {
+  const double elevation = core::elevation_rad(normal_world);
   if (elevation < 0.0) return 255;
-  return static_cast<std::uint8_t>(std::lround(100.0 + 154.0 * elevation / (0.5 * pi)));
+  return static_cast<std::uint8_t>(std::lround(100.0 + 154.0 * elevation / (0.5 * core::pi)));
 }
 
 void draw_surface(Pen& pen, const Snapshot::Surface& surface) {
@@ -177,7 +179,7 @@ void draw_surface(Pen& pen, const Snapshot::Surface& surface) {
   const DrawingOptions& options = pen.options();
   pen.polygon(c, pen.role_of(surface.id, Role::surface), shade_of(surface.normal_world), options.filled_surfaces);
   if (options.elevation_lines && !options.coarse)
-    for (const Vec3& corner : c)
+    for (const core::Vec3& corner : c)
       if (corner.z != 0.0) pen.world_line(corner, {corner.x, corner.y, 0.0}, Role::faint, 1.0, true);
   const auto centroid = pen.project((1.0 / 3.0) * (c[0] + c[1] + c[2]));
   if (!centroid) return;
@@ -225,4 +227,4 @@ void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms) 
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

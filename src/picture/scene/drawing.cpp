@@ -4,7 +4,7 @@
 
 #include "picture/scene/drawing_pen.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -39,8 +39,8 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
   std::ranges::stable_sort(drawing.polygons, std::ranges::greater{}, mean_depth);
 }
 
-std::vector<Vec3> points_of(const Snapshot& snapshot) {
-  std::vector<Vec3> points;
+std::vector<core::Vec3> points_of(const Snapshot& snapshot) {
+  std::vector<core::Vec3> points;
   for (const Snapshot::Platform& platform : snapshot.platforms) points.push_back(platform.pose.position_world_m);
   for (const Snapshot::Target& target : snapshot.targets) points.push_back(target.position_world_m);
   for (const Snapshot::Surface& surface : snapshot.surfaces)
@@ -49,4 +49,4 @@ std::vector<Vec3> points_of(const Snapshot& snapshot) {
   return points;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

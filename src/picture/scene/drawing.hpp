@@ -9,7 +9,7 @@
 #include "picture/scene/camera.hpp"
 #include "picture/scene/snapshot.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What the View menu switches (thesis 4.1.2), and what is set apart.
 struct DrawingOptions {
@@ -23,9 +23,9 @@ struct DrawingOptions {
   bool coarse = false;       ///< Less detail while the mouse drags: no labels and drop lines of targets, at most
                              ///< `coarse_targets` discs.
   double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen: sizes are multiplied by it.
-  std::set<ObjectId> selected;
-  std::optional<ObjectId> hovered;
-  std::set<ObjectId> hidden;
+  std::set<scene::ObjectId> selected;
+  std::optional<scene::ObjectId> hovered;
+  std::set<scene::ObjectId> hidden;
 };
 inline constexpr std::size_t coarse_targets = 2000;
 
@@ -63,7 +63,7 @@ struct Drawing {
   /// What can be picked: an object with a place of it. A platform has a second one at its name, because its radar
   /// covers its origin; the handle of a surface, at its centroid, says only that it was drawn.
   struct Handle {
-    ObjectId id;
+    scene::ObjectId id;
     float x = 0.0F;
     float y = 0.0F;
     float depth_m = 0.0F;
@@ -87,10 +87,10 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
 /// The object under a picture point: the nearest handle within `reach_px`, targets and radars before platforms, the
 /// nearer to the viewer first where two are equally near (to half a pixel); else the nearest surface whose triangle
 /// holds the point or has its rim within reach. Only what `draw_scene` put into `drawing`.
-[[nodiscard]] std::optional<ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
-                                             double x_px, double y_px, double reach_px);
+[[nodiscard]] std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot,
+                                                    const Camera& camera, double x_px, double y_px, double reach_px);
 
 /// All points of a snapshot that a fitted view should show: objects, not trails.
-[[nodiscard]] std::vector<Vec3> points_of(const Snapshot& snapshot);
+[[nodiscard]] std::vector<core::Vec3> points_of(const Snapshot& snapshot);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

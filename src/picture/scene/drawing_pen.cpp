@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -80,15 +80,17 @@ Pen::Pen(const Camera& camera, const DrawingOptions& options, Drawing& drawing)
       picture_from_world_(camera.picture_from_world()),
       nearest_depth_m_(-(1.0 - nearest_stroke_part) * camera.viewer_distance_m()) {}
 
-Vec3 Pen::in_picture_axes(const Vec3& world_m) const { return picture_from_world_ * (world_m - camera_.focus_world_m); }
+core::Vec3 Pen::in_picture_axes(const core::Vec3& world_m) const {
+  return picture_from_world_ * (world_m - camera_.focus_world_m);
+}
 
-PicturePoint Pen::point_of(const Vec3& picture_m) const {
+PicturePoint Pen::point_of(const core::Vec3& picture_m) const {
   const double scale = camera_.scale_at(-picture_m.z);
   return {0.5 * camera_.width_px + scale * picture_m.x, 0.5 * camera_.height_px - scale * picture_m.y, -picture_m.z};
 }
 
-std::optional<PicturePoint> Pen::project(const Vec3& world_m) const {
-  const Vec3 picture_m = in_picture_axes(world_m);
+std::optional<PicturePoint> Pen::project(const core::Vec3& world_m) const {
+  const core::Vec3 picture_m = in_picture_axes(world_m);
   if (camera_.perspective && !(-picture_m.z > nearest_depth_m_)) return std::nullopt;
   const PicturePoint point = point_of(picture_m);
   if (!std::isfinite(point.x) || !std::isfinite(point.y)) return std::nullopt;
@@ -101,8 +103,8 @@ bool Pen::visible(const PicturePoint& point) const {
          point.y <= camera_.height_px + margin;
 }
 
-PicturePoint Pen::along(const PicturePoint& start, const Vec3& direction_world, double length_px) const {
-  const Vec3 step = px(length_px) * (picture_from_world_ * direction_world);
+PicturePoint Pen::along(const PicturePoint& start, const core::Vec3& direction_world, double length_px) const {
+  const core::Vec3 step = px(length_px) * (picture_from_world_ * direction_world);
   return {start.x + step.x, start.y - step.y, start.depth_m};
 }
 
@@ -114,14 +116,15 @@ void Pen::line(const PicturePoint& a, const PicturePoint& b, Role role, double w
                             static_cast<float>(to.y), role, static_cast<float>(px(width_px)), dotted});
 }
 
-void Pen::world_line(const Vec3& a_world_m, const Vec3& b_world_m, Role role, double width_px, bool dotted) {
-  Vec3 a = in_picture_axes(a_world_m);
-  Vec3 b = in_picture_axes(b_world_m);
+void Pen::world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, Role role, double width_px,
+                     bool dotted) {
+  core::Vec3 a = in_picture_axes(a_world_m);
+  core::Vec3 b = in_picture_axes(b_world_m);
   if (camera_.perspective) {
     const double room_a = -a.z - nearest_depth_m_;
     const double room_b = -b.z - nearest_depth_m_;
     if (!(room_a > 0.0 || room_b > 0.0)) return;
-    const Vec3 crossing = a + (room_a / (room_a - room_b)) * (b - a);
+    const core::Vec3 crossing = a + (room_a / (room_a - room_b)) * (b - a);
     if (room_a <= 0.0) a = crossing;
     if (room_b <= 0.0) b = crossing;
   }
@@ -137,16 +140,16 @@ void Pen::disc(const PicturePoint& at, double diameter_px, Role role, bool outli
       {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(px(diameter_px)), role, outlined});
 }
 
-void Pen::polygon(const std::array<Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled) {
-  std::vector<Vec3> corners(corners_world_m.begin(), corners_world_m.end());
-  for (Vec3& corner : corners) corner = in_picture_axes(corner);
+void Pen::polygon(const std::array<core::Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled) {
+  std::vector<core::Vec3> corners(corners_world_m.begin(), corners_world_m.end());
+  for (core::Vec3& corner : corners) corner = in_picture_axes(corner);
   if (camera_.perspective)
     corners = clip_polygon(
-        corners, [&](const Vec3& p) { return -p.z - nearest_depth_m_; },
-        [](const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); });
+        corners, [&](const core::Vec3& p) { return -p.z - nearest_depth_m_; },
+        [](const core::Vec3& a, const core::Vec3& b, double t) { return a + t * (b - a); });
   Drawing::Polygon polygon{{}, role, shade, filled};
   polygon.corners.reserve(corners.size());
-  for (const Vec3& corner : corners) polygon.corners.push_back(point_of(corner));
+  for (const core::Vec3& corner : corners) polygon.corners.push_back(point_of(corner));
   for (const PicturePoint& corner : polygon.corners)
     if (!std::isfinite(corner.x + corner.y)) return;
   polygon.corners = clip_to_frame(std::move(polygon.corners), frame_of(camera_, options_.pixel_scale));
@@ -158,13 +161,13 @@ void Pen::text(double x, double y, const std::string& words, Role role, bool bol
   drawing_.texts.push_back({static_cast<float>(x), static_cast<float>(y), words, role, bold, centred});
 }
 
-void Pen::handle(const ObjectId& id, const PicturePoint& at) {
+void Pen::handle(const scene::ObjectId& id, const PicturePoint& at) {
   drawing_.handles.push_back({id, static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.depth_m)});
 }
 
-Role Pen::role_of(const ObjectId& id, Role usual) const {
+Role Pen::role_of(const scene::ObjectId& id, Role usual) const {
   if (hovered(id)) return Role::hovered;
   return selected(id) ? Role::selected : usual;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 
 #include "picture/scene/drawing.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Puts marks of the world and of the picture onto a drawing, clipped to the picture and a margin about it, so that no
 /// painter meets endless lines. Lengths named `_px` in arguments are pixels of the screen, before `pixel_scale`.
@@ -22,39 +22,41 @@ class Pen {
   [[nodiscard]] double px(double length_px) const { return length_px * options_.pixel_scale; }
 
   /// Camera::project with the rotation at hand.
-  [[nodiscard]] std::optional<PicturePoint> project(const Vec3& world_m) const;
+  [[nodiscard]] std::optional<PicturePoint> project(const core::Vec3& world_m) const;
   /// True within the picture and its margin.
   [[nodiscard]] bool visible(const PicturePoint& point) const;
   /// Where a mark of `length_px` along a world direction ends that begins at a picture point.
-  [[nodiscard]] PicturePoint along(const PicturePoint& start, const Vec3& direction_world, double length_px) const;
+  [[nodiscard]] PicturePoint along(const PicturePoint& start, const core::Vec3& direction_world,
+                                   double length_px) const;
 
   /// A line in the picture; widths are pixels of the screen.
   void line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted = false);
   /// A line in space; of one that passes the viewer of a perspective view the part in front.
-  void world_line(const Vec3& a_world_m, const Vec3& b_world_m, Role role, double width_px, bool dotted = false);
+  void world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, Role role, double width_px,
+                  bool dotted = false);
   /// A disc about a point of the picture; its diameter in pixels of the screen.
   void disc(const PicturePoint& at, double diameter_px, Role role, bool outlined);
   /// A triangle in space; of one that passes the viewer of a perspective view the part in front.
-  void polygon(const std::array<Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled);
+  void polygon(const std::array<core::Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled);
   /// Words at a place of the picture: the left end of their base line, or its middle.
   void text(double x, double y, const std::string& words, Role role, bool bold, bool centred);
   /// Makes an object be picked at a point.
-  void handle(const ObjectId& id, const PicturePoint& at);
+  void handle(const scene::ObjectId& id, const PicturePoint& at);
 
-  [[nodiscard]] bool hidden(const ObjectId& id) const { return options_.hidden.contains(id); }
-  [[nodiscard]] bool selected(const ObjectId& id) const { return options_.selected.contains(id); }
-  [[nodiscard]] bool hovered(const ObjectId& id) const { return options_.hovered == id; }
+  [[nodiscard]] bool hidden(const scene::ObjectId& id) const { return options_.hidden.contains(id); }
+  [[nodiscard]] bool selected(const scene::ObjectId& id) const { return options_.selected.contains(id); }
+  [[nodiscard]] bool hovered(const scene::ObjectId& id) const { return options_.hovered == id; }
   /// `usual`, or the role of what is hovered or selected.
-  [[nodiscard]] Role role_of(const ObjectId& id, Role usual) const;
+  [[nodiscard]] Role role_of(const scene::ObjectId& id, Role usual) const;
 
  private:
-  [[nodiscard]] Vec3 in_picture_axes(const Vec3& world_m) const;
-  [[nodiscard]] PicturePoint point_of(const Vec3& picture_m) const;
+  [[nodiscard]] core::Vec3 in_picture_axes(const core::Vec3& world_m) const;
+  [[nodiscard]] PicturePoint point_of(const core::Vec3& picture_m) const;
 
   const Camera& camera_;
   const DrawingOptions& options_;
   Drawing& drawing_;
-  Mat3 picture_from_world_;
+  core::Mat3 picture_from_world_;
   double nearest_depth_m_;  // of what is drawn in perspective
 };
 
@@ -66,11 +68,11 @@ void draw_corner_triad(Pen& pen);
 void draw_scale_bar(Pen& pen);
 /// Three lines of equal length along the columns of `world_from_frame` with their letters; lines seen nearly end on
 /// carry no letter.
-void draw_axes(Pen& pen, const PicturePoint& origin, const Mat3& world_from_frame, double length_px, double width_px,
-               bool letters);
+void draw_axes(Pen& pen, const PicturePoint& origin, const core::Mat3& world_from_frame, double length_px,
+               double width_px, bool letters);
 void draw_surfaces(Pen& pen, const std::vector<Snapshot::Surface>& surfaces);
 void draw_targets(Pen& pen, const std::vector<Snapshot::Target>& targets);
 void draw_radars(Pen& pen, const std::vector<Snapshot::Radar>& radars);
 void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

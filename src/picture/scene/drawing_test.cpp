@@ -11,10 +11,10 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
-constexpr double deg = pi / 180.0;
+constexpr double deg = core::pi / 180.0;
 
 // Looks along +y at 1 px/m: x to the right, z up, the origin at (400, 300).
 Camera front_camera() {
@@ -38,9 +38,9 @@ Drawing drawn(const Snapshot& snapshot, const Camera& camera, const DrawingOptio
   return drawing;
 }
 
-Snapshot::Target target_at(std::size_t index, const Vec3& position_m) {
+Snapshot::Target target_at(std::size_t index, const core::Vec3& position_m) {
   Snapshot::Target target;
-  target.id = {ObjectKind::target, index};
+  target.id = {scene::ObjectKind::target, index};
   target.position_world_m = position_m;
   target.foot_world_m = {position_m.x, position_m.y, 0.0};
   return target;
@@ -48,7 +48,7 @@ Snapshot::Target target_at(std::size_t index, const Vec3& position_m) {
 
 Snapshot::Radar radar_along_y(double azimuth_width, double elevation_width) {
   Snapshot::Radar radar{};
-  radar.id = {ObjectKind::radar, 0};
+  radar.id = {scene::ObjectKind::radar, 0};
   radar.name = "Radar1";
   radar.axis_world = {0, 1, 0};
   radar.across_world = {1, 0, 0};
@@ -58,16 +58,17 @@ Snapshot::Radar radar_along_y(double azimuth_width, double elevation_width) {
   return radar;
 }
 
-Snapshot::Platform platform_at(std::string name, const Vec3& position_m) {
+Snapshot::Platform platform_at(std::string name, const core::Vec3& position_m) {
   Snapshot::Platform platform;
-  platform.id = {ObjectKind::platform, 0};
+  platform.id = {scene::ObjectKind::platform, 0};
   platform.name = std::move(name);
   platform.pose.position_world_m = position_m;
   return platform;
 }
 
-Snapshot::Surface surface_of(const std::array<Vec3, 3>& corners, const Vec3& normal, std::size_t index = 0) {
-  return {{ObjectKind::surface, index}, corners, normal};
+Snapshot::Surface surface_of(const std::array<core::Vec3, 3>& corners, const core::Vec3& normal,
+                             std::size_t index = 0) {
+  return {{scene::ObjectKind::surface, index}, corners, normal};
 }
 
 std::vector<Drawing::Line> lines_of(const Drawing& drawing, Role role) {
@@ -190,7 +191,7 @@ TEST(Drawing, HiddenObjectsLeaveNoMarkAndNoHandle) {
   snapshot.targets = {target_at(3, {0, 0, 10})};
   snapshot.radars = {radar_along_y(0.1, 0.1)};
   snapshot.platforms = {platform_at("Plane", {0, 0, 10})};
-  snapshot.surfaces = {surface_of({Vec3{0, 0, 0}, Vec3{9, 0, 0}, Vec3{0, 0, 9}}, {0, -1, 0})};
+  snapshot.surfaces = {surface_of({core::Vec3{0, 0, 0}, core::Vec3{9, 0, 0}, core::Vec3{0, 0, 9}}, {0, -1, 0})};
   DrawingOptions options = bare_options();
   options.hidden = {snapshot.targets[0].id, snapshot.radars[0].id, snapshot.platforms[0].id, snapshot.surfaces[0].id};
   const Drawing drawing = drawn(snapshot, front_camera(), options);
@@ -216,7 +217,7 @@ TEST(Drawing, CoarseDrawingLeavesOutTargetsButNoneThatIsSelected) {
   for (std::size_t i = 0; i < 10'001; ++i)
     snapshot.targets.push_back(target_at(i, {0.01 * static_cast<double>(i), 0, 5}));
   DrawingOptions options = bare_options();
-  options.selected = {{ObjectKind::target, 9'998}};
+  options.selected = {{scene::ObjectKind::target, 9'998}};
   options.coarse = true;
   const Drawing coarse = drawn(snapshot, front_camera(), options);
   EXPECT_LE(coarse.discs.size(), coarse_targets + 1);
@@ -280,7 +281,7 @@ TEST(Drawing, IsotropicRadarHasACircleOf20Pixels) {
 TEST(Drawing, LobesReplaceConesExceptInCoarseDrawings) {
   Snapshot snapshot;
   snapshot.radars = {radar_along_y(1.0, 1.0)};
-  snapshot.radars[0].lobe_world.assign(25, std::vector<Vec3>(49, Vec3{0, 0, 1}));
+  snapshot.radars[0].lobe_world.assign(25, std::vector<core::Vec3>(49, core::Vec3{0, 0, 1}));
   DrawingOptions options = bare_options();
   const std::size_t cone = drawn(snapshot, front_camera(), options).lines.size();
   options.lobes = true;
@@ -342,12 +343,12 @@ TEST(Drawing, LabelsOfMainAxesStandBesideTheirAxes) {
 TEST(Drawing, PlatformShowsItsOwnAxesAndItsNameAbove) {
   Snapshot snapshot;
   snapshot.platforms = {platform_at("Plane", {0, 0, 100})};
-  snapshot.platforms[0].pose.world_from_platform = world_from_platform({0.0, -90.0 * deg, 0.0});
+  snapshot.platforms[0].pose.world_from_platform = radar::world_from_platform({0.0, -90.0 * deg, 0.0});
   DrawingOptions options = bare_options();
   options.coordinate_systems = true;
   options.labels = true;
   const Drawing drawing = drawn(snapshot, front_camera(), options);
-  const Vec3 x_axis = snapshot.platforms[0].pose.world_from_platform * Vec3{1, 0, 0};
+  const core::Vec3 x_axis = snapshot.platforms[0].pose.world_from_platform * core::Vec3{1, 0, 0};
   const Drawing::Line line = lines_of(drawing, Role::x_axis).back();
   EXPECT_NEAR(line.x1, 400.0 + 50.0 * x_axis.x, 1e-3);
   EXPECT_NEAR(line.y1, 200.0 - 50.0 * x_axis.z, 1e-3);
@@ -388,10 +389,10 @@ TEST(Drawing, TrailFollowsThePath) {
 // --- Surfaces -------------------------------------------------------------------------------------------------------
 
 TEST(Drawing, FilledSurfaceIsGreyByTheElevationOfItsNormalAndWhiteFromBelow) {
-  const std::array<Vec3, 3> corners{Vec3{0, 0, 0}, Vec3{50, 0, 0}, Vec3{0, 0, 50}};
+  const std::array<core::Vec3, 3> corners{core::Vec3{0, 0, 0}, core::Vec3{50, 0, 0}, core::Vec3{0, 0, 50}};
   DrawingOptions options = bare_options();
   options.filled_surfaces = true;
-  const auto shade = [&](const Vec3& normal) {
+  const auto shade = [&](const core::Vec3& normal) {
     Snapshot snapshot;
     snapshot.surfaces = {surface_of(corners, normal)};
     return static_cast<int>(drawn(snapshot, front_camera(), options).polygons.at(0).shade);
@@ -406,7 +407,8 @@ TEST(Drawing, FartherSurfacesAreDrawnFirst) {
   Snapshot snapshot;
   for (std::size_t i = 0; i < 4; ++i) {
     const double y = std::array{5.0, 80.0, -20.0, 30.0}.at(i);
-    snapshot.surfaces.push_back(surface_of({Vec3{0, y, 0}, Vec3{50, y, 0}, Vec3{0, y, 50}}, {0, -1, 0}, i));
+    snapshot.surfaces.push_back(
+        surface_of({core::Vec3{0, y, 0}, core::Vec3{50, y, 0}, core::Vec3{0, y, 50}}, {0, -1, 0}, i));
   }
   const Drawing drawing = drawn(snapshot, front_camera(), bare_options());
   ASSERT_EQ(drawing.polygons.size(), 4U);
@@ -416,7 +418,7 @@ TEST(Drawing, FartherSurfacesAreDrawnFirst) {
 
 TEST(Drawing, SurfaceCarriesItsNormalAtItsCentroid) {
   Snapshot snapshot;
-  snapshot.surfaces = {surface_of({Vec3{0, 0, 0}, Vec3{30, 0, 0}, Vec3{0, 0, 30}}, {1, 0, 0})};
+  snapshot.surfaces = {surface_of({core::Vec3{0, 0, 0}, core::Vec3{30, 0, 0}, core::Vec3{0, 0, 30}}, {1, 0, 0})};
   const auto normal = lines_of(drawn(snapshot, front_camera(), bare_options()), Role::z_axis);
   ASSERT_EQ(normal.size(), 1U);
   EXPECT_NEAR(normal[0].x0, 410.0, 1e-3);
@@ -429,7 +431,7 @@ TEST(Drawing, SurfaceCarriesItsNormalAtItsCentroid) {
 Snapshot random_snapshot(unsigned seed, double size_m) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> side(-size_m, size_m);
-  const auto point = [&] { return Vec3{side(random), side(random), side(random)}; };
+  const auto point = [&] { return core::Vec3{side(random), side(random), side(random)}; };
   Snapshot snapshot;
   for (std::size_t i = 0; i < 100; ++i) snapshot.targets.push_back(target_at(i, point()));
   for (std::size_t i = 0; i < 20; ++i)
@@ -510,7 +512,7 @@ TEST(Drawing, TenThousandTargetsAreQuick) {
   for (std::size_t i = 0; i < 10'000; ++i)
     snapshot.targets.push_back(target_at(i, {side(random), side(random), side(random)}));
   DrawingOptions options;
-  options.selected = {{ObjectKind::target, 17}};
+  options.selected = {{scene::ObjectKind::target, 17}};
   Drawing drawing;
   double best_ms = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 20; ++i) {
@@ -526,4 +528,4 @@ TEST(Drawing, TenThousandTargetsAreQuick) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 
 #include "picture/scene/drawing.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -65,13 +65,13 @@ std::optional<double> depth_under(const Snapshot::Surface& surface, const Camera
   return (corner[0].depth_m + corner[1].depth_m + corner[2].depth_m) / 3.0;
 }
 
-bool drawn(const Drawing& drawing, const ObjectId& id) {
+bool drawn(const Drawing& drawing, const scene::ObjectId& id) {
   return std::ranges::any_of(drawing.handles, [&](const Drawing::Handle& handle) { return handle.id == id; });
 }
 
-std::optional<ObjectId> surface_under(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
-                                      double x_px, double y_px, double reach_px) {
-  std::optional<ObjectId> best;
+std::optional<scene::ObjectId> surface_under(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
+                                             double x_px, double y_px, double reach_px) {
+  std::optional<scene::ObjectId> best;
   double best_depth = std::numeric_limits<double>::infinity();
   for (const Snapshot::Surface& surface : snapshot.surfaces) {
     const auto depth = depth_under(surface, camera, x_px, y_px, reach_px);
@@ -84,13 +84,15 @@ std::optional<ObjectId> surface_under(const Drawing& drawing, const Snapshot& sn
 
 }  // namespace
 
-std::optional<ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera, double x_px,
-                               double y_px, double reach_px) {
-  const auto small = [](ObjectKind kind) { return kind == ObjectKind::target || kind == ObjectKind::radar; };
-  const auto platform = [](ObjectKind kind) { return kind == ObjectKind::platform; };
+std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
+                                      double x_px, double y_px, double reach_px) {
+  const auto small = [](scene::ObjectKind kind) {
+    return kind == scene::ObjectKind::target || kind == scene::ObjectKind::radar;
+  };
+  const auto platform = [](scene::ObjectKind kind) { return kind == scene::ObjectKind::platform; };
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, small)) return handle->id;
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, platform)) return handle->id;
   return surface_under(drawing, snapshot, camera, x_px, y_px, reach_px);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

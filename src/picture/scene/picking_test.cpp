@@ -4,7 +4,7 @@
 
 #include "picture/scene/drawing.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 // Looks along +y at 1 px/m: the world's (x, y, z) is seen at (400 + x, 300 - z).
@@ -14,22 +14,22 @@ Camera front_camera() {
   return camera;
 }
 
-const ObjectId platform_id{ObjectKind::platform, 0};
-const ObjectId radar_id{ObjectKind::radar, 0};
-ObjectId target_id(std::size_t index) { return {ObjectKind::target, index}; }
-ObjectId surface_id(std::size_t index) { return {ObjectKind::surface, index}; }
+const scene::ObjectId platform_id{scene::ObjectKind::platform, 0};
+const scene::ObjectId radar_id{scene::ObjectKind::radar, 0};
+scene::ObjectId target_id(std::size_t index) { return {scene::ObjectKind::target, index}; }
+scene::ObjectId surface_id(std::size_t index) { return {scene::ObjectKind::surface, index}; }
 
 struct Picture {
   Snapshot snapshot;
   DrawingOptions options;
 
-  void add_target(const Vec3& at_m) {
+  void add_target(const core::Vec3& at_m) {
     snapshot.targets.push_back({target_id(snapshot.targets.size()), at_m, at_m, {}, false});
   }
-  void add_radar(const Vec3& at_m) {
+  void add_radar(const core::Vec3& at_m) {
     snapshot.radars.push_back({radar_id, "Radar1", at_m, {0, 1, 0}, {1, 0, 0}, 0.1, 0.1, true, {}});
   }
-  void add_platform(const Vec3& at_m) {
+  void add_platform(const core::Vec3& at_m) {
     Snapshot::Platform platform;
     platform.id = platform_id;
     platform.name = "Plane";
@@ -39,9 +39,10 @@ struct Picture {
   // A right triangle from (x, z) = (100, 0), 100 m wide and high, at depth y.
   void add_surface(double y) {
     const std::size_t index = snapshot.surfaces.size();
-    snapshot.surfaces.push_back({surface_id(index), {Vec3{100, y, 0}, Vec3{200, y, 0}, Vec3{100, y, 100}}, {0, -1, 0}});
+    snapshot.surfaces.push_back(
+        {surface_id(index), {core::Vec3{100, y, 0}, core::Vec3{200, y, 0}, core::Vec3{100, y, 100}}, {0, -1, 0}});
   }
-  [[nodiscard]] std::optional<ObjectId> pick(double x_px, double y_px, double reach_px = 6.0) const {
+  [[nodiscard]] std::optional<scene::ObjectId> pick(double x_px, double y_px, double reach_px = 6.0) const {
     Drawing drawing;
     draw_scene(snapshot, front_camera(), options, drawing);
     return picked(drawing, snapshot, front_camera(), x_px, y_px, reach_px);
@@ -115,4 +116,4 @@ TEST(Picking, FindsNothingHiddenAndNothingInAnEmptyPicture) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "picture/scene/snapshot_beam.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -19,39 +19,42 @@ constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass functi
 constexpr int trail_steps = 48;
 constexpr std::size_t most_trail_knots = 256;
 
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
-Vec3 finite_or_zero(const Vec3& v) { return {finite_or_zero(v.x), finite_or_zero(v.y), finite_or_zero(v.z)}; }
-Angle finite_or_zero(Angle angle) { return std::isfinite(angle.deg()) ? angle : Angle{}; }
+core::Vec3 finite_or_zero(const core::Vec3& v) {
+  return {finite_or_zero(v.x), finite_or_zero(v.y), finite_or_zero(v.z)};
+}
+core::Angle finite_or_zero(core::Angle angle) { return std::isfinite(angle.deg()) ? angle : core::Angle{}; }
 
 // --- What a half-typed scene becomes so that it can be evaluated ----------------------------------------------------
 
 // Finite knots, ascending; of knots at one place the first.
-SampledFunction cleaned(const SampledFunction& function) {
-  SampledFunction clean{function.method, {}};
-  for (const Knot& knot : function.knots)
+core::SampledFunction cleaned(const core::SampledFunction& function) {
+  core::SampledFunction clean{function.method, {}};
+  for (const core::Knot& knot : function.knots)
     if (std::isfinite(knot.x) && std::isfinite(knot.y)) clean.knots.push_back(knot);
-  std::ranges::stable_sort(clean.knots, {}, &Knot::x);
-  const auto same_place = [](const Knot& a, const Knot& b) { return a.x == b.x; };
+  std::ranges::stable_sort(clean.knots, {}, &core::Knot::x);
+  const auto same_place = [](const core::Knot& a, const core::Knot& b) { return a.x == b.x; };
   clean.knots.erase(std::unique(clean.knots.begin(), clean.knots.end(), same_place), clean.knots.end());
-  if (clean.method != Interpolation::low_pass || clean.knots.size() < 2) return clean;
+  if (clean.method != core::Interpolation::low_pass || clean.knots.size() < 2) return clean;
   const double first = clean.knots.front().x;
   const double last = clean.knots.back().x;
   const double step = (last - first) / static_cast<double>(clean.knots.size() - 1);
-  if (std::max(std::abs(first), std::abs(last)) > most_low_pass_steps * step) clean.method = Interpolation::linear;
+  if (std::max(std::abs(first), std::abs(last)) > most_low_pass_steps * step)
+    clean.method = core::Interpolation::linear;
   return clean;
 }
 
 template <std::size_t N>
-UserFunction<N> cleaned(const UserFunction<N>& function) {
-  UserFunction<N> clean;
+scene::UserFunction<N> cleaned(const scene::UserFunction<N>& function) {
+  scene::UserFunction<N> clean;
   for (std::size_t i = 0; i < N; ++i) clean.part[i] = cleaned(function.part[i]);
   return clean;
 }
 
-UserFunction<3> cleaned_envelope(const UserFunction<3>& envelope) {
-  UserFunction<3> clean = cleaned(envelope);
-  for (SampledFunction& part : clean.part) {
+scene::UserFunction<3> cleaned_envelope(const scene::UserFunction<3>& envelope) {
+  scene::UserFunction<3> clean = cleaned(envelope);
+  for (core::SampledFunction& part : clean.part) {
     if (part.knots.size() < 2) continue;
     const double support = part.knots.back().x - part.knots.front().x;
     const bool far = std::abs(part.knots.front().x) > longest_time_s;
@@ -60,12 +63,12 @@ UserFunction<3> cleaned_envelope(const UserFunction<3>& envelope) {
   return clean;
 }
 
-std::array<Angle, 3> cleaned(const std::array<Angle, 3>& angles) {
+std::array<core::Angle, 3> cleaned(const std::array<core::Angle, 3>& angles) {
   return {finite_or_zero(angles[0]), finite_or_zero(angles[1]), finite_or_zero(angles[2])};
 }
 
-Platform cleaned(const Platform& platform) {
-  Platform clean;
+scene::Platform cleaned(const scene::Platform& platform) {
+  scene::Platform clean;
   clean.name = platform.name;
   clean.path = platform.path;
   clean.position_m = finite_or_zero(platform.position_m);
@@ -85,8 +88,8 @@ Platform cleaned(const Platform& platform) {
 }
 
 // Only what drawing needs: the beam and the transmit antenna. It stands on the world, whose name always resolves.
-Radar cleaned(const Radar& radar) {
-  Radar clean;
+scene::Radar cleaned(const scene::Radar& radar) {
+  scene::Radar clean;
   clean.platform = "Earth";
   clean.transmit_antenna = radar.transmit_antenna;
   clean.transmit_antenna.gain_db = cleaned(radar.transmit_antenna.gain_db);
@@ -100,24 +103,24 @@ Radar cleaned(const Radar& radar) {
 }
 
 // The platforms and choices of a scene alone, so that resolving it fills no surfaces.
-Scene frames_of(const Scene& scene) {
-  Scene frames;
-  for (const Platform& platform : scene.platforms) frames.platforms.push_back(cleaned(platform));
+scene::Scene frames_of(const scene::Scene& scene) {
+  scene::Scene frames;
+  for (const scene::Platform& platform : scene.platforms) frames.platforms.push_back(cleaned(platform));
   frames.options = scene.options;
   return frames;
 }
 
 // When the pulses of a radar leave; nothing where its description makes no sense yet.
-std::optional<Repetition> repetition_of(const Radar& radar) {
+std::optional<radar::Repetition> repetition_of(const scene::Radar& radar) {
   const auto sensible = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (radar.repetition == Radar::Repetition::constant)
-    return sensible(radar.prf_hz) ? std::optional(Repetition::constant(radar.prf_hz)) : std::nullopt;
+  if (radar.repetition == scene::Radar::Repetition::constant)
+    return sensible(radar.prf_hz) ? std::optional(radar::Repetition::constant(radar.prf_hz)) : std::nullopt;
   std::vector<double> intervals_s;
-  for (const Knot& knot : radar.pri_s.part[0].knots) {
+  for (const core::Knot& knot : radar.pri_s.part[0].knots) {
     if (!sensible(knot.y)) return std::nullopt;
     intervals_s.push_back(knot.y);
   }
-  return intervals_s.empty() ? std::nullopt : std::optional(Repetition::intervals(std::move(intervals_s)));
+  return intervals_s.empty() ? std::nullopt : std::optional(radar::Repetition::intervals(std::move(intervals_s)));
 }
 
 // --- The span of times ----------------------------------------------------------------------------------------------
@@ -131,25 +134,25 @@ struct Span {
     first = std::min(first, time_s);
     last = std::max(last, time_s);
   }
-  void add(const UserFunction<3>& function) {
-    for (const SampledFunction& part : function.part)
-      for (const Knot& knot : part.knots) add(knot.x);
+  void add(const scene::UserFunction<3>& function) {
+    for (const core::SampledFunction& part : function.part)
+      for (const core::Knot& knot : part.knots) add(knot.x);
   }
 };
 
-std::array<double, 2> span_of(const Scene& scene) {
+std::array<double, 2> span_of(const scene::Scene& scene) {
   Span span;
-  for (const Platform& platform : scene.platforms) {
-    if (platform.path == Platform::Path::trajectory) span.add(platform.trajectory_m);
-    if (platform.rotation_kind == Platform::Rotation::user) span.add(platform.rotation_deg);
+  for (const scene::Platform& platform : scene.platforms) {
+    if (platform.path == scene::Platform::Path::trajectory) span.add(platform.trajectory_m);
+    if (platform.rotation_kind == scene::Platform::Rotation::user) span.add(platform.rotation_deg);
   }
-  for (const Radar& radar : scene.radars)
-    if (radar.beam == Radar::Beam::user) span.add(radar.beam_target_world_m);
-  for (const Simulation& simulation : scene.simulations) {
+  for (const scene::Radar& radar : scene.radars)
+    if (radar.beam == scene::Radar::Beam::user) span.add(radar.beam_target_world_m);
+  for (const scene::Simulation& simulation : scene.simulations) {
     span.add(simulation.time_start_s);
     span.add(simulation.time_end_s);
   }
-  for (const GeometryTable& table : scene.geometries) {
+  for (const scene::GeometryTable& table : scene.geometries) {
     span.add(table.time_start_s);
     span.add(table.time_end_s);
   }
@@ -160,23 +163,23 @@ std::array<double, 2> span_of(const Scene& scene) {
 // --- Paths ----------------------------------------------------------------------------------------------------------
 
 struct Path {
-  std::array<Interpolator, 3> position_m;
+  std::array<core::Interpolator, 3> position_m;
   std::vector<double> knots_s;  // of all three, ascending: where a path of straight lines bends
   bool moves = false;
 
-  [[nodiscard]] Vec3 at(double time_s) const {
+  [[nodiscard]] core::Vec3 at(double time_s) const {
     return {position_m[0].value(time_s), position_m[1].value(time_s), position_m[2].value(time_s)};
   }
 };
 
 // @param platform  cleaned
-Path path_of(const Platform& platform, LowPassRule rule) {
+Path path_of(const scene::Platform& platform, core::LowPassRule rule) {
   Path path;
-  if (platform.path != Platform::Path::trajectory) return path;
+  if (platform.path != scene::Platform::Path::trajectory) return path;
   for (std::size_t i = 0; i < 3; ++i) {
-    const SampledFunction& part = platform.trajectory_m.part[i];
-    path.position_m[i] = Interpolator(part, rule);
-    for (const Knot& knot : part.knots) {
+    const core::SampledFunction& part = platform.trajectory_m.part[i];
+    path.position_m[i] = core::Interpolator(part, rule);
+    for (const core::Knot& knot : part.knots) {
       path.knots_s.push_back(knot.x);
       if (knot.y != part.knots.front().y) path.moves = true;
     }
@@ -186,8 +189,8 @@ Path path_of(const Platform& platform, LowPassRule rule) {
   return path;
 }
 
-std::vector<Vec3> trail_of(const Path& path, double time_s, double length_s) {
-  std::vector<Vec3> trail;
+std::vector<core::Vec3> trail_of(const Path& path, double time_s, double length_s) {
+  std::vector<core::Vec3> trail;
   if (!path.moves || !(length_s > 0.0) || !std::isfinite(length_s)) return trail;
   const double start_s = time_s - 0.5 * length_s;
   const double end_s = time_s + 0.5 * length_s;
@@ -200,7 +203,7 @@ std::vector<Vec3> trail_of(const Path& path, double time_s, double length_s) {
     std::ranges::sort(times_s);
   }
   for (const double at_s : times_s) {
-    const Vec3 point = path.at(at_s);
+    const core::Vec3 point = path.at(at_s);
     if (is_finite(point)) trail.push_back(point);
   }
   return trail;
@@ -209,19 +212,19 @@ std::vector<Vec3> trail_of(const Path& path, double time_s, double length_s) {
 // Positions in the list of resolved platforms; unknown names mean the world, which comes last.
 class PlatformFinder {
  public:
-  explicit PlatformFinder(const Scene& scene) : scene_(scene) {}
+  explicit PlatformFinder(const scene::Scene& scene) : scene_(scene) {}
 
   std::size_t operator()(const std::string& name) {
     const auto [entry, fresh] = found_.try_emplace(name, 0);
     if (fresh) {
-      const std::size_t found = find_platform(scene_, name);
-      entry->second = found == not_found ? scene_.platforms.size() : found;
+      const std::size_t found = scene::find_platform(scene_, name);
+      entry->second = found == scene::not_found ? scene_.platforms.size() : found;
     }
     return entry->second;
   }
 
  private:
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::map<std::string, std::size_t> found_;
 };
 
@@ -231,33 +234,33 @@ struct SnapshotMaker::Prepared {
   struct Target {
     std::size_t index;
     std::size_t platform;
-    Vec3 position_m;
-    Vec3 normal;
+    core::Vec3 position_m;
+    core::Vec3 normal;
     bool directional;
   };
   struct Surface {
     std::size_t index;
     std::size_t platform;
-    std::array<Vec3, 3> corner_m;
-    Vec3 normal;
+    std::array<core::Vec3, 3> corner_m;
+    core::Vec3 normal;
   };
   struct Radar {
     std::string name;
     std::size_t platform;
-    Beam beam;
+    radar::Beam beam;
     BeamShape shape;
   };
   // Where a platform is at the snapshot's time.
   struct Frame {
-    Pose pose;
+    radar::Pose pose;
     bool usable = false;
   };
 
-  explicit Prepared(const Scene& scene);
-  void add_platforms(const Scene& frames);
-  void add_targets(const Scene& scene, PlatformFinder& platform_of);
-  void add_surfaces(const Scene& scene, PlatformFinder& platform_of);
-  void add_radars(const Scene& scene, PlatformFinder& platform_of);
+  explicit Prepared(const scene::Scene& scene);
+  void add_platforms(const scene::Scene& frames);
+  void add_targets(const scene::Scene& scene, PlatformFinder& platform_of);
+  void add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of);
+  void add_radars(const scene::Scene& scene, PlatformFinder& platform_of);
 
   [[nodiscard]] std::vector<Frame> frames_at(double time_s) const;
   void put_platforms(const std::vector<Frame>& frames, double trail_s, Snapshot& snapshot) const;
@@ -265,16 +268,16 @@ struct SnapshotMaker::Prepared {
   void put_surfaces(const std::vector<Frame>& frames, Snapshot& snapshot) const;
   void put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const;
 
-  ResolvedScene resolved;
+  simulate::ResolvedScene resolved;
   std::vector<Path> paths;
   std::vector<Target> targets;
   std::vector<Surface> surfaces;
   std::vector<Radar> radars;
-  std::optional<Repetition> repetition;
+  std::optional<radar::Repetition> repetition;
   std::array<double, 2> span_s{};
 };
 
-SnapshotMaker::Prepared::Prepared(const Scene& scene) : span_s(span_of(scene)) {
+SnapshotMaker::Prepared::Prepared(const scene::Scene& scene) : span_s(span_of(scene)) {
   add_platforms(frames_of(scene));
   PlatformFinder platform_of(scene);
   add_targets(scene, platform_of);
@@ -282,41 +285,43 @@ SnapshotMaker::Prepared::Prepared(const Scene& scene) : span_s(span_of(scene)) {
   add_radars(scene, platform_of);
 }
 
-void SnapshotMaker::Prepared::add_platforms(const Scene& frames) {
-  resolved = resolve(frames);
-  for (const Platform& platform : frames.platforms) paths.push_back(path_of(platform, resolved.conventions.low_pass));
+void SnapshotMaker::Prepared::add_platforms(const scene::Scene& frames) {
+  resolved = simulate::resolve(frames);
+  for (const scene::Platform& platform : frames.platforms)
+    paths.push_back(path_of(platform, resolved.conventions.low_pass));
 }
 
-void SnapshotMaker::Prepared::add_targets(const Scene& scene, PlatformFinder& platform_of) {
+void SnapshotMaker::Prepared::add_targets(const scene::Scene& scene, PlatformFinder& platform_of) {
   targets.reserve(scene.targets.size());
   for (std::size_t i = 0; i < scene.targets.size(); ++i) {
     const auto& target = scene.targets[i];
     if (!is_finite(target.position_m)) continue;
-    Vec3 normal;
-    if (target.reflectivity == sarsim::Target::Reflectivity::directional)
-      normal = direction(target.azimuth.rad(), target.elevation.rad());
-    const bool directional = normal != Vec3{} && is_finite(normal);
-    targets.push_back({i, platform_of(target.platform), target.position_m, directional ? normal : Vec3{}, directional});
+    core::Vec3 normal;
+    if (target.reflectivity == sarsim::scene::Target::Reflectivity::directional)
+      normal = core::direction(target.azimuth.rad(), target.elevation.rad());
+    const bool directional = normal != core::Vec3{} && is_finite(normal);
+    targets.push_back(
+        {i, platform_of(target.platform), target.position_m, directional ? normal : core::Vec3{}, directional});
   }
 }
 
-void SnapshotMaker::Prepared::add_surfaces(const Scene& scene, PlatformFinder& platform_of) {
+void SnapshotMaker::Prepared::add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const auto& surface = scene.surfaces[i];
-    const std::array<Vec3, 3>& c = surface.corner_m;
+    const std::array<core::Vec3, 3>& c = surface.corner_m;
     if (!std::ranges::all_of(c, is_finite)) continue;
-    const Vec3 across = cross(c[1] - c[0], c[2] - c[0]);
-    const double length = norm(across);
-    const Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : Vec3{};
+    const core::Vec3 across = core::cross(c[1] - c[0], c[2] - c[0]);
+    const double length = core::norm(across);
+    const core::Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : core::Vec3{};
     surfaces.push_back({i, platform_of(surface.platform), c, normal});
   }
 }
 
-void SnapshotMaker::Prepared::add_radars(const Scene& scene, PlatformFinder& platform_of) {
-  Scene drawn;  // The radars alone, as far as they are drawn.
+void SnapshotMaker::Prepared::add_radars(const scene::Scene& scene, PlatformFinder& platform_of) {
+  scene::Scene drawn;  // The radars alone, as far as they are drawn.
   for (const auto& radar : scene.radars) drawn.radars.push_back(cleaned(radar));
   for (std::size_t i = 0; i < scene.radars.size(); ++i) {
-    ResolvedRadar r = resolve_radar(drawn, resolved, i);
+    simulate::ResolvedRadar r = simulate::resolve_radar(drawn, resolved, i);
     radars.push_back({scene.radars[i].name, platform_of(scene.radars[i].platform), std::move(r.beam),
                       beam_shape(r.transmit, resolved.conventions.pattern)});
   }
@@ -326,7 +331,7 @@ void SnapshotMaker::Prepared::add_radars(const Scene& scene, PlatformFinder& pla
 std::vector<SnapshotMaker::Prepared::Frame> SnapshotMaker::Prepared::frames_at(double time_s) const {
   const std::int64_t pulse = repetition ? repetition->pulses_in(time_s, time_s).last : 0;
   std::vector<Frame> frames;
-  for (const ResolvedPlatform& platform : resolved.platforms) {
+  for (const simulate::ResolvedPlatform& platform : resolved.platforms) {
     Frame frame{platform.track.at(time_s, pulse), false};
     frame.usable =
         is_finite(frame.pose.position_world_m) && std::ranges::all_of(frame.pose.world_from_platform.row, is_finite);
@@ -339,7 +344,7 @@ void SnapshotMaker::Prepared::put_platforms(const std::vector<Frame>& frames, do
                                             Snapshot& snapshot) const {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!frames[i].usable) continue;
-    snapshot.platforms.push_back({{ObjectKind::platform, i},
+    snapshot.platforms.push_back({{scene::ObjectKind::platform, i},
                                   resolved.platforms[i].name,
                                   frames[i].pose,
                                   trail_of(paths[i], snapshot.time_s, trail_s)});
@@ -351,11 +356,11 @@ void SnapshotMaker::Prepared::put_targets(const std::vector<Frame>& frames, Snap
   for (const Target& target : targets) {
     const Frame& frame = frames[target.platform];
     if (!frame.usable) continue;
-    const Vec3& p = target.position_m;
+    const core::Vec3& p = target.position_m;
     Snapshot::Target shown;
-    shown.id = {ObjectKind::target, target.index};
-    shown.position_world_m = world_position_m(frame.pose, p);
-    shown.foot_world_m = world_position_m(frame.pose, {p.x, p.y, 0.0});
+    shown.id = {scene::ObjectKind::target, target.index};
+    shown.position_world_m = radar::world_position_m(frame.pose, p);
+    shown.foot_world_m = radar::world_position_m(frame.pose, {p.x, p.y, 0.0});
     shown.directional = target.directional;
     if (target.directional) shown.normal_world = frame.pose.world_from_platform * target.normal;
     snapshot.targets.push_back(shown);
@@ -367,8 +372,9 @@ void SnapshotMaker::Prepared::put_surfaces(const std::vector<Frame>& frames, Sna
     const Frame& frame = frames[surface.platform];
     if (!frame.usable) continue;
     Snapshot::Surface shown;
-    shown.id = {ObjectKind::surface, surface.index};
-    for (std::size_t i = 0; i < 3; ++i) shown.corner_world_m[i] = world_position_m(frame.pose, surface.corner_m[i]);
+    shown.id = {scene::ObjectKind::surface, surface.index};
+    for (std::size_t i = 0; i < 3; ++i)
+      shown.corner_world_m[i] = radar::world_position_m(frame.pose, surface.corner_m[i]);
     shown.normal_world = frame.pose.world_from_platform * surface.normal;
     snapshot.surfaces.push_back(shown);
   }
@@ -378,33 +384,34 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
   for (std::size_t i = 0; i < radars.size(); ++i) {
     const Radar& radar = radars[i];
     if (!frames[radar.platform].usable) continue;
-    const Pose& pose = frames[radar.platform].pose;
-    const Pointing pointing(radar.beam, resolved.conventions.pointing, snapshot.time_s, pose.position_world_m,
-                            pose.world_from_platform, pose.rotation_rad);
+    const radar::Pose& pose = frames[radar.platform].pose;
+    const radar::Pointing pointing(radar.beam, resolved.conventions.pointing, snapshot.time_s, pose.position_world_m,
+                                   pose.world_from_platform, pose.rotation_rad);
     Snapshot::Radar shown;
-    shown.id = {ObjectKind::radar, i};
+    shown.id = {scene::ObjectKind::radar, i};
     shown.name = radar.name;
     shown.position_world_m = pose.position_world_m;
     shown.axis_world = pointing.axis_world();
     if (!is_finite(shown.axis_world)) continue;
     // Offsets of the rule of added angles are angles of the world: its antenna is level.
-    const double azimuth = azimuth_rad(shown.axis_world);
-    shown.across_world = resolved.conventions.pointing == PointingRule::boresight
+    const double azimuth = core::azimuth_rad(shown.axis_world);
+    shown.across_world = resolved.conventions.pointing == radar::PointingRule::boresight
                              ? pointing.antenna_from_world().row[0]
-                             : Vec3{std::cos(azimuth), -std::sin(azimuth), 0.0};
+                             : core::Vec3{std::cos(azimuth), -std::sin(azimuth), 0.0};
     shown.azimuth_width_rad = radar.shape.azimuth_width_rad;
     shown.elevation_width_rad = radar.shape.elevation_width_rad;
     shown.isotropic = radar.shape.isotropic;
-    const Mat3 antenna_from_world{{shown.across_world, shown.axis_world, cross(shown.across_world, shown.axis_world)}};
-    const Mat3 world_from_antenna = transposed(antenna_from_world);
+    const core::Mat3 antenna_from_world{
+        {shown.across_world, shown.axis_world, core::cross(shown.across_world, shown.axis_world)}};
+    const core::Mat3 world_from_antenna = core::transposed(antenna_from_world);
     shown.lobe_world = radar.shape.lobe_antenna;
-    for (std::vector<Vec3>& row : shown.lobe_world)
-      for (Vec3& point : row) point = world_from_antenna * point;
+    for (std::vector<core::Vec3>& row : shown.lobe_world)
+      for (core::Vec3& point : row) point = world_from_antenna * point;
     snapshot.radars.push_back(std::move(shown));
   }
 }
 
-SnapshotMaker::SnapshotMaker(const Scene& scene) : prepared_(std::make_unique<Prepared>(scene)) {}
+SnapshotMaker::SnapshotMaker(const scene::Scene& scene) : prepared_(std::make_unique<Prepared>(scene)) {}
 SnapshotMaker::~SnapshotMaker() = default;
 SnapshotMaker::SnapshotMaker(SnapshotMaker&&) noexcept = default;
 SnapshotMaker& SnapshotMaker::operator=(SnapshotMaker&&) noexcept = default;
@@ -422,4 +429,4 @@ Snapshot SnapshotMaker::at(double time_s, double trail_s) const {
 
 std::array<double, 2> SnapshotMaker::time_span_s() const { return prepared_->span_s; }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -9,46 +9,46 @@
 #include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// Where everything in a scene stands at one time, for drawing. Faulty objects (a half-typed scene) are left out or
 /// stand where the rest of them can be understood; nothing throws.
 struct Snapshot {
   /// Where a platform is and how it is turned.
   struct Platform {
-    ObjectId id;
+    scene::ObjectId id;
     std::string name;
-    Pose pose;
-    std::vector<Vec3> trail_world_m;  ///< Its path around the time; empty where it does not move.
+    radar::Pose pose;
+    std::vector<core::Vec3> trail_world_m;  ///< Its path around the time; empty where it does not move.
   };
   /// Where a target is.
   struct Target {
-    ObjectId id;
-    Vec3 position_world_m;  ///< Without the jitter that a target draws for every pulse.
-    Vec3 foot_world_m;      ///< Below or above it in the platform's x-y plane.
-    Vec3 normal_world;      ///< Unit; of directional ones.
+    scene::ObjectId id;
+    core::Vec3 position_world_m;  ///< Without the jitter that a target draws for every pulse.
+    core::Vec3 foot_world_m;      ///< Below or above it in the platform's x-y plane.
+    core::Vec3 normal_world;      ///< Unit; of directional ones.
     bool directional = false;
   };
   /// The corners of a surface.
   struct Surface {
-    ObjectId id;
-    std::array<Vec3, 3> corner_world_m;
-    Vec3 normal_world;  ///< Unit; the side that reflects. 0 where the triangle has no area.
+    scene::ObjectId id;
+    std::array<core::Vec3, 3> corner_world_m;
+    core::Vec3 normal_world;  ///< Unit; the side that reflects. 0 where the triangle has no area.
   };
   /// Where an antenna is, looks, and how wide its beam is.
   struct Radar {
-    ObjectId id;
+    scene::ObjectId id;
     std::string name;
-    Vec3 position_world_m;
-    Vec3 axis_world;    ///< Unit vector along the beam.
-    Vec3 across_world;  ///< Unit vector of the antenna's x, for the beam's cross-section.
+    core::Vec3 position_world_m;
+    core::Vec3 axis_world;    ///< Unit vector along the beam.
+    core::Vec3 across_world;  ///< Unit vector of the antenna's x, for the beam's cross-section.
     double azimuth_width_rad =
         0.0;  ///< Half-power widths of a sin(x)/x pattern; of a user pattern where it falls by 3 dB.
     double elevation_width_rad = 0.0;
     bool isotropic = true;
     /// Points of the transmit pattern's lobe: gain against direction, for those who draw it: [elevation][azimuth],
     /// world directions times the one-way amplitude over its largest (0 to 1). Empty where isotropic.
-    std::vector<std::vector<Vec3>> lobe_world;
+    std::vector<std::vector<core::Vec3>> lobe_world;
   };
   double time_s = 0.0;
   std::vector<Platform> platforms;
@@ -61,7 +61,7 @@ struct Snapshot {
 class SnapshotMaker {
  public:
   /// @param scene  is copied where needed
-  explicit SnapshotMaker(const Scene& scene);
+  explicit SnapshotMaker(const scene::Scene& scene);
   ~SnapshotMaker();
   SnapshotMaker(SnapshotMaker&&) noexcept;
   SnapshotMaker& operator=(SnapshotMaker&&) noexcept;
@@ -80,4 +80,4 @@ class SnapshotMaker {
   std::unique_ptr<Prepared> prepared_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr int lobe_columns = 49;
 constexpr double lobe_widths = 3.0;  // the lobe is drawn so far off the axis, in half-power widths
 
 // Twice the offset at which a cut [dB] against offset [deg] has fallen by 3 dB; 2 pi where it never does.
-double half_power_width_rad(const Interpolator& gain_db) {
+double half_power_width_rad(const core::Interpolator& gain_db) {
   constexpr int steps = 1800;
   const double level = gain_db.value(0.0) - 3.0;
   double before = 0.0;
@@ -28,47 +28,48 @@ double half_power_width_rad(const Interpolator& gain_db) {
       const double middle = 0.5 * (before + after);
       (gain_db.value(middle) > level ? before : after) = middle;
     }
-    return 2.0 * after / deg_per_rad;
+    return 2.0 * after / core::deg_per_rad;
   }
-  return 2.0 * pi;
+  return 2.0 * core::pi;
 }
 
 bool usable(double width_rad) { return std::isfinite(width_rad) && width_rad > 0.0; }
 
-std::vector<std::vector<Vec3>> lobe_of(const AntennaPattern& pattern, PatternRule rule, const BeamShape& shape) {
-  const double azimuth_end = std::min(pi, lobe_widths * shape.azimuth_width_rad);
-  const double elevation_end = std::min(0.5 * pi, lobe_widths * shape.elevation_width_rad);
-  std::vector<std::vector<Vec3>> lobe(lobe_rows, std::vector<Vec3>(lobe_columns));
+std::vector<std::vector<core::Vec3>> lobe_of(const radar::AntennaPattern& pattern, radar::PatternRule rule,
+                                             const BeamShape& shape) {
+  const double azimuth_end = std::min(core::pi, lobe_widths * shape.azimuth_width_rad);
+  const double elevation_end = std::min(0.5 * core::pi, lobe_widths * shape.elevation_width_rad);
+  std::vector<std::vector<core::Vec3>> lobe(lobe_rows, std::vector<core::Vec3>(lobe_columns));
   double largest = 0.0;
   for (int i = 0; i < lobe_rows; ++i)
     for (int k = 0; k < lobe_columns; ++k) {
       const double elevation = elevation_end * (2.0 * i / (lobe_rows - 1) - 1.0);
       const double azimuth = azimuth_end * (2.0 * k / (lobe_columns - 1) - 1.0);
-      double amplitude = std::abs(one_way_amplitude(pattern, azimuth, elevation, rule));
+      double amplitude = std::abs(radar::one_way_amplitude(pattern, azimuth, elevation, rule));
       if (!std::isfinite(amplitude)) amplitude = 0.0;
       largest = std::max(largest, amplitude);
-      lobe[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = amplitude * direction(azimuth, elevation);
+      lobe[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = amplitude * core::direction(azimuth, elevation);
     }
   if (largest <= 0.0) return lobe;
-  for (std::vector<Vec3>& row : lobe)
-    for (Vec3& point : row) point = (1.0 / largest) * point;
+  for (std::vector<core::Vec3>& row : lobe)
+    for (core::Vec3& point : row) point = (1.0 / largest) * point;
   return lobe;
 }
 
 }  // namespace
 
-BeamShape beam_shape(const AntennaPattern& pattern, PatternRule rule) {
+BeamShape beam_shape(const radar::AntennaPattern& pattern, radar::PatternRule rule) {
   BeamShape shape;
-  shape.azimuth_width_rad = 2.0 * pi;
-  shape.elevation_width_rad = 2.0 * pi;
+  shape.azimuth_width_rad = 2.0 * core::pi;
+  shape.elevation_width_rad = 2.0 * core::pi;
   switch (pattern.kind) {
-    case AntennaPattern::Kind::isotropic: return shape;
-    case AntennaPattern::Kind::sinx:
+    case radar::AntennaPattern::Kind::isotropic: return shape;
+    case radar::AntennaPattern::Kind::sinx:
       if (!usable(pattern.azimuth_beamwidth_rad) || !usable(pattern.elevation_beamwidth_rad)) return shape;
-      shape.azimuth_width_rad = std::min(2.0 * pi, pattern.azimuth_beamwidth_rad);
-      shape.elevation_width_rad = std::min(2.0 * pi, pattern.elevation_beamwidth_rad);
+      shape.azimuth_width_rad = std::min(2.0 * core::pi, pattern.azimuth_beamwidth_rad);
+      shape.elevation_width_rad = std::min(2.0 * core::pi, pattern.elevation_beamwidth_rad);
       break;
-    case AntennaPattern::Kind::user:
+    case radar::AntennaPattern::Kind::user:
       if (pattern.azimuth_gain_db.knots().size() < 2 && pattern.elevation_gain_db.knots().size() < 2) return shape;
       shape.azimuth_width_rad = half_power_width_rad(pattern.azimuth_gain_db);
       shape.elevation_width_rad = half_power_width_rad(pattern.elevation_gain_db);
@@ -79,4 +80,4 @@ BeamShape beam_shape(const AntennaPattern& pattern, PatternRule rule) {
   return shape;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

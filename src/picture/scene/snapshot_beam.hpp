@@ -5,7 +5,7 @@
 #include "core/maths/vector.hpp"
 #include "radar/antenna/pattern.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 
 /// What an antenna looks like, prepared once for many snapshots.
 struct BeamShape {
@@ -14,10 +14,10 @@ struct BeamShape {
   double elevation_width_rad = 0.0;
   /// Directions in the antenna's frame (x across, y boresight, z up) times the one-way amplitude over its largest:
   /// [elevation][azimuth]. Empty where isotropic.
-  std::vector<std::vector<Vec3>> lobe_antenna;
+  std::vector<std::vector<core::Vec3>> lobe_antenna;
 };
 
 /// The shape of a pattern. One that cannot be understood (a beamwidth that is not positive) is isotropic.
-[[nodiscard]] BeamShape beam_shape(const AntennaPattern& pattern, PatternRule rule);
+[[nodiscard]] BeamShape beam_shape(const radar::AntennaPattern& pattern, radar::PatternRule rule);
 
-}  // namespace sarsim
+}  // namespace sarsim::picture

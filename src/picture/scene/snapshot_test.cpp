@@ -12,91 +12,91 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::picture {
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-SampledFunction lines(std::vector<Knot> knots) { return {Interpolation::linear, std::move(knots)}; }
+core::SampledFunction lines(std::vector<core::Knot> knots) { return {core::Interpolation::linear, std::move(knots)}; }
 
-Platform resting(std::string name, const Vec3& position_m) {
-  Platform platform;
+scene::Platform resting(std::string name, const core::Vec3& position_m) {
+  scene::Platform platform;
   platform.name = std::move(name);
   platform.position_m = position_m;
   return platform;
 }
 
 // Passes (100, 0, 50) at t = 0 with (10, 20, 0) m/s.
-Platform passing(std::string name) {
-  Platform platform;
+scene::Platform passing(std::string name) {
+  scene::Platform platform;
   platform.name = std::move(name);
-  platform.path = Platform::Path::trajectory;
+  platform.path = scene::Platform::Path::trajectory;
   platform.trajectory_m.part = {lines({{-5, 50}, {5, 150}}), lines({{-5, -100}, {5, 100}}), lines({{0, 50}})};
   return platform;
 }
 
-Target target_on(std::string platform, const Vec3& position_m) {
-  Target target;
+scene::Target target_on(std::string platform, const core::Vec3& position_m) {
+  scene::Target target;
   target.platform = std::move(platform);
   target.position_m = position_m;
   return target;
 }
 
-Scene one_radar_scene(const Platform& platform, const Radar& radar) {
-  Scene scene;
+scene::Scene one_radar_scene(const scene::Platform& platform, const scene::Radar& radar) {
+  scene::Scene scene;
   scene.platforms.push_back(platform);
   scene.radars.push_back(radar);
   scene.radars[0].platform = platform.name;
   return scene;
 }
 
-void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-9) {
-  EXPECT_LT(norm(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' '
-                                    << b.z;
+void expect_near(const core::Vec3& a, const core::Vec3& b, double tolerance = 1e-9) {
+  EXPECT_LT(core::norm(a - b), tolerance)
+      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 TEST(Snapshot, PlatformFollowsItsTrajectory) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Earth", {}), passing("Plane")};
   const SnapshotMaker maker(scene);
   const Snapshot snapshot = maker.at(2.0);
   ASSERT_EQ(snapshot.platforms.size(), 2U);
   EXPECT_EQ(snapshot.platforms[1].name, "Plane");
-  EXPECT_EQ(snapshot.platforms[1].id, (ObjectId{ObjectKind::platform, 1}));
+  EXPECT_EQ(snapshot.platforms[1].id, (scene::ObjectId{scene::ObjectKind::platform, 1}));
   expect_near(snapshot.platforms[1].pose.position_world_m, {120, 40, 50});
   EXPECT_EQ(snapshot.time_s, 2.0);
 }
 
 TEST(Snapshot, RotationRateAddsToTheRotation) {
-  Platform platform = resting("Turning", {});
-  platform.rotation[2] = Angle::from_deg(10.0);
-  platform.rotation_rate[2] = Angle::from_deg(5.0);
-  Scene scene;
+  scene::Platform platform = resting("Turning", {});
+  platform.rotation[2] = core::Angle::from_deg(10.0);
+  platform.rotation_rate[2] = core::Angle::from_deg(5.0);
+  scene::Scene scene;
   scene.platforms = {platform};
   const Snapshot snapshot = SnapshotMaker(scene).at(4.0);
-  const Mat3 expected = world_from_platform({0.0, 0.0, Angle::from_deg(30.0).rad()});
+  const core::Mat3 expected = radar::world_from_platform({0.0, 0.0, core::Angle::from_deg(30.0).rad()});
   for (std::size_t i = 0; i < 3; ++i)
     expect_near(snapshot.platforms[0].pose.world_from_platform.row[i], expected.row[i], 1e-14);
 }
 
 TEST(Snapshot, AlignedPlatformPointsItsXAxisAlongThePath) {
-  Platform platform = passing("Plane");
+  scene::Platform platform = passing("Plane");
   platform.aligned = true;
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {platform};
   const Snapshot snapshot = SnapshotMaker(scene).at(1.0);
-  const Vec3 x_axis = snapshot.platforms[0].pose.world_from_platform * Vec3{1, 0, 0};
-  expect_near(x_axis, (1.0 / std::sqrt(5.0)) * Vec3{1, 2, 0}, 1e-12);
+  const core::Vec3 x_axis = snapshot.platforms[0].pose.world_from_platform * core::Vec3{1, 0, 0};
+  expect_near(x_axis, (1.0 / std::sqrt(5.0)) * core::Vec3{1, 2, 0}, 1e-12);
 }
 
 TEST(Snapshot, TargetStandsInItsPlatformsFrame) {
-  Platform platform = resting("Ship", {10, 20, 30});
-  platform.rotation[2] = Angle::from_deg(90.0);  // yaw clockwise: the platform's y axis points along +x
-  Scene scene;
+  scene::Platform platform = resting("Ship", {10, 20, 30});
+  platform.rotation[2] = core::Angle::from_deg(90.0);  // yaw clockwise: the platform's y axis points along +x
+  scene::Scene scene;
   scene.platforms = {platform};
   scene.targets = {target_on("Ship", {0, 100, 7})};
-  scene.targets[0].reflectivity = Target::Reflectivity::directional;
+  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
   const Snapshot snapshot = SnapshotMaker(scene).at(0.0);
   ASSERT_EQ(snapshot.targets.size(), 1U);
   expect_near(snapshot.targets[0].position_world_m, {110, 20, 37});
@@ -106,11 +106,11 @@ TEST(Snapshot, TargetStandsInItsPlatformsFrame) {
 }
 
 TEST(Snapshot, SurfaceShowsItsFrontsNormal) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Hill", {0, 0, 5})};
-  Surface surface;
+  scene::Surface surface;
   surface.platform = "Hill";
-  surface.corner_m = {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  surface.corner_m = {core::Vec3{0, 0, 0}, core::Vec3{1, 0, 0}, core::Vec3{0, 1, 0}};
   scene.surfaces = {surface};
   std::swap(surface.corner_m[1], surface.corner_m[2]);
   scene.surfaces.push_back(surface);
@@ -125,23 +125,24 @@ TEST(Snapshot, SurfaceShowsItsFrontsNormal) {
 }
 
 // Radars whose beams are of the four kinds, on a platform that moves, turns and shakes.
-std::vector<Scene> beam_scenes(Profile profile) {
-  Platform platform = passing("Plane");
-  platform.rotation[0] = Angle::from_deg(7.0);
-  platform.rotation[1] = Angle::from_deg(-12.0);
-  platform.rotation_rate[2] = Angle::from_deg(30.0);
+std::vector<scene::Scene> beam_scenes(scene::Profile profile) {
+  scene::Platform platform = passing("Plane");
+  platform.rotation[0] = core::Angle::from_deg(7.0);
+  platform.rotation[1] = core::Angle::from_deg(-12.0);
+  platform.rotation_rate[2] = core::Angle::from_deg(30.0);
   platform.position_stddev_m = {1.0, 2.0, 3.0};
-  platform.rotation_stddev[1] = Angle::from_deg(2.0);
-  Radar radar;
+  platform.rotation_stddev[1] = core::Angle::from_deg(2.0);
+  scene::Radar radar;
   radar.prf_hz = 10.0;
-  radar.beam_azimuth = Angle::from_deg(25.0);
-  radar.beam_elevation = Angle::from_deg(-8.0);
-  radar.beam_rate = Angle::from_deg(40.0);
+  radar.beam_azimuth = core::Angle::from_deg(25.0);
+  radar.beam_elevation = core::Angle::from_deg(-8.0);
+  radar.beam_rate = core::Angle::from_deg(40.0);
   radar.spot_world_m = {500, 600, 0};
   radar.beam_target_world_m.part = {lines({{0, 0}, {1, 300}}), lines({{0, 900}}), lines({{0, 0}, {1, 10}})};
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  std::vector<Scene> scenes;
-  for (const Radar::Beam beam : {Radar::Beam::fixed, Radar::Beam::rotating, Radar::Beam::spot, Radar::Beam::user}) {
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  std::vector<scene::Scene> scenes;
+  for (const scene::Radar::Beam beam :
+       {scene::Radar::Beam::fixed, scene::Radar::Beam::rotating, scene::Radar::Beam::spot, scene::Radar::Beam::user}) {
     radar.beam = beam;
     scenes.push_back(one_radar_scene(platform, radar));
     scenes.back().options.profile = profile;
@@ -150,11 +151,11 @@ std::vector<Scene> beam_scenes(Profile profile) {
 }
 
 TEST(Snapshot, BeamsAndPosesAreThoseOfTheSimulationsPulses) {
-  for (const Profile profile : {Profile::physical, Profile::classic})
-    for (const Scene& scene : beam_scenes(profile)) {
-      const ResolvedScene resolved = resolve(scene);
-      const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
-      PulseGeometry geometry(resolved, radar);
+  for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
+    for (const scene::Scene& scene : beam_scenes(profile)) {
+      const simulate::ResolvedScene resolved = simulate::resolve(scene);
+      const simulate::ResolvedRadar radar = simulate::resolve_radar(scene, resolved, 0);
+      simulate::PulseGeometry geometry(resolved, radar);
       const SnapshotMaker maker(scene);
       for (const std::int64_t pulse : {-7, 0, 3, 40}) {
         geometry.set_pulse(pulse);
@@ -162,9 +163,9 @@ TEST(Snapshot, BeamsAndPosesAreThoseOfTheSimulationsPulses) {
         ASSERT_EQ(snapshot.radars.size(), 1U);
         expect_near(snapshot.radars[0].position_world_m, geometry.radar_pose().position_world_m);
         expect_near(snapshot.radars[0].axis_world, geometry.pointing().axis_world(), 1e-12);
-        EXPECT_NEAR(dot(snapshot.radars[0].axis_world, snapshot.radars[0].across_world), 0.0, 1e-12);
-        EXPECT_NEAR(norm(snapshot.radars[0].across_world), 1.0, 1e-12);
-        if (profile == Profile::physical) {
+        EXPECT_NEAR(core::dot(snapshot.radars[0].axis_world, snapshot.radars[0].across_world), 0.0, 1e-12);
+        EXPECT_NEAR(core::norm(snapshot.radars[0].across_world), 1.0, 1e-12);
+        if (profile == scene::Profile::physical) {
           expect_near(snapshot.radars[0].across_world, geometry.pointing().antenna_from_world().row[0], 1e-12);
         }
       }
@@ -172,72 +173,72 @@ TEST(Snapshot, BeamsAndPosesAreThoseOfTheSimulationsPulses) {
 }
 
 TEST(Snapshot, BetweenPulsesTheLastOneSentCounts) {
-  Scene scene = beam_scenes(Profile::physical)[0];
-  scene.platforms[0].path = Platform::Path::stationary;
+  scene::Scene scene = beam_scenes(scene::Profile::physical)[0];
+  scene.platforms[0].path = scene::Platform::Path::stationary;
   const SnapshotMaker maker(scene);
-  const Vec3 at_pulse = maker.at(0.3).radars[0].position_world_m;
+  const core::Vec3 at_pulse = maker.at(0.3).radars[0].position_world_m;
   EXPECT_EQ(maker.at(0.35).radars[0].position_world_m, at_pulse);
   EXPECT_NE(maker.at(0.4).radars[0].position_world_m, at_pulse);
 }
 
 TEST(Snapshot, UserBeamWidthsAreWhereTheGainFallsBy3Decibels) {
-  Radar radar;
-  radar.transmit_antenna.pattern = Antenna::Pattern::user;
+  scene::Radar radar;
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::user;
   radar.transmit_antenna.gain_db.part = {lines({{0, 30}, {10, 24}, {180, -60}}), lines({{0, 0}, {180, -1}})};
   const Snapshot snapshot = SnapshotMaker(one_radar_scene(resting("Earth", {}), radar)).at(0.0);
   EXPECT_FALSE(snapshot.radars[0].isotropic);
-  EXPECT_NEAR(snapshot.radars[0].azimuth_width_rad, Angle::from_deg(10.0).rad(), 1e-6);
-  EXPECT_NEAR(snapshot.radars[0].elevation_width_rad, 2.0 * pi, 1e-12);
+  EXPECT_NEAR(snapshot.radars[0].azimuth_width_rad, core::Angle::from_deg(10.0).rad(), 1e-6);
+  EXPECT_NEAR(snapshot.radars[0].elevation_width_rad, 2.0 * core::pi, 1e-12);
 }
 
 TEST(Snapshot, LobeIsLargestAlongTheAxisWhereItIsOne) {
-  for (const Profile profile : {Profile::physical, Profile::classic})
-    for (const Scene& scene : beam_scenes(profile)) {
+  for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
+    for (const scene::Scene& scene : beam_scenes(profile)) {
       const Snapshot snapshot = SnapshotMaker(scene).at(0.7);
       const Snapshot::Radar& radar = snapshot.radars[0];
       double largest = 0.0;
-      Vec3 peak;
+      core::Vec3 peak;
       for (const auto& row : radar.lobe_world)
-        for (const Vec3& point : row)
-          if (norm(point) > largest) largest = norm(point), peak = point;
+        for (const core::Vec3& point : row)
+          if (core::norm(point) > largest) largest = core::norm(point), peak = point;
       EXPECT_NEAR(largest, 1.0, 1e-12);
       expect_near(peak, radar.axis_world, 1e-9);
     }
 }
 
 TEST(Snapshot, LobeOfAPatternWithGainIsOneAlongTheAxisToo) {
-  Radar radar;
-  radar.transmit_antenna.pattern = Antenna::Pattern::user;
+  scene::Radar radar;
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::user;
   radar.transmit_antenna.gain_db.part = {lines({{0, 30}, {10, 24}, {180, -60}}), lines({{0, 0}, {180, -40}})};
   const Snapshot snapshot = SnapshotMaker(one_radar_scene(resting("Earth", {}), radar)).at(0.0);
   double largest = 0.0;
   for (const auto& row : snapshot.radars[0].lobe_world)
-    for (const Vec3& point : row) largest = std::max(largest, norm(point));
+    for (const core::Vec3& point : row) largest = std::max(largest, core::norm(point));
   EXPECT_NEAR(largest, 1.0, 1e-12);
 }
 
 TEST(Snapshot, IsotropicRadarHasNoLobe) {
-  const Snapshot snapshot = SnapshotMaker(one_radar_scene(resting("Earth", {1, 2, 3}), Radar{})).at(0.0);
+  const Snapshot snapshot = SnapshotMaker(one_radar_scene(resting("Earth", {1, 2, 3}), scene::Radar{})).at(0.0);
   EXPECT_TRUE(snapshot.radars[0].isotropic);
   EXPECT_TRUE(snapshot.radars[0].lobe_world.empty());
   expect_near(snapshot.radars[0].position_world_m, {1, 2, 3});
 }
 
 TEST(Snapshot, TrailRunsHalfBeforeAndHalfAfterAndTurnsAtKnots) {
-  Platform platform = passing("Plane");
+  scene::Platform platform = passing("Plane");
   platform.trajectory_m.part[1] = lines({{-5, 0}, {1, 0}, {5, 40}});  // bends at t = 1
   platform.position_stddev_m = {5, 5, 5};                             // not in the trail
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Earth", {}), platform};
   const SnapshotMaker maker(scene);
   const Snapshot snapshot = maker.at(0.0, 4.0);
   EXPECT_TRUE(snapshot.platforms[0].trail_world_m.empty());
-  const std::vector<Vec3>& trail = snapshot.platforms[1].trail_world_m;
+  const std::vector<core::Vec3>& trail = snapshot.platforms[1].trail_world_m;
   ASSERT_GT(trail.size(), 10U);
   expect_near(trail.front(), {80, 0, 50});
   expect_near(trail.back(), {120, 10, 50});
   double off = infinity;
-  for (const Vec3& point : trail) off = std::min(off, norm(point - Vec3{110, 0, 50}));
+  for (const core::Vec3& point : trail) off = std::min(off, core::norm(point - core::Vec3{110, 0, 50}));
   EXPECT_LT(off, 1e-9);
   for (std::size_t i = 1; i < trail.size(); ++i) EXPECT_GE(trail[i].x, trail[i - 1].x);
   EXPECT_TRUE(maker.at(0.0).platforms[1].trail_world_m.empty());
@@ -245,7 +246,7 @@ TEST(Snapshot, TrailRunsHalfBeforeAndHalfAfterAndTurnsAtKnots) {
 }
 
 TEST(Snapshot, TimeSpanHoldsEveryTimeThatTheSceneMentions) {
-  Scene scene;
+  scene::Scene scene;
   EXPECT_EQ(SnapshotMaker(scene).time_span_s(), (std::array{0.0, 1.0}));
   scene.platforms = {resting("Earth", {})};
   scene.platforms[0].trajectory_m = passing("").trajectory_m;  // not used by a platform that rests
@@ -255,13 +256,13 @@ TEST(Snapshot, TimeSpanHoldsEveryTimeThatTheSceneMentions) {
   EXPECT_EQ(SnapshotMaker(scene).time_span_s(), (std::array{3.0, 4.0}));
   scene.platforms.push_back(passing("Plane"));
   EXPECT_EQ(SnapshotMaker(scene).time_span_s(), (std::array{-5.0, 5.0}));
-  scene.platforms[0].rotation_kind = Platform::Rotation::user;
+  scene.platforms[0].rotation_kind = scene::Platform::Rotation::user;
   scene.platforms[0].rotation_deg.part[2] = lines({{-20, 0}, {nan, 1}, {0, 1}});
   EXPECT_EQ(SnapshotMaker(scene).time_span_s(), (std::array{-20.0, 5.0}));
 }
 
 TEST(Snapshot, UnknownPlatformIsTheWorld) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Plane", {1000, 0, 0}), resting("Boat", {0, 1000, 0})};
   scene.targets = {target_on("Nowhere", {1, 2, 3}), target_on("", {4, 5, 6}), target_on("Earth", {7, 8, 9}),
                    target_on("plane", {0, 0, 0})};
@@ -278,12 +279,12 @@ TEST(Snapshot, UnknownPlatformIsTheWorld) {
 }
 
 TEST(Snapshot, WhatIsNoNumberIsLeftOut) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Earth", {nan, 4, 0})};
   scene.targets = {target_on("Earth", {nan, 0, 0}), target_on("Earth", {1, 0, 0}), target_on("Earth", {0, infinity, 0}),
                    target_on("Earth", {2, 0, 0})};
-  scene.targets[3].reflectivity = Target::Reflectivity::directional;
-  scene.targets[3].azimuth = Angle::from_deg(nan);
+  scene.targets[3].reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[3].azimuth = core::Angle::from_deg(nan);
   scene.surfaces.resize(2);
   scene.surfaces[0].corner_m[2].z = nan;
   const Snapshot snapshot = SnapshotMaker(scene).at(0.0);
@@ -298,24 +299,24 @@ TEST(Snapshot, WhatIsNoNumberIsLeftOut) {
 }
 
 TEST(Snapshot, HalfTypedFunctionsDoNoHarm) {
-  Platform platform = passing("Plane");
+  scene::Platform platform = passing("Plane");
   platform.trajectory_m.part[0] = lines({{5, 150}, {nan, 3}, {-5, 50}, {5, 999}, {0, nan}});  // unsorted, repeated
   platform.trajectory_m.part[1] = {};                                                         // empty
-  platform.trajectory_m.part[2] = {Interpolation::low_pass, {{1e30, 1}, {1e30 + 1e15, 2}}};
-  platform.rotation_kind = Platform::Rotation::user;
-  platform.rotation_deg.part[0] = {Interpolation::cubic, {{0, 0}, {0, 1}, {0, 2}}};
+  platform.trajectory_m.part[2] = {core::Interpolation::low_pass, {{1e30, 1}, {1e30 + 1e15, 2}}};
+  platform.rotation_kind = scene::Platform::Rotation::user;
+  platform.rotation_deg.part[0] = {core::Interpolation::cubic, {{0, 0}, {0, 1}, {0, 2}}};
   platform.aligned = true;
-  platform.position_error = Platform::MotionError::envelope;
+  platform.position_error = scene::Platform::MotionError::envelope;
   platform.position_envelope.part[0] = lines({{0, 1}, {1e-300, 1}});
   platform.position_envelope.part[1] = lines({{1e200, 1}, {2e200, 1}});
-  Radar radar;
+  scene::Radar radar;
   radar.prf_hz = nan;
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(0.0);
-  radar.beam = Radar::Beam::user;
-  Scene scene = one_radar_scene(platform, radar);
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(0.0);
+  radar.beam = scene::Radar::Beam::user;
+  scene::Scene scene = one_radar_scene(platform, radar);
   scene.radars.push_back(radar);
-  scene.radars[1].transmit_antenna.pattern = Antenna::Pattern::user;
+  scene.radars[1].transmit_antenna.pattern = scene::Antenna::Pattern::user;
   scene.radars[1].barker_code = 99;
   scene.radars[1].carrier_steps = 0;
   const SnapshotMaker maker(scene);
@@ -329,9 +330,9 @@ TEST(Snapshot, HalfTypedFunctionsDoNoHarm) {
 }
 
 TEST(Snapshot, PlatformBeyondAllNumbersTakesItsObjectsWithIt) {
-  Platform platform = passing("Plane");
+  scene::Platform platform = passing("Plane");
   platform.trajectory_m.part[0] = lines({{0, -1e308}, {1e-3, 1e308}});
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {platform};
   scene.targets = {target_on("Plane", {})};
   scene.radars.push_back({});
@@ -343,22 +344,22 @@ TEST(Snapshot, PlatformBeyondAllNumbersTakesItsObjectsWithIt) {
 }
 
 TEST(Snapshot, EmptySceneIsEmpty) {
-  const Snapshot snapshot = SnapshotMaker(Scene{}).at(0.0, 1.0);
+  const Snapshot snapshot = SnapshotMaker(scene::Scene{}).at(0.0, 1.0);
   EXPECT_TRUE(snapshot.platforms.empty());
   EXPECT_TRUE(snapshot.targets.empty());
 }
 
 TEST(Snapshot, MakerCanBeMoved) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {passing("Plane")};
-  SnapshotMaker maker{Scene{}};
+  SnapshotMaker maker{scene::Scene{}};
   maker = SnapshotMaker(scene);
   EXPECT_EQ(maker.at(0.0).platforms.size(), 1U);
 }
 
 // Goal: 3 ms on one core; the bound leaves room for loaded machines and sanitizers.
 TEST(Snapshot, TenThousandTargetsAreQuick) {
-  Scene scene;
+  scene::Scene scene;
   scene.platforms = {resting("Earth", {}), passing("Plane")};
   for (int i = 0; i < 10'000; ++i) scene.targets.push_back(target_on(i % 2 == 0 ? "Earth" : "Plane", {1.0 * i, 2, 3}));
   const SnapshotMaker maker(scene);
@@ -375,4 +376,4 @@ TEST(Snapshot, TenThousandTargetsAreQuick) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::picture

@@ -4,17 +4,17 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 double wrapped_angle(double angle_rad) {
-  const double reduced = std::remainder(angle_rad, 2.0 * pi);
-  return reduced <= -pi ? reduced + 2.0 * pi : reduced;
+  const double reduced = std::remainder(angle_rad, 2.0 * core::pi);
+  return reduced <= -core::pi ? reduced + 2.0 * core::pi : reduced;
 }
 
 double sinx_gain(double offset_rad, double beamwidth_rad) {
   const double offset = wrapped_angle(offset_rad);
-  if (std::abs(offset) >= 0.5 * pi) return 0.0;
-  const double x = 0.88 * pi * std::sin(offset) / beamwidth_rad;
+  if (std::abs(offset) >= 0.5 * core::pi) return 0.0;
+  const double x = 0.88 * core::pi * std::sin(offset) / beamwidth_rad;
   return std::abs(x) < 1e-8 ? 1.0 : std::sin(x) / x;
 }
 
@@ -28,7 +28,7 @@ double one_way_amplitude(const AntennaPattern& pattern, double azimuth_offset_ra
       return rule == PatternRule::amplitude ? gain : std::sqrt(std::abs(gain));
     }
     case AntennaPattern::Kind::user: {
-      const auto degrees = [](double rad) { return std::abs(wrapped_angle(rad)) * deg_per_rad; };
+      const auto degrees = [](double rad) { return std::abs(wrapped_angle(rad)) * core::deg_per_rad; };
       const double decibels = pattern.azimuth_gain_db.value(degrees(azimuth_offset_rad)) +
                               pattern.elevation_gain_db.value(degrees(elevation_offset_rad));
       return std::pow(10.0, decibels / 20.0);
@@ -37,4 +37,4 @@ double one_way_amplitude(const AntennaPattern& pattern, double azimuth_offset_ra
   return 1.0;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -2,7 +2,7 @@
 
 #include "core/maths/interpolator.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// What the sin(x)/x curve of thesis A.17 means (decision 9).
 enum class PatternRule {
@@ -18,8 +18,8 @@ struct AntennaPattern {
   Kind kind = Kind::isotropic;
   double azimuth_beamwidth_rad = 0.1;  ///< Kind::sinx.
   double elevation_beamwidth_rad = 0.1;
-  Interpolator azimuth_gain_db;  ///< One-way power [dB] against the offset's magnitude [deg]; Kind::user.
-  Interpolator elevation_gain_db;
+  core::Interpolator azimuth_gain_db;  ///< One-way power [dB] against the offset's magnitude [deg]; Kind::user.
+  core::Interpolator elevation_gain_db;
 };
 
 /// sin(x)/x with x = 0.88 pi sin(offset)/beamwidth; 0 where the offset is 90 degrees or more (thesis A.17).
@@ -37,4 +37,4 @@ struct AntennaPattern {
 /// `angle_rad` brought into (-pi, pi].
 [[nodiscard]] double wrapped_angle(double angle_rad);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -88,12 +88,12 @@ void add_double(const std::complex<double>* a, std::complex<double>* row, std::s
   for (std::size_t i = 0; i < count; ++i) row[i] += a[i];
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(products_single);
 HWY_EXPORT(products_double);
@@ -129,6 +129,6 @@ void add_row(std::span<std::complex<double>> row, std::span<const std::complex<d
   HWY_DYNAMIC_DISPATCH(add_double)(a.data(), row.data(), row.size());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

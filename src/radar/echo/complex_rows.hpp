@@ -3,7 +3,7 @@
 #include <complex>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Sample-by-sample arithmetic on rows of complex numbers in SIMD. Both rows are of one length. Real is float or
 /// double.
@@ -21,4 +21,4 @@ void multiply_by(std::span<std::complex<Real>> row, std::span<const std::complex
 template <class Real>
 void add_row(std::span<std::complex<double>> row, std::span<const std::complex<Real>> a);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -2,7 +2,7 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 template <class Real>
@@ -42,4 +42,4 @@ TYPED_TEST(ComplexRows, ProductsAndSumsAreExactForEveryLength) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

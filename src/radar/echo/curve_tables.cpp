@@ -10,7 +10,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -51,12 +51,12 @@ void add_chebyshev(std::size_t k, double weight, std::array<double, most_terms>&
 }
 
 // The polynomial that meets the curve at the nodes of a Chebyshev polynomial, all inside the interval.
-Piece interpolant(const Interpolator& curve, double left, double right, std::size_t degree) {
+Piece interpolant(const core::Interpolator& curve, double left, double right, std::size_t degree) {
   Piece piece{left, right, degree, {}};
   const double half = 0.5 * (right - left);
   const auto nodes = static_cast<double>(degree + 1);
   std::array<double, most_terms> value{};
-  const auto angle = [&](std::size_t j) { return pi * (static_cast<double>(j) + 0.5) / nodes; };
+  const auto angle = [&](std::size_t j) { return core::pi * (static_cast<double>(j) + 0.5) / nodes; };
   for (std::size_t j = 0; j <= degree; ++j) value[j] = curve.value(piece.centre() + half * std::cos(angle(j)));
   for (std::size_t k = 0; k <= degree; ++k) {
     double sum = 0.0;
@@ -68,13 +68,13 @@ Piece interpolant(const Interpolator& curve, double left, double right, std::siz
 }
 
 // Whether a piece is within half of `tolerance_db` where it is likely to be farthest from the curve.
-bool close_to(const Interpolator& curve, const Piece& piece, double tolerance_db) {
+bool close_to(const core::Interpolator& curve, const Piece& piece, double tolerance_db) {
   if (piece.right - piece.left < shortest_deg) return true;
   const double half = 0.5 * (piece.right - piece.left);
   const auto parts = static_cast<double>(piece.degree + 1);
   for (std::size_t j = 0; j <= piece.degree + 1; ++j) {
     // Not at the ends themselves, which may belong to the neighbours.
-    const double x = piece.centre() + 0.999 * half * std::cos(pi * static_cast<double>(j) / parts);
+    const double x = piece.centre() + 0.999 * half * std::cos(core::pi * static_cast<double>(j) / parts);
     const double value = curve.value(x);
     if (!(std::abs(piece.value(x) - value) <= std::max(0.5 * tolerance_db, rounding * std::abs(value)))) return false;
   }
@@ -90,14 +90,14 @@ std::vector<double> sorted_breaks(std::vector<double> breaks) {
   return breaks;
 }
 
-std::vector<double> knot_places(const Interpolator& curve) {
+std::vector<double> knot_places(const core::Interpolator& curve) {
   std::vector<double> places;
-  for (const Knot& knot : curve.knots()) places.push_back(knot.x);
+  for (const core::Knot& knot : curve.knots()) places.push_back(knot.x);
   return places;
 }
 
 // The first number behind a jump that is known to be within rounding of x; x itself where there is none.
-double behind_jump(const Interpolator& curve, double x) {
+double behind_jump(const core::Interpolator& curve, double x) {
   constexpr int reach = 8;
   double left = x;
   for (int i = 0; i < reach; ++i) left = std::nextafter(left, -last_deg);
@@ -117,7 +117,7 @@ double behind_jump(const Interpolator& curve, double x) {
 
 // Where a low-pass curve is not smooth: at its ends, at the points of its grid (LowPassRule::first_knot) and halfway
 // between them, where it jumps to the next set of terms (LowPassRule::origin).
-std::vector<double> low_pass_breaks(const Interpolator& curve) {
+std::vector<double> low_pass_breaks(const core::Interpolator& curve) {
   constexpr double beyond = 12.0;  // steps in which a bare sinc decays to nothing, and one for safety
   std::vector<double> breaks = knot_places(curve);
   const double first = breaks.front();
@@ -132,7 +132,7 @@ std::vector<double> low_pass_breaks(const Interpolator& curve) {
   return sorted_breaks(std::move(breaks));
 }
 
-void add_pieces(const Interpolator& curve, double left, double right, double tolerance_db, int halvings,
+void add_pieces(const core::Interpolator& curve, double left, double right, double tolerance_db, int halvings,
                 std::vector<Piece>& pieces) {
   const Piece piece = interpolant(curve, left, right, most_terms - 1);
   if (halvings == 0 || close_to(curve, piece, tolerance_db)) {
@@ -144,7 +144,7 @@ void add_pieces(const Interpolator& curve, double left, double right, double tol
 }
 
 // A curve that is a straight line or a cubic polynomial between its knots; nothing where it is neither.
-std::vector<Piece> exact_pieces(const Interpolator& curve, double tolerance_db) {
+std::vector<Piece> exact_pieces(const core::Interpolator& curve, double tolerance_db) {
   std::vector<Piece> pieces;
   const std::vector<double> breaks = sorted_breaks(knot_places(curve));
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
@@ -156,12 +156,12 @@ std::vector<Piece> exact_pieces(const Interpolator& curve, double tolerance_db) 
   return pieces;
 }
 
-std::vector<Piece> pieces_of(const Interpolator& curve, double tolerance_db) {
+std::vector<Piece> pieces_of(const core::Interpolator& curve, double tolerance_db) {
   std::vector<Piece> pieces = exact_pieces(curve, tolerance_db);
   if (!pieces.empty() || curve.knots().size() < 2) return pieces;
   // The rounding of a sum of sincs goes with the largest of its ordinates.
   double largest = 0.0;
-  for (const Knot& knot : curve.knots()) largest = std::max(largest, std::abs(knot.y));
+  for (const core::Knot& knot : curve.knots()) largest = std::max(largest, std::abs(knot.y));
   const double error_db = std::max(tolerance_db, rounding * largest);
   const std::vector<double> breaks = low_pass_breaks(curve);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
@@ -293,8 +293,8 @@ void lay_out(const std::vector<Pieces>& all, CurveTables& tables) {
 
 // Whether two curves through the same knots are the same function: of the ways to interpolate, no two agree beside the
 // sharpest bend, or, along a straight line, at the ends of the table.
-bool same_function(const Interpolator& a, const Interpolator& b) {
-  const std::vector<Knot>& knots = a.knots();
+bool same_function(const core::Interpolator& a, const core::Interpolator& b) {
+  const std::vector<core::Knot>& knots = a.knots();
   if (knots != b.knots()) return false;
   if (knots.size() < 2) return true;
   const auto slope = [&](std::size_t i) { return (knots[i + 1].y - knots[i].y) / (knots[i + 1].x - knots[i].x); };
@@ -308,21 +308,21 @@ bool same_function(const Interpolator& a, const Interpolator& b) {
                              [&](double x) { return a.value(x) == b.value(x); });
 }
 
-std::size_t hash_of(const std::vector<Knot>& knots) {
+std::size_t hash_of(const std::vector<core::Knot>& knots) {
   std::size_t hash = knots.size();
-  for (const Knot& knot : knots)
+  for (const core::Knot& knot : knots)
     for (const double x : {knot.x, knot.y}) hash = (hash ^ std::hash<double>()(x)) * 0x100000001b3U;
   return hash;
 }
 
 }  // namespace
 
-CurveTables tabulate(std::span<const Interpolator* const> curves, double tolerance_db) {
+CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db) {
   CurveTables tables;
   std::vector<Pieces> all;
-  std::vector<const Interpolator*> distinct;
+  std::vector<const core::Interpolator*> distinct;
   std::unordered_multimap<std::size_t, std::uint32_t> by_hash;
-  for (const Interpolator* curve : curves) {
+  for (const core::Interpolator* curve : curves) {
     const std::size_t hash = hash_of(curve->knots());
     const auto [first, last] = by_hash.equal_range(hash);
     const auto found =
@@ -341,4 +341,4 @@ CurveTables tabulate(std::span<const Interpolator* const> curves, double toleran
   return tables;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

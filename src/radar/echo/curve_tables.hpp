@@ -7,7 +7,7 @@
 
 #include "core/maths/interpolator.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Functions of an angle of 0 to 180 degrees as polynomials piece by piece, laid out for look-up in SIMD.
 ///
@@ -40,6 +40,6 @@ struct CurveTables {
 /// Tabulates curves over 0 to 180 degrees.
 /// @param curves        decibels against degrees
 /// @param tolerance_db  largest error; not below the rounding of the curves themselves, 1e-13 of their ordinates
-[[nodiscard]] CurveTables tabulate(std::span<const Interpolator* const> curves, double tolerance_db);
+[[nodiscard]] CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include "radar/echo/simd_curves-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 // `count` is a multiple of every vector's length; each angle has its own table.
 void curve_values(const CurveTables& tables, const std::int64_t* table, const double* angle, double* out,
@@ -21,48 +21,49 @@ void curve_values(const CurveTables& tables, const std::int64_t* table, const do
   }
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(curve_values);
 
 namespace {
 
-constexpr std::array methods{Interpolation::linear, Interpolation::cubic, Interpolation::low_pass};
-constexpr std::array rules{LowPassRule::first_knot, LowPassRule::origin};
+constexpr std::array methods{core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass};
+constexpr std::array rules{core::LowPassRule::first_knot, core::LowPassRule::origin};
 
-Interpolator through(Interpolation method, std::vector<Knot> knots, LowPassRule rule = LowPassRule::first_knot) {
-  return Interpolator(SampledFunction{method, std::move(knots)}, rule);
+core::Interpolator through(core::Interpolation method, std::vector<core::Knot> knots,
+                           core::LowPassRule rule = core::LowPassRule::first_knot) {
+  return core::Interpolator(core::SampledFunction{method, std::move(knots)}, rule);
 }
 
-CurveTables tables_of(const std::vector<Interpolator>& curves, double tolerance_db) {
-  std::vector<const Interpolator*> pointers;
+CurveTables tables_of(const std::vector<core::Interpolator>& curves, double tolerance_db) {
+  std::vector<const core::Interpolator*> pointers;
   pointers.reserve(curves.size());
-  for (const Interpolator& curve : curves) pointers.push_back(&curve);
+  for (const core::Interpolator& curve : curves) pointers.push_back(&curve);
   return tabulate(pointers, tolerance_db);
 }
 
 // Uneven knots over `from` to `to` degrees.
-std::vector<Knot> random_knots(unsigned seed, std::size_t count, double from, double to, double lowest_db) {
+std::vector<core::Knot> random_knots(unsigned seed, std::size_t count, double from, double to, double lowest_db) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(from, to), gain(lowest_db, 0.0);
-  std::vector<Knot> knots;
+  std::vector<core::Knot> knots;
   for (std::size_t i = 0; i < count; ++i) knots.push_back({place(random), gain(random)});
-  std::ranges::sort(knots, {}, &Knot::x);
+  std::ranges::sort(knots, {}, &core::Knot::x);
   return knots;
 }
 
 // Angles at random, at both ends, and at knots and next to them.
-std::vector<double> angles_for(const std::vector<Interpolator>& curves) {
+std::vector<double> angles_for(const std::vector<core::Interpolator>& curves) {
   std::vector<double> angles{0.0, 180.0, 90.0, 45.0, 5e-324, 1e-9};
-  for (const Interpolator& curve : curves)
-    for (const Knot& knot : curve.knots())
+  for (const core::Interpolator& curve : curves)
+    for (const core::Knot& knot : curve.knots())
       for (const double x : {knot.x, knot.x - 1e-7, knot.x + 1e-7})
         if (x >= 0.0 && x <= 180.0) angles.push_back(x);
   std::mt19937 random(3);
@@ -72,7 +73,7 @@ std::vector<double> angles_for(const std::vector<Interpolator>& curves) {
 }
 
 // The largest error of each curve, where `slope_db` per degree times the rounding of an angle is forgiven.
-void expect_tabulated(const std::vector<Interpolator>& curves, double tolerance_db, double slope_db = 1e3) {
+void expect_tabulated(const std::vector<core::Interpolator>& curves, double tolerance_db, double slope_db = 1e3) {
   const CurveTables tables = tables_of(curves, tolerance_db);
   ASSERT_TRUE(tables.sound);
   ASSERT_EQ(tables.number.size(), curves.size());
@@ -94,9 +95,9 @@ void expect_tabulated(const std::vector<Interpolator>& curves, double tolerance_
 }
 
 TEST(CurveTables, OfLinesAndSplinesAreExactAtTheirKnotsAndBetween) {
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic})
+  for (const core::Interpolation method : {core::Interpolation::linear, core::Interpolation::cubic})
     for (const std::size_t count : {2U, 3U, 4U, 17U, 181U}) {
-      std::vector<Knot> even;
+      std::vector<core::Knot> even;
       for (std::size_t i = 0; i < count; ++i)
         even.push_back({180.0 * static_cast<double>(i) / static_cast<double>(count - 1),
                         -40.0 * std::abs(std::sin(static_cast<double>(i)))});
@@ -106,29 +107,30 @@ TEST(CurveTables, OfLinesAndSplinesAreExactAtTheirKnotsAndBetween) {
 }
 
 TEST(CurveTables, ContinueBeyondTheKnotsAsTheCurvesDo) {
-  for (const LowPassRule rule : rules)
-    for (const Interpolation method : methods)
+  for (const core::LowPassRule rule : rules)
+    for (const core::Interpolation method : methods)
       for (const auto& [from, to] : {std::pair{20.0, 50.0}, std::pair{-30.0, 60.0}, std::pair{100.0, 400.0},
                                      std::pair{-90.0, -10.0}, std::pair{200.0, 300.0}})
         expect_tabulated({through(method, random_knots(6, 7, from, to, -30.0), rule)}, 1e-7);
 }
 
 TEST(CurveTables, OfLowPassCurvesKeepTheToleranceThatIsAskedFor) {
-  std::vector<Knot> even;
+  std::vector<core::Knot> even;
   for (int i = 0; i <= 36; ++i) even.push_back({5.0 * i, i % 4 == 0 ? -60.0 : -3.0 * (i % 5)});
-  for (const LowPassRule rule : rules)
+  for (const core::LowPassRule rule : rules)
     for (const double tolerance_db : {1e-2, 1e-6, 1e-10}) {
-      expect_tabulated({through(Interpolation::low_pass, even, rule)}, tolerance_db);
-      expect_tabulated({through(Interpolation::low_pass, random_knots(7, 23, 0.0, 180.0, -20.0), rule)}, tolerance_db);
+      expect_tabulated({through(core::Interpolation::low_pass, even, rule)}, tolerance_db);
+      expect_tabulated({through(core::Interpolation::low_pass, random_knots(7, 23, 0.0, 180.0, -20.0), rule)},
+                       tolerance_db);
     }
 }
 
 // The bare sinc drops a term and takes another halfway between grid points: a jump, which no polynomial may smear.
 TEST(CurveTables, JumpWhereAClassicLowPassCurveDoes) {
-  std::vector<Knot> knots;
+  std::vector<core::Knot> knots;
   knots.reserve(30);
   for (int i = 0; i < 30; ++i) knots.push_back({0.7 * i, -30.0 - i % 7});
-  const Interpolator curve = through(Interpolation::low_pass, knots, LowPassRule::origin);
+  const core::Interpolator curve = through(core::Interpolation::low_pass, knots, core::LowPassRule::origin);
   const CurveTables tables = tables_of({curve}, 1e-8);
   std::vector<double> angles;
   for (int k = 0; k < 40; ++k)
@@ -145,13 +147,13 @@ TEST(CurveTables, JumpWhereAClassicLowPassCurveDoes) {
 }
 
 TEST(CurveTables, OfNoKnotsAreZeroAndOfOneKnotConstant) {
-  for (const Interpolation method : methods)
+  for (const core::Interpolation method : methods)
     expect_tabulated({through(method, {}), through(method, {{30.0, -7.5}}), through(method, {{-5.0, 3.0}})}, 1e-12,
                      0.0);
 }
 
 TEST(CurveTables, HoldCurvesOfEverySortSideBySide) {
-  std::vector<Interpolator> curves;
+  std::vector<core::Interpolator> curves;
   for (unsigned i = 0; i < 12; ++i)
     curves.push_back(through(methods[i % 3], random_knots(i, 2 + 3 * i, 0.0, 180.0, -50.0), rules[i % 2]));
   curves.emplace_back();
@@ -160,10 +162,10 @@ TEST(CurveTables, HoldCurvesOfEverySortSideBySide) {
 
 // 300 dB over a thousandth of a degree, and a hundred knots within a hundredth.
 TEST(CurveTables, MeetSteepStepsAndCrowdsOfKnots) {
-  std::vector<Knot> crowd{{0.0, 0.0}};
+  std::vector<core::Knot> crowd{{0.0, 0.0}};
   for (int i = 0; i < 100; ++i) crowd.push_back({60.0 + 1e-4 * i, i % 2 == 0 ? -1.0 : -2.0});
   crowd.push_back({180.0, -300.0});
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic})
+  for (const core::Interpolation method : {core::Interpolation::linear, core::Interpolation::cubic})
     expect_tabulated({through(method, {{0.0, 0.0}, {10.0, 0.0}, {10.001, -300.0}, {180.0, -300.0}}),
                       through(method, crowd), through(method, {{0.0, 0.0}, {90.0, -1e9}})},
                      1e-12, 1e6);
@@ -172,13 +174,14 @@ TEST(CurveTables, MeetSteepStepsAndCrowdsOfKnots) {
 // A knot that is a millionth of a degree off its grid point: fifth powers of so narrow a piece would lose all digits if
 // they were about the middle of the cell that the piece begins.
 TEST(CurveTables, KeepTheDigitsOfNarrowPieces) {
-  std::vector<Knot> knots;
+  std::vector<core::Knot> knots;
   for (int i = 0; i <= 36; ++i) knots.push_back({5.0 * i + (i == 9 ? 1e-6 : 0.0), -3.0 * (i % 5)});
-  for (const LowPassRule rule : rules) expect_tabulated({through(Interpolation::low_pass, knots, rule)}, 1e-7);
+  for (const core::LowPassRule rule : rules)
+    expect_tabulated({through(core::Interpolation::low_pass, knots, rule)}, 1e-7);
 }
 
 TEST(CurveTables, TakeAnglesThatRoundingPutsOutsideTheirRange) {
-  const std::vector<Interpolator> curves{through(Interpolation::linear, {{0.0, 0.0}, {180.0, -18.0}})};
+  const std::vector<core::Interpolator> curves{through(core::Interpolation::linear, {{0.0, 0.0}, {180.0, -18.0}})};
   const CurveTables tables = tables_of(curves, 1e-9);
   const std::vector<double> angles{-1e-14, 180.00000000000003, 181.0, -0.0, std::nan(""), 180.0, 0.0, 1e300};
   const double expected[] = {0.0, -18.0, -18.0, 0.0, 0.0, -18.0, 0.0, -18.0};
@@ -191,13 +194,13 @@ TEST(CurveTables, TakeAnglesThatRoundingPutsOutsideTheirRange) {
 }
 
 TEST(CurveTables, AreSharedByEqualCurvesOnly) {
-  const std::vector<Knot> bent{{0.0, 0.0}, {10.0, -3.0}, {20.0, -3.0}, {90.0, -30.0}, {180.0, -30.0}};
-  const std::vector<Knot> straight{{20.0, 0.0}, {30.0, -1.0}, {40.0, -2.0}};
-  std::vector<Interpolator> curves;
+  const std::vector<core::Knot> bent{{0.0, 0.0}, {10.0, -3.0}, {20.0, -3.0}, {90.0, -30.0}, {180.0, -30.0}};
+  const std::vector<core::Knot> straight{{20.0, 0.0}, {30.0, -1.0}, {40.0, -2.0}};
+  std::vector<core::Interpolator> curves;
   for (int i = 0; i < 3; ++i)
     for (const auto& knots : {bent, straight})
-      for (const Interpolation method : methods)
-        for (const LowPassRule rule : rules) curves.push_back(through(method, knots, rule));
+      for (const core::Interpolation method : methods)
+        for (const core::LowPassRule rule : rules) curves.push_back(through(method, knots, rule));
   const CurveTables tables = tables_of(curves, 1e-6);
   // Of each: lines, spline and two low-pass curves; the spline through points of a straight line is that line.
   EXPECT_LE(tables.count, 8u);
@@ -207,12 +210,12 @@ TEST(CurveTables, AreSharedByEqualCurvesOnly) {
 }
 
 TEST(CurveTables, AreNotSoundWhereACurveIsNotFinite) {
-  EXPECT_FALSE(tables_of({through(Interpolation::linear, {{0.0, 1e308}, {1e-3, -1e308}})}, 1e-6).sound);
-  EXPECT_TRUE(tables_of({through(Interpolation::linear, {{0.0, 0.0}, {90.0, -1e30}})}, 1e-6).sound);
+  EXPECT_FALSE(tables_of({through(core::Interpolation::linear, {{0.0, 1e308}, {1e-3, -1e308}})}, 1e-6).sound);
+  EXPECT_TRUE(tables_of({through(core::Interpolation::linear, {{0.0, 0.0}, {90.0, -1e30}})}, 1e-6).sound);
   EXPECT_TRUE(tables_of({}, 1e-6).sound);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -38,7 +38,7 @@ DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, doubl
   for (std::size_t n = 0; n < block_; ++n) {
     const double m = static_cast<double>(n) - centre_of_block(0, block_);
     const double turns = 0.5 * sweep * m * m;
-    chirp_[n] = std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+    chirp_[n] = std::polar(1.0, 2.0 * core::pi * (turns - std::round(turns)));
   }
 }
 
@@ -159,4 +159,4 @@ void DirectKernel::append_code_tones(const Tone& whole, double delay_s, std::vec
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -9,7 +9,7 @@
 #include "radar/echo/reference_kernel.hpp"
 #include "radar/echo/shaped_tones.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Adds echoes sample by sample in SIMD: the fast form of `add_echoes`, for the same definition of a row.
 ///
@@ -60,4 +60,4 @@ class DirectKernel {
   ShapeScratch shape_scratch_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -5,7 +5,7 @@
 #include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 // Low, and the rows early: phases of some hundred turns, lest their rounding hide what the shapes contribute.
@@ -14,27 +14,27 @@ SampleGrid early_grid(std::size_t count) { return {1.3e-6, test_interval_s, coun
 
 struct Method {
   std::string name;
-  Interpolation interpolation;
-  LowPassRule rule = LowPassRule::first_knot;
+  core::Interpolation interpolation;
+  core::LowPassRule rule = core::LowPassRule::first_knot;
 };
 
-const std::vector<Method> methods{{"linear", Interpolation::linear},
-                                  {"cubic", Interpolation::cubic},
-                                  {"low pass", Interpolation::low_pass},
-                                  {"low pass of 1998", Interpolation::low_pass, LowPassRule::origin}};
+const std::vector<Method> methods{{"linear", core::Interpolation::linear},
+                                  {"cubic", core::Interpolation::cubic},
+                                  {"low pass", core::Interpolation::low_pass},
+                                  {"low pass of 1998", core::Interpolation::low_pass, core::LowPassRule::origin}};
 
 // Random knots, the first and last of them on the edges of the pulse unless `inside`.
-Interpolator curve(const Method& method, int knots, bool uniform = true, unsigned seed = 1, bool inside = false) {
+core::Interpolator curve(const Method& method, int knots, bool uniform = true, unsigned seed = 1, bool inside = false) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  SampledFunction f;
+  core::SampledFunction f;
   f.method = method.interpolation;
   for (int i = 0; i < knots; ++i) {
     const double off = uniform || i == 0 || i == knots - 1 ? 0.0 : 0.4 * unit(random);
     const double x = (i + off) / (knots - 1);
     f.knots.push_back({inside ? 0.1 + 0.7 * x : x, unit(random)});
   }
-  return Interpolator(f, method.rule);
+  return core::Interpolator(f, method.rule);
 }
 
 EchoPulse user_pulse(double samples, const Method& method, int knots, bool uniform = true) {
@@ -51,13 +51,15 @@ EchoPulse with_ramps(EchoPulse pulse, double rise_samples, double fall_samples) 
   return pulse;
 }
 
-EchoPulse with_envelope(EchoPulse pulse, const Interpolator& gain) {
+EchoPulse with_envelope(EchoPulse pulse, const core::Interpolator& gain) {
   pulse.pulse.envelope = Pulse::Envelope::user;
   pulse.pulse.envelope_gain = gain;
   return pulse;
 }
 
-double cycle_mps(const EchoPulse& pulse) { return exact_light_speed_mps / (2.0 * carrier_hz * pulse.pulse.width_s); }
+double cycle_mps(const EchoPulse& pulse) {
+  return core::exact_light_speed_mps / (2.0 * carrier_hz * pulse.pulse.width_s);
+}
 
 // What overhangs: echoes that miss the row, begin before it, end after it, lie on the grid or inside; each a different
 // share of `cycles` of Doppler over the pulse, of either sign.
@@ -95,7 +97,7 @@ double largest_of(const EchoPulse& pulse, double interval_s) {
 // hundred turns in the reference and in the kernel.
 std::vector<double> allowed_errors(const EchoPulse& pulse, const SampleGrid& grid, const EchoBatch& echoes,
                                    double tolerance) {
-  const double promise = tolerance >= 1e-6 ? 5e-7 : 1e-11 + 2.0 * pi * 2.3e-16 * 4.0 * 1e3;
+  const double promise = tolerance >= 1e-6 ? 5e-7 : 1e-11 + 2.0 * core::pi * 2.3e-16 * 4.0 * 1e3;
   const double largest = largest_of(pulse, grid.interval_s);
   std::vector<double> allowed(grid.count);
   for (std::size_t k = 0; k < echoes.size(); ++k) {
@@ -222,8 +224,8 @@ TEST(DirectKernelShapes, DecidesSamplesOnEdgesBordersAndJumpsLikeTheReference) {
   }
   // Knots as close as numbers come: a step for all purposes.
   EchoPulse steps = test_pulse(Pulse::Kind::user, 16.0);
-  steps.pulse.in_phase = Interpolator(
-      {Interpolation::linear, {{0.0, 1.0}, {0.25, 1.0}, {0.25 + 1e-15, -1.0}, {0.5, -1.0}, {0.5 + 1e-9, 1.0}}});
+  steps.pulse.in_phase = core::Interpolator(
+      {core::Interpolation::linear, {{0.0, 1.0}, {0.25, 1.0}, {0.25 + 1e-15, -1.0}, {0.5, -1.0}, {0.5 + 1e-9, 1.0}}});
   pulses.push_back(steps);
   for (const double kept : {8.0, 21.0}) {
     EchoPulse cut = test_pulse(Pulse::Kind::chirp, 16.0, 0.8);
@@ -244,7 +246,7 @@ TEST(DirectKernelShapes, AddsLongFlatTopsLikeTheReference) {
   for (const Pulse::Kind kind : {Pulse::Kind::mono, Pulse::Kind::chirp, Pulse::Kind::code}) {
     const EchoPulse plain = test_pulse(kind, 2600.3, kind == Pulse::Kind::chirp ? 0.1 : 0.0);
     expect_reference_at_all_speeds(with_ramps(plain, 300.0, 411.1), grid, "ramps");
-    const Interpolator gain({Interpolation::linear, {{0.0, 0.2}, {0.3, 0.7}, {0.8, 0.7}, {1.0, -0.7}}});
+    const core::Interpolator gain({core::Interpolation::linear, {{0.0, 0.2}, {0.3, 0.7}, {0.8, 0.7}, {1.0, -0.7}}});
     expect_reference_at_all_speeds(with_envelope(plain, gain), grid, "a flat curve");
   }
 }
@@ -265,7 +267,7 @@ TEST(DirectKernelShapes, AddsManyEchoesInLongRowsLikeTheReference) {
       DirectKernel kernel(pulse, grid, tolerance);
       // Up to 40 echoes in a sample; phases of 3e4 turns of the carrier and, against the block's centre, 3e6 of a
       // sweep.
-      const double bound = 40.0 * (tolerance >= 1e-6 ? 5e-7 : 1e-11 + 2.0 * pi * 3e6 * 2.3e-16);
+      const double bound = 40.0 * (tolerance >= 1e-6 ? 5e-7 : 1e-11 + 2.0 * core::pi * 3e6 * 2.3e-16);
       EXPECT_LT(largest_difference(row_of(kernel, grid, carrier_hz, echoes), expected), bound) << tolerance;
     }
   }
@@ -300,4 +302,4 @@ TEST(DirectKernelShapes, LeavePulsesTooLongForATableToTheReference) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

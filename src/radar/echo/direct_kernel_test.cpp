@@ -2,7 +2,7 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double carrier_hz = 2e9;
@@ -11,7 +11,7 @@ constexpr double carrier_hz = 2e9;
 double bound(const EchoBatch& echoes, double tolerance, double turns) {
   double sum = 0.0;
   for (const double a : echoes.amplitude_sqrt_w) sum += std::abs(a);
-  return sum * ((tolerance >= 1e-6 ? 3e-7 : 1e-11) + 2.0 * pi * 2.3e-16 * 4.0 * turns);
+  return sum * ((tolerance >= 1e-6 ? 3e-7 : 1e-11) + 2.0 * core::pi * 2.3e-16 * 4.0 * turns);
 }
 
 // Largest difference to the reference; a carrier of 6e4 cycles and phases of up to 1e4 cycles against the row's centre.
@@ -93,7 +93,7 @@ TEST(DirectKernel, KeepsItsAccuracyInRowsOfAMillionSamples) {
     // Carrier: 2e7 cycles; sweep: 1e6 cycles against the block's centre; times: 1e-2 s, to 2e-10 samples of half a
     // cycle.
     EXPECT_LT(largest_difference(row_of(kernel, grid, carrier_hz, echoes), expected),
-              2.0 * pi * (2e7 * 2.3e-16 + 1e6 * 5e-16 + 4e-10));
+              2.0 * core::pi * (2e7 * 2.3e-16 + 1e6 * 5e-16 + 4e-10));
   }
 }
 
@@ -131,4 +131,4 @@ TEST(DirectKernel, LeavesARowAloneThatNoEchoTouches) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// The echoes of one pulse, target by target.
 struct EchoBatch {
@@ -36,4 +36,4 @@ struct SampleGrid {
   [[nodiscard]] double time_s(std::size_t i) const { return first_s + static_cast<double>(i) * interval_s; }
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -15,7 +15,7 @@
 #include "radar/echo/reference_kernel.hpp"
 
 /// Pulses, rows and measures that the tests of the fast kernels share. Samples are 10 ns apart.
-namespace sarsim {
+namespace sarsim::radar {
 
 using ComplexRow = std::vector<std::complex<double>>;
 
@@ -28,7 +28,7 @@ inline EchoPulse test_pulse(Pulse::Kind kind, double samples, double sweep = 0.0
   pulse.pulse.width_s = samples * test_interval_s;
   pulse.pulse.sweep_hz = sweep / test_interval_s;
   if (kind == Pulse::Kind::code) pulse.pulse.code = barker_code(6);
-  pulse.light_speed_mps = exact_light_speed_mps;
+  pulse.light_speed_mps = core::exact_light_speed_mps;
   return pulse;
 }
 
@@ -102,4 +102,4 @@ void at_every_simd_level(const F& f) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

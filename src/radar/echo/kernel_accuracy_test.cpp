@@ -12,7 +12,7 @@
 #include "radar/echo/reference_kernel.hpp"
 #include "radar/echo/spectral_kernel.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double light_mps = 299'792'458.0;
@@ -55,11 +55,11 @@ class RowGenerator {
   double uniform(double low, double high) { return std::uniform_real_distribution<>(low, high)(random_); }
   bool chance(double p) { return uniform(0.0, 1.0) < p; }
 
-  Interpolator curve(int knots, double low, double high) {
-    SampledFunction f;
-    f.method = chance(0.5) ? Interpolation::linear : Interpolation::cubic;
+  core::Interpolator curve(int knots, double low, double high) {
+    core::SampledFunction f;
+    f.method = chance(0.5) ? core::Interpolation::linear : core::Interpolation::cubic;
     for (int i = 0; i < knots; ++i) f.knots.push_back({static_cast<double>(i) / (knots - 1), uniform(low, high)});
-    return Interpolator(f);
+    return core::Interpolator(f);
   }
 
   Pulse pulse(double width_s, double rate_hz, std::string& kind) {
@@ -166,4 +166,4 @@ TEST(FastKernels, KeepTheirPromiseOnRandomRows) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -18,7 +18,7 @@
 #include "radar/echo/spectral_kernel.hpp"
 #include "radar/echo/strengths.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double interval_s = 1e-8;
@@ -404,4 +404,4 @@ BENCHMARK_CAPTURE(sight, deviations_of_position_and_rcs, random_points_with_jitt
 BENCHMARK_CAPTURE(sight, deviations_of_everything, random_points_with_jitter(many, Law::cosine), AntennaSight{}, {});
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,7 +4,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -15,7 +15,7 @@ Matrix polynomials_at_nodes() {
   Matrix t{};
   for (std::size_t d = 0; d < fit_terms; ++d)
     for (std::size_t k = 0; k < fit_terms; ++k)
-      t[d][k] = std::cos(pi * static_cast<double>(d) * (static_cast<double>(k) + 0.5) / fit_terms);
+      t[d][k] = std::cos(core::pi * static_cast<double>(d) * (static_cast<double>(k) + 0.5) / fit_terms);
   return t;
 }
 
@@ -63,4 +63,4 @@ FitTerms powers_of(const FitTerms& series, std::size_t degree) {
   return powers;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Terms of the polynomials that the shapes of pulses are fitted by: degree 12.
 inline constexpr std::size_t fit_terms = 13;
@@ -36,4 +36,4 @@ using FitTerms = std::array<std::complex<double>, fit_terms>;
   return {re, im};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 FitTerms at_nodes(const auto& f) {
@@ -54,4 +54,4 @@ TEST(Polynomial, HasTheLowestPowerFirst) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

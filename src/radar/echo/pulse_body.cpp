@@ -6,7 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -23,7 +23,7 @@ std::vector<double> kaiser_step(double beta) {
   std::vector<double> table(step_points + 1, 0.0);
   const auto window = [&](std::size_t node) {
     const double x = static_cast<double>(node) / (2.0 * panels * step_points);
-    return bessel_i0(beta * 2.0 * std::sqrt(x * (1.0 - x)));
+    return core::bessel_i0(beta * 2.0 * std::sqrt(x * (1.0 - x)));
   };
   double before = window(0);
   for (std::size_t i = 0; i < step_points / 2; ++i) {
@@ -49,7 +49,7 @@ PulseBody::PulseBody(const EchoPulse& pulse, double interval_s, std::size_t edge
       last_((pulse.last_s() + pulse.lead_s) / interval_s),
       width_(static_cast<double>(edge_samples)),
       step_table_(kaiser_step(beta)) {
-  const double margin = std::sqrt(1.0 + (beta / pi) * (beta / pi)) / width_;
+  const double margin = std::sqrt(1.0 + (beta / core::pi) * (beta / core::pi)) / width_;
   // The sampled band as a rule; more where a pulse keeps its own band and is sampled more slowly than that.
   if (pulse.band_limited)
     half_band_ = std::max(0.5, pulse.band_limited->half_band_hz() * interval_s) * (beta > beta_of_skirts ? 1.5 : 1.0);
@@ -127,4 +127,4 @@ double PulseBody::largest_frequency_hz(double carrier_hz) const {
   return carrier_hz + std::abs(pulse_->pulse.sweep_rate_hz_per_s()) * farthest_s;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

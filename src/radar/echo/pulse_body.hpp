@@ -6,7 +6,7 @@
 
 #include "radar/echo/reference_kernel.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// A pulse seen as a smooth body plus the surroundings of its hard edges. Times in samples after the leading edge of
 /// the ideal pulse (so that a band-limited pulse begins before 0).
@@ -53,4 +53,4 @@ class PulseBody {
   std::vector<double> step_table_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

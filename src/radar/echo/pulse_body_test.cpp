@@ -4,7 +4,7 @@
 #include "core/maths/window.hpp"
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr std::size_t edge_samples = 8;
@@ -23,7 +23,7 @@ EchoPulse with_ramps(EchoPulse pulse, double rise_samples, double fall_samples) 
 
 EchoPulse with_curve(EchoPulse pulse) {
   pulse.pulse.envelope = Pulse::Envelope::user;
-  pulse.pulse.envelope_gain = Interpolator({Interpolation::cubic, {{0.0, 0.3}, {0.4, 1.0}, {1.0, 0.5}}});
+  pulse.pulse.envelope_gain = core::Interpolator({core::Interpolation::cubic, {{0.0, 0.3}, {0.4, 1.0}, {1.0, 0.5}}});
   return pulse;
 }
 
@@ -77,7 +77,7 @@ TEST(PulseBody, StepIsTheIntegralOfKaisersWindow) {
     constexpr int steps = 20000;
     double sum = 0.0;
     for (int i = 0; i <= steps; ++i)
-      sum += (i == 0 || i == steps ? 0.5 : 1.0) * kaiser_window(2.0 * to * i / steps - 1.0, beta_1e6);
+      sum += (i == 0 || i == steps ? 0.5 : 1.0) * core::kaiser_window(2.0 * to * i / steps - 1.0, beta_1e6);
     return sum * to / steps;
   };
   for (const double x : {0.01, 0.2, 0.33333, 0.5, 0.7654321, 0.99})
@@ -148,13 +148,13 @@ double energy_beyond(const PulseBody& body) {
   constexpr int dense = 16;
   const auto first = static_cast<std::ptrdiff_t>(std::ceil(body.first() * dense));
   const auto last = static_cast<std::ptrdiff_t>(std::floor(body.last() * dense));
-  const std::size_t size = good_fft_size(static_cast<std::size_t>(2 * (last - first)));
+  const std::size_t size = core::good_fft_size(static_cast<std::size_t>(2 * (last - first)));
   std::vector<std::complex<double>> x(size);
   for (std::ptrdiff_t i = first; i <= last; ++i) {
     const double t = static_cast<double>(i) / dense;
     x[static_cast<std::size_t>(i - first)] = body.body_share(t) == 0.0 ? 0.0 : body.body_share(t) * body.value(t);
   }
-  Fft(size).forward(x);
+  core::Fft(size).forward(x);
   double beyond = 0.0, all = 0.0;
   for (std::size_t k = 0; k < size; ++k) {
     const auto bin = static_cast<double>(k);
@@ -169,10 +169,11 @@ double energy_beyond(const PulseBody& body) {
 // A user-defined pulse that is nearly all constant, with a weak ripple as fast as its knots.
 EchoPulse rippled() {
   EchoPulse pulse = test_pulse(Pulse::Kind::user, 600.0);
-  SampledFunction f{Interpolation::cubic, {}};
+  core::SampledFunction f{core::Interpolation::cubic, {}};
   for (int i = 0; i <= 20; ++i) f.knots.push_back({i / 20.0, 1.0 + (i % 2 == 0 ? 0.04 : -0.04)});
-  pulse.pulse.in_phase = Interpolator(f);
-  pulse.pulse.quadrature = Interpolator(SampledFunction{Interpolation::linear, {{0.0, 0.0}, {1.0, 0.2}}});
+  pulse.pulse.in_phase = core::Interpolator(f);
+  pulse.pulse.quadrature =
+      core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, 0.0}, {1.0, 0.2}}});
   return pulse;
 }
 
@@ -194,4 +195,4 @@ TEST(PulseBody, SpectrumIsNegligibleBeyondItsBand) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

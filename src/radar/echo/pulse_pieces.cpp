@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -53,8 +53,8 @@ void PulsePieces::find_borders() {
   sort_and_unite(jumps_);
 }
 
-void PulsePieces::add_curve(const Interpolator& curve) {
-  const std::vector<Knot>& knots = curve.knots();
+void PulsePieces::add_curve(const core::Interpolator& curve) {
+  const std::vector<core::Knot>& knots = curve.knots();
   if (knots.size() < 2) return;
   const double width = pulse_->width_s / interval_s_;
   const double step = (knots.back().x - knots.front().x) / static_cast<double>(knots.size() - 1);
@@ -65,10 +65,10 @@ void PulsePieces::add_curve(const Interpolator& curve) {
 
 // A bare sinc of 21 terms takes up and drops terms halfway between grid points counted from 0, up to 10.5 steps beyond
 // the knots.
-void PulsePieces::add_jumps(const Interpolator& curve, double step) {
-  const std::vector<Knot>& knots = curve.knots();
+void PulsePieces::add_jumps(const core::Interpolator& curve, double step) {
+  const std::vector<core::Knot>& knots = curve.knots();
   double largest = 0.0;
-  for (const Knot& knot : knots) largest = std::max(largest, std::abs(knot.y));
+  for (const core::Knot& knot : knots) largest = std::max(largest, std::abs(knot.y));
   const double first = std::max(0.0, std::floor(knots.front().x / step) - 12.0);
   const double last = std::min(1.0 / step, std::ceil(knots.back().x / step) + 12.0);
   const double reach = 1e-6 * step;
@@ -154,4 +154,4 @@ bool PulsePieces::is_in_doubt(std::size_t piece, double position) const {
          exact_only_[piece] != 0;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

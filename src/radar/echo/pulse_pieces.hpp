@@ -7,7 +7,7 @@
 #include "radar/echo/polynomial_fit.hpp"
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// What multiplies the tone of a hard-edged pulse, as polynomials between borders: the envelope, and for a user-defined
 /// pulse its I and Q too. Positions are sampling intervals after the leading edge.
@@ -49,8 +49,8 @@ class PulsePieces {
 
  private:
   void find_borders();
-  void add_curve(const Interpolator& curve);
-  void add_jumps(const Interpolator& curve, double step);
+  void add_curve(const core::Interpolator& curve);
+  void add_jumps(const core::Interpolator& curve, double step);
   void find_largest();
   void fit(double begin, double end, int splits);
   void mark_sharp_borders();
@@ -68,4 +68,4 @@ class PulsePieces {
   std::vector<FitTerms> powers_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -2,24 +2,25 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
-Pulse user_pulse(double samples, const Interpolator& in_phase, const Interpolator& quadrature) {
+Pulse user_pulse(double samples, const core::Interpolator& in_phase, const core::Interpolator& quadrature) {
   Pulse pulse = test_pulse(Pulse::Kind::user, samples).pulse;
   pulse.in_phase = in_phase;
   pulse.quadrature = quadrature;
   return pulse;
 }
 
-Interpolator wiggle(Interpolation method, int knots, LowPassRule rule = LowPassRule::first_knot, double bunched = 0.0) {
-  SampledFunction f;
+core::Interpolator wiggle(core::Interpolation method, int knots, core::LowPassRule rule = core::LowPassRule::first_knot,
+                          double bunched = 0.0) {
+  core::SampledFunction f;
   f.method = method;
   for (int i = 0; i < knots; ++i) {
     const double x = static_cast<double>(i) / (knots - 1);
     f.knots.push_back({x + bunched * x * (1.0 - x), std::sin(40.0 * x * x) + 0.3 * (i % 3)});
   }
-  return Interpolator(f, rule);
+  return core::Interpolator(f, rule);
 }
 
 // Largest difference to the pulse at random times, over its largest magnitude; sharp places apart.
@@ -38,12 +39,12 @@ double worst_error(const PulsePieces& pieces, const Pulse& pulse) {
 
 TEST(PulsePieces, AreTheCurvesOfEveryInterpolation) {
   for (const int knots : {2, 3, 10, 50}) {
-    const Interpolator linear = wiggle(Interpolation::linear, knots);
-    for (const Interpolator& other :
-         {linear, wiggle(Interpolation::cubic, knots + 1), wiggle(Interpolation::low_pass, knots),
-          wiggle(Interpolation::low_pass, knots, LowPassRule::origin),
-          wiggle(Interpolation::low_pass, knots, LowPassRule::first_knot, 0.7),
-          wiggle(Interpolation::low_pass, knots, LowPassRule::origin, -0.7)}) {
+    const core::Interpolator linear = wiggle(core::Interpolation::linear, knots);
+    for (const core::Interpolator& other :
+         {linear, wiggle(core::Interpolation::cubic, knots + 1), wiggle(core::Interpolation::low_pass, knots),
+          wiggle(core::Interpolation::low_pass, knots, core::LowPassRule::origin),
+          wiggle(core::Interpolation::low_pass, knots, core::LowPassRule::first_knot, 0.7),
+          wiggle(core::Interpolation::low_pass, knots, core::LowPassRule::origin, -0.7)}) {
       const Pulse pulse = user_pulse(77.7, linear, other);
       const PulsePieces pieces(pulse, test_interval_s);
       EXPECT_LT(worst_error(pieces, pulse), 2e-12) << knots;
@@ -53,8 +54,8 @@ TEST(PulsePieces, AreTheCurvesOfEveryInterpolation) {
 }
 
 TEST(PulsePieces, OfLinearCurvesEndAtTheKnots) {
-  const Interpolator i({Interpolation::linear, {{0.0, 1.0}, {0.25, 2.0}, {1.0, 0.0}}});
-  const Interpolator q({Interpolation::linear, {{0.0, 1.0}, {0.5, 2.0}, {1.0, 0.0}}});
+  const core::Interpolator i({core::Interpolation::linear, {{0.0, 1.0}, {0.25, 2.0}, {1.0, 0.0}}});
+  const core::Interpolator q({core::Interpolation::linear, {{0.0, 1.0}, {0.5, 2.0}, {1.0, 0.0}}});
   const Pulse pulse = user_pulse(100.0, i, q);
   const PulsePieces pieces(pulse, test_interval_s);
   ASSERT_EQ(pieces.size(), 3u);
@@ -88,8 +89,8 @@ TEST(PulsePieces, OfOverlappingRampsMeetBelowOne) {
 
 // 21 terms of a bare sinc, counted from 0: 0.5, 1.5 ... steps.
 TEST(PulsePieces, OfTheClassicLowPassRuleAreSharpBetweenGridPoints) {
-  const Interpolator curve = wiggle(Interpolation::low_pass, 41, LowPassRule::origin);
-  const Pulse pulse = user_pulse(80.0, curve, Interpolator());
+  const core::Interpolator curve = wiggle(core::Interpolation::low_pass, 41, core::LowPassRule::origin);
+  const Pulse pulse = user_pulse(80.0, curve, core::Interpolator());
   const PulsePieces pieces(pulse, test_interval_s);
   int sharp = 0;
   for (std::size_t k = 1; k < pieces.size(); ++k)
@@ -106,8 +107,8 @@ TEST(PulsePieces, OfTheClassicLowPassRuleAreSharpBetweenGridPoints) {
 }
 
 TEST(PulsePieces, LeaveStepsBetweenKnotsThatAlmostCoincideToThePulse) {
-  const Interpolator i({Interpolation::linear, {{0.0, 1.0}, {0.5, 1.0}, {0.5 + 1e-13, -1.0}, {1.0, -1.0}}});
-  const Pulse pulse = user_pulse(10.0, i, Interpolator());
+  const core::Interpolator i({core::Interpolation::linear, {{0.0, 1.0}, {0.5, 1.0}, {0.5 + 1e-13, -1.0}, {1.0, -1.0}}});
+  const Pulse pulse = user_pulse(10.0, i, core::Interpolator());
   const PulsePieces pieces(pulse, test_interval_s);
   ASSERT_EQ(pieces.size(), 3u);
   EXPECT_TRUE(pieces.is_only_exact(1));
@@ -117,7 +118,7 @@ TEST(PulsePieces, LeaveStepsBetweenKnotsThatAlmostCoincideToThePulse) {
 }
 
 TEST(PulsePieces, AreFoundByPositionWithinARangeOfPieces) {
-  const Interpolator i = wiggle(Interpolation::linear, 31);
+  const core::Interpolator i = wiggle(core::Interpolation::linear, 31);
   const Pulse pulse = user_pulse(30.0, i, i);
   const PulsePieces pieces(pulse, test_interval_s);
   ASSERT_EQ(pieces.size(), 30u);
@@ -134,11 +135,11 @@ TEST(PulsePieces, AreFoundByPositionWithinARangeOfPieces) {
 }
 
 TEST(PulsePieces, OfAPulseWithoutKnotsAreZero) {
-  const Pulse pulse = user_pulse(10.0, Interpolator(), Interpolator());
+  const Pulse pulse = user_pulse(10.0, core::Interpolator(), core::Interpolator());
   const PulsePieces pieces(pulse, test_interval_s);
   EXPECT_EQ(pieces.largest(), 0.0);
   EXPECT_EQ(pieces.value(0, 3.0), 0.0);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -15,7 +15,7 @@ constexpr double edge_tolerance = 1e-9;  // of a sampling interval (decision 8)
 // Fraction of a cycle, so that multiplying by 2 pi loses nothing.
 double cycle_fraction(double cycles) { return cycles - std::round(cycles); }
 
-std::complex<double> turn(double cycles) { return std::polar(1.0, 2.0 * pi * cycles); }
+std::complex<double> turn(double cycles) { return std::polar(1.0, 2.0 * core::pi * cycles); }
 
 }  // namespace
 
@@ -57,4 +57,4 @@ void add_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, con
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

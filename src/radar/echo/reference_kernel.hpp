@@ -8,7 +8,7 @@
 #include "radar/waveform/band_limited_pulse.hpp"
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// The pulse that echoes repeat, as one simulation defines it.
 struct EchoPulse {
@@ -47,4 +47,4 @@ struct SampleSpan {
 void add_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, const EchoPulse& pulse, double carrier_hz,
                 const EchoBatch& echoes);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -9,11 +9,11 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 using Row = std::vector<std::complex<double>>;
 
 EchoPulse hard(Pulse::Kind kind, double width_s, double sweep_hz = 0.0) {
@@ -52,7 +52,8 @@ TEST(AddEchoes, KeepsTheCarrierPhaseOfATargetFarAway) {
   ASSERT_GT(distance_m, 599e3);
   const double delay_s = 2.0 * distance_m / c;
   const Row row = echoes({delay_s, 1e-7, 5}, hard(Pulse::Kind::mono, 1e-6), carrier_hz, one(delay_s, 3.0));
-  for (const auto& s : row) EXPECT_LT(std::abs(s - std::complex(0.0, -3.0)), 3.0 * 2.0 * pi * 4e7 * 3.0 * epsilon);
+  for (const auto& s : row)
+    EXPECT_LT(std::abs(s - std::complex(0.0, -3.0)), 3.0 * 2.0 * core::pi * 4e7 * 3.0 * epsilon);
 }
 
 // The formula once more in long double, written with angles instead of turns.
@@ -90,7 +91,7 @@ TEST(AddEchoes, IsTheDocumentedSumForEveryKindOfPulse) {
             sum +=
                 formula(pulse, grid.time_s(i), f_hz, batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.speed_mps[k]);
           // f tau = 3e5 cycles, B Tp = 150, each rounded a few times, for up to 20 echoes of amplitude 1.
-          ASSERT_LT(std::abs(row[i] - sum), 20.0 * 2.0 * pi * 3.2e5 * 4.0 * epsilon) << i;
+          ASSERT_LT(std::abs(row[i] - sum), 20.0 * 2.0 * core::pi * 3.2e5 * 4.0 * epsilon) << i;
         }
       }
 }
@@ -101,9 +102,9 @@ TEST(AddEchoes, ChirpPhaseHasTheSecondDifferenceOfItsSweepRate) {
   constexpr double rate_hz = 100e6;
   const EchoPulse pulse = hard(Pulse::Kind::chirp, 4e-6, 40e6);
   const Row row = echoes({0.0, 1.0 / rate_hz, 400}, pulse, 1e9, one(0.0, 1.0));
-  const double expected = 2.0 * pi * (40e6 / 4e-6) / (rate_hz * rate_hz);
+  const double expected = 2.0 * core::pi * (40e6 / 4e-6) / (rate_hz * rate_hz);
   for (std::size_t i = 0; i + 2 < row.size(); ++i)
-    EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * pi), expected, 1e3 * epsilon);
+    EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * core::pi), expected, 1e3 * epsilon);
 }
 
 // Sample 200 is the centre of the pulse: the steps on both sides of it are equal and opposite.
@@ -122,7 +123,7 @@ TEST(AddEchoes, DopplerTurnsThePhaseInsideThePulseForBothSignsOfSpeed) {
   for (const double v : {-7000.0, -3.0, 0.0, 250.0, 7000.0}) {
     const Row row = echoes({0.0, interval_s, 400}, pulse, f_hz, one(0.0, 1.0, v));
     for (std::size_t i = 0; i + 1 < row.size(); i += 37)
-      EXPECT_NEAR(phase_step(row, i), -2.0 * pi * 2.0 * v * f_hz / c * interval_s, 100.0 * epsilon) << v;
+      EXPECT_NEAR(phase_step(row, i), -2.0 * core::pi * 2.0 * v * f_hz / c * interval_s, 100.0 * epsilon) << v;
     EXPECT_LT(std::abs(row[200] - 1.0), 10.0 * epsilon);  // the phase of the delay alone at the centre of the pulse
   }
 }
@@ -131,9 +132,9 @@ TEST(AddEchoes, DopplerScalesTheSweepToo) {
   constexpr double interval_s = 1e-8, v = 300e3;
   const EchoPulse pulse = hard(Pulse::Kind::chirp, 4e-6, 40e6);
   const Row row = echoes({0.0, interval_s, 400}, pulse, 1e9, one(0.0, 1.0, v));
-  const double expected = 2.0 * pi * 1e13 * (1.0 - 2.0 * v / c) * interval_s * interval_s;
+  const double expected = 2.0 * core::pi * 1e13 * (1.0 - 2.0 * v / c) * interval_s * interval_s;
   for (std::size_t i = 0; i + 2 < row.size(); i += 13)
-    EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * pi), expected, 1e3 * epsilon);
+    EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * core::pi), expected, 1e3 * epsilon);
 }
 
 TEST(AddEchoes, OverhangingEchoesChangeTheSamplesInsideOnly) {
@@ -147,7 +148,7 @@ TEST(AddEchoes, OverhangingEchoesChangeTheSamplesInsideOnly) {
   const Row part = echoes(cut, pulse, 3e9, batch);
   for (std::size_t i = 0; i < part.size(); ++i)
     // Times of 3e-5 s differ by rounding; phases of up to 63 rad change by 2 pi K u per second.
-    EXPECT_LT(std::abs(part[i] - whole[800 + i]), 2.0 * pi * 20e6 * 3e-5 * 4.0 * epsilon);
+    EXPECT_LT(std::abs(part[i] - whole[800 + i]), 2.0 * core::pi * 20e6 * 3e-5 * 4.0 * epsilon);
   EXPECT_NE(part.front(), 0.0);
   EXPECT_NE(part.back(), 0.0);
 }
@@ -184,7 +185,7 @@ TEST(AddEchoes, CentrePositionPutsTheEchoHalfAPulseEarlier) {
   centre.lead_s = 2e-6;
   const Row late = echoes({10e-6, 1e-8, 600}, begin, 3e9, one(11e-6, 1.0, 30.0));
   const Row early = echoes({8e-6, 1e-8, 600}, centre, 3e9, one(11e-6, 1.0, 30.0));
-  EXPECT_LT(largest_difference(late, early), 2.0 * pi * 10e6 * 1.6e-5 * 4.0 * epsilon);
+  EXPECT_LT(largest_difference(late, early), 2.0 * core::pi * 10e6 * 1.6e-5 * 4.0 * epsilon);
   EXPECT_EQ(late[99], 0.0);
   EXPECT_NE(late[100], 0.0);
 }
@@ -244,9 +245,9 @@ TEST(AddEchoes, BandLimitedEchoIsTheDelayedPulseTimesThePhaseOfTheDelay) {
   constexpr double delay_s = 12.3456e-6, f_hz = 1e9;
   const Row row = echoes(grid, pulse, f_hz, one(delay_s, 2.0));
   for (std::size_t i = 0; i < grid.count; ++i) {
-    const std::complex<double> expected = 2.0 * std::polar(1.0, -2.0 * pi * std::remainder(f_hz * delay_s, 1.0)) *
+    const std::complex<double> expected = 2.0 * std::polar(1.0, -2.0 * core::pi * std::remainder(f_hz * delay_s, 1.0)) *
                                           pulse.band_limited->value(grid.time_s(i) - delay_s);
-    EXPECT_LT(std::abs(row[i] - expected), 2.0 * (2.0 * pi * 1.3e4 + 1e5) * epsilon);  // see "many values"
+    EXPECT_LT(std::abs(row[i] - expected), 2.0 * (2.0 * core::pi * 1.3e4 + 1e5) * epsilon);  // see "many values"
   }
   EXPECT_GT(std::abs(row[93]), 0.1);  // before the hard edge, at 93.8, its skirt
 }
@@ -275,4 +276,4 @@ TEST(AddEchoes, ABandLimitedPulseThatIsCutOnSamplesHasTheSameTolerance) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -257,4 +257,4 @@ std::complex<double> ShapeTable::patched(const Patch& patch, const ShapePlace& p
   return pieces_->exact(std::max(0.0, after_edge_s));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -8,7 +8,7 @@
 #include "radar/echo/pulse_pieces.hpp"
 #include "radar/echo/reference_kernel.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Where consecutive samples of an echo stand in the shape of the pulse.
 struct ShapePlace {
@@ -122,4 +122,4 @@ class ShapeTable {
   Constant constant_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

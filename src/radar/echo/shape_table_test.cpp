@@ -2,7 +2,7 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 EchoPulse ramped(double samples, double rise, double fall) {
@@ -64,8 +64,9 @@ void expect_samples_of_the_reference(const EchoPulse& pulse, double promise, boo
 // Times of 20 us are rounded to 3e-21 s, 3e-13 intervals, at slopes of up to 3 per interval.
 TEST(ShapeTable, HasTheSamplesOfAnEcho) {
   EchoPulse user = test_pulse(Pulse::Kind::user, 33.3);
-  user.pulse.in_phase = Interpolator({Interpolation::cubic, {{0.0, 0.3}, {0.4, 1.0}, {1.0, -0.5}}});
-  user.pulse.quadrature = Interpolator({Interpolation::linear, {{0.0, 1.0}, {0.45, -1.0}, {0.55, 1.0}, {1.0, 0.0}}});
+  user.pulse.in_phase = core::Interpolator({core::Interpolation::cubic, {{0.0, 0.3}, {0.4, 1.0}, {1.0, -0.5}}});
+  user.pulse.quadrature =
+      core::Interpolator({core::Interpolation::linear, {{0.0, 1.0}, {0.45, -1.0}, {0.55, 1.0}, {1.0, 0.0}}});
   EchoPulse cut = test_pulse(Pulse::Kind::chirp, 30.0, 0.7);
   cut.lead_s = 15e-8;
   cut.band_limited.emplace(cut.pulse, 0.5e8, 1e8, 17.3e-8);
@@ -111,4 +112,4 @@ TEST(ShapeTable, TakesNoMoreThan32Megabytes) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

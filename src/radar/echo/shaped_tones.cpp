@@ -9,7 +9,7 @@
 #include "radar/echo/tone-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 constexpr std::size_t block = ShapeTable::cells_per_block;
 
@@ -105,12 +105,12 @@ void add_shaped_tones_on_target(const ShapeTable& table, std::span<const ShapedE
                        : add_in_double<false>(table, echoes, tones, row, scratch, shape);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(add_shaped_tones_on_target);
 
@@ -130,6 +130,6 @@ void add_shaped_tones(const ShapeTable& table, std::span<const ShapedEcho> echoe
   HWY_DYNAMIC_DISPATCH(add_shaped_tones_on_target)(table, echoes, tones, row, scratch, shape);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

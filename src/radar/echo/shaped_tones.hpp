@@ -7,7 +7,7 @@
 #include "radar/echo/shape_table.hpp"
 #include "radar/echo/tones.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Samples of one echo that a shape multiplies: its tones lie within them.
 struct ShapedEcho {
@@ -30,4 +30,4 @@ struct ShapeScratch {
 void add_shaped_tones(const ShapeTable& table, std::span<const ShapedEcho> echoes, std::span<const Tone> tones,
                       SplitRow& row, ToneScratch& scratch, ShapeScratch& shape);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

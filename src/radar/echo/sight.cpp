@@ -12,7 +12,7 @@
 #include "radar/echo/simd_normals-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 using Tag = hn::ScalableTag<double>;
 using Vector = hn::Vec<Tag>;
@@ -22,12 +22,12 @@ struct Triple {
   Vector x, y, z;
 };
 
-HWY_INLINE Vector dot_row(Tag d, const Vec3& row, const Triple& v, Vector start) {
+HWY_INLINE Vector dot_row(Tag d, const core::Vec3& row, const Triple& v, Vector start) {
   return hn::MulAdd(hn::Set(d, row.z), v.z,
                     hn::MulAdd(hn::Set(d, row.y), v.y, hn::MulAdd(hn::Set(d, row.x), v.x, start)));
 }
 
-HWY_INLINE Triple turned(Tag d, const Mat3& m, const Triple& v, const Vec3& shift) {
+HWY_INLINE Triple turned(Tag d, const core::Mat3& m, const Triple& v, const core::Vec3& shift) {
   return {dot_row(d, m.row[0], v, hn::Set(d, shift.x)), dot_row(d, m.row[1], v, hn::Set(d, shift.y)),
           dot_row(d, m.row[2], v, hn::Set(d, shift.z))};
 }
@@ -174,7 +174,7 @@ HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Triple& look, Vector 
   const bool user = antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0;
   if (!sinx && !user) return;
   const bool world = antenna.offsets == AntennaSight::Offsets::world_angles;
-  const Triple v = world ? look : turned(d, frame.antenna_from_world, look, Vec3{});
+  const Triple v = world ? look : turned(d, frame.antenna_from_world, look, core::Vec3{});
   const auto level = hn::Sqrt(hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y)));
   if (sinx) {
     const Angles angles = angles_of(d, v, level, distance);
@@ -240,7 +240,7 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, 
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
   if (points.law == PointArrays::Law::isotropic) return;
-  const Triple normal = turned(d, frame.world_from_platform, normals(d, points, at, frame.pulse), Vec3{});
+  const Triple normal = turned(d, frame.world_from_platform, normals(d, points, at, frame.pulse), core::Vec3{});
   const auto towards = hn::Neg(inner(normal, look));
   if (points.law == PointArrays::Law::cosine) {
     amplitude = hn::Mul(amplitude, hn::Sqrt(hn::Max(hn::Div(towards, distance), hn::Zero(d))));
@@ -306,12 +306,12 @@ bool write_on_target(const PointArrays& points, const SightFrame& frame, const A
   return hn::AllTrue(d, possible);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(write_on_target);
 
@@ -320,6 +320,6 @@ bool write_echoes(const PointArrays& points, const SightFrame& frame, const Ante
   return HWY_DYNAMIC_DISPATCH(write_on_target)(points, frame, antenna, curves, echoes, first);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

@@ -9,7 +9,7 @@
 #include "radar/echo/curve_tables.hpp"
 #include "radar/echo/echo_batch.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Gaussian deviations of points, drawn anew for every pulse. Columns that are empty stand for no deviation.
 struct PointJitter {
@@ -60,11 +60,11 @@ struct AntennaSight {
 
 /// One pulse's view of a platform: everything relative to the radar.
 struct SightFrame {
-  Mat3 world_from_platform;
-  Mat3 world_from_platform_rate;
-  Vec3 origin_m;                  ///< Platform's origin less the radar's position, world axes.
-  Vec3 velocity_mps;              ///< Platform's velocity less the radar's.
-  Mat3 antenna_from_world;        ///< AntennaSight::Offsets::antenna_frame.
+  core::Mat3 world_from_platform;
+  core::Mat3 world_from_platform_rate;
+  core::Vec3 origin_m;            ///< Platform's origin less the radar's position, world axes.
+  core::Vec3 velocity_mps;        ///< Platform's velocity less the radar's.
+  core::Mat3 antenna_from_world;  ///< AntennaSight::Offsets::antenna_frame.
   double axis_azimuth_rad = 0.0;  ///< AntennaSight::Offsets::world_angles.
   double axis_elevation_rad = 0.0;
   std::int64_t pulse = 0;  ///< Counter of the random deviations.
@@ -87,4 +87,4 @@ inline constexpr double doubtful_amplitude = 1e29;
 [[nodiscard]] bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
                                 const CurveTables& curves, EchoBatch& echoes, std::size_t first);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,23 +4,25 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
-Mat3 random_matrix(std::mt19937& random, double size) {
+core::Mat3 random_matrix(std::mt19937& random, double size) {
   std::uniform_real_distribution<double> unit(-size, size);
-  Mat3 m;
-  for (Vec3& row : m.row) row = {unit(random), unit(random), unit(random)};
+  core::Mat3 m;
+  for (core::Vec3& row : m.row) row = {unit(random), unit(random), unit(random)};
   return m;
 }
 
-Mat3 yaw(double angle) {
-  return {{Vec3{std::cos(angle), std::sin(angle), 0}, Vec3{-std::sin(angle), std::cos(angle), 0}, Vec3{0, 0, 1}}};
+core::Mat3 yaw(double angle) {
+  return {{core::Vec3{std::cos(angle), std::sin(angle), 0}, core::Vec3{-std::sin(angle), std::cos(angle), 0},
+           core::Vec3{0, 0, 1}}};
 }
-Mat3 pitch(double angle) {
-  return {{Vec3{1, 0, 0}, Vec3{0, std::cos(angle), std::sin(angle)}, Vec3{0, -std::sin(angle), std::cos(angle)}}};
+core::Mat3 pitch(double angle) {
+  return {{core::Vec3{1, 0, 0}, core::Vec3{0, std::cos(angle), std::sin(angle)},
+           core::Vec3{0, -std::sin(angle), std::cos(angle)}}};
 }
 
 EchoBatch batch_of(std::size_t count) {
@@ -42,7 +44,7 @@ Written written(const PointArrays& points, const SightFrame& frame, const Antenn
 }
 
 PointArrays random_points(std::mt19937& random, std::size_t count, bool cosine) {
-  std::uniform_real_distribution<double> place(-300.0, 300.0), size(0.1, 4.0), angle(-pi, pi);
+  std::uniform_real_distribution<double> place(-300.0, 300.0), size(0.1, 4.0), angle(-core::pi, core::pi);
   PointArrays points;
   if (cosine) points.law = PointArrays::Law::cosine;
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,7 +53,7 @@ PointArrays random_points(std::mt19937& random, std::size_t count, bool cosine) 
     points.z_m.push_back(place(random));
     points.root_rcs_m.push_back(size(random));
     if (!cosine) continue;
-    const Vec3 n = direction(angle(random), 0.5 * angle(random));
+    const core::Vec3 n = core::direction(angle(random), 0.5 * angle(random));
     points.normal_x.push_back(n.x);
     points.normal_y.push_back(n.y);
     points.normal_z.push_back(n.z);
@@ -72,8 +74,8 @@ SightFrame random_frame(std::mt19937& random) {
 
 // sin(x)/x of an offset, thesis A.17: x = 0.88 pi sin(offset)/beamwidth, nothing from 90 degrees on.
 double sinx(double offset, double beamwidth) {
-  if (std::abs(offset) >= 0.5 * pi) return 0.0;
-  const double x = 0.88 * pi * std::sin(offset) / beamwidth;
+  if (std::abs(offset) >= 0.5 * core::pi) return 0.0;
+  const double x = 0.88 * core::pi * std::sin(offset) / beamwidth;
   return x == 0.0 ? 1.0 : std::sin(x) / x;
 }
 
@@ -83,14 +85,15 @@ struct ScalarEcho {
 
 // Plainly written: range, speed along it, delay, radar equation.
 ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame& frame) {
-  const Vec3 point{points.x_m[i], points.y_m[i], points.z_m[i]};
-  const Vec3 look = frame.origin_m + frame.world_from_platform * point;
-  const double distance = norm(look);
-  const double speed = dot(look, frame.velocity_mps + frame.world_from_platform_rate * point) / distance;
+  const core::Vec3 point{points.x_m[i], points.y_m[i], points.z_m[i]};
+  const core::Vec3 look = frame.origin_m + frame.world_from_platform * point;
+  const double distance = core::norm(look);
+  const double speed = core::dot(look, frame.velocity_mps + frame.world_from_platform_rate * point) / distance;
   double amplitude = frame.amplitude_scale * points.root_rcs_m[i];
   if (!points.normal_x.empty()) {
-    const Vec3 normal = frame.world_from_platform * Vec3{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
-    amplitude *= std::sqrt(std::max(0.0, -dot(normal, look) / distance));
+    const core::Vec3 normal =
+        frame.world_from_platform * core::Vec3{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
+    amplitude *= std::sqrt(std::max(0.0, -core::dot(normal, look) / distance));
   }
   if (frame.spreading) amplitude /= distance * distance;
   return {2.0 * distance / (c - speed), amplitude, speed};
@@ -133,14 +136,14 @@ TEST(WriteEchoes, OfPointsThatShowTheirBacksAreZero) {
     PointArrays points;
     points.law = PointArrays::Law::cosine;
     for (int i = 0; i < 9; ++i) {  // normals turn from facing the radar, -y, to its opposite
-      const Vec3 n = direction(pi + pi * i / 8.0, 0.0);
+      const core::Vec3 n = core::direction(core::pi + core::pi * i / 8.0, 0.0);
       points.x_m.push_back(0.0), points.y_m.push_back(0.0), points.z_m.push_back(0.0);
       points.root_rcs_m.push_back(2.0);
       points.normal_x.push_back(n.x), points.normal_y.push_back(n.y), points.normal_z.push_back(n.z);
     }
     const EchoBatch echoes = written(points, frame).echoes;
     for (int i = 0; i < 9; ++i) {
-      const double cosine = std::cos(pi * i / 8.0);
+      const double cosine = std::cos(core::pi * i / 8.0);
       const auto k = static_cast<std::size_t>(i);
       if (i > 4)
         EXPECT_EQ(echoes.amplitude_sqrt_w[k], 0.0) << i;
@@ -159,10 +162,11 @@ void expect_beam(const AntennaSight& beam, const double (&beamwidth)[4], const S
   const EchoBatch seen = written(points, frame, beam).echoes;
   std::size_t lit = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 look = frame.origin_m + frame.world_from_platform * Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
-    const Vec3 a = frame.antenna_from_world * look;
-    const double azimuth = std::atan2(a.x, a.y), elevation = std::asin(a.z / norm(a));
-    double gain = std::abs(azimuth) < 0.5 * pi ? 1.0 : 0.0;
+    const core::Vec3 look =
+        frame.origin_m + frame.world_from_platform * core::Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
+    const core::Vec3 a = frame.antenna_from_world * look;
+    const double azimuth = std::atan2(a.x, a.y), elevation = std::asin(a.z / core::norm(a));
+    double gain = std::abs(azimuth) < 0.5 * core::pi ? 1.0 : 0.0;
     for (const int cut : {0, 1, 2, 3})
       if (beamwidth[cut] > 0.0) gain *= sinx(cut % 2 == 0 ? azimuth : elevation, beamwidth[cut]);
     lit += gain != 0.0 ? 1 : 0;
@@ -215,8 +219,9 @@ TEST(WriteEchoes, AtARightAngleToABeamOrBeyondAreNothingHoweverTheAxisIsRounded)
       SightFrame frame;
       frame.light_speed_mps = c;
       frame.amplitude_scale = 1.0;
-      frame.antenna_from_world = {{Vec3{std::cos(pi / 2), -1, 0}, Vec3{1, std::cos(pi / 2), 0}, Vec3{0, 0, 1}}};
-      frame.axis_azimuth_rad = pi / 2;
+      frame.antenna_from_world = {
+          {core::Vec3{std::cos(core::pi / 2), -1, 0}, core::Vec3{1, std::cos(core::pi / 2), 0}, core::Vec3{0, 0, 1}}};
+      frame.axis_azimuth_rad = core::pi / 2;
       AntennaSight beam;
       beam.offsets = offsets;
       for (double& cut : beam.cut) cut = 4.4;
@@ -253,7 +258,7 @@ TEST(WriteEchoes, OfAPointAtTheRadarAreInfiniteAndDoubtful) {
 }
 
 TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
-  const auto possible = [](std::size_t culprit, const Vec3& at, double root_rcs, const Vec3& velocity) {
+  const auto possible = [](std::size_t culprit, const core::Vec3& at, double root_rcs, const core::Vec3& velocity) {
     SightFrame frame;
     frame.light_speed_mps = c;
     frame.amplitude_scale = 1.0;
@@ -280,4 +285,4 @@ TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

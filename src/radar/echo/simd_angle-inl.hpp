@@ -14,7 +14,7 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 /// arctan t for |t| <= sqrt 2 - 1, by a polynomial in t^2 that is best in the sense of Chebyshev: to 6e-18 and
 /// rounding.
@@ -65,7 +65,7 @@ HWY_INLINE V amplitude_of_decibels(D d, V x) {
   return hn::Exp(d, hn::Min(natural, hn::Set(d, 715.0)));
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -13,7 +13,7 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 /// base[index] to base[index + 3] of every lane.
 template <class D, class VI, class V = hn::Vec<D>>
@@ -83,7 +83,7 @@ HWY_NOINLINE V curve_value(D d, const CurveTables& tables, V first_cell, V degre
   return hn::MulAdd(sum, t, low[2]);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

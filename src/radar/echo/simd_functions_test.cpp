@@ -11,7 +11,7 @@
 #include "radar/echo/simd_normals-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 // `count` is a multiple of every vector's length.
 template <class F>
@@ -49,7 +49,7 @@ void normals(const std::uint64_t* keys, std::int64_t major, std::int64_t minor, 
   });
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -57,7 +57,7 @@ HWY_AFTER_NAMESPACE();
 #include "core/maths/random.hpp"
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(angles);
 HWY_EXPORT(wrapped);
@@ -72,7 +72,7 @@ constexpr std::size_t many = 4096;
 
 TEST(AngleBetween, IsTheArcTangentWithinFourUnitsInTheLastPlace) {
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> turn(0.0, pi), magnitude(-12.0, 12.0);
+  std::uniform_real_distribution<double> turn(0.0, core::pi), magnitude(-12.0, 12.0);
   std::vector<double> y(many), x(many), out(many);
   for (std::size_t i = 0; i < many; ++i) {
     const double size = std::pow(10.0, magnitude(random));
@@ -94,7 +94,8 @@ TEST(AngleBetween, IsExactAlongTheAxesAndNothingForTheNullVector) {
   std::vector<double> out(8);
   at_every_simd_level([&] {
     HWY_DYNAMIC_DISPATCH(angles)(y.data(), x.data(), out.data(), 8);
-    const double expected[] = {0.0, pi, pi / 2, pi / 2, 0.0, pi / 4, 3 * pi / 4, pi / 2};
+    const double expected[] = {0.0, core::pi,     core::pi / 2,     core::pi / 2,
+                               0.0, core::pi / 4, 3 * core::pi / 4, core::pi / 2};
     for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(out[i], expected[i]) << i;
   });
 }
@@ -104,12 +105,14 @@ TEST(WrappedDegrees, AreTheRemainderOfWholeTurns) {
   std::uniform_real_distribution<double> angle(-40.0, 40.0);
   std::vector<double> in(many), out(many);
   for (double& x : in) x = angle(random);
-  in[0] = pi, in[1] = -pi, in[2] = 0.0, in[3] = 2.0 * pi;
+  in[0] = core::pi, in[1] = -core::pi, in[2] = 0.0, in[3] = 2.0 * core::pi;
   at_every_simd_level([&] {
     HWY_DYNAMIC_DISPATCH(wrapped)(in.data(), out.data(), many);
     // Without fused multiplication the product of turns, up to 40 rad, is rounded.
     for (std::size_t i = 0; i < many; ++i)
-      ASSERT_NEAR(out[i], std::abs(std::remainder(in[i], 2.0 * pi)) * 180.0 / pi, 40.0 * epsilon * 180.0 / pi) << in[i];
+      ASSERT_NEAR(out[i], std::abs(std::remainder(in[i], 2.0 * core::pi)) * 180.0 / core::pi,
+                  40.0 * epsilon * 180.0 / core::pi)
+          << in[i];
     EXPECT_NEAR(out[0], 180.0, 1e-13);
     EXPECT_EQ(out[2], 0.0);
   });
@@ -135,9 +138,10 @@ TEST(AmplitudeOfDecibels, IsTheTwentiethPowerOfTen) {
 }
 
 TEST(NormalPair, IsWhatTheStreamOfEveryLaneGives) {
-  std::vector<RandomStream> streams;
+  std::vector<core::RandomStream> streams;
   std::vector<std::uint64_t> keys;
-  for (const RandomKind kind : {RandomKind::target_position, RandomKind::target_rcs, RandomKind::target_pointing})
+  for (const core::RandomKind kind :
+       {core::RandomKind::target_position, core::RandomKind::target_rcs, core::RandomKind::target_pointing})
     for (std::uint64_t object = 0; object < 1024; ++object) {
       streams.emplace_back(object % 5 == 4 ? ~object : 17, kind, object);
       keys.push_back(streams.back().key());
@@ -157,6 +161,6 @@ TEST(NormalPair, IsWhatTheStreamOfEveryLaneGives) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

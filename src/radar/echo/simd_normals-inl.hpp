@@ -17,7 +17,7 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 /// Four words of 32 bits per lane, each in the lower half of 64 bits; the upper halves hold anything.
 template <class VU>
@@ -83,7 +83,7 @@ HWY_NOINLINE void normal_pair(D d, VU keys, std::int64_t major, std::int64_t min
   second = hn::Mul(radius, sine);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

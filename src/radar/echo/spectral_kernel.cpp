@@ -12,7 +12,7 @@
 #include "radar/echo/spreading.hpp"
 #include "radar/echo/strengths.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -50,7 +50,7 @@ double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
   for (int i = 0; i <= 16; ++i)
     largest = std::max(
         largest, std::abs(body.doppler_turns(body.first() + (body.last() - body.first()) * i / 16.0, carrier_hz)));
-  return 2.0 * pi * largest;
+  return 2.0 * core::pi * largest;
 }
 
 // A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
@@ -96,14 +96,14 @@ struct SpectralKernel::Typed : Implementation {
     double allowance;   // for Doppler shifts, cycles per sample
     std::size_t modes;  // -modes ... modes - 1
     std::size_t cells;  // of the spreading grid
-    BasicFft<Real> grid_fft;
+    core::BasicFft<Real> grid_fft;
     std::vector<double> kernel_transform;
     std::list<Spectra> recent;
 
     Band(double shift_allowance, double half_band, std::size_t row_size, const SpreadingKernel& kernel)
         : allowance(shift_allowance),
           modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
-          cells(good_fft_size(4 * modes + 2 * kernel.width)),
+          cells(core::good_fft_size(4 * modes + 2 * kernel.width)),
           grid_fft(cells),
           kernel_transform(kernel.transforms(cells, modes + 1)) {}
   };
@@ -117,8 +117,8 @@ struct SpectralKernel::Typed : Implementation {
         kernel(choices.share),
         taps(tap_polynomials<Real>(kernel, 0.3 * choices.share)),
         direct(echo_pulse, sample_grid, tolerance),
-        row_size(
-            good_fft_size(sample_grid.count + static_cast<std::size_t>(std::ceil(body.last() - body.first())) + 4)),
+        row_size(core::good_fft_size(sample_grid.count +
+                                     static_cast<std::size_t>(std::ceil(body.last() - body.first())) + 4)),
         row_fft(row_size),
         folded(row_size) {
     edge_row.resize(grid.count);
@@ -130,7 +130,7 @@ struct SpectralKernel::Typed : Implementation {
     // Correlation: the transform of the filter run backwards in time.
     std::vector<std::complex<double>> backwards(row_size);
     for (std::size_t k = 0; k < filter.taps.size(); ++k) backwards[(row_size - k) % row_size] = filter.taps[k];
-    const Fft fft(row_size);
+    const core::Fft fft(row_size);
     fft.forward(backwards);
     double largest = 0.0;
     for (const std::complex<double>& value : backwards) largest = std::max(largest, std::abs(value));
@@ -348,9 +348,9 @@ struct SpectralKernel::Typed : Implementation {
       const auto index =
           static_cast<std::size_t>(((i % static_cast<std::ptrdiff_t>(fine)) + static_cast<std::ptrdiff_t>(fine)) %
                                    static_cast<std::ptrdiff_t>(fine));
-      spectrum[index] += share * body.value(t) * std::polar(1.0, -2.0 * pi * (turns - std::round(turns)));
+      spectrum[index] += share * body.value(t) * std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns)));
     }
-    const Fft fft(fine);
+    const core::Fft fft(fine);
     fft.forward(spectrum);
     const auto half = static_cast<std::ptrdiff_t>(band.modes);
     std::vector<std::complex<Real>> factor(2 * band.modes);
@@ -376,7 +376,7 @@ struct SpectralKernel::Typed : Implementation {
   LanePolynomials<Real> taps;
   DirectKernel direct;
   std::size_t row_size;  // points of the period that the row is part of
-  BasicFft<Real> row_fft;
+  core::BasicFft<Real> row_fft;
   std::vector<EdgePiece<Real>> pieces;
   std::list<Band> bands;
 
@@ -435,4 +435,4 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
   return cost;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

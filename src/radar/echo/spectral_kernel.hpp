@@ -9,7 +9,7 @@
 #include "radar/echo/echo_batch.hpp"
 #include "radar/echo/reference_kernel.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// What the spectral kernel would do for a pulse, for those who choose between kernels.
 struct SpectralCost {
@@ -72,4 +72,4 @@ class SpectralKernel {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -2,14 +2,16 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double carrier_hz = 2e9;
 constexpr double tolerances[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9};
 
 // One cycle of Doppler over `samples` samples.
-double cycle_mps(double samples) { return exact_light_speed_mps / (2.0 * carrier_hz * samples * test_interval_s); }
+double cycle_mps(double samples) {
+  return core::exact_light_speed_mps / (2.0 * carrier_hz * samples * test_interval_s);
+}
 
 void expect_promise(const EchoPulse& pulse, const SampleGrid& grid, const EchoBatch& echoes) {
   const ComplexRow expected = reference_row(pulse, grid, carrier_hz, echoes);
@@ -30,8 +32,8 @@ TEST(SpectralKernel, KeepsItsPromiseAtEverySimdLevel) {
 
 TEST(SpectralKernel, AddsEveryKindOfPulseLikeTheReference) {
   EchoPulse user = test_pulse(Pulse::Kind::user, 190.0);
-  user.pulse.in_phase = Interpolator({Interpolation::linear, {{0.0, 0.3}, {0.4, 1.0}, {1.0, -0.5}}});
-  user.pulse.quadrature = Interpolator({Interpolation::cubic, {{0.0, 1.0}, {0.5, -1.0}, {1.0, 0.0}}});
+  user.pulse.in_phase = core::Interpolator({core::Interpolation::linear, {{0.0, 0.3}, {0.4, 1.0}, {1.0, -0.5}}});
+  user.pulse.quadrature = core::Interpolator({core::Interpolation::cubic, {{0.0, 1.0}, {0.5, -1.0}, {1.0, 0.0}}});
   EchoPulse ramps = test_pulse(Pulse::Kind::chirp, 190.0, 0.7);
   ramps.pulse.envelope = Pulse::Envelope::linear;
   ramps.pulse.rise_s = ramps.pulse.fall_s = 40.0 * test_interval_s;
@@ -231,7 +233,7 @@ double largest_gain(const ComplexRow& taps) {
   for (int i = 0; i < 4096; ++i) {
     std::complex<double> sum = 0.0;
     for (std::size_t k = 0; k < taps.size(); ++k)
-      sum += taps[k] * std::polar(1.0, 2.0 * pi * std::remainder(static_cast<double>(k) * i / 4096.0, 1.0));
+      sum += taps[k] * std::polar(1.0, 2.0 * core::pi * std::remainder(static_cast<double>(k) * i / 4096.0, 1.0));
     largest = std::max(largest, std::abs(sum));
   }
   return largest;
@@ -366,4 +368,4 @@ TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

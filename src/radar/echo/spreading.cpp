@@ -11,7 +11,7 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 // Where a block of echoes goes: for each the first sample or cell it touches, and what of the table of polynomials
 // belongs to its fraction.
@@ -438,12 +438,12 @@ void edges_double(const EdgePiece<double>& piece, std::span<const double> positi
   add_edges_on_target(piece, position, strength, doppler, row);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(spread_single);
 HWY_EXPORT(spread_double);
@@ -471,6 +471,6 @@ void add_edges(const EdgePiece<double>& piece, std::span<const double> position,
   HWY_DYNAMIC_DISPATCH(edges_double)(piece, position, strength, doppler, row);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Functions of x in [0, 1), one for each of some lanes, as polynomials on equal pieces of that interval: on piece p
 /// they are polynomials in y = pieces x - p - 1/2, evaluated together. Real is float or double.
@@ -113,4 +113,4 @@ template <class Real>
 void add_edges(const EdgePiece<Real>& piece, std::span<const double> position,
                std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

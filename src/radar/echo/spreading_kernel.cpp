@@ -4,7 +4,7 @@
 #include "core/maths/constants.hpp"
 #include "radar/echo/spreading.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -20,15 +20,16 @@ class ChebyshevFit {
   explicit ChebyshevFit(std::size_t degree) : points_(degree + 1), checks_(degree + 2), series_(points_ * points_) {
     const auto n = static_cast<double>(points_);
     for (std::size_t i = 0; i < points_; ++i) {
-      nodes_.push_back(0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / n));
+      nodes_.push_back(0.5 * std::cos(core::pi * (static_cast<double>(i) + 0.5) / n));
       for (std::size_t m = 0; m < points_; ++m)
         series_[m * points_ + i] =
-            (m == 0 ? 1.0 : 2.0) / n * std::cos(pi * static_cast<double>(m) * (static_cast<double>(i) + 0.5) / n);
+            (m == 0 ? 1.0 : 2.0) / n * std::cos(core::pi * static_cast<double>(m) * (static_cast<double>(i) + 0.5) / n);
     }
     // The error is largest about halfway between the points that were fitted, and at the ends; these are met from
     // inside, where f is still that of the piece.
     constexpr double inside = 0.4999;
-    for (std::size_t i = 0; i < checks_.size(); ++i) checks_[i] = inside * std::cos(pi * static_cast<double>(i) / n);
+    for (std::size_t i = 0; i < checks_.size(); ++i)
+      checks_[i] = inside * std::cos(core::pi * static_cast<double>(i) / n);
   }
 
   // Monomial coefficients, lowest first, of the polynomial in y that fits f on [from, from + length] at
@@ -130,7 +131,7 @@ SpreadingKernel::SpreadingKernel(double tolerance)
   // 1e-4 of that.
   constexpr int points = 100;
   const double half_width = 0.5 * static_cast<double>(width);
-  const double step = 0.5 * pi / points;
+  const double step = 0.5 * core::pi / points;
   for (int i = 0; i < points; ++i) {
     const double theta = step * (i + 0.5);
     cells_.push_back(half_width * std::sin(theta));
@@ -145,7 +146,7 @@ double SpreadingKernel::value(double z) const {
 
 double SpreadingKernel::transform(double nu) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < cells_.size(); ++i) sum += weights_[i] * std::cos(2.0 * pi * nu * cells_[i]);
+  for (std::size_t i = 0; i < cells_.size(); ++i) sum += weights_[i] * std::cos(2.0 * core::pi * nu * cells_[i]);
   return sum;
 }
 
@@ -210,4 +211,4 @@ void EdgeRow<Real>::clear() {
 template struct EdgeRow<float>;
 template struct EdgeRow<double>;
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 #include "core/maths/fft.hpp"
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 template <class Real>
@@ -100,7 +100,7 @@ TEST(SpreadingKernel, TransformIsItsFourierIntegral) {
       double sum = 0.0;
       for (int i = 0; i <= steps; ++i) {
         const double g = half * (2.0 * i / steps - 1.0);
-        sum += (i == 0 || i == steps ? 0.5 : 1.0) * kernel.value(g / half) * std::cos(2.0 * pi * g * nu);
+        sum += (i == 0 || i == steps ? 0.5 : 1.0) * kernel.value(g / half) * std::cos(2.0 * core::pi * g * nu);
       }
       const double h = 2.0 * half / steps;
       EXPECT_NEAR(kernel.transform(nu), sum * h,
@@ -153,7 +153,7 @@ void expect_transform(double tolerance, std::size_t cells, std::size_t terms) {
   grid.resize(cells, terms);
   grid.clear();
   spread<Real>(taps, kernel.width, static_cast<double>(cells), s.position, s.strength, grid);
-  const BasicFft<Real> fft(cells);
+  const core::BasicFft<Real> fft(cells);
   const auto period = static_cast<double>(cells);
   for (std::size_t r = 0; r < terms; ++r) {
     const std::span<std::complex<Real>> cell = grid.fold(r);
@@ -165,7 +165,7 @@ void expect_transform(double tolerance, std::size_t cells, std::size_t terms) {
       std::complex<double> sum = 0.0;
       for (std::size_t k = 0; k < count; ++k)
         sum += std::complex<double>(s.strength[r * count + k]) *
-               std::polar(1.0, -2.0 * pi * std::remainder(static_cast<double>(j) * s.position[k] / period, 1.0));
+               std::polar(1.0, -2.0 * core::pi * std::remainder(static_cast<double>(j) * s.position[k] / period, 1.0));
       const auto at = static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(cells) : j);
       const std::complex<double> got =
           std::complex<double>(cell[at]) / kernel.transform(static_cast<double>(j) / period);
@@ -251,7 +251,7 @@ std::complex<double> piece_sample(std::size_t i, double fraction, double doppler
   const double t = static_cast<double>(i) + fraction;
   const double turns = doppler * (3e4 + t * (-210.0 + t * 1.5));
   const auto n = static_cast<double>(i);
-  return std::complex(1.0 + n, (2.0 - n) * (fraction + 1.0)) * std::polar(1.0, -2.0 * pi * turns);
+  return std::complex(1.0 + n, (2.0 - n) * (fraction + 1.0)) * std::polar(1.0, -2.0 * core::pi * turns);
 }
 
 template <class Real>
@@ -297,4 +297,4 @@ TYPED_TEST(Spreading, EdgesOfMovingEchoesTurnByTheExactDopplerPhase) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -12,7 +12,7 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 // Positions, phasors and Doppler factors of one vector of echoes.
 template <class Real>
@@ -212,12 +212,12 @@ void weigh_double(const Strengths<double>& echoes, const DopplerSpan& span, std:
   weigh_on_target(echoes, span, terms, weighted);
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(gather_single);
 HWY_EXPORT(gather_double);
@@ -225,7 +225,7 @@ HWY_EXPORT(weigh_single);
 HWY_EXPORT(weigh_double);
 
 double doppler_node(std::size_t r, std::size_t terms) {
-  return std::cos(pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
+  return std::cos(core::pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
 }
 
 template <>
@@ -250,6 +250,6 @@ void weigh_strengths(const Strengths<double>& echoes, const DopplerSpan& span, s
   HWY_DYNAMIC_DISPATCH(weigh_double)(echoes, span, terms, weighted.data());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

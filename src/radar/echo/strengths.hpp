@@ -6,7 +6,7 @@
 
 #include "radar/echo/echo_batch.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// What the row of one pulse needs to know of its echoes to turn them into positions and phasors.
 struct RowFrame {
@@ -55,4 +55,4 @@ void weigh_strengths(const Strengths<Real>& echoes, const DopplerSpan& span, std
 
 inline constexpr std::size_t most_doppler_terms = 24;
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,11 +4,11 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 template <class Real>
 constexpr double rounding_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
@@ -30,7 +30,7 @@ TYPED_TEST(GatherStrengths, KeepsThePhaseOfATargetTwentyMillionWavelengthsAway) 
     Strengths<TypeParam> out;
     gather_strengths(echoes, frame, out);
     ASSERT_EQ(out.strength.size(), 1u);
-    const double bound = 3.0 * (2.0 * pi * 4e7 * 2.0 * epsilon + rounding_of<TypeParam>);
+    const double bound = 3.0 * (2.0 * core::pi * 4e7 * 2.0 * epsilon + rounding_of<TypeParam>);
     EXPECT_LT(std::abs(std::complex<double>(out.strength[0]) - std::complex(0.0, -3.0)), bound);
     EXPECT_NEAR(out.position[0], 17.0, 4e-3 / 1e-8 * 3.0 * epsilon);
     EXPECT_FALSE(out.moving());
@@ -52,7 +52,7 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
         const auto angle = static_cast<double>(-2.0L * std::numbers::pi_v<long double> * (cycles - std::round(cycles)));
         const std::complex<double> expected = echoes.amplitude_sqrt_w[k] * std::polar(1.0, angle);
         EXPECT_LT(std::abs(std::complex<double>(out.strength[k]) - expected),
-                  2.0 * pi * 9e4 * epsilon + rounding_of<TypeParam>);
+                  2.0 * core::pi * 9e4 * epsilon + rounding_of<TypeParam>);
         // A delay of 30 us in steps of 10 ns: 3000 and a few roundings.
         EXPECT_NEAR(out.position[k], (echoes.delay_s[k] - 20e-6) / 1e-8, 3000.0 * 4.0 * epsilon);
         EXPECT_NEAR(out.doppler[k], 2.0 * echoes.speed_mps[k] / c, 2.0 * epsilon * std::abs(out.doppler[k]));
@@ -122,4 +122,4 @@ TYPED_TEST(GatherStrengths, WeightsInterpolatePolynomialsOfTheDoppler) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

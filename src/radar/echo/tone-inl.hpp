@@ -15,7 +15,7 @@
 #include "radar/echo/tones.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 // Phasors of the middles of consecutive vectors of `lanes` samples, times the amplitude.
 template <class T>
@@ -253,7 +253,7 @@ HWY_INLINE void flush(std::size_t begin, std::size_t end, ToneScratch& scratch, 
   }
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

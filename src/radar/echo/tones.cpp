@@ -9,7 +9,7 @@
 #include "radar/echo/tone-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::radar::HWY_NAMESPACE {
 
 void add_tones_on_target(std::span<const Tone> tones, bool single_precision, SplitRow& row, ToneScratch& scratch) {
   if (!single_precision) {
@@ -32,12 +32,12 @@ void add_tones_on_target(std::span<const Tone> tones, bool single_precision, Spl
   }
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::radar {
 
 HWY_EXPORT(add_tones_on_target);
 
@@ -60,6 +60,6 @@ void add_tones(std::span<const Tone> tones, bool single_precision, SplitRow& row
   HWY_DYNAMIC_DISPATCH(add_tones_on_target)(tones, single_precision, row, scratch);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar
 
 #endif

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// A piece of a row that one echo fills with an almost pure tone: sample n in [begin, end) receives
 ///
@@ -48,4 +48,4 @@ struct ToneScratch {
 /// tone's amplitude. Double precision: within 1e-11, and 1e-14 where |gamma| (end - begin) is below 1e-5.
 void add_tones(std::span<const Tone> tones, bool single_precision, SplitRow& row, ToneScratch& scratch);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,7 +4,7 @@
 
 #include "radar/echo/echo_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -29,7 +29,7 @@ double promise(const Tone& tone, double largest_m, bool single) {
   if (single) return 3e-7;
   const auto length = static_cast<double>(tone.end - tone.begin);
   const double turns = std::abs(tone.alpha) + largest_m * (std::abs(tone.beta) + largest_m * std::abs(tone.gamma));
-  return (std::abs(tone.gamma) * length > 1e-5 ? 1e-11 : 1e-14) + 2.0 * pi * 3.0 * epsilon * turns;
+  return (std::abs(tone.gamma) * length > 1e-5 ? 1e-11 : 1e-14) + 2.0 * core::pi * 3.0 * epsilon * turns;
 }
 
 void expect_tone(const Tone& tone, std::size_t count, bool single) {
@@ -174,4 +174,4 @@ TEST(AddTones, OfNoTonesLeavesTheRowAlone) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

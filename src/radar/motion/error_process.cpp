@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -11,7 +11,7 @@ constexpr int steps_over_support = 512;
 
 // Mean of h over one step by Simpson's rule on four panels; exact for the pieces of linear and cubic functions
 // between knots.
-double mean_over(const Interpolator& h, double start, double step) {
+double mean_over(const core::Interpolator& h, double start, double step) {
   constexpr int panels = 4;
   double sum = 0.0;
   for (int i = 0; i <= 2 * panels; ++i) {
@@ -23,7 +23,7 @@ double mean_over(const Interpolator& h, double start, double step) {
 
 }  // namespace
 
-ErrorProcess::ErrorProcess(const Interpolator& envelope, const RandomStream& stream, int axis)
+ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis)
     : stream_(stream), axis_(axis) {
   if (envelope.knots().size() < 2) return;
   const double first = envelope.knots().front().x;
@@ -35,7 +35,7 @@ ErrorProcess::ErrorProcess(const Interpolator& envelope, const RandomStream& str
     weights_[static_cast<std::size_t>(k)] = mean_over(envelope, first + k * step_s_, step_s_) * std::sqrt(step_s_);
 }
 
-Jet ErrorProcess::at(double time_s) const {
+core::Jet ErrorProcess::at(double time_s) const {
   if (!active()) return {};
   const double position = time_s / step_s_;
   const double below = std::floor(position + 1e-9);
@@ -58,4 +58,4 @@ Jet ErrorProcess::at(double time_s) const {
   return {left + (right - left) * (position - below), (right - left) / step_s_, 0.0};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 #include "core/maths/interpolator.hpp"
 #include "core/maths/random.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// A Gaussian random deviation in time with a given integration envelope (decision 16):
 ///
@@ -24,18 +24,18 @@ class ErrorProcess {
   ErrorProcess() = default;
   /// @param envelope  h; fewer than two knots: no deviation at all.
   /// @param axis      0, 1 or 2: which of the object's independent noises drives it.
-  ErrorProcess(const Interpolator& envelope, const RandomStream& stream, int axis);
+  ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis);
 
   /// Deviation at time t and its slope (to the right at grid times).
-  [[nodiscard]] Jet at(double time_s) const;
+  [[nodiscard]] core::Jet at(double time_s) const;
   [[nodiscard]] bool active() const { return !weights_.empty(); }
 
  private:
   std::vector<double> weights_;  // mean of h over each lag step times sqrt(step)
   std::int64_t first_lag_ = 0;   // lag of weights_[0], in steps
   double step_s_ = 1.0;
-  RandomStream stream_{0, RandomKind::position_envelope, 0};
+  core::RandomStream stream_{0, core::RandomKind::position_envelope, 0};
   int axis_ = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -7,36 +7,36 @@
 #include <limits>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Interpolator envelope(std::vector<Knot> knots, Interpolation method = Interpolation::linear) {
-  return Interpolator(SampledFunction{method, std::move(knots)});
+core::Interpolator envelope(std::vector<core::Knot> knots, core::Interpolation method = core::Interpolation::linear) {
+  return core::Interpolator(core::SampledFunction{method, std::move(knots)});
 }
 
-ErrorProcess process(const Interpolator& h, std::uint64_t object = 5, int axis = 0) {
-  return {h, RandomStream(1, RandomKind::position_envelope, object), axis};
+ErrorProcess process(const core::Interpolator& h, std::uint64_t object = 5, int axis = 0) {
+  return {h, core::RandomStream(1, core::RandomKind::position_envelope, object), axis};
 }
 
 struct Shape {
   const char* name;
-  Interpolator h;
+  core::Interpolator h;
 };
 
 std::vector<Shape> shapes() {
-  std::vector<Knot> bell;
+  std::vector<core::Knot> bell;
   for (int i = -8; i <= 8; ++i) bell.push_back({0.5 + i / 16.0, 1.5 * std::exp(-0.5 * i * i / 6.0)});
   return {{"box", envelope({{0.0, 0.8}, {2.0, 0.8}})},
           {"triangle", envelope({{-1.0, 0.0}, {0.0, 2.0}, {1.0, 0.0}})},
-          {"bell", envelope(bell, Interpolation::cubic)}};
+          {"bell", envelope(bell, core::Interpolation::cubic)}};
 }
 
-double support_s(const Interpolator& h) { return h.knots().back().x - h.knots().front().x; }
+double support_s(const core::Interpolator& h) { return h.knots().back().x - h.knots().front().x; }
 
 // Integral of h(u) h(u + lag), h = 0 outside its knots, by the midpoint rule.
-double autocorrelation(const Interpolator& h, double lag_s) {
+double autocorrelation(const core::Interpolator& h, double lag_s) {
   constexpr int panels = 20'000;
   const double first = h.knots().front().x;
   const double length = support_s(h) - lag_s;
@@ -50,7 +50,7 @@ double autocorrelation(const Interpolator& h, double lag_s) {
 
 // Times one support and a bit apart, so that the deviations at them are independent; on both sides of zero.
 constexpr int looks = 4000;
-double look_time_s(const Interpolator& h, int i) { return 1.031 * support_s(h) * (i - looks / 2); }
+double look_time_s(const core::Interpolator& h, int i) { return 1.031 * support_s(h) * (i - looks / 2); }
 
 TEST(ErrorProcess, OfFewerThanTwoKnotsIsNoDeviation) {
   EXPECT_FALSE(ErrorProcess().active());
@@ -89,7 +89,7 @@ TEST(ErrorProcess, HasMeanZero) {
 
 // d' = integral of h'(u) w(t - u) du: variance integral of h'^2, for the triangle 2^2 * 2 s.
 TEST(ErrorProcess, SpeedHasTheVarianceOfTheEnvelopesSlope) {
-  const Interpolator h = shapes()[1].h;
+  const core::Interpolator h = shapes()[1].h;
   const ErrorProcess d = process(h);
   double sum = 0.0;
   for (int i = 0; i < looks; ++i) {
@@ -100,13 +100,13 @@ TEST(ErrorProcess, SpeedHasTheVarianceOfTheEnvelopesSlope) {
 }
 
 TEST(ErrorProcess, SlopeIsTheDifferenceQuotientAndTheDeviationIsContinuous) {
-  const Interpolator h = shapes()[0].h;
+  const core::Interpolator h = shapes()[0].h;
   const ErrorProcess d = process(h);
   const double step_s = support_s(h) / 512.0;
   for (const double cell : {-700.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 12345.0}) {
-    const Jet start = d.at(cell * step_s);
-    const Jet middle = d.at((cell + 0.5) * step_s);
-    const Jet end = d.at((cell + 1.0) * step_s);
+    const core::Jet start = d.at(cell * step_s);
+    const core::Jet middle = d.at((cell + 0.5) * step_s);
+    const core::Jet end = d.at((cell + 1.0) * step_s);
     // Sums of 512 terms of about 0.05: 512 * 0.05 * epsilon per value.
     EXPECT_NEAR(start.slope, (end.value - start.value) / step_s, 100.0 * epsilon / step_s);
     EXPECT_NEAR(middle.value, 0.5 * (start.value + end.value), 100.0 * epsilon * (1.0 + std::abs(cell)));
@@ -139,7 +139,7 @@ TEST(ErrorProcess, ComesLaterWithALaterEnvelope) {
 }
 
 TEST(ErrorProcess, AxesAndObjectsAreIndependent) {
-  const Interpolator h = shapes()[0].h;
+  const core::Interpolator h = shapes()[0].h;
   const double variance = autocorrelation(h, 0.0);
   const ErrorProcess x = process(h, 5, 0), y = process(h, 5, 1), other = process(h, 6, 0);
   double xy = 0.0, objects = 0.0;
@@ -155,4 +155,4 @@ TEST(ErrorProcess, AxesAndObjectsAreIndependent) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,29 +4,30 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
 // Elementary right-handed rotations about x, y, z and their derivatives with respect to the angle.
-std::array<Mat3, 3> elementary(const std::array<double, 3>& a) {
+std::array<core::Mat3, 3> elementary(const std::array<double, 3>& a) {
   const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
   const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
   const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
-  return {Mat3{{Vec3{1, 0, 0}, Vec3{0, c1, -s1}, Vec3{0, s1, c1}}},
-          Mat3{{Vec3{c2, 0, s2}, Vec3{0, 1, 0}, Vec3{-s2, 0, c2}}},
-          Mat3{{Vec3{c3, -s3, 0}, Vec3{s3, c3, 0}, Vec3{0, 0, 1}}}};
+  return {core::Mat3{{core::Vec3{1, 0, 0}, core::Vec3{0, c1, -s1}, core::Vec3{0, s1, c1}}},
+          core::Mat3{{core::Vec3{c2, 0, s2}, core::Vec3{0, 1, 0}, core::Vec3{-s2, 0, c2}}},
+          core::Mat3{{core::Vec3{c3, -s3, 0}, core::Vec3{s3, c3, 0}, core::Vec3{0, 0, 1}}}};
 }
 
-std::array<Mat3, 3> elementary_slopes(const std::array<double, 3>& a) {
+std::array<core::Mat3, 3> elementary_slopes(const std::array<double, 3>& a) {
   const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
   const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
   const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
-  return {Mat3{{Vec3{}, Vec3{0, -s1, -c1}, Vec3{0, c1, -s1}}}, Mat3{{Vec3{-s2, 0, c2}, Vec3{}, Vec3{-c2, 0, -s2}}},
-          Mat3{{Vec3{-s3, -c3, 0}, Vec3{c3, -s3, 0}, Vec3{}}}};
+  return {core::Mat3{{core::Vec3{}, core::Vec3{0, -s1, -c1}, core::Vec3{0, c1, -s1}}},
+          core::Mat3{{core::Vec3{-s2, 0, c2}, core::Vec3{}, core::Vec3{-c2, 0, -s2}}},
+          core::Mat3{{core::Vec3{-s3, -c3, 0}, core::Vec3{c3, -s3, 0}, core::Vec3{}}}};
 }
 
-bool moves(const Interpolator& function) { return function.knots().size() > 1; }
+bool moves(const core::Interpolator& function) { return function.knots().size() > 1; }
 
 bool is_fixed(const Motion& motion) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -38,11 +39,11 @@ bool is_fixed(const Motion& motion) {
 }
 
 // Adds the angles that turn the x axis along the velocity, and their rates (thesis 4.3).
-void align(Pose& pose, const Vec3& v, const Vec3& a) {
+void align(Pose& pose, const core::Vec3& v, const core::Vec3& a) {
   const double level = std::hypot(v.x, v.y);
-  const double speed2 = dot(v, v);
-  pose.rotation_rad[1] += elevation_rad(v);
-  pose.rotation_rad[2] += azimuth_rad(v) - pi / 2.0;
+  const double speed2 = core::dot(v, v);
+  pose.rotation_rad[1] += core::elevation_rad(v);
+  pose.rotation_rad[2] += core::azimuth_rad(v) - core::pi / 2.0;
   if (level <= 0.0) return;
   const double level_rate = (v.x * a.x + v.y * a.y) / level;
   pose.rotation_rate_rad_per_s[1] += (level * a.z - v.z * level_rate) / speed2;
@@ -51,25 +52,26 @@ void align(Pose& pose, const Vec3& v, const Vec3& a) {
 
 }  // namespace
 
-Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
+core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
   const auto r = elementary(rotation_rad);
-  return transposed(r[0] * r[1] * r[2]);
+  return core::transposed(r[0] * r[1] * r[2]);
 }
 
-Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad, const std::array<double, 3>& rate_rad_per_s) {
+core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
+                                    const std::array<double, 3>& rate_rad_per_s) {
   const auto r = elementary(rotation_rad);
   const auto d = elementary_slopes(rotation_rad);
-  return transposed(rate_rad_per_s[0] * (d[0] * r[1] * r[2]) + rate_rad_per_s[1] * (r[0] * d[1] * r[2]) +
-                    rate_rad_per_s[2] * (r[0] * r[1] * d[2]));
+  return core::transposed(rate_rad_per_s[0] * (d[0] * r[1] * r[2]) + rate_rad_per_s[1] * (r[0] * d[1] * r[2]) +
+                          rate_rad_per_s[2] * (r[0] * r[1] * d[2]));
 }
 
 Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
     : motion_(std::move(motion)),
-      position_noise_(seed, RandomKind::platform_position, name_key(name)),
-      rotation_noise_(seed, RandomKind::platform_rotation, name_key(name)),
+      position_noise_(seed, core::RandomKind::platform_position, core::name_key(name)),
+      rotation_noise_(seed, core::RandomKind::platform_rotation, core::name_key(name)),
       fixed_(is_fixed(motion_)) {
-  const RandomStream position(seed, RandomKind::position_envelope, name_key(name));
-  const RandomStream rotation(seed, RandomKind::rotation_envelope, name_key(name));
+  const core::RandomStream position(seed, core::RandomKind::position_envelope, core::name_key(name));
+  const core::RandomStream rotation(seed, core::RandomKind::rotation_envelope, core::name_key(name));
   for (std::size_t i = 0; i < 3; ++i) {
     position_process_[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
     rotation_process_[i] = ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i));
@@ -86,13 +88,13 @@ Pose Track::at(double time_s, std::int64_t pulse) const {
 }
 
 void Track::add_path(Pose& pose, double time_s) const {
-  const Jet x = motion_.position_m[0].jet(time_s);
-  const Jet y = motion_.position_m[1].jet(time_s);
-  const Jet z = motion_.position_m[2].jet(time_s);
+  const core::Jet x = motion_.position_m[0].jet(time_s);
+  const core::Jet y = motion_.position_m[1].jet(time_s);
+  const core::Jet z = motion_.position_m[2].jet(time_s);
   pose.position_world_m = {x.value, y.value, z.value};
   pose.velocity_world_mps = {x.slope, y.slope, z.slope};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Jet angle = motion_.rotation_rad[i].jet(time_s);
+    const core::Jet angle = motion_.rotation_rad[i].jet(time_s);
     pose.rotation_rad[i] = angle.value + motion_.rotation_rate_rad_per_s[i] * time_s;
     pose.rotation_rate_rad_per_s[i] = angle.slope + motion_.rotation_rate_rad_per_s[i];
   }
@@ -109,18 +111,18 @@ void Track::add_errors(Pose& pose, double time_s, std::int64_t pulse) const {
     if (motion_.rotation_stddev_rad[i] != 0.0)
       pose.rotation_rad[i] += motion_.rotation_stddev_rad[i] * rotation_noise_.normals(pulse, axis)[0];
     if (position_process_[i].active()) {
-      const Jet deviation = position_process_[i].at(time_s);
+      const core::Jet deviation = position_process_[i].at(time_s);
       shift[i] += deviation.value;
       speed[i] += deviation.slope;
     }
     if (rotation_process_[i].active()) {
-      const Jet deviation = rotation_process_[i].at(time_s);
+      const core::Jet deviation = rotation_process_[i].at(time_s);
       pose.rotation_rad[i] += deviation.value;
       pose.rotation_rate_rad_per_s[i] += deviation.slope;
     }
   }
-  pose.position_world_m = pose.position_world_m + Vec3{shift[0], shift[1], shift[2]};
-  pose.velocity_world_mps = pose.velocity_world_mps + Vec3{speed[0], speed[1], speed[2]};
+  pose.position_world_m = pose.position_world_m + core::Vec3{shift[0], shift[1], shift[2]};
+  pose.velocity_world_mps = pose.velocity_world_mps + core::Vec3{speed[0], speed[1], speed[2]};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

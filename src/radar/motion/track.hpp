@@ -8,7 +8,7 @@
 #include "core/maths/vector.hpp"
 #include "radar/motion/error_process.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Rotation of the thesis (6.1, with its misprinted middle entry corrected): M = Rx(a) Ry(b) Rz(c), right-handed
 /// elementary rotations. A vector fixed on a platform has world coordinates M^T v, so
@@ -16,43 +16,44 @@ namespace sarsim {
 ///     world_from_platform = M^T = Rz(-c) Ry(-b) Rx(-a):
 ///
 /// roll about x first, then pitch about y, then yaw about z, each clockwise seen along its axis.
-[[nodiscard]] Mat3 world_from_platform(const std::array<double, 3>& rotation_rad);
+[[nodiscard]] core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad);
 
 /// Its derivative in time while the angles change at the given rates.
-[[nodiscard]] Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
-                                            const std::array<double, 3>& rate_rad_per_s);
+[[nodiscard]] core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
+                                                  const std::array<double, 3>& rate_rad_per_s);
 
 /// Where a platform is and how it moves, at one time.
 struct Pose {
-  Vec3 position_world_m;
-  Vec3 velocity_world_mps;
+  core::Vec3 position_world_m;
+  core::Vec3 velocity_world_mps;
   std::array<double, 3> rotation_rad{};
   std::array<double, 3> rotation_rate_rad_per_s{};
-  Mat3 world_from_platform;
-  Mat3 world_from_platform_rate;
+  core::Mat3 world_from_platform;
+  core::Mat3 world_from_platform_rate;
 };
 
 /// World position of a point that is fixed on the platform.
-inline Vec3 world_position_m(const Pose& pose, const Vec3& point_platform_m) {
+inline core::Vec3 world_position_m(const Pose& pose, const core::Vec3& point_platform_m) {
   return pose.position_world_m + pose.world_from_platform * point_platform_m;
 }
 
 /// World velocity of a point that is fixed on the platform: that of the origin and that of the turning.
-inline Vec3 world_velocity_mps(const Pose& pose, const Vec3& point_platform_m) {
+inline core::Vec3 world_velocity_mps(const Pose& pose, const core::Vec3& point_platform_m) {
   return pose.velocity_world_mps + pose.world_from_platform_rate * point_platform_m;
 }
 
 /// How a platform moves and turns; functions of time in seconds, metres and radians.
 struct Motion {
-  std::array<Interpolator, 3> position_m;
+  std::array<core::Interpolator, 3> position_m;
   bool aligned =
       false;  ///< x axis along the velocity: its elevation is added to rotation y, azimuth - 90 deg to rotation z.
-  std::array<Interpolator, 3> rotation_rad;
+  std::array<core::Interpolator, 3> rotation_rad;
   std::array<double, 3> rotation_rate_rad_per_s{};  ///< Added as rate * t.
   std::array<double, 3> position_stddev_m{};        ///< Drawn anew for every pulse; moves the platform, not its speed.
   std::array<double, 3> rotation_stddev_rad{};
-  std::array<Interpolator, 3> position_envelope;  ///< Integration envelopes (decision 16); these move the speed too.
-  std::array<Interpolator, 3> rotation_envelope;
+  std::array<core::Interpolator, 3>
+      position_envelope;  ///< Integration envelopes (decision 16); these move the speed too.
+  std::array<core::Interpolator, 3> rotation_envelope;
 };
 
 /// A platform's motion, ready to be evaluated. Const members are safe to call from many threads.
@@ -73,11 +74,11 @@ class Track {
   void add_errors(Pose& pose, double time_s, std::int64_t pulse) const;
 
   Motion motion_;
-  RandomStream position_noise_;
-  RandomStream rotation_noise_;
+  core::RandomStream position_noise_;
+  core::RandomStream rotation_noise_;
   std::array<ErrorProcess, 3> position_process_;
   std::array<ErrorProcess, 3> rotation_process_;
   bool fixed_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

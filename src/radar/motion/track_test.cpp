@@ -9,15 +9,17 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Interpolator constant(double value) { return Interpolator(SampledFunction{Interpolation::linear, {{0.0, value}}}); }
+core::Interpolator constant(double value) {
+  return core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, value}}});
+}
 
-Interpolator smooth(std::vector<Knot> knots) {
-  return Interpolator(SampledFunction{Interpolation::cubic, std::move(knots)});
+core::Interpolator smooth(std::vector<core::Knot> knots) {
+  return core::Interpolator(core::SampledFunction{core::Interpolation::cubic, std::move(knots)});
 }
 
 // A winding path and winding angles, knots 1 s apart.
@@ -32,31 +34,32 @@ Motion winding() {
   return motion;
 }
 
-void expect_near(const Vec3& a, const Vec3& b, double bound) { EXPECT_LT(norm(a - b), bound); }
+void expect_near(const core::Vec3& a, const core::Vec3& b, double bound) { EXPECT_LT(core::norm(a - b), bound); }
 
-void expect_near(const Mat3& a, const Mat3& b, double bound) {
+void expect_near(const core::Mat3& a, const core::Mat3& b, double bound) {
   for (std::size_t i = 0; i < 3; ++i) expect_near(a.row[i], b.row[i], bound);
 }
 
 // The example of 10, 20, 30 degrees, printed to four places.
 TEST(WorldFromPlatform, TurnsTheAxesOfTheWorkedExample) {
-  const Mat3 m = world_from_platform({10.0 * rad_per_deg, 20.0 * rad_per_deg, 30.0 * rad_per_deg});
-  expect_near(m * Vec3{1, 0, 0}, {0.8138, -0.4698, 0.3420}, 1e-4);
-  expect_near(m * Vec3{0, 1, 0}, {0.5438, 0.8232, -0.1632}, 1e-4);
-  expect_near(m * Vec3{0, 0, 1}, {-0.2049, 0.3188, 0.9254}, 1e-4);
+  const core::Mat3 m =
+      world_from_platform({10.0 * core::rad_per_deg, 20.0 * core::rad_per_deg, 30.0 * core::rad_per_deg});
+  expect_near(m * core::Vec3{1, 0, 0}, {0.8138, -0.4698, 0.3420}, 1e-4);
+  expect_near(m * core::Vec3{0, 1, 0}, {0.5438, 0.8232, -0.1632}, 1e-4);
+  expect_near(m * core::Vec3{0, 0, 1}, {-0.2049, 0.3188, 0.9254}, 1e-4);
 }
 
 TEST(WorldFromPlatform, TurnsEachAxisTheDocumentedWay) {
-  constexpr double quarter = pi / 2.0;
+  constexpr double quarter = core::pi / 2.0;
   const double bound = 4.0 * epsilon;
-  expect_near(world_from_platform({0, 0, quarter}) * Vec3{1, 0, 0}, {0, -1, 0}, bound);  // yaw: +x to -y
-  expect_near(world_from_platform({0, quarter, 0}) * Vec3{1, 0, 0}, {0, 0, 1}, bound);   // pitch: nose up
-  expect_near(world_from_platform({quarter, 0, 0}) * Vec3{0, 1, 0}, {0, 0, -1}, bound);  // roll: +y down
-  expect_near(world_from_platform({quarter, 0, 0}) * Vec3{0, 0, 1}, {0, 1, 0}, bound);
+  expect_near(world_from_platform({0, 0, quarter}) * core::Vec3{1, 0, 0}, {0, -1, 0}, bound);  // yaw: +x to -y
+  expect_near(world_from_platform({0, quarter, 0}) * core::Vec3{1, 0, 0}, {0, 0, 1}, bound);   // pitch: nose up
+  expect_near(world_from_platform({quarter, 0, 0}) * core::Vec3{0, 1, 0}, {0, 0, -1}, bound);  // roll: +y down
+  expect_near(world_from_platform({quarter, 0, 0}) * core::Vec3{0, 0, 1}, {0, 1, 0}, bound);
 }
 
 TEST(WorldFromPlatform, AppliesRollBeforePitchBeforeYaw) {
-  const Mat3 product =
+  const core::Mat3 product =
       world_from_platform({0, 0, 0.3}) * world_from_platform({0, 0.2, 0}) * world_from_platform({0.1, 0, 0});
   expect_near(world_from_platform({0.1, 0.2, 0.3}), product, 10.0 * epsilon);
 }
@@ -65,9 +68,9 @@ TEST(WorldFromPlatform, IsARotation) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(-7.0, 7.0);
   for (int i = 0; i < 100; ++i) {
-    const Mat3 m = world_from_platform({angle(random), angle(random), angle(random)});
-    expect_near(m * transposed(m), Mat3(), 20.0 * epsilon);
-    EXPECT_NEAR(dot(cross(m.row[0], m.row[1]), m.row[2]), 1.0, 20.0 * epsilon);
+    const core::Mat3 m = world_from_platform({angle(random), angle(random), angle(random)});
+    expect_near(m * core::transposed(m), core::Mat3(), 20.0 * epsilon);
+    EXPECT_NEAR(core::dot(core::cross(m.row[0], m.row[1]), m.row[2]), 1.0, 20.0 * epsilon);
   }
 }
 
@@ -80,7 +83,7 @@ TEST(WorldFromPlatformRate, IsTheDerivativeOfTheRotation) {
   const auto at = [&](double t) {
     return world_from_platform({a[0] + rate[0] * t, a[1] + rate[1] * t, a[2] + rate[2] * t});
   };
-  const Mat3 quotient = (0.5 / h) * (at(h) + -1.0 * at(-h));
+  const core::Mat3 quotient = (0.5 / h) * (at(h) + -1.0 * at(-h));
   expect_near(world_from_platform_rate(a, rate), quotient, h * h / 6.0 * 27.0 + 4.0 * epsilon / h);
 }
 
@@ -100,7 +103,7 @@ TEST(Track, VelocityAndTurningAreDerivativesOfPositionAndRotation) {
       expect_near(pose.velocity_world_mps, (0.5 / h) * (after.position_world_m - before.position_world_m), bound);
       expect_near(pose.world_from_platform_rate,
                   (0.5 / h) * (after.world_from_platform + -1.0 * before.world_from_platform), bound);
-      const Vec3 wing{3.0, -4.0, 12.0};
+      const core::Vec3 wing{3.0, -4.0, 12.0};
       expect_near(world_velocity_mps(pose, wing),
                   (0.5 / h) * (world_position_m(after, wing) - world_position_m(before, wing)), 20.0 * bound);
     }
@@ -114,10 +117,10 @@ TEST(Track, AlignedPlatformHasItsXAxisAlongTheVelocityAndItsYAxisLevel) {
   const Track track(motion, 1, "A");
   for (const double t : {-1.0, 0.0, 0.4, 1.0, 1.9, 2.7, 5.0}) {
     const Pose pose = track.at(t, 0);
-    const Vec3 v = pose.velocity_world_mps;
-    expect_near(pose.world_from_platform * Vec3{1, 0, 0}, (1.0 / norm(v)) * v, 10.0 * epsilon);
-    EXPECT_NEAR((pose.world_from_platform * Vec3{0, 1, 0}).z, 0.0, 10.0 * epsilon);
-    EXPECT_GT((pose.world_from_platform * Vec3{0, 0, 1}).z, 0.0);
+    const core::Vec3 v = pose.velocity_world_mps;
+    expect_near(pose.world_from_platform * core::Vec3{1, 0, 0}, (1.0 / core::norm(v)) * v, 10.0 * epsilon);
+    EXPECT_NEAR((pose.world_from_platform * core::Vec3{0, 1, 0}).z, 0.0, 10.0 * epsilon);
+    EXPECT_GT((pose.world_from_platform * core::Vec3{0, 0, 1}).z, 0.0);
   }
 }
 
@@ -127,21 +130,23 @@ TEST(Track, RollOfAnAlignedPlatformLeavesTheXAxisAlone) {
   motion.aligned = true;
   motion.rotation_rad = {constant(0.4), constant(0.0), constant(0.0)};
   const Pose pose = Track(motion, 1, "A").at(1.3, 0);
-  const Vec3 v = pose.velocity_world_mps;
-  expect_near(pose.world_from_platform * Vec3{1, 0, 0}, (1.0 / norm(v)) * v, 10.0 * epsilon);
-  EXPECT_NEAR((pose.world_from_platform * Vec3{0, 1, 0}).z, -std::sin(0.4) * std::hypot(v.x, v.y) / norm(v),
+  const core::Vec3 v = pose.velocity_world_mps;
+  expect_near(pose.world_from_platform * core::Vec3{1, 0, 0}, (1.0 / core::norm(v)) * v, 10.0 * epsilon);
+  EXPECT_NEAR((pose.world_from_platform * core::Vec3{0, 1, 0}).z, -std::sin(0.4) * std::hypot(v.x, v.y) / core::norm(v),
               10.0 * epsilon);
 }
 
 TEST(Track, AtTheKnotOfABrokenLineTheVelocityIsTheOneToTheRight) {
   Motion motion;
-  motion.position_m = {Interpolator({Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0), constant(0)};
-  EXPECT_EQ(Track(motion, 1, "A").at(1.0, 0).velocity_world_mps, (Vec3{-5, 0, 0}));
+  motion.position_m = {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0),
+                       constant(0)};
+  EXPECT_EQ(Track(motion, 1, "A").at(1.0, 0).velocity_world_mps, (core::Vec3{-5, 0, 0}));
 }
 
 TEST(Track, AddsRatesTimesTimeToConstantAndToUserAngles) {
   Motion motion;
-  motion.rotation_rad = {constant(0.1), Interpolator({Interpolation::linear, {{0, 0}, {1, 1}}}), constant(0)};
+  motion.rotation_rad = {constant(0.1), core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 1}}}),
+                         constant(0)};
   motion.rotation_rate_rad_per_s = {2.0, 3.0, 0.0};
   const Pose pose = Track(motion, 1, "A").at(-2.0, 0);
   EXPECT_NEAR(pose.rotation_rad[0], 0.1 - 4.0, 4.0 * epsilon);
@@ -185,7 +190,7 @@ TEST(Track, JitterBelongsToThePulseAndThePlatformsNameAndLeavesSpeedsAlone) {
   };
   // Positions up to 200 m come back from the difference to 200 epsilon.
   expect_near(shift(shaken, 0.5, 7), shift(shaken, 2.5, 7), 400.0 * epsilon);
-  EXPECT_GT(norm(shift(shaken, 0.5, 7) - shift(shaken, 0.5, 8)), 1e-3);
+  EXPECT_GT(core::norm(shift(shaken, 0.5, 7) - shift(shaken, 0.5, 8)), 1e-3);
   EXPECT_EQ(shaken.at(0.5, 7).velocity_world_mps, calm.at(0.5, 7).velocity_world_mps);
   EXPECT_EQ(shaken.at(0.5, 7).rotation_rate_rad_per_s, calm.at(0.5, 7).rotation_rate_rad_per_s);
   EXPECT_EQ(Track(motion, 1, "PLANE").at(0.5, 7).position_world_m, shaken.at(0.5, 7).position_world_m);
@@ -196,7 +201,7 @@ TEST(Track, JitterBelongsToThePulseAndThePlatformsNameAndLeavesSpeedsAlone) {
 // Between two grid times of the deviation (512 steps over the envelope's support) it is a straight line.
 TEST(Track, EnvelopeErrorsMoveThePositionAndTheSpeed) {
   Motion motion;
-  const Interpolator h({Interpolation::linear, {{0, 1}, {512, 1}}});
+  const core::Interpolator h({core::Interpolation::linear, {{0, 1}, {512, 1}}});
   motion.position_envelope[1] = h;
   motion.rotation_envelope[2] = h;
   const Track track(motion, 1, "Plane");
@@ -229,4 +234,4 @@ TEST(Track, IsFixedOnlyWhereNothingMovesIt) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -74,4 +74,4 @@ double largest_magnitude(std::span<const std::complex<double>> volts) {
   return std::sqrt(largest_power);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Largest positive count C of a converter: 2^(bits-1) - 1, at least 1 (decision 24). Exact up to 53 bits.
 [[nodiscard]] double full_scale_count(int bits);
@@ -36,4 +36,4 @@ struct Converter {
 /// Largest magnitude of a row [V].
 [[nodiscard]] double largest_magnitude(std::span<const std::complex<double>> volts);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 struct Conversion {
@@ -142,4 +142,4 @@ TEST(LargestMagnitude, IsThatOfTheComplexSamples) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -1,9 +1,9 @@
 #include "radar/receiver/noise.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
-void add_noise(std::span<std::complex<double>> row, double stddev_v, const RandomStream& stream, std::int64_t pulse,
-               std::int64_t first_sample) {
+void add_noise(std::span<std::complex<double>> row, double stddev_v, const core::RandomStream& stream,
+               std::int64_t pulse, std::int64_t first_sample) {
   if (stddev_v == 0.0) return;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto [in_phase, quadrature] = stream.normals(pulse, first_sample + static_cast<std::int64_t>(i));
@@ -11,4 +11,4 @@ void add_noise(std::span<std::complex<double>> row, double stddev_v, const Rando
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

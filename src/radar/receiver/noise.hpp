@@ -6,7 +6,7 @@
 
 #include "core/maths/random.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Adds white complex noise to a row: independent normal numbers with the given standard deviation in I and in Q.
 ///
@@ -15,7 +15,7 @@ namespace sarsim {
 /// @param stream          RandomKind::receiver_noise of the radar
 /// @param pulse           absolute pulse number
 /// @param first_sample    absolute index of row[0]: samples keep their noise when the window moves (decision 27)
-void add_noise(std::span<std::complex<double>> row, double stddev_v, const RandomStream& stream, std::int64_t pulse,
-               std::int64_t first_sample);
+void add_noise(std::span<std::complex<double>> row, double stddev_v, const core::RandomStream& stream,
+               std::int64_t pulse, std::int64_t first_sample);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

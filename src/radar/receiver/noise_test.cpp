@@ -5,14 +5,16 @@
 #include <cmath>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 using Row = std::vector<std::complex<double>>;
 constexpr std::size_t count = 100'000;
 constexpr double stddev_v = 3.0;
 
-RandomStream stream(std::uint64_t seed = 1) { return {seed, RandomKind::receiver_noise, name_key("Radar1")}; }
+core::RandomStream stream(std::uint64_t seed = 1) {
+  return {seed, core::RandomKind::receiver_noise, core::name_key("Radar1")};
+}
 
 Row noise(std::int64_t pulse, std::int64_t first_sample, std::size_t size, std::uint64_t seed = 1) {
   Row row(size);
@@ -83,4 +85,4 @@ TEST(AddNoise, OfNoDeviationLeavesTheRowAlone) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -5,21 +5,21 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
-double incidence_rad(const Vec3& normal_world, const Vec3& look_world) {
-  if (look_world == Vec3{}) return 0.0;
+double incidence_rad(const core::Vec3& normal_world, const core::Vec3& look_world) {
+  if (look_world == core::Vec3{}) return 0.0;
   // Not the arc cosine, which turns a rounding into 1e-8 rad where a scatterer faces the radar.
-  return std::atan2(norm(cross(normal_world, look_world)), -dot(normal_world, look_world));
+  return std::atan2(core::norm(core::cross(normal_world, look_world)), -core::dot(normal_world, look_world));
 }
 
-double reflectivity(ReflectivityLaw law, const Interpolator& gain_db, double incidence_rad) {
+double reflectivity(ReflectivityLaw law, const core::Interpolator& gain_db, double incidence_rad) {
   switch (law) {
     case ReflectivityLaw::isotropic: return 1.0;
     case ReflectivityLaw::cosine: return std::max(0.0, std::cos(incidence_rad));
-    case ReflectivityLaw::user: return std::pow(10.0, gain_db.value(incidence_rad * deg_per_rad) / 10.0);
+    case ReflectivityLaw::user: return std::pow(10.0, gain_db.value(incidence_rad * core::deg_per_rad) / 10.0);
   }
   return 1.0;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -2,30 +2,30 @@
 
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
-double area_m2(const std::array<Vec3, 3>& c) { return 0.5 * norm(cross(c[1] - c[0], c[2] - c[0])); }
+double area_m2(const std::array<core::Vec3, 3>& c) { return 0.5 * core::norm(core::cross(c[1] - c[0], c[2] - c[0])); }
 
 }  // namespace
 
-double expected_points(const std::array<Vec3, 3>& corners_m, double points_per_m2) {
+double expected_points(const std::array<core::Vec3, 3>& corners_m, double points_per_m2) {
   return area_m2(corners_m) * points_per_m2;
 }
 
-SurfaceLattice fill_triangle(const std::array<Vec3, 3>& corners_m, double points_per_m2) {
+SurfaceLattice fill_triangle(const std::array<core::Vec3, 3>& corners_m, double points_per_m2) {
   SurfaceLattice lattice;
   const double area = area_m2(corners_m);
   if (!(area > 0.0)) return lattice;
-  const Vec3 side = corners_m[2] - corners_m[0];
-  const double base = norm(side);
-  const Vec3 along = (1.0 / base) * side;
-  const Vec3 scaled_normal = cross(corners_m[1] - corners_m[0], side);
-  lattice.normal = (1.0 / norm(scaled_normal)) * scaled_normal;
-  const Vec3 across = cross(along, lattice.normal);  // in the plane, from the side towards corner 2
+  const core::Vec3 side = corners_m[2] - corners_m[0];
+  const double base = core::norm(side);
+  const core::Vec3 along = (1.0 / base) * side;
+  const core::Vec3 scaled_normal = core::cross(corners_m[1] - corners_m[0], side);
+  lattice.normal = (1.0 / core::norm(scaled_normal)) * scaled_normal;
+  const core::Vec3 across = core::cross(along, lattice.normal);  // in the plane, from the side towards corner 2
   const double height = 2.0 * area / base;
-  const double apex = dot(corners_m[1] - corners_m[0], along);
+  const double apex = core::dot(corners_m[1] - corners_m[0], along);
 
   const double spacing = 1.0 / std::sqrt(points_per_m2 * std::sqrt(0.75));
   const double row_step = spacing * std::sqrt(0.75);
@@ -44,4 +44,4 @@ SurfaceLattice fill_triangle(const std::array<Vec3, 3>& corners_m, double points
   return lattice;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

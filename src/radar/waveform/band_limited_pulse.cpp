@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -21,7 +21,7 @@ double semicircle_window(double z, double beta) {
   return inside <= 0.0 ? 0.0 : std::exp(beta * (std::sqrt(inside) - 1.0));
 }
 
-double sinc(double x) { return std::abs(x) < 1e-9 ? 1.0 : std::sin(pi * x) / (pi * x); }
+double sinc(double x) { return std::abs(x) < 1e-9 ? 1.0 : std::sin(core::pi * x) / (core::pi * x); }
 
 // Gauss-Legendre nodes and weights on [-1, 1], 8 points (Abramowitz and Stegun, table 25.4).
 constexpr std::array<std::array<double, 2>, 4> legendre{{{0.1834346424956498, 0.3626837833783620},
@@ -140,4 +140,4 @@ void BandLimitedPulse::values(double t_s, std::span<std::complex<double>> out) c
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// A pulse confined to the band [-F, F] (decision 7): the hard-edged pulse p after the linear-phase filter
 ///
@@ -56,4 +56,4 @@ class BandLimitedPulse {
   std::vector<std::complex<double>> table_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -45,8 +45,9 @@ Pulse user() {
   Pulse pulse;
   pulse.kind = Pulse::Kind::user;
   pulse.width_s = 4e-6;
-  pulse.in_phase = Interpolator(SampledFunction{Interpolation::linear, {{0.0, 0.0}, {0.3, 1.0}, {1.0, -0.5}}});
-  pulse.quadrature = Interpolator(SampledFunction{Interpolation::linear, {{0.0, 1.0}, {1.0, 0.0}}});
+  pulse.in_phase =
+      core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, 0.0}, {0.3, 1.0}, {1.0, -0.5}}});
+  pulse.quadrature = core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, 1.0}, {1.0, 0.0}}});
   return pulse;
 }
 
@@ -56,7 +57,7 @@ Pulse user() {
 std::complex<double> integral(const Pulse& pulse, double t_s) {
   const auto filter = [](double lag_s) {
     const double cut_hz = 0.92 * half_band_hz;
-    const double x = 2.0 * pi * cut_hz * lag_s;
+    const double x = 2.0 * core::pi * cut_hz * lag_s;
     const double z = lag_s / reach_s;
     if (std::abs(z) > 1.0) return 0.0;
     return 2.0 * cut_hz * (x == 0.0 ? 1.0 : std::sin(x) / x) * std::exp(14.0 * (std::sqrt(1.0 - z * z) - 1.0));
@@ -150,12 +151,12 @@ struct Spectrum {
 
 template <class Shape>
 Spectrum spectrum_of(const Shape& value, double from_s, double to_s, double rate_hz) {
-  const std::size_t size = good_fft_size(static_cast<std::size_t>(4.0 * (to_s - from_s) * rate_hz));
+  const std::size_t size = core::good_fft_size(static_cast<std::size_t>(4.0 * (to_s - from_s) * rate_hz));
   Spectrum s{rate_hz / static_cast<double>(size), std::vector<std::complex<double>>(size)};
   const auto count = static_cast<std::size_t>((to_s - from_s) * rate_hz);
   for (std::size_t i = 0; i < count; ++i) s.bins[i] = value(from_s + static_cast<double>(i) / rate_hz) / rate_hz;
-  Fft(size).forward(s.bins);
-  for (std::size_t k = 0; k < size; ++k) s.bins[k] *= std::polar(1.0, -2.0 * pi * s.frequency_hz(k) * from_s);
+  core::Fft(size).forward(s.bins);
+  for (std::size_t k = 0; k < size; ++k) s.bins[k] *= std::polar(1.0, -2.0 * core::pi * s.frequency_hz(k) * from_s);
   return s;
 }
 
@@ -185,7 +186,7 @@ TEST(BandLimitedPulse, HasTheSpectrumOfTheHardPulseInItsPassBand) {
   for (std::size_t k = 0; k < s.bins.size(); ++k) {
     const double f = s.frequency_hz(k);
     if (std::abs(f) > 0.84 * half_band_hz) continue;
-    const double x = pi * f * pulse.width_s;
+    const double x = core::pi * f * pulse.width_s;
     const std::complex<double> hard = std::polar(pulse.width_s, -x) * (x == 0.0 ? 1.0 : std::sin(x) / x);
     EXPECT_LT(std::abs(s.bins[k] - hard), 1e-6 * pulse.width_s + table_error * length_s) << f;
   }
@@ -211,7 +212,7 @@ TEST(BandLimitedPulse, DiffersFromTheHardPulseByTheEnergyOutsideTheBand) {
   EXPECT_GT(difference, 0.99 * s.energy(half_band_hz, 1e99));
   // Well inside the pulse the two agree far better than at the edges: the ripples of an edge decay like the inverse of
   // the distance, 10/F away to below 1/(2 pi 10) of their height of 0.5.
-  EXPECT_LT(std::sqrt(inside / (pulse.width_s - 2.0 * skirt_s)), 0.5 / (2.0 * pi * 10.0));
+  EXPECT_LT(std::sqrt(inside / (pulse.width_s - 2.0 * skirt_s)), 0.5 / (2.0 * core::pi * 10.0));
 }
 
 TEST(BandLimitedPulse, KeptWidthCutsHardAboutTheCentreAndChangesNothingInside) {
@@ -228,4 +229,4 @@ TEST(BandLimitedPulse, KeptWidthCutsHardAboutTheCentreAndChangesNothingInside) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "radar/waveform/pulse_shape.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 const std::vector<int>& barker_code(int index) {
   static const std::array<std::vector<int>, 7> codes{{{1, -1},
@@ -26,7 +26,7 @@ std::complex<double> Pulse::value(double t_s, double tolerance_s) const {
     case Kind::mono: return gain;
     case Kind::chirp: {
       const double u = t_s - 0.5 * width_s;
-      return std::polar(1.0, pi * sweep_rate_hz_per_s() * u * u) * gain;
+      return std::polar(1.0, core::pi * sweep_rate_hz_per_s() * u * u) * gain;
     }
     case Kind::code: {
       const auto length = static_cast<double>(code.size());
@@ -60,8 +60,8 @@ std::vector<double> Pulse::breaks_s() const {
     for (std::size_t i = 1; i < code.size(); ++i)
       add(width_s * static_cast<double>(i) / static_cast<double>(code.size()));
   if (kind == Kind::user)
-    for (const Interpolator* part : {&in_phase, &quadrature})
-      for (const Knot& knot : part->knots()) add(knot.x * width_s);
+    for (const core::Interpolator* part : {&in_phase, &quadrature})
+      for (const core::Knot& knot : part->knots()) add(knot.x * width_s);
   if (envelope == Envelope::linear) {
     // A rise that meets the fall goes no further.
     const bool meet = rise_s + fall_s > width_s;
@@ -70,7 +70,7 @@ std::vector<double> Pulse::breaks_s() const {
     add(meet ? meeting_s : width_s - fall_s);
   }
   if (envelope == Envelope::user)
-    for (const Knot& knot : envelope_gain.knots()) add(knot.x * width_s);
+    for (const core::Knot& knot : envelope_gain.knots()) add(knot.x * width_s);
   std::ranges::sort(breaks);
   const auto same = std::ranges::unique(breaks);
   breaks.erase(same.begin(), same.end());
@@ -87,4 +87,4 @@ double bandwidth_hz(const Pulse& pulse) {
   return 0.0;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

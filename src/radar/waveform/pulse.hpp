@@ -5,7 +5,7 @@
 
 #include "core/maths/interpolator.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Signs of the Barker code with the given index 0 to 6: lengths 2, 3, 4, 5, 7, 11, 13 (Barker 1953).
 [[nodiscard]] const std::vector<int>& barker_code(int index);
@@ -18,15 +18,15 @@ struct Pulse {
   enum class Envelope { rectangular, linear, user };
 
   Kind kind = Kind::mono;
-  double width_s = 1e-6;  ///< Tp, edge to edge; positive.
-  double sweep_hz = 0.0;  ///< Swept bandwidth, negative for a down chirp; Kind::chirp.
-  std::vector<int> code;  ///< +1 or -1 per chip; Kind::code.
-  Interpolator in_phase;  ///< I and Q against the fraction of the width; Kind::user.
-  Interpolator quadrature;
+  double width_s = 1e-6;        ///< Tp, edge to edge; positive.
+  double sweep_hz = 0.0;        ///< Swept bandwidth, negative for a down chirp; Kind::chirp.
+  std::vector<int> code;        ///< +1 or -1 per chip; Kind::code.
+  core::Interpolator in_phase;  ///< I and Q against the fraction of the width; Kind::user.
+  core::Interpolator quadrature;
   Envelope envelope = Envelope::rectangular;
-  double rise_s = 0.0;         ///< Envelope::linear: from 0 to 1 over the first `rise_s`,
-  double fall_s = 0.0;         ///< back to 0 over the last `fall_s`.
-  Interpolator envelope_gain;  ///< Against the fraction of the width; Envelope::user.
+  double rise_s = 0.0;               ///< Envelope::linear: from 0 to 1 over the first `rise_s`,
+  double fall_s = 0.0;               ///< back to 0 over the last `fall_s`.
+  core::Interpolator envelope_gain;  ///< Against the fraction of the width; Envelope::user.
 
   /// Sweep rate K [Hz/s]: sweep/width for a chirp, otherwise 0 (thesis 6.16, 6.17).
   [[nodiscard]] double sweep_rate_hz_per_s() const { return kind == Kind::chirp ? sweep_hz / width_s : 0.0; }
@@ -47,4 +47,4 @@ struct Pulse {
 /// for a user-defined pulse the band about zero that holds 99 % of its energy.
 [[nodiscard]] double bandwidth_hz(const Pulse& pulse);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr std::size_t shape_samples = 4096;
 std::vector<double> energy_spectrum(const Pulse& pulse, std::size_t size, double step_s) {
   std::vector<std::complex<double>> spectrum(size);
   for (std::size_t i = 0; i < shape_samples; ++i) spectrum[i] = pulse.value((static_cast<double>(i) + 0.5) * step_s);
-  Fft(size).forward(spectrum);
+  core::Fft(size).forward(spectrum);
   std::vector<double> energy(size);
   for (std::size_t i = 0; i < size; ++i) energy[i] = std::norm(spectrum[i]);
   return energy;
@@ -25,7 +25,7 @@ std::vector<double> energy_spectrum(const Pulse& pulse, std::size_t size, double
 
 // |autocorrelation|^2 at a lag given in periods of the transform that made the spectrum.
 double correlation_power(const std::vector<double>& energy, double lag_periods) {
-  const std::complex<double> turn = std::polar(1.0, 2.0 * pi * lag_periods);
+  const std::complex<double> turn = std::polar(1.0, 2.0 * core::pi * lag_periods);
   std::complex<double> sum;
   std::complex<double> up = 1.0;
   const std::size_t half = energy.size() / 2;
@@ -59,7 +59,7 @@ double half_power_width_s(const Pulse& pulse) {
   const double step_s = pulse.width_s / static_cast<double>(shape_samples);
   const std::vector<double> energy = energy_spectrum(pulse, size, step_s);
   std::vector<std::complex<double>> correlation(energy.begin(), energy.end());
-  Fft(size).inverse(correlation);
+  core::Fft(size).inverse(correlation);
   const double half = 0.5 * std::norm(correlation[0]);
   if (!(half > 0.0)) return 0.0;
   std::size_t beyond = 1;
@@ -75,4 +75,4 @@ double half_power_width_s(const Pulse& pulse) {
   return (low + high) * step_s;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

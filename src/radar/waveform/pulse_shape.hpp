@@ -2,7 +2,7 @@
 
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// The band about zero that holds `share` of the energy of a pulse of any shape [Hz].
 /// @param share  0 to 1
@@ -12,4 +12,4 @@ namespace sarsim {
 /// matched filter makes of a point, whatever the shape of the pulse. 0 for a pulse without energy.
 [[nodiscard]] double half_power_width_s(const Pulse& pulse);
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -10,13 +10,13 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Interpolator function(std::vector<Knot> knots, Interpolation method = Interpolation::linear) {
-  return Interpolator(SampledFunction{method, std::move(knots)});
+core::Interpolator function(std::vector<core::Knot> knots, core::Interpolation method = core::Interpolation::linear) {
+  return core::Interpolator(core::SampledFunction{method, std::move(knots)});
 }
 
 Pulse chirp(double sweep_hz, double width_s) {
@@ -67,12 +67,12 @@ TEST(Pulse, ChirpSweepsFromMinusHalfTheBandwidthThroughZeroAtItsCentre) {
   EXPECT_DOUBLE_EQ(pulse.sweep_rate_hz_per_s(), 5e13);
   constexpr double h = 1e-9;
   const auto frequency_hz = [&](double t) {
-    return std::arg(pulse.value(t + h) * std::conj(pulse.value(t - h))) / (4.0 * pi * h);
+    return std::arg(pulse.value(t + h) * std::conj(pulse.value(t - h))) / (4.0 * core::pi * h);
   };
   EXPECT_EQ(pulse.value(1e-6), 1.0);
   for (const double t : {h, 0.4e-6, 1e-6, 1.3e-6, 2e-6 - h})
     // Phases up to pi K Tp^2/4 = 157 rad are rounded to 157 epsilon.
-    EXPECT_NEAR(frequency_hz(t), 5e13 * (t - 1e-6), 2.0 * 157.0 * epsilon / (4.0 * pi * h) * 2.0);
+    EXPECT_NEAR(frequency_hz(t), 5e13 * (t - 1e-6), 2.0 * 157.0 * epsilon / (4.0 * core::pi * h) * 2.0);
 }
 
 TEST(Pulse, DownChirpIsTheConjugateOfTheUpChirp) {
@@ -172,7 +172,7 @@ double sinc_energy(double x) {
   constexpr int panels = 40'000;
   double sum = 0.0;
   for (int i = 0; i < panels; ++i) {
-    const double z = pi * x * (i + 0.5) / panels;
+    const double z = core::pi * x * (i + 0.5) / panels;
     sum += std::pow(std::sin(z) / z, 2.0);
   }
   return 2.0 * x * sum / panels;
@@ -186,7 +186,7 @@ TEST(Bandwidth, OfAUserPulseHoldsNinetyNinePercentOfTheEnergyOfARectangle) {
   pulse.quadrature = function({{0.0, -4.0}});
   const double half_cycles = 0.5 * bandwidth_hz(pulse) * pulse.width_s;
   // Bins are 1/16 cycle wide where the density is below 1/(pi 10)^2; 1/(pi^2 2048) is folded back by the sampling.
-  EXPECT_NEAR(sinc_energy(half_cycles), 0.99, 2.0 / 16.0 / std::pow(pi * 10.0, 2.0) + 5e-5);
+  EXPECT_NEAR(sinc_energy(half_cycles), 0.99, 2.0 / 16.0 / std::pow(core::pi * 10.0, 2.0) + 5e-5);
 }
 
 TEST(Bandwidth, OfAUserPulseOfBellShapeIsThatOfTheNormalDistribution) {
@@ -194,10 +194,10 @@ TEST(Bandwidth, OfAUserPulseOfBellShapeIsThatOfTheNormalDistribution) {
   Pulse pulse;
   pulse.kind = Pulse::Kind::user;
   pulse.width_s = 1e-6;
-  std::vector<Knot> bell;
+  std::vector<core::Knot> bell;
   for (int i = 0; i <= 100; ++i) bell.push_back({0.01 * i, std::exp(-0.5 * std::pow((0.01 * i - 0.5) / 0.1, 2.0))});
-  pulse.in_phase = function(bell, Interpolation::cubic);
-  const double expected_hz = 2.0 * 2.5758 / (2.0 * pi * 0.1 * std::sqrt(2.0)) * 1e6;
+  pulse.in_phase = function(bell, core::Interpolation::cubic);
+  const double expected_hz = 2.0 * 2.5758 / (2.0 * core::pi * 0.1 * std::sqrt(2.0)) * 1e6;
   EXPECT_NEAR(bandwidth_hz(pulse), expected_hz, 2.0 / 16.0 * 1e6);
 }
 
@@ -208,7 +208,7 @@ TEST(Bandwidth, OfASmallerShareOfTheEnergyIsSmaller) {
   pulse.in_phase = function({{0.0, 1.0}});
   const double half_cycles = 0.5 * energy_band_hz(pulse, 0.9) * pulse.width_s;
   // Bins are 1/16 cycle wide; the density there is below 1/(pi 0.8)^2.
-  EXPECT_NEAR(sinc_energy(half_cycles), 0.9, 2.0 / 16.0 / std::pow(pi * 0.8, 2.0) + 1e-3);
+  EXPECT_NEAR(sinc_energy(half_cycles), 0.9, 2.0 / 16.0 / std::pow(core::pi * 0.8, 2.0) + 1e-3);
   EXPECT_LT(energy_band_hz(pulse, 0.9), energy_band_hz(pulse, 0.99));
 }
 
@@ -237,4 +237,4 @@ TEST(HalfPowerWidth, OfACodeIsThatOfOneChip) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

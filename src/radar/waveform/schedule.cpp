@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 namespace {
 
@@ -110,4 +110,4 @@ double CarrierPlan::highest_hz() const {
   return std::max(start_hz_, start_hz_ + step_hz_ * (steps_ - 1));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

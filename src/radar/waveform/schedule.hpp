@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::radar {
 
 /// Pulses first ... last, both included; `count()` is 0 where last < first.
 struct PulseRange {
@@ -75,4 +75,4 @@ class CarrierPlan {
 /// floor(n/m) for m > 0, also for negative n.
 [[nodiscard]] constexpr std::int64_t floor_divide(std::int64_t n, std::int64_t m) { return (n - wrapped(n, m)) / m; }
 
-}  // namespace sarsim
+}  // namespace sarsim::radar

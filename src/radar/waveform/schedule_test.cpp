@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace sarsim {
+namespace sarsim::radar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -143,4 +143,4 @@ TEST(FloorDivide, RoundsDownAlsoBelowZero) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::radar

@@ -10,7 +10,7 @@
 #include "raster/format/npy_header.hpp"
 #include "raster/table/count_range.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -45,7 +45,7 @@ constexpr std::array<ElementType, 7> element_types{{
 template <class Decode>
 class ArrayReader final : public SampleReader {
  public:
-  ArrayReader(InputFile file, SampleFileInfo info, std::uint64_t offset, std::size_t component, Decode decode)
+  ArrayReader(core::InputFile file, SampleFileInfo info, std::uint64_t offset, std::size_t component, Decode decode)
       : SampleReader(std::move(info)),
         file_(std::move(file)),
         offset_(offset),
@@ -69,7 +69,7 @@ class ArrayReader final : public SampleReader {
   }
 
  private:
-  InputFile file_;
+  core::InputFile file_;
   std::uint64_t offset_;
   std::size_t component_;
   Decode decode_;
@@ -85,7 +85,7 @@ struct BinaryDecoder {
 };
 
 template <class Decode>
-std::unique_ptr<SampleReader> make_array_reader(InputFile file, SampleFileInfo info, std::uint64_t offset,
+std::unique_ptr<SampleReader> make_array_reader(core::InputFile file, SampleFileInfo info, std::uint64_t offset,
                                                 std::size_t component, Decode decode) {
   return std::make_unique<ArrayReader<Decode>>(std::move(file), std::move(info), offset, component, decode);
 }
@@ -93,7 +93,7 @@ std::unique_ptr<SampleReader> make_array_reader(InputFile file, SampleFileInfo i
 std::optional<double> known(double value) { return value > 0.0 ? std::optional(value) : std::nullopt; }
 
 // Values that the converter cannot give mean that the number of bits, or the format, is another one.
-std::optional<Problem> strange_values(const InputFile& file, const CountRange& range) {
+std::optional<core::Problem> strange_values(const core::InputFile& file, const CountRange& range) {
   std::array<std::byte, 4096> begin{};
   const std::size_t got = file.read_at(0, begin);
   const std::size_t size = range.component_bytes();
@@ -106,13 +106,13 @@ std::optional<Problem> strange_values(const InputFile& file, const CountRange& r
         file_problem(file.path().string(), fmt::format("the file holds values that {} bits cannot have", range.bits),
                      fmt::format("{} at byte {}", stored, at), fmt::format("0 to {}", highest),
                      "check the number of bits and the format"),
-        Severity::warning);
+        core::Severity::warning);
   }
   return std::nullopt;
 }
 
-Problems binary_hint_problems(const std::string& name, const SampleFileHints& hints) {
-  Problems problems;
+core::Problems binary_hint_problems(const std::string& name, const SampleFileHints& hints) {
+  core::Problems problems;
   const char* hint = "a BINARY file does not say its own shape; give both the samples of a row and the A/D bits";
   const char* unknown = hints.columns == 0 && hints.bits == 0
                             ? "neither the samples of a row nor the A/D bits are known"
@@ -149,14 +149,14 @@ std::optional<NpyShape> shape_of(const NpyHeader& header, const ElementType& typ
   return std::nullopt;
 }
 
-Problem wrong_type(const std::string& name, const NpyHeader& header) {
+core::Problem wrong_type(const std::string& name, const NpyHeader& header) {
   if (header.type.starts_with('>'))
     return file_problem(name, "the array is big-endian", header.type, type_names(),
                         "store it with array.astype(array.dtype.newbyteorder('<'))");
   return file_problem(name, "the array's type is not one of samples", header.type, type_names());
 }
 
-Problems rows_problem(const std::string& name, std::uint64_t rows, const SampleFileHints& hints) {
+core::Problems rows_problem(const std::string& name, std::uint64_t rows, const SampleFileHints& hints) {
   if (hints.rows == 0 || hints.rows == rows) return {};
   return {file_problem(name, "the file has another number of rows", fmt::format("{}", rows),
                        fmt::format("{}", hints.rows))};
@@ -164,10 +164,10 @@ Problems rows_problem(const std::string& name, std::uint64_t rows, const SampleF
 
 }  // namespace
 
-OpenedReader open_binary(InputFile file, const SampleFileHints& hints) {
+OpenedReader open_binary(core::InputFile file, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   OpenedReader result{nullptr, binary_hint_problems(name, hints)};
-  if (has_errors(result.problems)) return result;
+  if (core::has_errors(result.problems)) return result;
   const CountRange range{hints.bits};
   const auto row_bytes = checked_product(hints.columns, 2, range.component_bytes());
   if (file.size() == 0 || !row_bytes || file.size() % *row_bytes != 0) {
@@ -179,22 +179,22 @@ OpenedReader open_binary(InputFile file, const SampleFileHints& hints) {
     return result;
   }
   SampleFileInfo info;
-  info.format = FileFormat::binary;
+  info.format = scene::FileFormat::binary;
   info.rows = static_cast<std::size_t>(file.size() / *row_bytes);
   info.columns = hints.columns;
   info.bits = hints.bits;
   info.lsb_v = known(hints.lsb_v);
   result.problems = rows_problem(name, info.rows, hints);
-  if (has_errors(result.problems)) return result;
+  if (core::has_errors(result.problems)) return result;
   if (auto strange = strange_values(file, range)) result.problems.push_back(std::move(*strange));
   result.reader = make_array_reader(std::move(file), info, 0, range.component_bytes(), BinaryDecoder{range});
   return result;
 }
 
-OpenedReader open_npy(InputFile file, const SampleFileHints& hints) {
+OpenedReader open_npy(core::InputFile file, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   auto parsed = read_npy_header(file);
-  if (auto* problem = std::get_if<Problem>(&parsed)) {
+  if (auto* problem = std::get_if<core::Problem>(&parsed)) {
     problem->place.file = name;
     return {nullptr, {std::move(*problem)}};
   }
@@ -218,13 +218,13 @@ OpenedReader open_npy(InputFile file, const SampleFileHints& hints) {
                           fmt::format("{} bytes for the shape {}", *bytes, shape_text(header.shape)),
                           "the file is cut off")}};
   OpenedReader result{nullptr, rows_problem(name, shape->rows, hints)};
-  if (has_errors(result.problems)) return result;
+  if (core::has_errors(result.problems)) return result;
   if (present > *bytes)
     result.problems.push_back(with_severity(
         file_problem(name, "what follows the array is not read", fmt::format("{} bytes more", present - *bytes)),
-        Severity::warning));
+        core::Severity::warning));
   SampleFileInfo info;
-  info.format = FileFormat::npy;
+  info.format = scene::FileFormat::npy;
   info.rows = static_cast<std::size_t>(shape->rows);
   info.columns = static_cast<std::size_t>(shape->columns);
   info.counts = type->counts;
@@ -235,4 +235,4 @@ OpenedReader open_npy(InputFile file, const SampleFileHints& hints) {
   return result;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -9,7 +9,7 @@
 #include "raster/format/raw_decode.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -79,8 +79,8 @@ std::string to_string(const RawLayout& layout) {
   return text;
 }
 
-Problems check_raw_layout(const RawLayout& layout, const std::string& file, std::uint64_t file_bytes) {
-  Problems problems;
+core::Problems check_raw_layout(const RawLayout& layout, const std::string& file, std::uint64_t file_bytes) {
+  core::Problems problems;
   if (layout.value == ImageValue::rgb)
     problems.push_back(file_problem(file, "colours are not supported in files without a description", {},
                                     "complex, real, magnitude or power"));
@@ -92,7 +92,7 @@ Problems check_raw_layout(const RawLayout& layout, const std::string& file, std:
     problems.push_back(file_problem(file, "the file holds nothing behind the header",
                                     fmt::format("{} bytes", file_bytes),
                                     fmt::format("more than {} bytes", layout.header_bytes)));
-  if (has_errors(problems)) return problems;
+  if (core::has_errors(problems)) return problems;
   const std::uint64_t present = file_bytes - layout.header_bytes;
   const auto row = checked_product(layout.width, layout.sample_bytes());
   if (!row || *row > present) {
@@ -105,12 +105,12 @@ Problems check_raw_layout(const RawLayout& layout, const std::string& file, std:
   if (layout.height > rows)
     problems.push_back(with_severity(file_problem(file, "the file holds fewer rows", fmt::format("{}", rows),
                                                   fmt::format("{}", layout.height), "what is there is shown"),
-                                     Severity::warning));
+                                     core::Severity::warning));
   const std::uint64_t wanted = layout.height > 0 ? std::min<std::uint64_t>(layout.height, rows) : rows;
   if (layout.height <= rows && present > wanted * *row)
     problems.push_back(with_severity(file_problem(file, "what follows the last row is not read",
                                                   fmt::format("{} bytes more", present - wanted * *row)),
-                                     Severity::note));
+                                     core::Severity::note));
   return problems;
 }
 
@@ -124,4 +124,4 @@ StoredGrid grid_of(const RawLayout& layout) {
   return {layout.header_bytes, layout.width, layout.sample_bytes(), decoder_of(layout), layout.offset};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

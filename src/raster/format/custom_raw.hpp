@@ -15,7 +15,7 @@
 #include "raster/table/image_value.hpp"
 #include "raster/table/stored_grid.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How one component of a sample is stored.
 enum class RawNumber { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -45,7 +45,8 @@ struct RawLayout {
 
 /// Everything that is wrong with a layout for a file of so many bytes: errors where it cannot be read, a warning where
 /// fewer rows are there than it says, a note where bytes are left over.
-[[nodiscard]] Problems check_raw_layout(const RawLayout& layout, const std::string& file, std::uint64_t file_bytes);
+[[nodiscard]] core::Problems check_raw_layout(const RawLayout& layout, const std::string& file,
+                                              std::uint64_t file_bytes);
 
 /// Whole rows that a file of so many bytes holds, at most `height`. The layout has passed `check_raw_layout`.
 [[nodiscard]] std::size_t raw_rows(const RawLayout& layout, std::uint64_t file_bytes);
@@ -64,6 +65,6 @@ struct RawGuess {
 /// integers spread, complex or real from how neighbours agree, the width from the spacing at which samples agree most
 /// (rows beside each other look alike) and from the file's size. Reads a few MB at most. Empty for an empty file;
 /// a problem where it cannot be opened; std::system_error where the disk fails.
-[[nodiscard]] std::variant<std::vector<RawGuess>, Problem> guess_raw_layout(const std::filesystem::path& path);
+[[nodiscard]] std::variant<std::vector<RawGuess>, core::Problem> guess_raw_layout(const std::filesystem::path& path);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

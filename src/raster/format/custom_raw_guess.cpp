@@ -9,7 +9,7 @@
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/raw_decode.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr std::size_t most_guesses = 10;
 
 // Bytes from the middle of a file or, of a short one, all but its beginning, where a header may be. Data reach to the
 // end of a file more often than they begin at its start, so the part is aligned to the end.
-std::vector<std::byte> middle_of(const InputFile& file) {
+std::vector<std::byte> middle_of(const core::InputFile& file) {
   constexpr std::uint64_t alignment = 16;  // Of the largest sample.
   const std::uint64_t present = file.size() - file.size() / 4;
   const std::uint64_t size = std::min<std::uint64_t>(present, most_bytes) / alignment * alignment;
@@ -205,10 +205,10 @@ ValueGuess value_of(const std::vector<std::byte>& bytes, const TypeGuess& type) 
 
 // |autocorrelation| of a sequence at lags 0 to half its length, 1 at lag 0.
 std::vector<double> autocorrelation(std::span<const std::complex<double>> values) {
-  const std::size_t size = good_fft_size(2 * values.size());
+  const std::size_t size = core::good_fft_size(2 * values.size());
   std::vector<std::complex<double>> spectrum(values.begin(), values.end());
   spectrum.resize(size);
-  const Fft fft(size);
+  const core::Fft fft(size);
   fft.forward(spectrum);
   for (auto& value : spectrum) value = std::norm(value);
   fft.inverse(spectrum);
@@ -331,10 +331,10 @@ void add_widths(std::vector<RawGuess>& guesses, const RawLayout& layout, const T
 
 }  // namespace
 
-std::variant<std::vector<RawGuess>, Problem> guess_raw_layout(const std::filesystem::path& path) {
-  auto opened = InputFile::open(path);
-  if (auto* problem = std::get_if<Problem>(&opened)) return std::move(*problem);
-  const auto& file = std::get<InputFile>(opened);
+std::variant<std::vector<RawGuess>, core::Problem> guess_raw_layout(const std::filesystem::path& path) {
+  auto opened = core::InputFile::open(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
+  const auto& file = std::get<core::InputFile>(opened);
   const std::vector<std::byte> bytes = middle_of(file);
   std::vector<RawGuess> guesses;
   if (bytes.empty()) return guesses;
@@ -352,4 +352,4 @@ std::variant<std::vector<RawGuess>, Problem> guess_raw_layout(const std::filesys
   return guesses;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -9,7 +9,7 @@
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/image_source.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,9 +120,9 @@ TEST(CustomRaw, LayoutsThatCannotBeAreRefusedAllAtOnce) {
   layout.value = ImageValue::rgb;
   layout.offset = std::numeric_limits<double>::quiet_NaN();
   layout.header_bytes = 100;
-  const Problems problems = check_raw_layout(layout, "f", 100);
+  const core::Problems problems = check_raw_layout(layout, "f", 100);
   EXPECT_EQ(problems.size(), 4U) << text_of(problems);
-  EXPECT_TRUE(has_errors(problems));
+  EXPECT_TRUE(core::has_errors(problems));
   RawLayout hostile;
   hostile.width = std::numeric_limits<std::size_t>::max();
   hostile.number = RawNumber::float64;
@@ -234,7 +234,8 @@ TEST(GuessRawLayout, OfferedLayoutsCanBeRead) {
   for (const std::size_t size : {1U, 2U, 15U, 16U, 17U, 100U, 4099U, 70000U}) {
     const auto path = put(folder / "a.raw", bytes.substr(0, size));
     for (const RawGuess& guess : guesses_for(path)) {
-      EXPECT_FALSE(has_errors(check_raw_layout(guess.layout, "f", size))) << size << ": " << to_string(guess.layout);
+      EXPECT_FALSE(core::has_errors(check_raw_layout(guess.layout, "f", size)))
+          << size << ": " << to_string(guess.layout);
       EXPECT_FALSE(guess.reason.empty());
     }
   }
@@ -242,9 +243,9 @@ TEST(GuessRawLayout, OfferedLayoutsCanBeRead) {
 
 TEST(GuessRawLayout, NamesAFileThatIsNotThere) {
   const auto guesses = guess_raw_layout("/nowhere/at/all");
-  ASSERT_TRUE(std::holds_alternative<Problem>(guesses));
-  EXPECT_THAT(to_string(std::get<Problem>(guesses)), HasSubstr("/nowhere/at/all"));
+  ASSERT_TRUE(std::holds_alternative<core::Problem>(guesses));
+  EXPECT_THAT(core::to_string(std::get<core::Problem>(guesses)), HasSubstr("/nowhere/at/all"));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

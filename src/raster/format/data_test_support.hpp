@@ -15,7 +15,7 @@
 #include "raster/table/count_range.hpp"
 #include "support/test_folder.hpp"
 
-namespace sarsim::data_test {
+namespace sarsim::raster::data_test {
 
 namespace fs = std::filesystem;
 
@@ -29,8 +29,8 @@ inline std::string text_of(const std::vector<std::byte>& bytes) {
 }
 
 /// A product with recognisable axes.
-inline Product test_product(std::size_t rows, std::size_t columns, int bits) {
-  Product product;
+inline simulate::Product test_product(std::size_t rows, std::size_t columns, int bits) {
+  simulate::Product product;
   product.radar = "Radar1";
   product.rows = rows;
   product.columns = columns;
@@ -64,12 +64,12 @@ inline std::vector<std::complex<double>> test_volts(std::size_t samples) {
 }
 
 /// Writes rows in blocks of changing sizes, without finishing.
-inline void append_all(Sink& sink, const Product& product, const std::vector<std::int64_t>& counts,
+inline void append_all(simulate::Sink& sink, const simulate::Product& product, const std::vector<std::int64_t>& counts,
                        const std::vector<std::complex<double>>& volts) {
   std::size_t size = 1;
   for (std::size_t first = 0; first < product.rows; first += size, size = size % 3 + 1) {
     size = std::min(size, product.rows - first);
-    Block block;
+    simulate::Block block;
     block.first_row = first;
     block.rows = size;
     block.columns = product.columns;
@@ -82,11 +82,11 @@ inline void append_all(Sink& sink, const Product& product, const std::vector<std
 }
 
 /// Writes a whole file of `test_counts` and `test_volts`.
-inline void write_test_file(const fs::path& path, const Product& product, const SinkOptions& options) {
+inline void write_test_file(const fs::path& path, const simulate::Product& product, const SinkOptions& options) {
   const std::size_t samples = product.rows * product.columns;
   const auto sink = make_sink(path, product, options);
   append_all(*sink, product, test_counts(samples, product.bits), test_volts(samples));
-  RunReport report;
+  simulate::RunReport report;
   report.lsb_v = 2.5e-9;
   sink->finish(report);
 }
@@ -99,10 +99,10 @@ inline std::vector<std::complex<double>> read_all(const SampleFile& file) {
 }
 
 /// All messages of a list of problems, for failing tests and for looking into them.
-inline std::string text_of(const Problems& problems) {
+inline std::string text_of(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
-}  // namespace sarsim::data_test
+}  // namespace sarsim::raster::data_test

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 DecimalDigits::DecimalDigits() : groups_{}, padded_{} {
   for (std::uint32_t value = 0; value < 10'000; ++value) {
@@ -20,4 +20,4 @@ const DecimalDigits& decimal_digits() {
   return digits;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

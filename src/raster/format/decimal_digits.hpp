@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Writes whole numbers in decimal, about five times as fast as std::to_chars on numbers of unpredictable sign and
 /// length: four digits at a time from a table, without branches below 10^8.
@@ -55,4 +55,4 @@ class DecimalDigits {
 /// The tables, made once.
 const DecimalDigits& decimal_digits();
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -10,7 +10,7 @@
 #include "raster/format/decimal_digits.hpp"
 #include "raster/table/count_range.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -63,13 +63,13 @@ class TextWriter {
 };
 
 // Longest pair in each text format: two numbers with sign and what stands around them, and the row's end.
-TextWriter writer_for(const Block& block, CountRange range) {
+TextWriter writer_for(const simulate::Block& block, CountRange range) {
   const std::size_t number = 1 + digits_of(2 * range.offset() + 1);
   return {block.rows * block.columns * (2 * number + 4) + block.rows, range};
 }
 
 // Where the volts are given, a small negative component keeps its sign.
-std::vector<std::byte> encode_ascii(const Block& block, CountRange range, const std::complex<double>* volts) {
+std::vector<std::byte> encode_ascii(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -87,7 +87,8 @@ std::vector<std::byte> encode_ascii(const Block& block, CountRange range, const 
   return writer.take();
 }
 
-std::vector<std::byte> encode_bracket(const Block& block, CountRange range, const std::complex<double>* volts) {
+std::vector<std::byte> encode_bracket(const simulate::Block& block, CountRange range,
+                                      const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -107,7 +108,7 @@ std::vector<std::byte> encode_bracket(const Block& block, CountRange range, cons
   return writer.take();
 }
 
-std::vector<std::byte> encode_csv(const Block& block, CountRange range) {
+std::vector<std::byte> encode_csv(const simulate::Block& block, CountRange range) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -179,19 +180,19 @@ void require_size(std::size_t found, std::size_t expected, const char* what) {
 
 std::size_t component_bytes(const Encoding& encoding) {
   switch (encoding.format) {
-    case FileFormat::binary: return CountRange{encoding.bits}.component_bytes();
-    case FileFormat::hdf5:
-    case FileFormat::npy: return encoding.counts && encoding.bits > 31 ? 8 : 4;
-    case FileFormat::ascii:
-    case FileFormat::bracket:
-    case FileFormat::csv: break;
+    case scene::FileFormat::binary: return CountRange{encoding.bits}.component_bytes();
+    case scene::FileFormat::hdf5:
+    case scene::FileFormat::npy: return encoding.counts && encoding.bits > 31 ? 8 : 4;
+    case scene::FileFormat::ascii:
+    case scene::FileFormat::bracket:
+    case scene::FileFormat::csv: break;
   }
   return 0;
 }
 
-std::vector<std::byte> encode_rows(const Encoding& encoding, const Block& block) {
+std::vector<std::byte> encode_rows(const Encoding& encoding, const simulate::Block& block) {
   const CountRange range{encoding.bits};
-  const bool shaped = encoding.format == FileFormat::hdf5 || encoding.format == FileFormat::npy;
+  const bool shaped = encoding.format == scene::FileFormat::hdf5 || encoding.format == scene::FileFormat::npy;
   if (shaped && !encoding.counts) {
     require_size(block.volts.size(), block.rows * block.columns, "samples");
     return encode_volts(block.volts);
@@ -200,12 +201,12 @@ std::vector<std::byte> encode_rows(const Encoding& encoding, const Block& block)
   const bool signed_zeros = encoding.minus_zero && block.volts.size() == block.rows * block.columns;
   const std::complex<double>* volts = signed_zeros ? block.volts.data() : nullptr;
   switch (encoding.format) {
-    case FileFormat::ascii: return encode_ascii(block, range, volts);
-    case FileFormat::bracket: return encode_bracket(block, range, volts);
-    case FileFormat::csv: return encode_csv(block, range);
-    case FileFormat::binary: return encode_binary(block.counts, range);
-    case FileFormat::hdf5:
-    case FileFormat::npy: break;
+    case scene::FileFormat::ascii: return encode_ascii(block, range, volts);
+    case scene::FileFormat::bracket: return encode_bracket(block, range, volts);
+    case scene::FileFormat::csv: return encode_csv(block, range);
+    case scene::FileFormat::binary: return encode_binary(block.counts, range);
+    case scene::FileFormat::hdf5:
+    case scene::FileFormat::npy: break;
   }
   return component_bytes(encoding) == 8 ? encode_integers<std::int64_t>(block.counts, range)
                                         : encode_integers<std::int32_t>(block.counts, range);
@@ -218,4 +219,4 @@ std::string csv_header(std::size_t columns) {
   return line + '\n';
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -11,13 +11,13 @@
 #include "raster/format/decimal_digits.hpp"
 #include "raster/table/count_range.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using data_test::text_of;
 
-std::string encoded(FileFormat format, int bits, std::vector<std::int64_t> counts, std::size_t rows = 1) {
-  Block block;
+std::string encoded(scene::FileFormat format, int bits, std::vector<std::int64_t> counts, std::size_t rows = 1) {
+  simulate::Block block;
   block.rows = rows;
   block.columns = counts.size() / 2 / rows;
   block.counts = counts;
@@ -65,69 +65,71 @@ TEST(DecimalDigits, AreThoseOfEveryLength) {
 }
 
 TEST(Encoder, AsciiIsAPairPerLineAndABlankLinePerPulse) {
-  EXPECT_EQ(encoded(FileFormat::ascii, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2), "0 0\n-127 128\n\n5 -6\n0 1\n\n");
+  EXPECT_EQ(encoded(scene::FileFormat::ascii, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2), "0 0\n-127 128\n\n5 -6\n0 1\n\n");
 }
 
 TEST(Encoder, SmallNegativeValuesKeepTheirSignOnlyInTheClassicProfile) {
   const std::array<std::complex<double>, 2> volts{{{-0.3, 0.0}, {0.3, -0.2}}};
   const std::array<std::int64_t, 4> counts{0, 0, 0, 0};
-  Block block;
+  simulate::Block block;
   block.rows = 1;
   block.columns = 2;
   block.volts = volts;
   block.counts = counts;
-  EXPECT_EQ(text_of(encode_rows({FileFormat::ascii, true, 8, true}, block)), "-0 0\n0 -0\n\n");
-  EXPECT_EQ(text_of(encode_rows({FileFormat::bracket, true, 8, true}, block)), "(-0,0) (0,-0) \n");
-  EXPECT_EQ(text_of(encode_rows({FileFormat::ascii, true, 8, false}, block)), "0 0\n0 0\n\n");
+  EXPECT_EQ(text_of(encode_rows({scene::FileFormat::ascii, true, 8, true}, block)), "-0 0\n0 -0\n\n");
+  EXPECT_EQ(text_of(encode_rows({scene::FileFormat::bracket, true, 8, true}, block)), "(-0,0) (0,-0) \n");
+  EXPECT_EQ(text_of(encode_rows({scene::FileFormat::ascii, true, 8, false}, block)), "0 0\n0 0\n\n");
 }
 
 TEST(Encoder, BracketIsALinePerPulse) {
-  EXPECT_EQ(encoded(FileFormat::bracket, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2), "(0,0) (-127,128) \n(5,-6) (0,1) \n");
+  EXPECT_EQ(encoded(scene::FileFormat::bracket, 8, {0, 0, -127, 128, 5, -6, 0, 1}, 2),
+            "(0,0) (-127,128) \n(5,-6) (0,1) \n");
 }
 
 TEST(Encoder, CsvAddsTheOffset) {
-  EXPECT_EQ(encoded(FileFormat::csv, 8, {37, 0, -127, 128, 5, -6, 0, 1}, 2), "164,127,0,255\n132,121,127,128\n");
+  EXPECT_EQ(encoded(scene::FileFormat::csv, 8, {37, 0, -127, 128, 5, -6, 0, 1}, 2), "164,127,0,255\n132,121,127,128\n");
 }
 
 TEST(Encoder, CsvHeaderNamesEveryComponent) { EXPECT_EQ(csv_header(2), "I0,Q0,I1,Q1\n"); }
 
 TEST(Encoder, BinaryIsRightJustifiedAndLittleEndian) {
-  EXPECT_EQ(encoded(FileFormat::binary, 12, {-5, 2048}), "\xFA\x07\xFF\x0F");
-  EXPECT_EQ(encoded(FileFormat::binary, 1, {-1, 2}), std::string("\x00\x03", 2));
-  EXPECT_EQ(encoded(FileFormat::binary, 8, {-127, 37}), std::string("\x00\xA4", 2));
-  EXPECT_EQ(encoded(FileFormat::binary, 16, {0, 1}), std::string("\xFF\x7F\x00\x80", 4));
-  EXPECT_EQ(encoded(FileFormat::binary, 17, {0, -1}), std::string("\xFF\xFF\x00\xFE\xFF\x00", 6));
-  EXPECT_EQ(encoded(FileFormat::binary, 64, {std::numeric_limits<std::int64_t>::max(), 0}),
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 12, {-5, 2048}), "\xFA\x07\xFF\x0F");
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 1, {-1, 2}), std::string("\x00\x03", 2));
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 8, {-127, 37}), std::string("\x00\xA4", 2));
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 16, {0, 1}), std::string("\xFF\x7F\x00\x80", 4));
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 17, {0, -1}), std::string("\xFF\xFF\x00\xFE\xFF\x00", 6));
+  EXPECT_EQ(encoded(scene::FileFormat::binary, 64, {std::numeric_limits<std::int64_t>::max(), 0}),
             "\xFE\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x7F");
 }
 
 TEST(Encoder, ExtremesOfEveryNumberOfBitsFitIntoTheBuffer) {
   for (const int bits : {1, 2, 8, 12, 16, 31, 32, 53, 64}) {
     const CountRange range{bits};
-    const std::string text = encoded(FileFormat::ascii, bits, {range.lowest(), range.lowest()});
+    const std::string text = encoded(scene::FileFormat::ascii, bits, {range.lowest(), range.lowest()});
     EXPECT_EQ(text, fmt::format("{} {}\n\n", range.lowest(), range.lowest()));
-    const std::string csv = encoded(FileFormat::csv, bits, {range.highest(), range.highest()});
+    const std::string csv = encoded(scene::FileFormat::csv, bits, {range.highest(), range.highest()});
     EXPECT_EQ(csv, fmt::format("{0},{0}\n", range.with_offset(range.highest())));
   }
 }
 
 TEST(Encoder, VoltsBecomeFloats) {
   const std::array<std::complex<double>, 1> volts{{{1.0, -2.0}}};
-  Block block;
+  simulate::Block block;
   block.rows = 1;
   block.columns = 1;
   block.volts = volts;
-  EXPECT_EQ(text_of(encode_rows({FileFormat::npy, false, 8}, block)), std::string("\0\0\x80\x3F\0\0\0\xC0", 8));
+  EXPECT_EQ(text_of(encode_rows({scene::FileFormat::npy, false, 8}, block)), std::string("\0\0\x80\x3F\0\0\0\xC0", 8));
 }
 
 TEST(Encoder, IntegerCountsHaveFourBytesUpTo31Bits) {
-  EXPECT_EQ(encoded(FileFormat::npy, 31, {-1, 1 << 30}), std::string("\xFF\xFF\xFF\xFF\0\0\0\x40", 8));
-  EXPECT_EQ(encoded(FileFormat::npy, 32, {-1, 0}), std::string("\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\0\0\0\0\0\0\0\0", 16));
+  EXPECT_EQ(encoded(scene::FileFormat::npy, 31, {-1, 1 << 30}), std::string("\xFF\xFF\xFF\xFF\0\0\0\x40", 8));
+  EXPECT_EQ(encoded(scene::FileFormat::npy, 32, {-1, 0}),
+            std::string("\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\0\0\0\0\0\0\0\0", 16));
 }
 
 TEST(Encoder, RefusesCountsThatTheConverterCannotGive) {
-  for (const FileFormat format :
-       {FileFormat::ascii, FileFormat::bracket, FileFormat::csv, FileFormat::binary, FileFormat::npy}) {
+  for (const scene::FileFormat format : {scene::FileFormat::ascii, scene::FileFormat::bracket, scene::FileFormat::csv,
+                                         scene::FileFormat::binary, scene::FileFormat::npy}) {
     EXPECT_THROW((void)encoded(format, 8, {129, 0}), std::out_of_range);
     EXPECT_THROW((void)encoded(format, 8, {0, -128}), std::out_of_range);
     EXPECT_THROW((void)encoded(format, 64, {std::numeric_limits<std::int64_t>::min(), 0}), std::out_of_range);
@@ -136,13 +138,13 @@ TEST(Encoder, RefusesCountsThatTheConverterCannotGive) {
 
 TEST(Encoder, RefusesBlocksOfTheWrongSize) {
   const std::array<std::int64_t, 2> counts{};
-  Block block;
+  simulate::Block block;
   block.rows = 1;
   block.columns = 2;
   block.counts = counts;
-  EXPECT_THROW((void)encode_rows({FileFormat::ascii, true, 8}, block), std::invalid_argument);
-  EXPECT_THROW((void)encode_rows({FileFormat::npy, false, 8}, block), std::invalid_argument);
+  EXPECT_THROW((void)encode_rows({scene::FileFormat::ascii, true, 8}, block), std::invalid_argument);
+  EXPECT_THROW((void)encode_rows({scene::FileFormat::npy, false, 8}, block), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

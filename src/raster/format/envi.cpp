@@ -18,7 +18,7 @@
 #include "raster/format/npy_header.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -44,14 +44,14 @@ Fields fields_of(std::string_view text) {
       continue;
     }
     if (equals == std::string_view::npos) break;
-    const std::string name = lower_case(trimmed(text.substr(0, equals)));
+    const std::string name = core::lower_case(core::trimmed(text.substr(0, equals)));
     text = text.substr(equals + 1);
     const std::size_t brace = text.find_first_not_of(" \t");
     const bool braced = brace != std::string_view::npos && text[brace] == '{';
     const std::size_t end = text.find(braced ? '}' : '\n');
     std::string_view value =
         text.substr(braced ? brace + 1 : 0, end == std::string_view::npos ? end : end - (braced ? brace + 1 : 0));
-    fields.emplace_back(name, trimmed(value));
+    fields.emplace_back(name, core::trimmed(value));
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
   }
   return fields;
@@ -69,13 +69,13 @@ std::optional<std::string> take(Fields& fields, std::string_view name) {
 // Reads the numbers of a header, keeping what is wrong with them.
 class NumberTaker {
  public:
-  NumberTaker(Fields& fields, const std::string& file, Problems& problems)
+  NumberTaker(Fields& fields, const std::string& file, core::Problems& problems)
       : fields_(fields), file_(file), problems_(problems) {}
 
   std::size_t take_number(std::string_view name, std::optional<std::int64_t> missing) {
     const auto text = take(fields_, name);
     if (!text && missing) return static_cast<std::size_t>(*missing);
-    const auto value = text ? parse_integer(*text) : std::nullopt;
+    const auto value = text ? core::parse_integer(*text) : std::nullopt;
     // What has to be there counts something.
     const std::int64_t least = missing ? 0 : 1;
     if (value && *value >= least) return static_cast<std::size_t>(*value);
@@ -97,14 +97,14 @@ class NumberTaker {
  private:
   Fields& fields_;
   const std::string& file_;
-  Problems& problems_;
+  core::Problems& problems_;
 };
 
 // As much as a header may have: of any other file no more is read.
 std::string header_text(const std::filesystem::path& path) {
-  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  constexpr std::size_t longest_header = std::size_t{1} << 20U;
   std::ifstream stream(path, std::ios::binary);
-  std::string text(most_bytes, '\0');
+  std::string text(longest_header, '\0');
   if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
@@ -113,7 +113,7 @@ std::string header_text(const std::filesystem::path& path) {
 }
 
 // Others would be waited for, or cannot be read at any place.
-std::optional<Problem> problem_of_kind(const std::filesystem::path& path) {
+std::optional<core::Problem> problem_of_kind(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return std::nullopt;
@@ -127,9 +127,9 @@ std::optional<NpyHeader> array_header(const std::filesystem::path& data) {
   std::ifstream stream(data, std::ios::binary);
   std::string bytes(12, '\0');
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
-  constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
+  constexpr std::uint64_t longest_header = std::uint64_t{1} << 20U;
   const std::uint64_t size = npy_header_size(std::as_bytes(std::span(bytes)));
-  if (size == 0 || size > most_bytes) return std::nullopt;
+  if (size == 0 || size > longest_header) return std::nullopt;
   bytes.resize(static_cast<std::size_t>(size));
   stream.seekg(0);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
@@ -147,7 +147,7 @@ bool describes(const EnviHeader& header, const NpyHeader& array) {
 }
 
 // Image and array of one stem share the name of the header, which can only be that of one of them.
-std::optional<Problem> misfit_of_array(const std::filesystem::path& data, const EnviHeader& header) {
+std::optional<core::Problem> misfit_of_array(const std::filesystem::path& data, const EnviHeader& header) {
   const auto array = array_header(data);
   if (!array || describes(header, *array)) return std::nullopt;
   return file_problem(data.string(), "the header beside the array is that of another file",
@@ -192,7 +192,7 @@ std::string to_text(const EnviHeader& header) {
 
 EnviReading read_envi_header(std::string_view text, const std::string& file) {
   EnviReading reading;
-  if (!trimmed(text.substr(0, text.find('\n'))).starts_with("ENVI")) {
+  if (!core::trimmed(text.substr(0, text.find('\n'))).starts_with("ENVI")) {
     reading.problems.push_back(
         file_problem(file, "this is no header of an ENVI image", "", "'ENVI' in the first line"));
     return reading;
@@ -212,7 +212,7 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
   (void)take(fields, "file type");
   (void)take(fields, "interleave");
   header.fields = std::move(fields);
-  if (!has_errors(reading.problems)) reading.header = std::move(header);
+  if (!core::has_errors(reading.problems)) reading.header = std::move(header);
   return reading;
 }
 
@@ -272,7 +272,7 @@ struct EnviImage::Closer {
 EnviImage::EnviImage(EnviHeader header, std::filesystem::path data, int descriptor)
     : header_(std::move(header)), data_(std::move(data)), file_(std::make_shared<const Closer>(descriptor)) {}
 
-std::pair<std::optional<EnviImage>, Problems> EnviImage::open(const std::filesystem::path& data) {
+std::pair<std::optional<EnviImage>, core::Problems> EnviImage::open(const std::filesystem::path& data) {
   const std::filesystem::path header_file = envi_header_of(data);
   if (!std::filesystem::exists(header_file))
     return {std::nullopt,
@@ -318,4 +318,4 @@ void EnviImage::read(std::size_t line, std::size_t first, std::span<std::complex
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -15,7 +15,7 @@
 #include "core/os/output_file.hpp"
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What a header of an ENVI image says: `lines` rows of `samples` pixels, least significant byte first, one band
 /// (ENVI, "Header Files"; docs/formats/focused-images.md).
@@ -42,7 +42,7 @@ struct EnviHeader {
 /// A header, or at least one error.
 struct EnviReading {
   std::optional<EnviHeader> header;
-  Problems problems;
+  core::Problems problems;
 };
 
 /// Reads the text of a header. Other pixels than those of EnviHeader, none of them, several bands and the other order
@@ -73,8 +73,8 @@ class EnviWriter {
 
  private:
   EnviHeader header_;
-  OutputFile data_;
-  OutputFile text_;
+  core::OutputFile data_;
+  core::OutputFile text_;
   std::size_t rows_ = 0;
   std::vector<float> magnitudes_;
 };
@@ -84,7 +84,7 @@ class EnviImage {
  public:
   /// Opens the data file of a header, checking its size; at most 1 MiB of a header is read. Throws std::system_error
   /// where the disk fails.
-  [[nodiscard]] static std::pair<std::optional<EnviImage>, Problems> open(const std::filesystem::path& data);
+  [[nodiscard]] static std::pair<std::optional<EnviImage>, core::Problems> open(const std::filesystem::path& data);
 
   [[nodiscard]] const EnviHeader& header() const { return header_; }
   /// Pixels of a line, from a sample on. Real pixels have no imaginary part.
@@ -99,4 +99,4 @@ class EnviImage {
   std::shared_ptr<const Closer> file_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -6,7 +6,7 @@
 
 #include "raster/format/envi.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -48,4 +48,4 @@ OpenedReader open_envi(const std::filesystem::path& data) {
   return {std::make_unique<EnviReader>(std::move(info), std::move(*image)), std::move(problems)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -10,7 +10,7 @@
 
 #include "raster/format/npy_header.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,7 +110,7 @@ TEST_F(Envi, ImageAndArrayOfOneStemHaveAHeaderEach) {
 
 TEST_F(Envi, NamesTheHeadersThatAreLookedFor) {
   write("image.npy", std::string(48, '\0'));
-  const Problem problem = EnviImage::open(file("image.npy")).second.at(0);
+  const core::Problem problem = EnviImage::open(file("image.npy")).second.at(0);
   EXPECT_EQ(problem.expected, file("image.hdr").string() + " or " + file("image.npy.hdr").string());
 }
 
@@ -209,4 +209,4 @@ TEST_F(Envi, KeepsItsHeadersReadableWhateverTheirValuesHold) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -7,7 +7,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -48,7 +48,7 @@ std::optional<std::string> read_integer(hid_t attribute, hid_t type) {
 std::optional<std::string> read_float(hid_t attribute) {
   double value = 0.0;
   if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0) return std::nullopt;
-  return format_number(value);
+  return core::format_number(value);
 }
 
 std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest) {
@@ -94,4 +94,4 @@ std::optional<std::string> find_attribute(const AttributeTexts& attributes, std:
   return found->second;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

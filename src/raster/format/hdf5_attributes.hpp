@@ -9,7 +9,7 @@
 
 #include "raster/format/hdf5_library.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Name and value of attributes, in the order of their names.
 using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
@@ -21,4 +21,4 @@ using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
 /// The value of an attribute by its exact name.
 [[nodiscard]] std::optional<std::string> find_attribute(const AttributeTexts& attributes, std::string_view name);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

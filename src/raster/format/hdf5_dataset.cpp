@@ -6,7 +6,7 @@
 
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -16,12 +16,12 @@ constexpr std::uint64_t small_chunk = std::uint64_t{1} << 20;
 constexpr std::size_t largest_element = 1024;
 constexpr int most_filters = 32;
 
-Problem problem_of(const std::string& path, const std::string& what, std::string found = {},
-                   std::string expected = {}) {
+core::Problem problem_of(const std::string& path, const std::string& what, std::string found = {},
+                         std::string expected = {}) {
   return file_problem({}, fmt::format("the dataset {} {}", path, what), std::move(found), std::move(expected));
 }
 
-std::optional<Problem> filter_problem(hid_t properties, const std::string& path) {
+std::optional<core::Problem> filter_problem(hid_t properties, const std::string& path) {
   const int filters = H5Pget_nfilters(properties);
   if (filters < 0 || filters > most_filters) return problem_of(path, "has a damaged list of filters");
   for (int i = 0; i < filters; ++i) {
@@ -38,8 +38,8 @@ std::optional<Problem> filter_problem(hid_t properties, const std::string& path)
   return std::nullopt;
 }
 
-std::optional<Problem> chunk_problem(hid_t properties, const std::string& path, std::size_t element,
-                                     std::uint64_t file_bytes) {
+std::optional<core::Problem> chunk_problem(hid_t properties, const std::string& path, std::size_t element,
+                                           std::uint64_t file_bytes) {
   std::array<hsize_t, 2> chunk{1, 1};
   if (H5Pget_chunk(properties, 2, chunk.data()) < 1) return problem_of(path, "has damaged chunks");
   const auto bytes = checked_product(chunk[0], chunk[1], element);
@@ -50,7 +50,8 @@ std::optional<Problem> chunk_problem(hid_t properties, const std::string& path, 
 }
 
 // A contiguous dataset must lie within the file as a whole; chunks may be compressed, or absent and then zero.
-std::optional<Problem> storage_problem(const Hdf5Dataset& dataset, const std::string& path, std::uint64_t file_bytes) {
+std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const std::string& path,
+                                             std::uint64_t file_bytes) {
   const Hdf5Handle properties(H5Dget_create_plist(dataset.id.get()), H5Pclose);
   if (!properties) return problem_of(path, "cannot be understood", hdf5_error_text());
   const std::size_t element = H5Tget_size(dataset.type.get());
@@ -89,7 +90,7 @@ bool has_object(hid_t file, const std::string& path) {
   }
 }
 
-std::variant<Hdf5Dataset, Problem> open_dataset(hid_t file, const std::string& path, std::uint64_t file_bytes) {
+std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::string& path, std::uint64_t file_bytes) {
   if (!has_object(file, path)) return problem_of(path, "is not in the file");
   H5O_info_t object{};
   if (H5Oget_info_by_name2(file, path.c_str(), &object, H5O_INFO_BASIC, H5P_DEFAULT) < 0 ||
@@ -113,4 +114,4 @@ std::variant<Hdf5Dataset, Problem> open_dataset(hid_t file, const std::string& p
   return dataset;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,7 +8,7 @@
 #include "core/report/problem.hpp"
 #include "raster/format/hdf5_library.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A dataset whose shape and storage have been found sound: its bytes are in the file itself, no larger than the file
 /// can hold, and every filter that they need is at hand.
@@ -20,10 +20,10 @@ struct Hdf5Dataset {
 
 /// Opens a dataset by its path from the root, following hard links only, so that no other file is ever opened.
 /// @param file_bytes  size of the file, against which the dataset's size is held
-[[nodiscard]] std::variant<Hdf5Dataset, Problem> open_dataset(hid_t file, const std::string& path,
-                                                              std::uint64_t file_bytes);
+[[nodiscard]] std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::string& path,
+                                                                    std::uint64_t file_bytes);
 
 /// Whether the path leads to something over hard links only.
 [[nodiscard]] bool has_object(hid_t file, const std::string& path);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -4,22 +4,23 @@
 #include "raster/format/hdf5_sink.hpp"
 #include "raster/format/load_hdf5.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
-std::unique_ptr<Sink> make_hdf5_sink(const std::filesystem::path& path, const Product& product,
-                                     const Encoding& encoding, bool replace) {
+std::unique_ptr<simulate::Sink> make_hdf5_sink(const std::filesystem::path& path, const simulate::Product& product,
+                                               const Encoding& encoding, bool replace) {
   return std::make_unique<Hdf5Sink>(path, product, encoding, replace);
 }
 
-RowPlaces hdf5_row_places(const std::filesystem::path& scratch, const Product& product, const Encoding& encoding) {
+RowPlaces hdf5_row_places(const std::filesystem::path& scratch, const simulate::Product& product,
+                          const Encoding& encoding) {
   const Hdf5Sink sink(scratch, product, encoding, true);
   return {sink.samples_offset(), 2 * product.columns * component_bytes(encoding)};
 }
 
-void write_hdf5_frame(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
-                      const RunReport& report) {
+void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
+                      const simulate::RunReport& report) {
   Hdf5Sink sink(path, product, encoding, true);
   sink.append_axes(0, product.rows);
   sink.finish(report);
@@ -27,10 +28,10 @@ void write_hdf5_frame(const std::filesystem::path& path, const Product& product,
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::raster
 
 extern "C" {
-[[gnu::visibility("default")]] extern const sarsim::Hdf5Module sarsim_hdf5_module;
-const sarsim::Hdf5Module sarsim_hdf5_module{sarsim::open_hdf5, sarsim::make_hdf5_sink, sarsim::hdf5_row_places,
-                                            sarsim::write_hdf5_frame};
+[[gnu::visibility("default")]] extern const sarsim::raster::Hdf5Module sarsim_hdf5_module;
+const sarsim::raster::Hdf5Module sarsim_hdf5_module{sarsim::raster::open_hdf5, sarsim::raster::make_hdf5_sink,
+                                                    sarsim::raster::hdf5_row_places, sarsim::raster::write_hdf5_frame};
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -33,4 +33,4 @@ bool hdf5_lacked_memory() {
   return lacked;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

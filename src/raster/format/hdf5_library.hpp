@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// The lock that a thread holds while it is inside the HDF5 library. The library has one of its own, but a process
 /// that forks while another thread is in there leaves that lock closed for ever in the child; so whoever forks holds
@@ -76,4 +76,4 @@ class Hdf5Handle {
 /// Whether that failure was that of getting memory or another resource of the system.
 [[nodiscard]] bool hdf5_lacked_memory();
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

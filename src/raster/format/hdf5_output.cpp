@@ -12,7 +12,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -38,7 +38,7 @@ H5FD_t* open_file(const char*, unsigned flags, hid_t properties, haddr_t) {
   const auto* info = static_cast<const DriverInfo*>(H5Pget_driver_info(properties));
   if (info == nullptr) return nullptr;
   // A first, tentative call without H5F_ACC_CREAT asks whether the file exists; it always begins empty.
-  if ((flags & H5F_ACC_TRUNC) != 0) info->output->attempt([](OutputFile& file) { file.resize(0); });
+  if ((flags & H5F_ACC_TRUNC) != 0) info->output->attempt([](core::OutputFile& file) { file.resize(0); });
   auto* file = new (std::nothrow) DriverFile{};
   if (file != nullptr) file->output = info->output;
   return file == nullptr ? nullptr : &file->base;
@@ -68,13 +68,14 @@ haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) { return own(file)->end_of_f
 herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
   std::memset(buffer, 0, size);
   own(file)->output->attempt(
-      [=](OutputFile& output) { output.read_at(address, std::span(static_cast<std::byte*>(buffer), size)); });
+      [=](core::OutputFile& output) { output.read_at(address, std::span(static_cast<std::byte*>(buffer), size)); });
   return 0;
 }
 
 herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, const void* buffer) {
-  own(file)->output->attempt(
-      [=](OutputFile& output) { output.write_at(address, std::span(static_cast<const std::byte*>(buffer), size)); });
+  own(file)->output->attempt([=](core::OutputFile& output) {
+    output.write_at(address, std::span(static_cast<const std::byte*>(buffer), size));
+  });
   own(file)->end_of_file = std::max<haddr_t>(own(file)->end_of_file, address + size);
   return 0;
 }
@@ -82,7 +83,7 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t
 herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
   const haddr_t size = own(file)->end_of_allocation;
   if (size == own(file)->end_of_file) return 0;
-  own(file)->output->attempt([=](OutputFile& output) { output.resize(size); });
+  own(file)->output->attempt([=](core::OutputFile& output) { output.resize(size); });
   own(file)->end_of_file = size;
   return 0;
 }
@@ -113,7 +114,7 @@ H5FD_class_t driver_class() {
 
 }  // namespace
 
-Hdf5Output::Hdf5Output(OutputFile& file) : file_(file) {
+Hdf5Output::Hdf5Output(core::OutputFile& file) : file_(file) {
   const Hdf5Use use;
   const H5FD_class_t driver = driver_class();
   driver_ = Hdf5Handle(H5FDregister(&driver), H5FDunregister);
@@ -133,4 +134,4 @@ Hdf5Handle Hdf5Output::access_properties() {
   return properties;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

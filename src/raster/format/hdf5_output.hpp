@@ -7,7 +7,7 @@
 #include "core/os/output_file.hpp"
 #include "raster/format/hdf5_library.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Lets the HDF5 library write into an OutputFile: a virtual file driver that never shows the library a failure of
 /// the disk. The library cannot recover from one: a file whose closing failed stays half open and is flushed again at
@@ -16,7 +16,7 @@ namespace sarsim {
 class Hdf5Output {
  public:
   /// Begins an HDF5 file; keeps a reference to the file that its bytes go to.
-  explicit Hdf5Output(OutputFile& file);
+  explicit Hdf5Output(core::OutputFile& file);
   Hdf5Output(const Hdf5Output&) = delete;
   Hdf5Output& operator=(const Hdf5Output&) = delete;
   ~Hdf5Output();
@@ -41,9 +41,9 @@ class Hdf5Output {
   }
 
  private:
-  OutputFile& file_;
+  core::OutputFile& file_;
   Hdf5Handle driver_;
   std::exception_ptr failure_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -14,7 +14,7 @@
 #include "raster/format/hdf5_attributes.hpp"
 #include "raster/format/hdf5_dataset.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -158,7 +158,7 @@ std::optional<bool> complex_of_integers(hid_t type) {
 // Numbers that a file says of itself, read from the text of an attribute, 10^shift times its unit.
 std::optional<double> number_attribute(const AttributeTexts& attributes, std::string_view name, int shift = 0) {
   const auto text = find_attribute(attributes, name);
-  return text ? parse_number(*text, shift) : std::nullopt;
+  return text ? core::parse_number(*text, shift) : std::nullopt;
 }
 
 void take_known_attributes(SampleFileInfo& info) {
@@ -209,14 +209,14 @@ AttributeTexts read_details(hid_t file, std::uint64_t longest) {
   return result;
 }
 
-OpenedReader refused(const std::string& name, Problem problem) {
+OpenedReader refused(const std::string& name, core::Problem problem) {
   problem.place.file = name;
   return {nullptr, {std::move(problem)}};
 }
 
 // Takes the shape over, or says why it is none of samples. `per_sample` is the number of stored columns of a sample.
-std::optional<Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& samples, const char* path,
-                                  std::uint64_t per_sample) {
+std::optional<core::Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& samples, const char* path,
+                                        std::uint64_t per_sample) {
   const auto& shape = samples.shape;
   if (shape.size() != 2)
     return file_problem({}, fmt::format("the dataset {} has the wrong rank", path), fmt::format("{}", shape.size()),
@@ -231,7 +231,7 @@ std::optional<Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& sampl
   return std::nullopt;
 }
 
-std::optional<Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+std::optional<core::Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
   const auto integers = complex_of_integers(samples.type.get());
   if (!integers)
     return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", samples_path), {},
@@ -240,7 +240,7 @@ std::optional<Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset&
   return take_shape(info, samples, samples_path, 1);
 }
 
-std::optional<Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+std::optional<core::Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
   const H5T_class_t kind = H5Tget_class(samples.type.get());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER)
     return file_problem({}, fmt::format("the dataset {} does not hold numbers", old_samples_path));
@@ -262,10 +262,10 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
                                       "the file is damaged or of another format"));
   const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
   auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
-  if (auto* problem = std::get_if<Problem>(&opened)) return refused(name, std::move(*problem));
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return refused(name, std::move(*problem));
   auto& samples = std::get<Hdf5Dataset>(opened);
   SampleFileInfo info;
-  info.format = FileFormat::hdf5;
+  info.format = scene::FileFormat::hdf5;
   if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
     return refused(name, std::move(*problem));
   if (hints.rows > 0 && hints.rows != info.rows)
@@ -291,11 +291,11 @@ void read_through(const Hdf5Reader& reader) {
 }
 
 // A problem as text and back, for the way from one process to the other.
-std::string packed(const Problem& problem) {
+std::string packed(const core::Problem& problem) {
   return problem.message + '\0' + problem.found + '\0' + problem.expected + '\0' + problem.hint;
 }
 
-Problem unpacked(const std::string& text) {
+core::Problem unpacked(const std::string& text) {
   std::array<std::string, 4> part;
   std::size_t index = 0;
   for (const char c : text)
@@ -303,7 +303,7 @@ Problem unpacked(const std::string& text) {
       ++index;
     else
       part[index] += c;
-  Problem problem;
+  core::Problem problem;
   problem.message = part[0];
   problem.found = part[1];
   problem.expected = part[2];
@@ -311,9 +311,9 @@ Problem unpacked(const std::string& text) {
   return problem;
 }
 
-Problem lacks_memory(const std::string& what) {
+core::Problem lacks_memory(const std::string& what) {
   return file_problem({}, "the HDF5 library needs more memory for the file than it is given", what,
-                      fmt::format("at most {} MB more than the program has", trial_bytes >> 20U),
+                      fmt::format("at most {} MB more than the program has", core::trial_bytes >> 20U),
                       "the file is damaged, or stored in very large chunks: h5repack makes them smaller");
 }
 
@@ -339,16 +339,17 @@ OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_byt
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
   constexpr unsigned patience_s = 20;
-  const TrialReport trial = run_trial([&] { return tried(path, file_bytes, hints); }, patience_s, &hdf5_lock());
-  if (trial.result == TrialResult::stopped) throw Interrupted();
-  if (trial.result != TrialResult::passed)
+  const core::TrialReport trial =
+      core::run_trial([&] { return tried(path, file_bytes, hints); }, patience_s, &hdf5_lock());
+  if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+  if (trial.result != core::TrialResult::passed)
     return refused(path.string(),
                    file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
-                                                trial.result == TrialResult::crashed ? "crashes" : "hangs")));
+                                                trial.result == core::TrialResult::crashed ? "crashes" : "hangs")));
   if (trial.text.empty())
     return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library cannot read all of it"));
   if (trial.text != good) return refused(path.string(), unpacked(trial.text));
   return open_here(path, file_bytes, hints);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

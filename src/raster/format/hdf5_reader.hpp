@@ -4,7 +4,7 @@
 
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Opens an HDF5 file of samples: the layout of docs/formats/samples.md, or that of the program of 2015 (dataset
 /// `/Data/PulseNo_x_SampleNo_I&Q` of interleaved counts, parameters as attributes below `/Details`).
@@ -14,4 +14,4 @@ namespace sarsim {
 [[nodiscard]] OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes,
                                      const SampleFileHints& hints);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

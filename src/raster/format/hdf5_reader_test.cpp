@@ -14,7 +14,7 @@
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/hdf5_library.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using namespace data_test;
@@ -53,7 +53,7 @@ std::string error_of(const fs::path& path) {
   const auto opened = SampleFile::open(path);
   EXPECT_FALSE(opened.file);
   EXPECT_EQ(opened.problems.size(), 1U);
-  return opened.problems.empty() ? "" : to_string(opened.problems[0]);
+  return opened.problems.empty() ? "" : core::to_string(opened.problems[0]);
 }
 
 constexpr std::array<float, 12> numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
@@ -144,8 +144,8 @@ TEST(Hdf5Reader, SaysWhatItCouldNotRead) {
 // A file is tried in a child process; that must not begin with a copy of the library that another thread has locked.
 TEST(Hdf5Reader, OpensFilesWhileOtherThreadsReadAndWriteSome) {
   const TestFolder folder;
-  write_test_file(folder / "a.h5", test_product(20, 10, 8), {FileFormat::hdf5});
-  write_test_file(folder / "read.h5", test_product(2000, 100, 8), {FileFormat::hdf5});
+  write_test_file(folder / "a.h5", test_product(20, 10, 8), {scene::FileFormat::hdf5});
+  write_test_file(folder / "read.h5", test_product(2000, 100, 8), {scene::FileFormat::hdf5});
   const auto other = SampleFile::open(folder / "read.h5");
   ASSERT_TRUE(other.file) << text_of(other.problems);
   std::atomic<bool> ended = false;
@@ -153,7 +153,7 @@ TEST(Hdf5Reader, OpensFilesWhileOtherThreadsReadAndWriteSome) {
     while (!ended) (void)read_all(*other.file);
   });
   std::thread writes([&] {
-    while (!ended) write_test_file(folder / "write.h5", test_product(200, 10, 8), {FileFormat::hdf5, true});
+    while (!ended) write_test_file(folder / "write.h5", test_product(200, 10, 8), {scene::FileFormat::hdf5, true});
   });
   std::string refused;
   for (int i = 0; i < 60 && refused.empty(); ++i) {
@@ -189,7 +189,7 @@ TEST(Hdf5Reader, WhatIsNotHdf5IsAProblem) {
 
 TEST(Hdf5Reader, CutFilesAreProblems) {
   const TestFolder folder;
-  write_test_file(folder / "a.h5", test_product(10, 100, 8), {FileFormat::hdf5});
+  write_test_file(folder / "a.h5", test_product(10, 100, 8), {scene::FileFormat::hdf5});
   const std::string whole = contents(folder / "a.h5");
   for (std::size_t size = whole.size() / 16; size < whole.size(); size += whole.size() / 16)
     EXPECT_THAT(error_of(put(folder / "b.h5", whole.substr(0, size))), HasSubstr("cannot be read as HDF5"));
@@ -241,7 +241,7 @@ TEST(Hdf5Reader, ShapesLargerThanTheFileAreProblems) {
 
 TEST(Hdf5Reader, OtherFilesAreNeverOpened) {
   const TestFolder folder;
-  write_test_file(folder / "good.h5", test_product(2, 3, 8), {FileFormat::hdf5});
+  write_test_file(folder / "good.h5", test_product(2, 3, 8), {scene::FileFormat::hdf5});
   const std::string good = (folder / "good.h5").string();
   {
     const Hdf5Handle file = create_file(folder / "link.h5");
@@ -286,7 +286,7 @@ TEST(Hdf5Reader, MissingFiltersAreProblems) {
 
 TEST(Hdf5Sink, RecordsNoTimes) {
   const TestFolder folder;
-  write_test_file(folder / "a.h5", test_product(2, 3, 8), {FileFormat::hdf5});
+  write_test_file(folder / "a.h5", test_product(2, 3, 8), {scene::FileFormat::hdf5});
   const Hdf5Handle file(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   ASSERT_TRUE(file);
   for (const char* name : {"/", "/samples", "/pulse_time_s", "/carrier_hz", "/slant_range_m"}) {
@@ -313,4 +313,4 @@ TEST(Hdf5Reader, AxesOfTheWrongLengthAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -14,7 +14,7 @@
 #include "core/build/version.hpp"
 #include "raster/table/product_attributes.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -22,18 +22,20 @@ constexpr std::int32_t format_version = 1;
 constexpr std::size_t axis_chunk = 8192;  // Values of an axis that are computed and written at a time.
 constexpr unsigned most_attributes_in_header = 64;
 
-const char* name_of(Processing processing) {
+const char* name_of(scene::Processing processing) {
   switch (processing) {
-    case Processing::raw: return "raw";
-    case Processing::matched_filter: return "matched_filter";
-    case Processing::srp: return "srp";
+    case scene::Processing::raw: return "raw";
+    case scene::Processing::matched_filter: return "matched_filter";
+    case scene::Processing::srp: return "srp";
   }
   return "raw";
 }
 
-const char* name_of(Profile profile) { return profile == Profile::classic ? "classic" : "physical"; }
+const char* name_of(scene::Profile profile) { return profile == scene::Profile::classic ? "classic" : "physical"; }
 
-const char* name_of(PulseDefinition pulse) { return pulse == PulseDefinition::band_limited ? "band_limited" : "ideal"; }
+const char* name_of(scene::PulseDefinition pulse) {
+  return pulse == scene::PulseDefinition::band_limited ? "band_limited" : "ideal";
+}
 
 // Complex numbers as h5py, MATLAB scripts and others expect them: a compound of r and i.
 Hdf5Handle complex_type(hid_t part) {
@@ -112,7 +114,8 @@ bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
 
 }  // namespace
 
-Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace)
+Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
+                   bool replace)
     : product_(product), encoding_(encoding), file_(path, replace), order_(product.rows), output_(file_) {
   if (!file_.seekable())
     throw std::system_error(ESPIPE, std::generic_category(), "cannot write HDF5 into a pipe: " + path.string());
@@ -145,13 +148,14 @@ void Hdf5Sink::create_file() {
 
 void Hdf5Sink::write_attributes() {
   const hid_t root = hdf5_.get();
-  const RunOptions& options = product_.options;
+  const scene::RunOptions& options = product_.options;
   const auto put = [&](const char* name, const auto&... value) {
     return !is_known(product_, name) || write_attribute(root, name, value...);
   };
   expect(write_attribute(root, "format_version", format_version) &&
-         write_attribute(root, "program_version", std::string(program_version)) && put("script", product_.script) &&
-         put("radar", product_.radar) && put("processing", std::string(name_of(product_.processing))) &&
+         write_attribute(root, "core::program_version", std::string(core::program_version)) &&
+         put("script", product_.script) && put("radar", product_.radar) &&
+         put("processing", std::string(name_of(product_.processing))) &&
          put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&
          put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
          put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
@@ -204,7 +208,7 @@ std::uint64_t Hdf5Sink::samples_offset() const {
   return offset;
 }
 
-void Hdf5Sink::finish(const RunReport& report) {
+void Hdf5Sink::finish(const simulate::RunReport& report) {
   order_.expect_all();
   const Hdf5Use use;
   expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
@@ -215,4 +219,4 @@ void Hdf5Sink::finish(const RunReport& report) {
   file_.commit();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -9,25 +9,25 @@
 #include "raster/table/row_order.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`
 /// and `/slant_range_m`, but for what is not known. Contiguous datasets of known size; rows and their axes are written
 /// as they come. No time stamps, and a fixed version of the format: the same input gives the same bytes.
-class Hdf5Sink final : public Sink {
+class Hdf5Sink final : public simulate::Sink {
  public:
   /// Begins the file; an existing one is refused unless `replace`.
-  Hdf5Sink(const std::filesystem::path& path, const Product& product, const Encoding& encoding, bool replace);
+  Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding, bool replace);
   ~Hdf5Sink() override;
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override;
   /// Instead of `append`, for rows whose samples somebody else writes: only their axes.
   void append_axes(std::size_t first_row, std::size_t rows);
-  void finish(const RunReport& report) override;
+  void finish(const simulate::RunReport& report) override;
 
   /// Where the samples begin in the file.
   [[nodiscard]] std::uint64_t samples_offset() const;
@@ -40,9 +40,9 @@ class Hdf5Sink final : public Sink {
   void write_column_axis();
   void write_row_axes(std::size_t first_row, std::size_t rows);
 
-  Product product_;
+  simulate::Product product_;
   Encoding encoding_;
-  OutputFile file_;
+  core::OutputFile file_;
   RowOrder order_;
   Hdf5Output output_;
   Hdf5Handle hdf5_;
@@ -53,4 +53,4 @@ class Hdf5Sink final : public Sink {
   Hdf5Handle slant_range_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

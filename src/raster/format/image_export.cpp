@@ -11,7 +11,7 @@
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -19,11 +19,12 @@ constexpr std::size_t samples_at_once = std::size_t{1} << 18;
 
 // Consecutive rows of a window, some MB at a time: use(first row of the window, samples).
 template <class Use>
-void for_each_block(const ImageSource& source, const ImageWindow& window, const WorkControl& control, const Use& use) {
+void for_each_block(const ImageSource& source, const ImageWindow& window, const core::WorkControl& control,
+                    const Use& use) {
   const std::size_t at_once = std::max<std::size_t>(1, samples_at_once / window.cols);
   std::vector<std::complex<float>> samples;
   for (std::size_t i = 0; i < window.rows; i += at_once) {
-    if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     ImageWindow part = window;
     part.row0 = window.row(i);
     part.rows = std::min(at_once, window.rows - i);
@@ -38,7 +39,7 @@ double magnitude_of(const std::complex<double>& value) {
   return std::isfinite(magnitude) ? magnitude : 0.0;
 }
 
-double largest_magnitude(const ImageSource& source, const ImageWindow& window, const WorkControl& control) {
+double largest_magnitude(const ImageSource& source, const ImageWindow& window, const core::WorkControl& control) {
   double largest = 0.0;
   for_each_block(source, window, control, [&](std::size_t, const std::vector<std::complex<float>>& samples) {
     for (const auto& sample : samples) largest = std::max(largest, magnitude_of(std::complex<double>(sample)));
@@ -54,9 +55,9 @@ std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t 
   };
 }
 
-Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
+simulate::Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
   const ImageInfo& info = source.info();
-  Product product;
+  simulate::Product product;
   product.rows = window.rows;
   product.columns = window.cols;
   if (auto axes = source.axes()) {
@@ -77,14 +78,14 @@ Product product_of(const ImageSource& source, const ImageWindow& window, const I
 
 // What the sink is given of one block.
 struct BlockMaker {
-  Converter converter;  // Of the numbers as they are read.
+  radar::Converter converter;  // Of the numbers as they are read.
   double volts_of_value = 1.0;
   bool counts = false;
   std::vector<std::complex<double>> values;
   std::vector<std::int64_t> numbers;
 
   // Fills the lists and adds to the report.
-  void make(const std::vector<std::complex<float>>& samples, RunReport& report) {
+  void make(const std::vector<std::complex<float>>& samples, simulate::RunReport& report) {
     values.clear();
     for (const std::complex<float>& sample : samples) {
       const std::complex<double> value(sample);
@@ -93,7 +94,7 @@ struct BlockMaker {
     }
     if (!counts) return;
     numbers.resize(2 * values.size());
-    ConversionTally tally;
+    radar::ConversionTally tally;
     converter.convert(values, numbers, tally);
     report.saturated += tally.saturated;
     report.zero += tally.zero;
@@ -103,21 +104,22 @@ struct BlockMaker {
 
 }  // namespace
 
-RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
-                        const ImageExport& options, const WorkControl& control, const ProgressReport& progress) {
+simulate::RunReport export_window(const ImageSource& source, const ImageWindow& window,
+                                  const std::filesystem::path& path, const ImageExport& options,
+                                  const core::WorkControl& control, const core::ProgressReport& progress) {
   if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
   const auto begin = std::chrono::steady_clock::now();
-  Product product = product_of(source, window, options);
+  simulate::Product product = product_of(source, window, options);
   const bool from_counts = source.info().counts;
   const bool lsb_is_known = options.lsb_v > 0.0 || source.info().lsb_v || from_counts;
   if (!lsb_is_known && !holds_counts(options.sink.format, options.sink.counts)) product.unknown.emplace_back("lsb_v");
   const auto sink = make_sink(path, product, options.sink);
-  const double steps = full_scale_count(product.bits);
+  const double steps = radar::full_scale_count(product.bits);
   double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
   if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
   if (!(lsb_v > 0.0)) lsb_v = 1.0;
   BlockMaker maker{{product.bits, from_counts ? 1.0 : lsb_v}, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
-  RunReport report;
+  simulate::RunReport report;
   report.rows = window.rows;
   report.columns = window.cols;
   for_each_block(source, window, control, [&](std::size_t row, const std::vector<std::complex<float>>& samples) {
@@ -134,4 +136,4 @@ RunReport export_window(const ImageSource& source, const ImageWindow& window, co
   return report;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

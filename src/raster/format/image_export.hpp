@@ -7,7 +7,7 @@
 #include "raster/format/image_source.hpp"
 #include "raster/format/sinks.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How a selection of an image is stored.
 struct ImageExport {
@@ -28,8 +28,8 @@ struct ImageExport {
 ///
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
 /// std::out_of_range for a window that is not inside or empty, Interrupted.
-RunReport export_window(const ImageSource& source, const ImageWindow& window, const std::filesystem::path& path,
-                        const ImageExport& options, const WorkControl& control = {},
-                        const ProgressReport& progress = {});
+simulate::RunReport export_window(const ImageSource& source, const ImageWindow& window,
+                                  const std::filesystem::path& path, const ImageExport& options,
+                                  const core::WorkControl& control = {}, const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

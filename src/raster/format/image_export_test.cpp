@@ -8,7 +8,7 @@
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/product_attributes.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,18 +47,18 @@ std::shared_ptr<ImageSource> open_volts(const fs::path& path, const std::array<f
 
 constexpr ImageWindow part{2, 5, 1, 4, 3, 2};
 
-class ExportTo : public testing::TestWithParam<FileFormat> {};
+class ExportTo : public testing::TestWithParam<scene::FileFormat> {};
 
 TEST_P(ExportTo, KeepsTheCountsOfASelection) {
   const TestFolder folder;
   data_test::write_test_file(folder / "a.bin", data_test::test_product(20, 9, 12),
-                             {FileFormat::binary, false, true, false});
+                             {scene::FileFormat::binary, false, true, false});
   const auto source = open_whole(folder / "a.bin", shape(9, 12));
   ASSERT_TRUE(source);
   ImageExport options;
   options.sink.format = GetParam();
   options.sink.counts = true;
-  const RunReport report = export_window(*source, part, folder / "out", options);
+  const simulate::RunReport report = export_window(*source, part, folder / "out", options);
   EXPECT_EQ(report.rows, 5U);
   EXPECT_EQ(report.saturated, 0U);
   ImageHints hints = shape(4, 12);
@@ -73,17 +73,18 @@ TEST_P(ExportTo, KeepsTheCountsOfASelection) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ExportTo,
-                         testing::Values(FileFormat::ascii, FileFormat::binary, FileFormat::bracket, FileFormat::hdf5,
-                                         FileFormat::csv, FileFormat::npy));
+                         testing::Values(scene::FileFormat::ascii, scene::FileFormat::binary,
+                                         scene::FileFormat::bracket, scene::FileFormat::hdf5, scene::FileFormat::csv,
+                                         scene::FileFormat::npy));
 
 TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
   const TestFolder folder;
   data_test::write_test_file(folder / "a.h5", data_test::test_product(20, 9, 12),
-                             {FileFormat::hdf5, false, false, false});
+                             {scene::FileFormat::hdf5, false, false, false});
   const auto source = open_whole(folder / "a.h5");
   ASSERT_TRUE(source);
   ImageExport options;
-  options.sink.format = FileFormat::hdf5;
+  options.sink.format = scene::FileFormat::hdf5;
   export_window(*source, part, folder / "b.h5", options);
   const auto stored = open_whole(folder / "b.h5");
   ASSERT_TRUE(stored);
@@ -100,17 +101,17 @@ TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
 
 TEST(ExportWindow, KeepsWhatTheSourceSaysOfItsOrigin) {
   const TestFolder folder;
-  Product product = data_test::test_product(20, 9, 12);
+  simulate::Product product = data_test::test_product(20, 9, 12);
   product.radar = "Another";
-  product.processing = Processing::matched_filter;
-  product.options = {Profile::classic, 18446744073709551615U, PulseDefinition::band_limited, 1e-3};
-  data_test::write_test_file(folder / "a.h5", product, {FileFormat::hdf5, false, false, false});
+  product.processing = scene::Processing::matched_filter;
+  product.options = {scene::Profile::classic, 18446744073709551615U, scene::PulseDefinition::band_limited, 1e-3};
+  data_test::write_test_file(folder / "a.h5", product, {scene::FileFormat::hdf5, false, false, false});
   const auto source = open_whole(folder / "a.h5");
   ASSERT_TRUE(source);
   ImageExport options;
-  options.sink.format = FileFormat::hdf5;
+  options.sink.format = scene::FileFormat::hdf5;
   export_window(*source, part, folder / "b.h5", options);
-  Product back;
+  simulate::Product back;
   take_origin(open_whole(folder / "b.h5")->info().attributes, back);
   EXPECT_EQ(back.radar, product.radar);
   EXPECT_EQ(back.processing, product.processing);
@@ -123,7 +124,7 @@ TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
   const auto source = open_volts(folder / "a.raw", {0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, 0.0F});
   ASSERT_TRUE(source);
   ImageExport options;
-  options.sink.format = FileFormat::hdf5;
+  options.sink.format = scene::FileFormat::hdf5;
   export_window(*source, {0, 2, 0, 2}, folder / "a.h5", options);
   const auto stored = open_whole(folder / "a.h5");
   ASSERT_TRUE(stored);
@@ -131,7 +132,7 @@ TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
   EXPECT_FALSE(stored->info().lsb_v);
   EXPECT_FALSE(stored->info().sample_rate_hz);
   EXPECT_EQ(stored->info().bits, 0);
-  Product back;
+  simulate::Product back;
   take_origin(stored->info().attributes, back);
   EXPECT_EQ(back.unknown, (std::vector<std::string>{"radar", "processing", "profile", "pulse", "seed", "tolerance"}));
   EXPECT_EQ(back.engine, "selection of a.raw");
@@ -142,15 +143,15 @@ TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
   const auto source = open_volts(folder / "a.raw", {0.5F, 0.0F, -2.0F, 0.0F, 0.0F, 1.0F, 0.008F, std::nanf("")});
   ASSERT_TRUE(source);
   ImageExport options;
-  options.sink.format = FileFormat::ascii;
+  options.sink.format = scene::FileFormat::ascii;
   options.bits = 8;
-  const RunReport report = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
+  const simulate::RunReport report = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_DOUBLE_EQ(report.lsb_v, 2.0 / 127.0);
   EXPECT_DOUBLE_EQ(report.range_used, 1.0);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "32 0\n-127 0\n\n0 64\n1 0\n\n");
   options.lsb_v = 0.01;
   options.sink.replace = true;
-  const RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
+  const simulate::RunReport clipped = export_window(*source, {0, 2, 0, 2}, folder / "a.asc", options);
   EXPECT_EQ(clipped.saturated, 1U);
   EXPECT_EQ(clipped.not_numbers, 1U);
   EXPECT_EQ(data_test::contents(folder / "a.asc"), "50 0\n-127 0\n\n0 100\n1 0\n\n");
@@ -163,7 +164,7 @@ TEST(ExportWindow, TurnsCountsIntoVoltsByTheLsb) {
   const auto source = open_whole(put(folder / "a.bin", "\x81\x7d"), hints);
   ASSERT_TRUE(source);
   ImageExport options;
-  options.sink.format = FileFormat::npy;
+  options.sink.format = scene::FileFormat::npy;
   export_window(*source, {0, 1, 0, 1}, folder / "a.npy", options);
   const auto stored = open_whole(folder / "a.npy");
   ASSERT_TRUE(stored);
@@ -177,9 +178,9 @@ TEST(ExportWindow, LeavesNothingBehindWhereItDoesNotEnd) {
   ImageExport options;
   EXPECT_THROW(export_window(*source, {0, 101, 0, 3}, folder / "b.bin", options), std::out_of_range);
   EXPECT_THROW(export_window(*source, {0, 0, 0, 3}, folder / "b.bin", options), std::out_of_range);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW(export_window(*source, {0, 100, 0, 3}, folder / "b.bin", options, {1, &stop}), Interrupted);
+  EXPECT_THROW(export_window(*source, {0, 100, 0, 3}, folder / "b.bin", options, {1, &stop}), core::Interrupted);
   EXPECT_EQ(folder.entries(), 1U);
   put(folder / "c.bin", "mine");
   EXPECT_THROW(export_window(*source, {0, 100, 0, 3}, folder / "c.bin", options), std::system_error);
@@ -191,7 +192,7 @@ TEST(ExportWindow, ReportsProgressUpToTheEnd) {
   const auto source = open_whole(put(folder / "a.bin", std::string(2 << 20, '\x80')), shape(256, 8));
   ASSERT_TRUE(source);
   std::size_t last = 0;
-  export_window(*source, {0, source->rows(), 0, 256}, folder / "b.bin", {}, {}, [&](const Progress& progress) {
+  export_window(*source, {0, source->rows(), 0, 256}, folder / "b.bin", {}, {}, [&](const core::Progress& progress) {
     EXPECT_GT(progress.done, last);
     EXPECT_EQ(progress.total, 4096U);
     last = progress.done;
@@ -200,4 +201,4 @@ TEST(ExportWindow, ReportsProgressUpToTheEnd) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -10,7 +10,7 @@
 #include "raster/format/raw_decode.hpp"
 #include "raster/table/count_range.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -18,7 +18,7 @@ namespace {
 class GridImage : public ImageSource {
  public:
   // most_rows: rows that the file claims; more are never shown.
-  GridImage(ImageInfo info, InputFile file, const StoredGrid& grid, std::uint64_t most_rows)
+  GridImage(ImageInfo info, core::InputFile file, const StoredGrid& grid, std::uint64_t most_rows)
       : ImageSource(std::move(info)), file_(std::move(file)), grid_(grid), most_rows_(most_rows) {
     rows_ = rows_in(file_.size());
   }
@@ -32,10 +32,10 @@ class GridImage : public ImageSource {
 
  protected:
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                    const WorkControl& control) const override {
+                    const core::WorkControl& control) const override {
     read_grid(file_, grid_, window, out, control);
   }
-  [[nodiscard]] const InputFile& file() const { return file_; }
+  [[nodiscard]] const core::InputFile& file() const { return file_; }
   [[nodiscard]] const StoredGrid& grid() const { return grid_; }
 
  private:
@@ -44,7 +44,7 @@ class GridImage : public ImageSource {
     return static_cast<std::size_t>(std::min(most_rows_, present / grid_.row_bytes()));
   }
 
-  InputFile file_;
+  core::InputFile file_;
   StoredGrid grid_;
   std::uint64_t most_rows_;
   std::atomic<std::size_t> rows_{0};
@@ -85,7 +85,7 @@ class ColourGridImage final : public GridImage {
   using GridImage::GridImage;
 
  protected:
-  void read_colours(const ImageWindow& window, std::span<Rgb> out, const WorkControl& control) const override {
+  void read_colours(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const override {
     StoredGrid packed = grid();
     packed.decode = decode_rgb<true>;
     std::vector<std::complex<float>> values(out.size());
@@ -101,7 +101,7 @@ class ColourGridImage final : public GridImage {
 // An array in Fortran order: its columns are the rows of the file.
 class TransposedImage final : public ImageSource {
  public:
-  TransposedImage(ImageInfo info, InputFile file, const StoredGrid& grid)
+  TransposedImage(ImageInfo info, core::InputFile file, const StoredGrid& grid)
       : ImageSource(std::move(info)), file_(std::move(file)), grid_(grid) {}
 
   [[nodiscard]] std::size_t rows() const override { return grid_.columns; }
@@ -111,7 +111,7 @@ class TransposedImage final : public ImageSource {
 
  protected:
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                    const WorkControl& control) const override {
+                    const core::WorkControl& control) const override {
     std::vector<std::complex<float>> stored(out.size());
     read_grid(file_, grid_, turned(window), stored, control);
     for (std::size_t k = 0; k < window.cols; ++k)
@@ -123,7 +123,7 @@ class TransposedImage final : public ImageSource {
     return {window.col0, window.cols, window.row0, window.rows, window.col_step, window.row_step};
   }
 
-  InputFile file_;
+  core::InputFile file_;
   StoredGrid grid_;
 };
 
@@ -181,9 +181,9 @@ std::optional<NpyPlane> plane_of(const NpyHeader& header, const NpyType& type) {
   return plane;
 }
 
-OpenedImage refused(Problem problem) { return {nullptr, {std::move(problem)}}; }
+OpenedImage refused(core::Problem problem) { return {nullptr, {std::move(problem)}}; }
 
-ImageInfo info_of(ImageFormat format, const InputFile& file, std::size_t columns) {
+ImageInfo info_of(ImageFormat format, const core::InputFile& file, std::size_t columns) {
   ImageInfo info;
   info.format = format;
   info.path = file.path();
@@ -191,7 +191,7 @@ ImageInfo info_of(ImageFormat format, const InputFile& file, std::size_t columns
   return info;
 }
 
-Problem shape_problem(const std::string& name, const NpyHeader& header) {
+core::Problem shape_problem(const std::string& name, const NpyHeader& header) {
   return file_problem(name,
                       header.fortran_order ? "the array's shape cannot be shown in Fortran order"
                                            : "the array's shape is not one of an image",
@@ -199,7 +199,7 @@ Problem shape_problem(const std::string& name, const NpyHeader& header) {
                       "(rows, columns), (rows, columns, 2) for I and Q, or 3 bytes for colours");
 }
 
-OpenedImage make_npy(InputFile file, const NpyHeader& header, const NpyType& type, const NpyPlane& plane,
+OpenedImage make_npy(core::InputFile file, const NpyHeader& header, const NpyType& type, const NpyPlane& plane,
                      const SampleFileHints& hints) {
   const std::string name = file.path().string();
   ImageInfo info = info_of(ImageFormat::npy, file, static_cast<std::size_t>(plane.columns));
@@ -221,17 +221,17 @@ OpenedImage make_npy(InputFile file, const NpyHeader& header, const NpyType& typ
     return refused(file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
                                 fmt::format("{} of {} bytes each", shape_text(header.shape), type.bytes),
                                 "the file is cut off"));
-  Problems problems;
+  core::Problems problems;
   if (present < *whole)
     problems.push_back(
         with_severity(file_problem(name, "the file ends within the array", fmt::format("{} bytes", present),
                                    fmt::format("{} bytes for the shape {}", *whole, shape_text(header.shape)),
                                    "what is there is shown"),
-                      Severity::warning));
+                      core::Severity::warning));
   if (present > *whole)
     problems.push_back(with_severity(
         file_problem(name, "what follows the array is not read", fmt::format("{} bytes more", present - *whole)),
-        Severity::note));
+        core::Severity::note));
   if (header.fortran_order) {
     grid.columns = static_cast<std::size_t>(plane.rows);
     return {std::make_shared<TransposedImage>(std::move(info), std::move(file), grid), std::move(problems)};
@@ -243,9 +243,9 @@ OpenedImage make_npy(InputFile file, const NpyHeader& header, const NpyType& typ
 
 }  // namespace
 
-OpenedImage open_raw_image(InputFile file, const RawLayout& layout) {
+OpenedImage open_raw_image(core::InputFile file, const RawLayout& layout) {
   OpenedImage opened{nullptr, check_raw_layout(layout, file.path().string(), file.size())};
-  if (has_errors(opened.problems)) return opened;
+  if (core::has_errors(opened.problems)) return opened;
   ImageInfo info = info_of(ImageFormat::custom, file, layout.width);
   info.value = layout.value;
   info.attributes = {{"layout", to_string(layout)}};
@@ -254,7 +254,7 @@ OpenedImage open_raw_image(InputFile file, const RawLayout& layout) {
   return opened;
 }
 
-OpenedImage open_binary_image(InputFile file, const SampleFileHints& hints) {
+OpenedImage open_binary_image(core::InputFile file, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.columns == 0 || hints.bits < 1 || hints.bits > 64)
     return refused(file_problem(name, "a BINARY file does not say its own shape",
@@ -272,17 +272,17 @@ OpenedImage open_binary_image(InputFile file, const SampleFileHints& hints) {
     return refused(file_problem(name, "the file does not hold a single row", fmt::format("{} bytes", file.size()),
                                 fmt::format("{} samples x 2 x {} bytes", hints.columns, range.component_bytes()),
                                 "check the samples of a row and the A/D bits"));
-  Problems problems;
+  core::Problems problems;
   if (file.size() % *row != 0)
     problems.push_back(with_severity(
         file_problem(name, "the file does not hold a whole number of rows", fmt::format("{} bytes", file.size()),
                      fmt::format("a multiple of {} bytes", *row),
                      "check the samples of a row and the A/D bits; the file may be cut off or still growing"),
-        Severity::warning));
+        core::Severity::warning));
   if (hints.rows > 0 && file.size() / *row != hints.rows)
     problems.push_back(with_severity(file_problem(name, "the file has another number of rows",
                                                   fmt::format("{}", file.size() / *row), fmt::format("{}", hints.rows)),
-                                     Severity::warning));
+                                     core::Severity::warning));
   ImageInfo info = info_of(ImageFormat::binary, file, hints.columns);
   info.counts = true;
   info.bits = hints.bits;
@@ -290,10 +290,10 @@ OpenedImage open_binary_image(InputFile file, const SampleFileHints& hints) {
   return {std::make_shared<GridImage>(std::move(info), std::move(file), grid, any_rows), std::move(problems)};
 }
 
-OpenedImage open_npy_image(InputFile file, const SampleFileHints& hints) {
+OpenedImage open_npy_image(core::InputFile file, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   auto parsed = read_npy_header(file);
-  if (auto* problem = std::get_if<Problem>(&parsed)) {
+  if (auto* problem = std::get_if<core::Problem>(&parsed)) {
     problem->place.file = name;
     return refused(std::move(*problem));
   }
@@ -310,4 +310,4 @@ OpenedImage open_npy_image(InputFile file, const SampleFileHints& hints) {
   return make_npy(std::move(file), header, *type, *plane, hints);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

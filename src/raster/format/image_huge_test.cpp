@@ -11,7 +11,7 @@
 #include "raster/format/image_test_support.hpp"
 #include "raster/format/npy_header.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,7 +78,7 @@ TEST_F(HugeFile, OfBinaryOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
   const auto begin = std::chrono::steady_clock::now();
   const OpenedImage opened = ImageSource::open(path_, [&] {
     ImageHints hints = sample_hints(columns, 8);
-    hints.samples.format = FileFormat::binary;
+    hints.samples.format = scene::FileFormat::binary;
     return hints;
   }());
   ASSERT_TRUE(opened.source) << text_of(opened.problems);
@@ -113,4 +113,4 @@ TEST_F(HugeFile, OfNumpyOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

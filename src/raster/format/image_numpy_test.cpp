@@ -5,7 +5,7 @@
 #include "raster/format/image_test_support.hpp"
 #include "raster/format/npy_header.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ TEST(ImageSource, ShowsTheRowsOfANumpyArrayThatIsStillBeingWritten) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -14,7 +14,7 @@
 #include "raster/format/text_reader.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -46,12 +46,12 @@ class SampleFileImage final : public ImageSource {
 
  protected:
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                    const WorkControl& control) const override {
-    constexpr std::size_t samples_at_once = std::size_t{1} << 18;
-    const std::size_t at_once = window.row_step > 1 ? 1 : std::max<std::size_t>(1, samples_at_once / columns());
+                    const core::WorkControl& control) const override {
+    constexpr std::size_t most_at_once = std::size_t{1} << 18;
+    const std::size_t at_once = window.row_step > 1 ? 1 : std::max<std::size_t>(1, most_at_once / columns());
     std::vector<std::complex<double>> rows;
     for (std::size_t i = 0; i < window.rows; i += at_once) {
-      if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+      if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
       const std::size_t count = std::min(at_once, window.rows - i);
       rows.resize(count * columns());
       file_.read_rows(window.row(i), count, rows);
@@ -65,41 +65,42 @@ class SampleFileImage final : public ImageSource {
   SampleFile file_;
 };
 
-std::optional<FileFormat> detect_format(const InputFile& file, const SampleFileHints& hints) {
+std::optional<scene::FileFormat> detect_format(const core::InputFile& file, const SampleFileHints& hints) {
   const auto named = format_from_path(file.path());
-  if (named == FileFormat::binary || named == FileFormat::hdf5 || named == FileFormat::npy) return named;
+  if (named == scene::FileFormat::binary || named == scene::FileFormat::hdf5 || named == scene::FileFormat::npy)
+    return named;
   if (const auto found = detect_text_format(file)) return found;
-  if (hints.columns > 0 && hints.bits > 0) return FileFormat::binary;
+  if (hints.columns > 0 && hints.bits > 0) return scene::FileFormat::binary;
   return named;
 }
 
-OpenedImage open_as(FileFormat format, InputFile file, const SampleFileHints& hints) {
+OpenedImage open_as(scene::FileFormat format, core::InputFile file, const SampleFileHints& hints) {
   switch (format) {
-    case FileFormat::binary: return open_binary_image(std::move(file), hints);
-    case FileFormat::npy: return open_npy_image(std::move(file), hints);
-    case FileFormat::hdf5: {
+    case scene::FileFormat::binary: return open_binary_image(std::move(file), hints);
+    case scene::FileFormat::npy: return open_npy_image(std::move(file), hints);
+    case scene::FileFormat::hdf5: {
       SampleFileHints as_hdf5 = hints;
-      as_hdf5.format = FileFormat::hdf5;
+      as_hdf5.format = scene::FileFormat::hdf5;
       as_hdf5.rows = 0;
       const std::filesystem::path path = file.path();
       return open_sample_image(path, as_hdf5);
     }
-    case FileFormat::ascii:
-    case FileFormat::csv:
-    case FileFormat::bracket: break;
+    case scene::FileFormat::ascii:
+    case scene::FileFormat::csv:
+    case scene::FileFormat::bracket: break;
   }
   return open_text_image(std::move(file), format, hints);
 }
 
-OpenedImage open_file(InputFile file, const ImageHints& hints) {
+OpenedImage open_file(core::InputFile file, const ImageHints& hints) {
   if (hints.raw) return open_raw_image(std::move(file), *hints.raw);
   if (hints.samples.format) return open_as(*hints.samples.format, std::move(file), hints.samples);
   std::array<std::byte, 8> begin{};
   const std::size_t got = file.read_at(0, begin);
   const std::string_view text(reinterpret_cast<const char*>(begin.data()), got);
   if (is_sun_raster(std::span(begin).first(got))) return open_sun_image(std::move(file));
-  if (text.starts_with(npy_signature)) return open_as(FileFormat::npy, std::move(file), hints.samples);
-  if (text.starts_with(hdf5_signature)) return open_as(FileFormat::hdf5, std::move(file), hints.samples);
+  if (text.starts_with(npy_signature)) return open_as(scene::FileFormat::npy, std::move(file), hints.samples);
+  if (text.starts_with(hdf5_signature)) return open_as(scene::FileFormat::hdf5, std::move(file), hints.samples);
   const auto format = detect_format(file, hints.samples);
   if (!format)
     return {nullptr,
@@ -137,9 +138,9 @@ std::string_view name_of(ImageFormat format) {
 }
 
 OpenedImage ImageSource::open(const std::filesystem::path& path, const ImageHints& hints) {
-  auto opened = InputFile::open(path);
-  if (auto* problem = std::get_if<Problem>(&opened)) return {nullptr, {std::move(*problem)}};
-  auto& file = std::get<InputFile>(opened);
+  auto opened = core::InputFile::open(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};
+  auto& file = std::get<core::InputFile>(opened);
   if (file.size() == 0) return {nullptr, {file_problem(path.string(), "the file is empty", {}, "samples")}};
   return open_file(std::move(file), hints);
 }
@@ -169,23 +170,23 @@ OpenedImage open_sample_image(const std::filesystem::path& path, const SampleFil
 }
 
 void ImageSource::read_window(const ImageWindow& window, std::span<std::complex<float>> out,
-                              const WorkControl& control) const {
+                              const core::WorkControl& control) const {
   check_window(*this, window, out.size());
   if (!out.empty()) read_samples(window, out, control);
 }
 
-void ImageSource::read_rgb(const ImageWindow& window, std::span<Rgb> out, const WorkControl& control) const {
+void ImageSource::read_rgb(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const {
   if (info_.value != ImageValue::rgb) throw std::logic_error("an image without colours was asked for them");
   check_window(*this, window, out.size());
   if (!out.empty()) read_colours(window, out, control);
 }
 
-void ImageSource::read_colours(const ImageWindow&, std::span<Rgb>, const WorkControl&) const {
+void ImageSource::read_colours(const ImageWindow&, std::span<Rgb>, const core::WorkControl&) const {
   throw std::logic_error("an image without colours was asked for them");
 }
 
 ImageWindow ImageSource::read_draft(const ImageWindow& window, double seconds, std::span<std::complex<float>> out,
-                                    const WorkControl& control) const {
+                                    const core::WorkControl& control) const {
   check_window(*this, window, out.size());
   if (out.empty()) return window;
   seconds /= slowness_.load(std::memory_order_relaxed);
@@ -217,4 +218,4 @@ ImageWindow ImageSource::read_draft(const ImageWindow& window, double seconds, s
   return coarse;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

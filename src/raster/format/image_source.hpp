@@ -19,7 +19,7 @@
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What a file that can be looked at is.
 enum class ImageFormat { binary, ascii, csv, bracket, hdf5, npy, sun_raster, custom };
@@ -76,9 +76,9 @@ class ImageSource {
   /// How much of the file has been looked through, 0 to 1. Below 1, `rows` still grows.
   [[nodiscard]] virtual double indexed() const { return 1.0; }
   /// Waits until the whole file has been looked through; throws Interrupted where asked to stop.
-  virtual void wait_until_indexed(const StopFlag*) const {}
+  virtual void wait_until_indexed(const core::StopFlag*) const {}
   /// What has been found wrong since the file was opened: malformed text, rows of other lengths, pictures cut off.
-  [[nodiscard]] virtual Problems problems() const { return {}; }
+  [[nodiscard]] virtual core::Problems problems() const { return {}; }
   /// Times, carriers and slant ranges, where the file carries all of them.
   [[nodiscard]] virtual std::optional<SampleAxes> axes() const { return std::nullopt; }
 
@@ -87,9 +87,9 @@ class ImageSource {
   /// std::out_of_range for a window that is not inside, std::invalid_argument where `out` has another size; Interrupted
   /// where the stop flag is set. The number of threads changes nothing but the time.
   void read_window(const ImageWindow& window, std::span<std::complex<float>> out,
-                   const WorkControl& control = {}) const;
+                   const core::WorkControl& control = {}) const;
   /// The same as colours; std::logic_error where the values are none.
-  void read_rgb(const ImageWindow& window, std::span<Rgb> out, const WorkControl& control = {}) const;
+  void read_rgb(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control = {}) const;
 
   /// Estimated seconds to read a window from memory that the system holds; a disk takes longer.
   [[nodiscard]] virtual double read_cost_s(const ImageWindow& window) const = 0;
@@ -97,13 +97,13 @@ class ImageSource {
   /// times it in either direction, each sample standing for its neighbours. Learns from each call how much longer than
   /// estimated this file takes here. Returns the window that was really read.
   ImageWindow read_draft(const ImageWindow& window, double seconds, std::span<std::complex<float>> out,
-                         const WorkControl& control = {}) const;
+                         const core::WorkControl& control = {}) const;
 
  protected:
   /// See `read_window`; the arguments are checked already.
   virtual void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                            const WorkControl& control) const = 0;
-  virtual void read_colours(const ImageWindow& window, std::span<Rgb> out, const WorkControl& control) const;
+                            const core::WorkControl& control) const = 0;
+  virtual void read_colours(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const;
 
  private:
   ImageInfo info_;
@@ -113,7 +113,7 @@ class ImageSource {
 /// A source, or at least one error.
 struct OpenedImage {
   std::shared_ptr<ImageSource> source;
-  Problems problems;
+  core::Problems problems;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -7,7 +7,7 @@
 #include "raster/format/image_test_support.hpp"
 #include "raster/format/recording_hints.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 struct FormatCase {
   const char* name;
-  FileFormat format;
+  scene::FileFormat format;
   ImageFormat image;
   bool counts;
 };
@@ -35,10 +35,11 @@ TEST_P(ImageOfFormat, GivesTheSamplesOfAnyWindow) {
   constexpr std::size_t rows = 23;
   constexpr std::size_t columns = 17;
   constexpr int bits = 12;
-  const Product product = test_product(rows, columns, bits);
+  const simulate::Product product = test_product(rows, columns, bits);
   const fs::path path = folder / GetParam().name;
   data_test::write_test_file(path, product, {GetParam().format, false, GetParam().counts, false});
-  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? columns : 0, bits));
+  const auto source =
+      open_whole(path, sample_hints(GetParam().format == scene::FileFormat::binary ? columns : 0, bits));
   ASSERT_TRUE(source);
   EXPECT_EQ(source->info().format, GetParam().image);
   EXPECT_EQ(source->info().value, ImageValue::complex);
@@ -67,7 +68,7 @@ TEST_P(ImageOfFormat, RefusesWindowsThatAreNotInside) {
   const TestFolder folder;
   const fs::path path = folder / GetParam().name;
   data_test::write_test_file(path, test_product(4, 3, 8), {GetParam().format, false, GetParam().counts, false});
-  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? 3 : 0, 8));
+  const auto source = open_whole(path, sample_hints(GetParam().format == scene::FileFormat::binary ? 3 : 0, 8));
   ASSERT_TRUE(source);
   constexpr std::size_t huge = std::numeric_limits<std::size_t>::max();
   std::vector<std::complex<float>> samples(4);
@@ -82,11 +83,11 @@ TEST_P(ImageOfFormat, RefusesWindowsThatAreNotInside) {
 }
 
 TEST_P(ImageOfFormat, CutWhileOpenGivesAMessageWithItsName) {
-  if (GetParam().format == FileFormat::hdf5) GTEST_SKIP() << "the HDF5 library's own business";
+  if (GetParam().format == scene::FileFormat::hdf5) GTEST_SKIP() << "the HDF5 library's own business";
   const TestFolder folder;
   const fs::path path = folder / GetParam().name;
   data_test::write_test_file(path, test_product(3000, 40, 8), {GetParam().format, false, GetParam().counts, false});
-  const auto source = open_whole(path, sample_hints(GetParam().format == FileFormat::binary ? 40 : 0, 8));
+  const auto source = open_whole(path, sample_hints(GetParam().format == scene::FileFormat::binary ? 40 : 0, 8));
   ASSERT_TRUE(source);
   fs::resize_file(path, fs::file_size(path) / 2);
   try {
@@ -99,14 +100,14 @@ TEST_P(ImageOfFormat, CutWhileOpenGivesAMessageWithItsName) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ImageOfFormat,
-                         testing::Values(FormatCase{"a.bin", FileFormat::binary, ImageFormat::binary, true},
-                                         FormatCase{"a.asc", FileFormat::ascii, ImageFormat::ascii, true},
-                                         FormatCase{"a.csv", FileFormat::csv, ImageFormat::csv, true},
-                                         FormatCase{"a.brk", FileFormat::bracket, ImageFormat::bracket, true},
-                                         FormatCase{"counts.npy", FileFormat::npy, ImageFormat::npy, true},
-                                         FormatCase{"volts.npy", FileFormat::npy, ImageFormat::npy, false},
-                                         FormatCase{"counts.h5", FileFormat::hdf5, ImageFormat::hdf5, true},
-                                         FormatCase{"volts.h5", FileFormat::hdf5, ImageFormat::hdf5, false}),
+                         testing::Values(FormatCase{"a.bin", scene::FileFormat::binary, ImageFormat::binary, true},
+                                         FormatCase{"a.asc", scene::FileFormat::ascii, ImageFormat::ascii, true},
+                                         FormatCase{"a.csv", scene::FileFormat::csv, ImageFormat::csv, true},
+                                         FormatCase{"a.brk", scene::FileFormat::bracket, ImageFormat::bracket, true},
+                                         FormatCase{"counts.npy", scene::FileFormat::npy, ImageFormat::npy, true},
+                                         FormatCase{"volts.npy", scene::FileFormat::npy, ImageFormat::npy, false},
+                                         FormatCase{"counts.h5", scene::FileFormat::hdf5, ImageFormat::hdf5, true},
+                                         FormatCase{"volts.h5", scene::FileFormat::hdf5, ImageFormat::hdf5, false}),
                          [](const auto& tested) {
                            std::string name = tested.param.name;
                            name.replace(name.find('.'), 1, "_");
@@ -115,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, ImageOfFormat,
 
 TEST(ImageSource, OfHdf5CarriesAxesAndAttributes) {
   const TestFolder folder;
-  data_test::write_test_file(folder / "a.h5", test_product(4, 3, 8), {FileFormat::hdf5, false, false, false});
+  data_test::write_test_file(folder / "a.h5", test_product(4, 3, 8), {scene::FileFormat::hdf5, false, false, false});
   const auto source = open_whole(folder / "a.h5");
   ASSERT_TRUE(source);
   EXPECT_EQ(source->info().sample_rate_hz, 100e6);
@@ -129,7 +130,7 @@ TEST(ImageSource, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
   const TestFolder folder;
   for (int bits = 1; bits <= 64; ++bits) {
     const auto product = test_product(3, 5, bits);
-    data_test::write_test_file(folder / "a.bin", product, {FileFormat::binary, true, true, false});
+    data_test::write_test_file(folder / "a.bin", product, {scene::FileFormat::binary, true, true, false});
     const auto source = open_whole(folder / "a.bin", sample_hints(5, bits));
     ASSERT_TRUE(source);
     const auto samples = read_all(*source);
@@ -146,7 +147,7 @@ TEST(ImageSource, SaysWhatAFileWithoutADescriptionNeeds) {
   const auto refusal = [&](const fs::path& path) {
     const OpenedImage opened = ImageSource::open(path);
     EXPECT_FALSE(opened.source);
-    EXPECT_TRUE(has_errors(opened.problems));
+    EXPECT_TRUE(core::has_errors(opened.problems));
     return text_of(opened.problems);
   };
   EXPECT_THAT(refusal(put(folder / "a.bin", "1234")), HasSubstr("does not say its own shape"));
@@ -224,19 +225,19 @@ TEST(ImageSource, ReadingStopsWhereItIsAskedTo) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.bin", std::string(600, '\x80')), sample_hints(3, 8));
   ASSERT_TRUE(source);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   std::vector<std::complex<float>> samples(300);
-  EXPECT_THROW(source->read_window({0, 100, 0, 3}, samples, {1, &stop}), Interrupted);
+  EXPECT_THROW(source->read_window({0, 100, 0, 3}, samples, {1, &stop}), core::Interrupted);
 }
 
 // --- Hints from a scene -----------------------------------------------------------------------------------------
 
-Scene recording_scene() {
-  Scene scene;
+scene::Scene recording_scene() {
+  scene::Scene scene;
   scene.platforms.emplace_back();
   scene.radars.emplace_back();
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_end_m = 299.792458;
   simulation.time_end_s = 0.0095;
@@ -244,13 +245,13 @@ Scene recording_scene() {
   simulation.bits = 10;
   simulation.lsb_v = 1e-6;
   simulation.file = "C:\\OUT\\Echo.BIN";
-  simulation.format = FileFormat::binary;
+  simulation.format = scene::FileFormat::binary;
   scene.simulations.push_back(simulation);
   return scene;
 }
 
 TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
-  Scene scene = recording_scene();
+  scene::Scene scene = recording_scene();
   scene.simulations.push_back(scene.simulations[0]);
   scene.simulations[1].file = "echo.asc";
   scene.simulations[1].bits = 12;
@@ -261,19 +262,19 @@ TEST(HintsFromScene, AreOfTheWholeNameAndNeverOfOneAmongSeveralStems) {
 }
 
 TEST(HintsFromScene, AreNotToBeHadOfWindowsThatNoMemoryHolds) {
-  Scene scene = recording_scene();
+  scene::Scene scene = recording_scene();
   scene.simulations[0].range_end_m = 1e12;
   EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
 }
 
 TEST(HintsFromScene, AreNotToBeHadOfARadarWithMistakes) {
-  Scene scene = recording_scene();
+  scene::Scene scene = recording_scene();
   scene.radars[0].prf_hz = 0.0;
   EXPECT_FALSE(hints_from_scene(scene, "echo.bin"));
 }
 
 TEST(HintsFromScene, AskNothingOfTargets) {
-  Scene scene = recording_scene();
+  scene::Scene scene = recording_scene();
   scene.targets.emplace_back().platform = "Nowhere";
   const auto hints = hints_from_scene(scene, "echo.bin");
   ASSERT_TRUE(hints);
@@ -287,7 +288,7 @@ TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   EXPECT_EQ(hints->rows, 10U);
   EXPECT_EQ(hints->bits, 10);
   EXPECT_EQ(hints->lsb_v, 1e-6);
-  EXPECT_EQ(hints->format, FileFormat::binary);
+  EXPECT_EQ(hints->format, scene::FileFormat::binary);
   const auto other = hints_from_scene(recording_scene(), "echo.csv");
   ASSERT_TRUE(other);
   EXPECT_FALSE(other->format);
@@ -295,4 +296,4 @@ TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -10,7 +10,7 @@
 #include "raster/format/sun_run_length.hpp"
 #include "raster/table/row_index.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -20,7 +20,7 @@ using RunIndex = RowIndex<SunRunDecoder::State>;
 
 class SunImage final : public ImageSource {
  public:
-  SunImage(ImageInfo info, InputFile file, SunPixels pixels)
+  SunImage(ImageInfo info, core::InputFile file, SunPixels pixels)
       : ImageSource(std::move(info)),
         file_(std::move(file)),
         pixels_(std::move(pixels)),
@@ -30,10 +30,10 @@ class SunImage final : public ImageSource {
 
   [[nodiscard]] std::size_t rows() const override { return packed() ? index_.rows() : header().height; }
   [[nodiscard]] double indexed() const override { return packed() ? index_.done() : 1.0; }
-  void wait_until_indexed(const StopFlag* stop) const override {
+  void wait_until_indexed(const core::StopFlag* stop) const override {
     if (packed()) index_.wait(stop);
   }
-  [[nodiscard]] Problems problems() const override { return index_.problems(); }
+  [[nodiscard]] core::Problems problems() const override { return index_.problems(); }
   [[nodiscard]] double read_cost_s(const ImageWindow& window) const override {
     const double extent =
         static_cast<double>(window.cols) * static_cast<double>(window.col_step) * header().depth / 8.0;
@@ -43,13 +43,13 @@ class SunImage final : public ImageSource {
 
  protected:
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                    const WorkControl& control) const override {
+                    const core::WorkControl& control) const override {
     const bool grey = pixels_.grey();
     read_pixels(window, control, [&](std::size_t index, Rgb colour) {
       out[index] = {grey ? static_cast<float>(colour.red) : luminance(colour), 0.0F};
     });
   }
-  void read_colours(const ImageWindow& window, std::span<Rgb> out, const WorkControl& control) const override {
+  void read_colours(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const override {
     read_pixels(window, control, [&](std::size_t index, Rgb colour) { out[index] = colour; });
   }
 
@@ -68,7 +68,7 @@ class SunImage final : public ImageSource {
             with_severity(file_problem(file_.path().string(), "the file ends within the picture",
                                        fmt::format("{} rows", row), fmt::format("{} rows", header().height),
                                        "the file is cut off; the rows that are there are shown"),
-                          Severity::warning));
+                          core::Severity::warning));
         return;
       }
       recorder.rows_known(row + 1);
@@ -78,10 +78,10 @@ class SunImage final : public ImageSource {
 
   // Calls put(index in the window, colour) for every pixel of a window.
   template <class Put>
-  void read_pixels(const ImageWindow& window, const WorkControl& control, const Put& put) const {
+  void read_pixels(const ImageWindow& window, const core::WorkControl& control, const Put& put) const {
     if (window.samples() == 0) return;
     const std::size_t grain = std::max<std::size_t>(1, (std::size_t{1} << 16U) / window.cols);
-    parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
       packed() ? read_packed(window, begin, end, put) : read_plain(window, begin, end, put);
     });
   }
@@ -149,24 +149,24 @@ class SunImage final : public ImageSource {
     throw std::runtime_error("cannot read " + file_.path().string() + ": it has become shorter");
   }
 
-  InputFile file_;
+  core::InputFile file_;
   SunPixels pixels_;
   RunIndex index_;  // Last: its thread uses the others.
 };
 
 }  // namespace
 
-OpenedImage open_sun_image(InputFile file) {
+OpenedImage open_sun_image(core::InputFile file) {
   auto read = read_sun_header(file);
-  if (auto* problem = std::get_if<Problem>(&read)) return {nullptr, {std::move(*problem)}};
+  if (auto* problem = std::get_if<core::Problem>(&read)) return {nullptr, {std::move(*problem)}};
   const SunRasterHeader& header = std::get<SunRasterHeader>(read);
   SunPixels pixels(file, header);
-  Problems problems;
+  core::Problems problems;
   if (header.map_length > 0 && (header.depth > 8 || header.map_type != 1))
     problems.push_back(
         with_severity(file_problem(file.path().string(), "the colour map is not used",
                                    fmt::format("type {} with {} bits of a pixel", header.map_type, header.depth)),
-                      Severity::note));
+                      core::Severity::note));
   ImageInfo info;
   info.format = ImageFormat::sun_raster;
   info.path = file.path();
@@ -178,4 +178,4 @@ OpenedImage open_sun_image(InputFile file) {
   return {std::make_shared<SunImage>(std::move(info), std::move(file), std::move(pixels)), std::move(problems)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -11,7 +11,7 @@
 #include "raster/format/image_source.hpp"
 
 /// Images opened and read for tests.
-namespace sarsim::data_test {
+namespace sarsim::raster::data_test {
 
 /// Opens an image and waits until it is looked through; a failure of the test, and null, where it cannot be opened.
 inline std::shared_ptr<ImageSource> open_whole(const std::filesystem::path& path, const ImageHints& hints = {}) {
@@ -42,4 +42,4 @@ inline std::vector<std::complex<float>> read_all(const ImageSource& source) {
   return read(source, {0, source.rows(), 0, source.columns()});
 }
 
-}  // namespace sarsim::data_test
+}  // namespace sarsim::raster::data_test

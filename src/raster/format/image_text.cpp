@@ -10,7 +10,7 @@
 #include "raster/table/count_range.hpp"
 #include "raster/table/row_index.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -36,7 +36,7 @@ struct FirstRow {
 
 struct TooLong {};
 
-FirstRow read_first_row(const InputFile& file, const TextLayout& layout) {
+FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
   FirstRow first;
   TextScanner scanner = scanner_at_samples(file, layout.format);
   scanner.skip_white_space();
@@ -76,7 +76,7 @@ struct TextSamples {
 
 class TextImage final : public ImageSource {
  public:
-  TextImage(ImageInfo info, InputFile file, TextLayout layout, TextSamples samples, const FirstRow& first)
+  TextImage(ImageInfo info, core::InputFile file, TextLayout layout, TextSamples samples, const FirstRow& first)
       : ImageSource(std::move(info)),
         file_(std::move(file)),
         layout_(layout),
@@ -95,18 +95,18 @@ class TextImage final : public ImageSource {
     return rows();
   }
   [[nodiscard]] double indexed() const override { return index_.done(); }
-  void wait_until_indexed(const StopFlag* stop) const override { index_.wait(stop); }
-  [[nodiscard]] Problems problems() const override { return index_.problems(); }
+  void wait_until_indexed(const core::StopFlag* stop) const override { index_.wait(stop); }
+  [[nodiscard]] core::Problems problems() const override { return index_.problems(); }
   [[nodiscard]] double read_cost_s(const ImageWindow& window) const override {
     return static_cast<double>(window.rows) * static_cast<double>(row_bytes_) * byte_s;
   }
 
  protected:
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
-                    const WorkControl& control) const override {
+                    const core::WorkControl& control) const override {
     if (window.samples() == 0) return;
     const std::size_t grain = std::max<std::size_t>(1, (std::size_t{1} << 14U) / columns());
-    parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
       read_range(window, begin, end, out.subspan(begin * window.cols, (end - begin) * window.cols));
     });
   }
@@ -143,7 +143,7 @@ class TextImage final : public ImageSource {
       resume_ = {mark, row};
       if (last && (found.malformed || found.values < samples_.values)) break;  // Cut off, or still being written.
       if (found.malformed) {
-        Problem problem = *found.malformed;
+        core::Problem problem = *found.malformed;
         problem.place.file = file_.path().string();
         problem.hint = "the rows before it are shown";
         recorder.problem(std::move(problem));
@@ -163,7 +163,7 @@ class TextImage final : public ImageSource {
   }
 
   void report_misfit(Recorder& recorder, const TextMark& mark, double value) {
-    Problem problem = file_problem(
+    core::Problem problem = file_problem(
         file_.path().string(), "a value is not that of an A/D converter with an offset", fmt::format("{}", value),
         fmt::format("0 to {}, as in the first row", 2 * samples_.offset->offset() + 1),
         "give no number of A/D bits to have the values as they stand; the rows before it are shown");
@@ -174,11 +174,11 @@ class TextImage final : public ImageSource {
 
   void report_uneven(Recorder& recorder, const TextRow& found, std::size_t row) {
     if (++uneven_rows_ > most_listed_rows) return;
-    Problem problem = with_severity(
+    core::Problem problem = with_severity(
         file_problem(file_.path().string(), fmt::format("row {} has another length", row + 1),
                      fmt::format("{} numbers", found.values), fmt::format("{}, as in the first row", samples_.values),
                      "what is missing is shown as 0, what is too much is left out"),
-        Severity::warning);
+        core::Severity::warning);
     problem.place.line = found.line;
     problem.place.column = found.column;
     recorder.problem(std::move(problem));
@@ -220,7 +220,7 @@ class TextImage final : public ImageSource {
     }
   }
 
-  InputFile file_;
+  core::InputFile file_;
   TextLayout layout_;
   TextSamples samples_;
   std::uint64_t row_bytes_;
@@ -232,21 +232,21 @@ class TextImage final : public ImageSource {
   RowIndex<TextMark> index_;  // Last: its thread uses the others.
 };
 
-ImageFormat image_format_of(FileFormat format) {
+ImageFormat image_format_of(scene::FileFormat format) {
   switch (format) {
-    case FileFormat::csv: return ImageFormat::csv;
-    case FileFormat::bracket: return ImageFormat::bracket;
+    case scene::FileFormat::csv: return ImageFormat::csv;
+    case scene::FileFormat::bracket: return ImageFormat::bracket;
     default: return ImageFormat::ascii;
   }
 }
 
 // CSV holds an offset that only the bits tell; values that do not fit it are taken as they stand.
 std::optional<CountRange> offset_of(const FirstRow& first, const SampleFileHints& hints, const std::string& name,
-                                    Problems& problems) {
+                                    core::Problems& problems) {
   if (hints.bits == 0) {
     problems.push_back(with_severity(file_problem(name, "the values may contain the offset of the A/D converter", {},
                                                   {}, "give the number of A/D bits to have it subtracted"),
-                                     Severity::note));
+                                     core::Severity::note));
     return std::nullopt;
   }
   const CountRange range{hints.bits};
@@ -254,21 +254,22 @@ std::optional<CountRange> offset_of(const FirstRow& first, const SampleFileHints
   problems.push_back(with_severity(
       file_problem(name, fmt::format("the values are not those of {} A/D bits with an offset", hints.bits), {}, {},
                    "they are taken as they stand"),
-      Severity::warning));
+      core::Severity::warning));
   return std::nullopt;
 }
 
-std::optional<Problem> first_row_problem(const std::string& name, const FirstRow& first, const TextLayout& layout) {
+std::optional<core::Problem> first_row_problem(const std::string& name, const FirstRow& first,
+                                               const TextLayout& layout) {
   if (first.too_long)
     return file_problem(name, "the first row does not end", fmt::format("{} numbers", most_values_of_first_row), {},
                         "give the samples of a row");
   if (first.row.malformed) {
-    Problem problem = *first.row.malformed;
+    core::Problem problem = *first.row.malformed;
     problem.place.file = name;
     return problem;
   }
   if (first.row.values == 0) return file_problem(name, "the file holds no samples");
-  if (first.row.values % 2 != 0 && layout.format != FileFormat::csv)
+  if (first.row.values % 2 != 0 && layout.format != scene::FileFormat::csv)
     return file_problem(name, "the first row ends with an I that has no Q",
                         fmt::format("{} numbers", first.row.values));
   if (layout.columns > 0 && first.row.values < 2 * layout.columns)
@@ -279,14 +280,14 @@ std::optional<Problem> first_row_problem(const std::string& name, const FirstRow
 
 }  // namespace
 
-OpenedImage open_text_image(InputFile file, FileFormat format, const SampleFileHints& hints) {
+OpenedImage open_text_image(core::InputFile file, scene::FileFormat format, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64 || hints.columns > (std::size_t{1} << 60U))
     return {nullptr, {file_problem(name, "the samples of a row or the A/D bits are out of range")}};
-  const TextLayout layout{format, format == FileFormat::csv ? 0 : hints.columns};
+  const TextLayout layout{format, format == scene::FileFormat::csv ? 0 : hints.columns};
   const FirstRow first = read_first_row(file, layout);
   if (auto problem = first_row_problem(name, first, layout)) return {nullptr, {std::move(*problem)}};
-  Problems problems;
+  core::Problems problems;
   ImageInfo info;
   info.format = image_format_of(format);
   info.path = file.path();
@@ -295,7 +296,7 @@ OpenedImage open_text_image(InputFile file, FileFormat format, const SampleFileH
   if (first.row.values % 2 != 0) {
     samples.components = 1;
     info.value = ImageValue::real;
-  } else if (format == FileFormat::csv) {
+  } else if (format == scene::FileFormat::csv) {
     samples.offset = offset_of(first, hints, name, problems);
   }
   info.columns = samples.values / samples.components;
@@ -305,4 +306,4 @@ OpenedImage open_text_image(InputFile file, FileFormat format, const SampleFileH
   return {std::make_shared<TextImage>(std::move(info), std::move(file), layout, samples, first), std::move(problems)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

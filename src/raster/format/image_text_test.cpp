@@ -7,7 +7,7 @@
 
 #include "raster/format/image_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ TEST(ImageSource, RowsOfATextThatAreUnevenAreShownWithAWarning) {
             (std::vector<std::complex<float>>{{1, 2}, {3, 4}, {5, 6}, {0, 0}, {1, 2}, {3, 4}, {7, 8}, {9, 10}}));
   EXPECT_EQ(source->problems().size(), 2U);
   EXPECT_THAT(text_of(source->problems()), HasSubstr("a.csv:2"));
-  EXPECT_FALSE(has_errors(source->problems()));
+  EXPECT_FALSE(core::has_errors(source->problems()));
 }
 
 TEST(ImageSource, ValuesThatNoConverterGivesEndAText) {
@@ -129,11 +129,11 @@ TEST(ImageSource, EndsAtOnceWhileATextIsStillLookedThrough) {
   const auto begin = std::chrono::steady_clock::now();
   { const OpenedImage opened = ImageSource::open(path); }
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const OpenedImage opened = ImageSource::open(path);
   ASSERT_TRUE(opened.source);
-  EXPECT_THROW(opened.source->wait_until_indexed(&stop), Interrupted);
+  EXPECT_THROW(opened.source->wait_until_indexed(&stop), core::Interrupted);
 }
 
 TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
@@ -162,4 +162,4 @@ TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,7 +8,7 @@
 
 #include "raster/format/hdf5_version.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 std::string hdf5_library_version() {
   void* const library = ::dlopen("sarsim_hdf5.so", RTLD_NOW | RTLD_LOCAL);  // Stays, as hdf5_module() needs it.
@@ -19,4 +19,4 @@ std::string hdf5_library_version() {
   return fmt::format("{}.{}.{}", numbers[0], numbers[1], numbers[2]);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

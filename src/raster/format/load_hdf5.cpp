@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -27,4 +27,4 @@ const Hdf5Module& hdf5_module(const std::filesystem::path& wanted_for) {
   return module;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

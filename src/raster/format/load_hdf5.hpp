@@ -9,7 +9,7 @@
 #include "raster/table/row_places.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What needs the HDF5 library. It is a module of its own, `sarsim_hdf5.so`, because loading that library and the
 /// thirty others that it needs takes longer than many a run, and most runs have no use for it.
@@ -17,13 +17,14 @@ struct Hdf5Module {
   /// Opens a file of so many bytes for reading, see open_hdf5.
   OpenedReader (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints);
   /// Begins a file, see Hdf5Sink.
-  std::unique_ptr<Sink> (*make_sink)(const std::filesystem::path& path, const Product& product,
-                                     const Encoding& encoding, bool replace);
+  std::unique_ptr<simulate::Sink> (*make_sink)(const std::filesystem::path& path, const simulate::Product& product,
+                                               const Encoding& encoding, bool replace);
   /// Where the samples of such a file stand. `scratch` names a file that is begun and thrown away.
-  RowPlaces (*row_places)(const std::filesystem::path& scratch, const Product& product, const Encoding& encoding);
+  RowPlaces (*row_places)(const std::filesystem::path& scratch, const simulate::Product& product,
+                          const Encoding& encoding);
   /// Makes a whole file but for its samples, which are left as a hole.
-  void (*write_frame)(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
-                      const RunReport& report);
+  void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
+                      const simulate::RunReport& report);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.
@@ -31,4 +32,4 @@ struct Hdf5Module {
 /// @throws std::runtime_error where the module, or a library that it needs, cannot be loaded
 [[nodiscard]] const Hdf5Module& hdf5_module(const std::filesystem::path& wanted_for);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr std::size_t alignment = 64;
 
 std::size_t prefix_size(unsigned major) { return major == 1 ? 10 : 12; }
 
-Problem problem(std::string message, std::string found = {}, std::string expected = {}) {
-  Problem result;
+core::Problem problem(std::string message, std::string found = {}, std::string expected = {}) {
+  core::Problem result;
   result.message = std::move(message);
   result.found = std::move(found);
   result.expected = std::move(expected);
@@ -100,7 +100,7 @@ bool take_entry(LiteralReader& reader, const std::string& key, NpyHeader& header
   return false;
 }
 
-std::variant<NpyHeader, Problem> parse_dictionary(std::string_view text) {
+std::variant<NpyHeader, core::Problem> parse_dictionary(std::string_view text) {
   const auto malformed = [&] {
     return problem("the header of the NumPy file is malformed", std::string(text.substr(0, 120)),
                    "{'descr': type, 'fortran_order': False, 'shape': (rows, columns)}");
@@ -148,7 +148,7 @@ std::uint64_t npy_header_size(std::span<const std::byte> bytes) {
   return prefix_size(2) + (byte(8) | byte(9) << 8U | byte(10) << 16U | byte(11) << 24U);
 }
 
-std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> bytes) {
+std::variant<NpyHeader, core::Problem> parse_npy_header(std::span<const std::byte> bytes) {
   const std::uint64_t size = npy_header_size(bytes);
   if (size == 0) return problem("this is not a NumPy array file");
   const unsigned major = std::to_integer<unsigned>(bytes[6]);
@@ -165,13 +165,13 @@ std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> byt
   return header;
 }
 
-std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file) {
+std::variant<NpyHeader, core::Problem> read_npy_header(const core::InputFile& file) {
   constexpr std::uint64_t longest = std::uint64_t{1} << 20;  // Far above any header of numbers.
   std::vector<std::byte> bytes(12);
   bytes.resize(file.read_at(0, bytes));
   const std::uint64_t size = npy_header_size(bytes);
   if (size > longest) {
-    Problem problem;
+    core::Problem problem;
     problem.message = "the header of the NumPy file is too long";
     problem.found = fmt::format("{} bytes", size);
     return problem;
@@ -187,4 +187,4 @@ std::string shape_text(const std::vector<std::uint64_t>& shape) {
   return "(" + text + ")";
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

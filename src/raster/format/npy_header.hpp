@@ -11,7 +11,7 @@
 #include "core/os/input_file.hpp"
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What the header of a NumPy array file says.
 struct NpyHeader {
@@ -30,12 +30,12 @@ struct NpyHeader {
 [[nodiscard]] std::uint64_t npy_header_size(std::span<const std::byte> bytes);
 
 /// Reads a header of version 1.0, 2.0 or 3.0 from the beginning of a file.
-[[nodiscard]] std::variant<NpyHeader, Problem> parse_npy_header(std::span<const std::byte> bytes);
+[[nodiscard]] std::variant<NpyHeader, core::Problem> parse_npy_header(std::span<const std::byte> bytes);
 
 /// Reads the header of a file; a problem, without a place, where it is none or longer than 1 MiB.
-[[nodiscard]] std::variant<NpyHeader, Problem> read_npy_header(const InputFile& file);
+[[nodiscard]] std::variant<NpyHeader, core::Problem> read_npy_header(const core::InputFile& file);
 
 /// A shape as NumPy prints it, nearly: "(620, 512)", "(512)", "()".
 [[nodiscard]] std::string shape_text(const std::vector<std::uint64_t>& shape);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -4,10 +4,10 @@
 
 #include <array>
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
-std::variant<NpyHeader, Problem> parsed(const std::string& bytes) {
+std::variant<NpyHeader, core::Problem> parsed(const std::string& bytes) {
   return parse_npy_header(std::as_bytes(std::span(bytes)));
 }
 
@@ -56,8 +56,8 @@ TEST(NpyHeader, ReadsEveryVersionAndSpelling) {
 TEST(NpyHeader, RefusesMalformedOnes) {
   const std::string good = "{'descr': '<c8', 'fortran_order': False, 'shape': (3, 5), }";
   ASSERT_TRUE(std::holds_alternative<NpyHeader>(parsed(with_text(1, good))));
-  EXPECT_TRUE(std::holds_alternative<Problem>(parsed(with_text(4, good))));
-  EXPECT_TRUE(std::holds_alternative<Problem>(parsed(with_text(1, good).substr(0, 40))));
+  EXPECT_TRUE(std::holds_alternative<core::Problem>(parsed(with_text(4, good))));
+  EXPECT_TRUE(std::holds_alternative<core::Problem>(parsed(with_text(1, good).substr(0, 40))));
   for (const char* text :
        {"", "{}", "{'descr': '<c8'}", "{'descr': '<c8', 'fortran_order': False, 'shape': (3, 5), } x",
         "{'descr': '<c8', 'fortran_order': Maybe, 'shape': (3, 5), }",
@@ -66,8 +66,8 @@ TEST(NpyHeader, RefusesMalformedOnes) {
         "{'descr': '<c8', 'fortran_order': False, 'shape': (3 5), }",
         "{'descr': [('r', '<f4'), ('i', '<f4')], 'fortran_order': False, 'shape': (3, 5), }",
         "{'descr': '<c8, 'fortran_order': False, 'shape': (3, 5), }", "{'other': 1}", "{'shape': (1, 2"})
-    EXPECT_TRUE(std::holds_alternative<Problem>(parsed(with_text(1, text)))) << text;
+    EXPECT_TRUE(std::holds_alternative<core::Problem>(parsed(with_text(1, text)))) << text;
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

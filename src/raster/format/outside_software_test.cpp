@@ -10,7 +10,7 @@
 #include "support/folders.hpp"
 
 // Other people's software must read our files and find the same numbers. Skipped where the software is absent.
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using namespace data_test;
@@ -51,7 +51,7 @@ void expect_samples(const std::string& text, bool counts, int bits) {
 }
 
 // Makes a file and gives its path.
-fs::path make(const TestFolder& folder, FileFormat format, bool counts, int bits) {
+fs::path make(const TestFolder& folder, scene::FileFormat format, bool counts, int bits) {
   const fs::path path = folder / ("a" + std::string(extension_of(format)));
   SinkOptions options;
   options.format = format;
@@ -61,7 +61,7 @@ fs::path make(const TestFolder& folder, FileFormat format, bool counts, int bits
 }
 
 struct Case {
-  FileFormat format;
+  scene::FileFormat format;
   const char* kind;
   bool counts;
   int bits;
@@ -69,13 +69,16 @@ struct Case {
 
 class OutsideSoftware : public testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, OutsideSoftware,
-    testing::Values(Case{FileFormat::ascii, "ascii", true, 12}, Case{FileFormat::ascii, "ascii", true, 40},
-                    Case{FileFormat::csv, "csv", true, 12}, Case{FileFormat::bracket, "bracket", true, 12},
-                    Case{FileFormat::binary, "binary", true, 8}, Case{FileFormat::binary, "binary", true, 12},
-                    Case{FileFormat::binary, "binary", true, 40}, Case{FileFormat::npy, "npy", false, 12}),
-    [](const auto& test) { return fmt::format("{}_{}", test.param.kind, test.param.bits); });
+INSTANTIATE_TEST_SUITE_P(Formats, OutsideSoftware,
+                         testing::Values(Case{scene::FileFormat::ascii, "ascii", true, 12},
+                                         Case{scene::FileFormat::ascii, "ascii", true, 40},
+                                         Case{scene::FileFormat::csv, "csv", true, 12},
+                                         Case{scene::FileFormat::bracket, "bracket", true, 12},
+                                         Case{scene::FileFormat::binary, "binary", true, 8},
+                                         Case{scene::FileFormat::binary, "binary", true, 12},
+                                         Case{scene::FileFormat::binary, "binary", true, 40},
+                                         Case{scene::FileFormat::npy, "npy", false, 12}),
+                         [](const auto& test) { return fmt::format("{}_{}", test.param.kind, test.param.bits); });
 
 TEST_P(OutsideSoftware, NumpyFindsTheSameNumbers) {
   if (!runs(python() + " -c 'import numpy'")) GTEST_SKIP() << "python3 with numpy is not here";
@@ -102,14 +105,14 @@ TEST_P(OutsideSoftware, OctaveFindsTheSameNumbers) {
 TEST(OutsideSoftwareOnHdf5, OctaveFindsTheSameNumbers) {
   if (!runs("command -v octave-cli") || !runs("command -v h5dump")) GTEST_SKIP() << "octave-cli or h5dump is not here";
   const TestFolder folder;
-  expect_samples(octave_on(make(folder, FileFormat::hdf5, false, 12), "hdf5", 12), false, 12);
+  expect_samples(octave_on(make(folder, scene::FileFormat::hdf5, false, 12), "hdf5", 12), false, 12);
 }
 
 TEST(OutsideSoftwareOnNpy, NumpyFindsTheSameIntegers) {
   if (!runs(python() + " -c 'import numpy'")) GTEST_SKIP() << "python3 with numpy is not here";
   for (const int bits : {12, 40}) {
     const TestFolder folder;
-    const fs::path path = make(folder, FileFormat::npy, true, bits);
+    const fs::path path = make(folder, scene::FileFormat::npy, true, bits);
     expect_samples(output_of(fmt::format("{} '{}' npy '{}' {} {}", python(), script("read_with_numpy.py").string(),
                                          path.string(), columns, bits)),
                    true, bits);
@@ -121,7 +124,7 @@ TEST(OutsideSoftwareOnHdf5, H5pyFindsTheSameNumbersAxesAndAttributes) {
   for (const bool counts : {false, true}) {
     for (const int bits : {12, 40}) {
       const TestFolder folder;
-      const fs::path path = make(folder, FileFormat::hdf5, counts, bits);
+      const fs::path path = make(folder, scene::FileFormat::hdf5, counts, bits);
       const std::string text =
           output_of(fmt::format("{} '{}' '{}'", python(), script("read_with_h5py.py").string(), path.string()));
       expect_samples(text, counts, bits);
@@ -140,7 +143,7 @@ TEST(OutsideSoftwareOnHdf5, H5pyFindsTheSameNumbersAxesAndAttributes) {
 TEST(OutsideSoftwareOnHdf5, H5dumpReadsTheWholeFile) {
   if (!runs("command -v h5dump")) GTEST_SKIP() << "h5dump is not here";
   const TestFolder folder;
-  const fs::path path = make(folder, FileFormat::hdf5, false, 12);
+  const fs::path path = make(folder, scene::FileFormat::hdf5, false, 12);
   const std::string text = output_of("h5dump '" + path.string() + "'");
   EXPECT_NE(text.find("H5T_IEEE_F32LE \"r\""), std::string::npos) << text;
   EXPECT_NE(text.find("( 5, 7 ) / ( 5, 7 )"), std::string::npos) << text;
@@ -148,4 +151,4 @@ TEST(OutsideSoftwareOnHdf5, H5dumpReadsTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -9,7 +9,7 @@
 
 #include "raster/table/stored_grid.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// One number as it is stored.
 template <class Number, bool BigEndian>
@@ -56,4 +56,4 @@ StoredGrid::Decode raw_decoder(bool complex, bool big_endian, bool q_first) {
   return big_endian ? decode_raw<Number, true, true, false> : decode_raw<Number, false, true, false>;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

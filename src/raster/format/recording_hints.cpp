@@ -9,7 +9,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -31,20 +31,20 @@ struct Shape {
 
 // The simulation alone with its radar: targets have no say in the shape and may be very many. Nothing is planned, for
 // a plan holds every column, and what a window under edit asks for may not fit into any memory.
-std::optional<Shape> shape_of(const Scene& scene, const Simulation& simulation) {
-  const std::size_t radar = find_radar(scene, simulation.radar);
-  if (radar == not_found) return std::nullopt;
-  Scene alone;
+std::optional<Shape> shape_of(const scene::Scene& scene, const scene::Simulation& simulation) {
+  const std::size_t radar = scene::find_radar(scene, simulation.radar);
+  if (radar == scene::not_found) return std::nullopt;
+  scene::Scene alone;
   alone.options = scene.options;
   alone.platforms = scene.platforms;
   alone.radars = {scene.radars[radar]};
   alone.simulations = {simulation};
-  const auto is_error = [](const Problem& problem) { return problem.severity == Severity::error; };
-  if (std::ranges::any_of(check(alone), is_error)) return std::nullopt;
-  const ResolvedScene resolved = resolve(alone);
-  const double count = sample_count(simulation, resolved.conventions.light_speed_mps);
-  const ResolvedRadar seen_by = resolve_radar(alone, resolved, 0);
-  const bool profiles = simulation.processing == Processing::srp;
+  const auto is_error = [](const core::Problem& problem) { return problem.severity == core::Severity::error; };
+  if (std::ranges::any_of(scene::check(alone), is_error)) return std::nullopt;
+  const simulate::ResolvedScene resolved = simulate::resolve(alone);
+  const double count = simulate::sample_count(simulation, resolved.conventions.light_speed_mps);
+  const simulate::ResolvedRadar seen_by = simulate::resolve_radar(alone, resolved, 0);
+  const bool profiles = simulation.processing == scene::Processing::srp;
   const double columns = profiles ? count * seen_by.carrier.steps() : count;
   if (!(columns >= 1.0 && columns <= most_columns)) return std::nullopt;
   const auto pulses = seen_by.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s).count();
@@ -59,8 +59,8 @@ NamesAlike names_alike(const std::vector<std::string>& names, const fs::path& fi
   for (const bool whole : {true, false}) {
     alike.whole = whole;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool same = whole ? equal_ignoring_case(names[i], wanted.string())
-                              : equal_ignoring_case(fs::path(names[i]).stem().string(), wanted.stem().string());
+      const bool same = whole ? core::equal_ignoring_case(names[i], wanted.string())
+                              : core::equal_ignoring_case(fs::path(names[i]).stem().string(), wanted.stem().string());
       if (same) alike.found.push_back(i);
     }
     if (!alike.found.empty()) break;
@@ -68,14 +68,14 @@ NamesAlike names_alike(const std::vector<std::string>& names, const fs::path& fi
   return alike;
 }
 
-std::optional<SampleFileHints> hints_from_scene(const Scene& scene, const fs::path& file) {
+std::optional<SampleFileHints> hints_from_scene(const scene::Scene& scene, const fs::path& file) {
   std::vector<std::string> names;
-  for (const Simulation& simulation : scene.simulations) names.push_back(name_in(simulation.file));
+  for (const scene::Simulation& simulation : scene.simulations) names.push_back(name_in(simulation.file));
   const NamesAlike alike = names_alike(names, file);
   // Of several outputs of one name the first has it; the others are given numbers.
   if (alike.found.empty() || (!alike.whole && alike.found.size() > 1)) return std::nullopt;
   const std::size_t index = alike.found.front();
-  const Simulation& simulation = scene.simulations[index];
+  const scene::Simulation& simulation = scene.simulations[index];
   try {
     const auto shape = shape_of(scene, simulation);
     if (!shape) return std::nullopt;
@@ -91,4 +91,4 @@ std::optional<SampleFileHints> hints_from_scene(const Scene& scene, const fs::pa
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

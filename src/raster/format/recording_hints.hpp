@@ -9,7 +9,7 @@
 #include "raster/format/sample_reader.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Which of several names may be that of a file.
 struct NamesAlike {
@@ -26,6 +26,7 @@ struct NamesAlike {
 /// (and then without a format). The number of rows of synthetic range profiles is left open. Nothing where there is
 /// none or where there are several, where its radar and window would not pass `check`, or where its rows are longer
 /// than 2^31 samples. Throws nothing.
-[[nodiscard]] std::optional<SampleFileHints> hints_from_scene(const Scene& scene, const std::filesystem::path& file);
+[[nodiscard]] std::optional<SampleFileHints> hints_from_scene(const scene::Scene& scene,
+                                                              const std::filesystem::path& file);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -4,7 +4,7 @@
 #include "support/folders.hpp"
 
 // Reads what the programs of 1997 to 2015 wrote; the files are not part of the project.
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using namespace data_test;
@@ -66,4 +66,4 @@ TEST(ReferenceFiles, TheOldHdf5HoldsTheCountsOfTheText) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

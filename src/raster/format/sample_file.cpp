@@ -15,7 +15,7 @@
 #include "raster/format/text_reader.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -27,32 +27,33 @@ bool is_envi(const std::filesystem::path& path, const SampleFileHints& hints) {
   return !hints.format && hints.columns == 0 && !format_from_path(path) && has_envi_header(path);
 }
 
-std::optional<FileFormat> detect_format(const InputFile& file, const SampleFileHints& hints) {
+std::optional<scene::FileFormat> detect_format(const core::InputFile& file, const SampleFileHints& hints) {
   if (hints.format) return hints.format;
   std::array<char, 8> begin{};
   const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
   const std::string_view text(begin.data(), got);
-  if (text.starts_with(npy_signature)) return FileFormat::npy;
-  if (text.starts_with(hdf5_signature)) return FileFormat::hdf5;
+  if (text.starts_with(npy_signature)) return scene::FileFormat::npy;
+  if (text.starts_with(hdf5_signature)) return scene::FileFormat::hdf5;
   const auto named = format_from_path(file.path());
-  if (named == FileFormat::binary || named == FileFormat::hdf5 || named == FileFormat::npy) return named;
+  if (named == scene::FileFormat::binary || named == scene::FileFormat::hdf5 || named == scene::FileFormat::npy)
+    return named;
   if (const auto found = detect_text_format(file)) return found;
-  if (hints.columns > 0 && hints.bits > 0) return FileFormat::binary;
+  if (hints.columns > 0 && hints.bits > 0) return scene::FileFormat::binary;
   return named;
 }
 
-OpenedReader open_as(FileFormat format, InputFile file, const SampleFileHints& hints) {
+OpenedReader open_as(scene::FileFormat format, core::InputFile file, const SampleFileHints& hints) {
   switch (format) {
-    case FileFormat::binary: return open_binary(std::move(file), hints);
-    case FileFormat::npy: return open_npy(std::move(file), hints);
-    case FileFormat::hdf5: {
+    case scene::FileFormat::binary: return open_binary(std::move(file), hints);
+    case scene::FileFormat::npy: return open_npy(std::move(file), hints);
+    case scene::FileFormat::hdf5: {
       const std::filesystem::path path = file.path();
       const std::uint64_t size = file.size();
       return hdf5_module(path).open(path, size, hints);
     }
-    case FileFormat::ascii:
-    case FileFormat::bracket:
-    case FileFormat::csv: break;
+    case scene::FileFormat::ascii:
+    case scene::FileFormat::bracket:
+    case scene::FileFormat::csv: break;
   }
   return open_text(std::move(file), format, hints);
 }
@@ -60,9 +61,9 @@ OpenedReader open_as(FileFormat format, InputFile file, const SampleFileHints& h
 }  // namespace
 
 OpenedSampleFile SampleFile::open(const std::filesystem::path& path, const SampleFileHints& hints) {
-  auto opened = InputFile::open(path);
-  if (auto* problem = std::get_if<Problem>(&opened)) return {std::nullopt, {std::move(*problem)}};
-  auto& file = std::get<InputFile>(opened);
+  auto opened = core::InputFile::open(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return {std::nullopt, {std::move(*problem)}};
+  auto& file = std::get<core::InputFile>(opened);
   if (file.size() == 0)
     return {std::nullopt, {file_problem(path.string(), "the file is empty", {}, "samples", "make it anew")}};
   const bool envi = is_envi(path, hints);
@@ -87,4 +88,4 @@ void SampleFile::read_rows(std::size_t first, std::size_t count, std::span<std::
   if (count > 0) reader_->read_rows(first, count, out);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

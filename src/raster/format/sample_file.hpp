@@ -10,7 +10,7 @@
 #include "core/report/problem.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 struct OpenedSampleFile;
 
@@ -43,7 +43,7 @@ class SampleFile {
 /// A file, or at least one error.
 struct OpenedSampleFile {
   std::optional<SampleFile> file;
-  Problems problems;
+  core::Problems problems;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

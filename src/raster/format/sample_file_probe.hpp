@@ -13,7 +13,7 @@
 
 #include "raster/format/sample_file.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A file without a name that holds some bytes.
 class MemoryFile {
@@ -39,7 +39,7 @@ inline void probe_sample_file(const std::uint8_t* data, std::size_t size, const 
   constexpr std::size_t most_samples = std::size_t{1} << 20;  // Enough of a file that claims more, for speed.
   const MemoryFile memory(data, size);
   const auto opened = SampleFile::open(memory.path(), hints);
-  if (opened.file.has_value() == has_errors(opened.problems))
+  if (opened.file.has_value() == core::has_errors(opened.problems))
     throw std::logic_error("a file without errors or errors without a file are promised");
   if (!opened.file) return;
   const SampleFileInfo& info = opened.file->info();
@@ -58,4 +58,4 @@ inline void probe_sample_file(const std::uint8_t* data, std::size_t size, const 
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -12,7 +12,7 @@
 #include "raster/format/envi.hpp"
 #include "raster/format/npy_header.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using namespace data_test;
@@ -35,12 +35,12 @@ OpenedSampleFile opened(std::string_view text, const SampleFileHints& hints = {}
 }
 
 // The only error of a text.
-Problem error_of(std::string_view text, const SampleFileHints& hints = {}, const std::string& name = "a.txt") {
+core::Problem error_of(std::string_view text, const SampleFileHints& hints = {}, const std::string& name = "a.txt") {
   const OpenedSampleFile result = opened(text, hints, name);
   EXPECT_FALSE(result.file);
   EXPECT_EQ(result.problems.size(), 1U) << text_of(result.problems);
-  EXPECT_TRUE(has_errors(result.problems));
-  return result.problems.empty() ? Problem{} : result.problems.front();
+  EXPECT_TRUE(core::has_errors(result.problems));
+  return result.problems.empty() ? core::Problem{} : result.problems.front();
 }
 
 Samples samples_of(std::string_view text, std::size_t rows, std::size_t columns, const SampleFileHints& hints = {},
@@ -82,7 +82,7 @@ TEST(SampleFile, ReadsCsvAsItStandsWithANoteAboutTheOffset) {
   ASSERT_TRUE(result.file);
   EXPECT_EQ(read_all(*result.file), four);
   ASSERT_EQ(result.problems.size(), 1U);
-  EXPECT_EQ(result.problems[0].severity, Severity::note);
+  EXPECT_EQ(result.problems[0].severity, core::Severity::note);
   EXPECT_THAT(result.problems[0].message, HasSubstr("offset"));
 }
 
@@ -107,20 +107,20 @@ TEST(SampleFile, DecimalsAreVolts) {
 }
 
 TEST(SampleFile, NamesThePlaceOfTextThatIsNoNumber) {
-  const Problem ascii = error_of("1 2\n3 x4\n");
+  const core::Problem ascii = error_of("1 2\n3 x4\n");
   EXPECT_EQ(ascii.place.line, 2U);
   EXPECT_EQ(ascii.place.column, 3U);
   EXPECT_EQ(ascii.found, "x4");
   EXPECT_THAT(ascii.place.file, HasSubstr("a.txt"));
-  const Problem csv = error_of("1,2\n3, 4, nan,1\n");
+  const core::Problem csv = error_of("1,2\n3, 4, nan,1\n");
   EXPECT_EQ(csv.place.line, 2U);
   EXPECT_EQ(csv.place.column, 7U);
   EXPECT_EQ(csv.found, "nan");
-  const Problem bracket = error_of("(1,2) (3;4)\n");
+  const core::Problem bracket = error_of("(1,2) (3;4)\n");
   EXPECT_EQ(bracket.place.column, 8U);
   EXPECT_EQ(bracket.found, "3;4");
   EXPECT_EQ(error_of("1 \xE9\n").found, "\\xe9");
-  EXPECT_EQ(error_of("1,2\n3,\x01\x02,4\n", {.format = FileFormat::csv}).found, "\\x01\\x02");
+  EXPECT_EQ(error_of("1,2\n3,\x01\x02,4\n", {.format = scene::FileFormat::csv}).found, "\\x01\\x02");
 }
 
 TEST(SampleFile, NamesThePlaceOfIncompleteSamples) {
@@ -143,7 +143,7 @@ TEST(SampleFile, ListsRowsOfOtherLengths) {
 }
 
 TEST(SampleFile, SaysThatTheLastRowMayBeCutOff) {
-  const Problem ascii = error_of("1 2\n3 4\n\n5 6\n7\n");
+  const core::Problem ascii = error_of("1 2\n3 4\n\n5 6\n7\n");
   EXPECT_EQ(ascii.place.line, 5U);
   EXPECT_EQ(ascii.found, "3 numbers");
   EXPECT_THAT(ascii.hint, HasSubstr("cut off"));
@@ -195,11 +195,11 @@ TEST(SampleFile, TakesAHeaderOnlyWhereNothingElseSaysWhatAFileIs) {
   put(folder / "r.asc", "1 2\n-3 4\n\n5 0\n7 8\n\n");
   const OpenedSampleFile text = SampleFile::open(folder / "r.asc");
   ASSERT_TRUE(text.file) << text_of(text.problems);
-  EXPECT_EQ(text.file->info().format, FileFormat::ascii);
+  EXPECT_EQ(text.file->info().format, scene::FileFormat::ascii);
   put(folder / "r.dat", std::string(16, '\1'));
   const OpenedSampleFile flat = SampleFile::open(folder / "r.dat", hints_of(2, 8));
   ASSERT_TRUE(flat.file) << text_of(flat.problems);
-  EXPECT_EQ(flat.file->info().format, FileFormat::binary);
+  EXPECT_EQ(flat.file->info().format, scene::FileFormat::binary);
   EXPECT_EQ(SampleFile::open(folder / "r.dat").file.value().info().rows, 1U);
 }
 
@@ -256,7 +256,7 @@ TEST(SampleFile, BinaryNeedsColumnsAndBits) {
 }
 
 TEST(SampleFile, BinaryOfAnotherSizeNamesTheNumbers) {
-  const Problem problem = error_of("abcde", hints_of(1, 12), "a.bin");
+  const core::Problem problem = error_of("abcde", hints_of(1, 12), "a.bin");
   EXPECT_EQ(problem.found, "5 bytes");
   EXPECT_EQ(problem.expected, "a multiple of 1 samples x 2 x 2 bytes");
   EXPECT_EQ(error_of("abcd", hints_of(std::size_t{1} << 63, 64), "a.bin").found, "4 bytes");
@@ -269,7 +269,7 @@ TEST(SampleFile, BinaryWithImpossibleValuesIsWarnedOf) {
   const OpenedSampleFile result = opened(std::string_view("\x00\x0F\x00\xF0", 4), hints_of(1, 12), "a.bin");
   ASSERT_TRUE(result.file);
   ASSERT_EQ(result.problems.size(), 1U);
-  EXPECT_EQ(result.problems[0].severity, Severity::warning);
+  EXPECT_EQ(result.problems[0].severity, core::Severity::warning);
   EXPECT_EQ(result.problems[0].found, "61440 at byte 2");
 }
 
@@ -339,4 +339,4 @@ TEST(SampleFile, WarnsOfWhatFollowsANumpyArray) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -13,11 +13,11 @@
 #include "core/report/problem.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What the caller knows of a file that does not describe itself. Zero and empty: not known.
 struct SampleFileHints {
-  std::optional<FileFormat> format;  ///< Otherwise found from the content, then from the extension.
+  std::optional<scene::FileFormat> format;  ///< Otherwise found from the content, then from the extension.
   std::size_t columns = 0;  ///< Samples of a row: needed for BINARY; for ASCII and BRACKET it replaces row ends.
   std::size_t rows = 0;     ///< Checked against the file where given.
   int bits = 0;             ///< Of the A/D converter: needed for BINARY, and for CSV with an offset.
@@ -26,7 +26,7 @@ struct SampleFileHints {
 
 /// What a file of samples is.
 struct SampleFileInfo {
-  std::optional<FileFormat> format;  ///< Nothing for images that an ENVI header describes.
+  std::optional<scene::FileFormat> format;  ///< Nothing for images that an ENVI header describes.
   std::size_t rows = 0;
   std::size_t columns = 0;
   bool counts = true;                                           ///< The numbers are A/D counts; otherwise volts.
@@ -64,7 +64,7 @@ class SampleReader {
 /// A reader, or nothing and at least one error. Warnings and notes may come with either.
 struct OpenedReader {
   std::unique_ptr<SampleReader> reader;
-  Problems problems;
+  core::Problems problems;
 };
 
 /// rows * columns * bytes, or nothing where that does not fit into 64 bits signed.
@@ -77,9 +77,9 @@ struct OpenedReader {
 }
 
 /// An error about a whole file.
-[[nodiscard]] inline Problem file_problem(const std::string& file, std::string message, std::string found = {},
-                                          std::string expected = {}, std::string hint = {}) {
-  Problem problem;
+[[nodiscard]] inline core::Problem file_problem(const std::string& file, std::string message, std::string found = {},
+                                                std::string expected = {}, std::string hint = {}) {
+  core::Problem problem;
   problem.message = std::move(message);
   problem.found = std::move(found);
   problem.expected = std::move(expected);
@@ -89,9 +89,9 @@ struct OpenedReader {
 }
 
 /// The same at another severity.
-[[nodiscard]] inline Problem with_severity(Problem problem, Severity severity) {
+[[nodiscard]] inline core::Problem with_severity(core::Problem problem, core::Severity severity) {
   problem.severity = severity;
   return problem;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

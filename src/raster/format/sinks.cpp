@@ -19,41 +19,41 @@
 #include "raster/table/formats.hpp"
 #include "raster/table/row_order.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
-Encoding encoding_of(const Product& product, const SinkOptions& options) {
+Encoding encoding_of(const simulate::Product& product, const SinkOptions& options) {
   if (product.bits < 1 || product.bits > 64)
     throw std::invalid_argument(fmt::format("{} A/D bits are outside 1 to 64", product.bits));
-  const bool either = options.format == FileFormat::hdf5 || options.format == FileFormat::npy;
-  return {options.format, options.counts || !either, product.bits, product.options.profile == Profile::classic};
+  const bool either = options.format == scene::FileFormat::hdf5 || options.format == scene::FileFormat::npy;
+  return {options.format, options.counts || !either, product.bits, product.options.profile == scene::Profile::classic};
 }
 
-std::string npy_header_of(const Product& product, const Encoding& encoding) {
+std::string npy_header_of(const simulate::Product& product, const Encoding& encoding) {
   const std::array<std::size_t, 3> shape{product.rows, product.columns, 2};
   if (!encoding.counts) return npy_header_text("<c8", std::span(shape).first(2));
   return npy_header_text(component_bytes(encoding) == 8 ? "<i8" : "<i4", shape);
 }
 
 // What stands before the first row.
-std::string preamble(const Product& product, const Encoding& encoding, bool header) {
-  if (encoding.format == FileFormat::npy) return npy_header_of(product, encoding);
-  if (encoding.format == FileFormat::csv && header) return csv_header(product.columns);
+std::string preamble(const simulate::Product& product, const Encoding& encoding, bool header) {
+  if (encoding.format == scene::FileFormat::npy) return npy_header_of(product, encoding);
+  if (encoding.format == scene::FileFormat::csv && header) return csv_header(product.columns);
   return {};
 }
 
 // The formats whose files are their rows one after the other.
-class StreamSink final : public Sink {
+class StreamSink final : public simulate::Sink {
  public:
-  StreamSink(const std::filesystem::path& path, const Product& product, const SinkOptions& options)
+  StreamSink(const std::filesystem::path& path, const simulate::Product& product, const SinkOptions& options)
       : encoding_(encoding_of(product, options)), file_(path, options.replace), order_(product.rows) {
     const std::string begin = preamble(product, encoding_, options.header);
     file_.write(std::as_bytes(std::span(begin)));
   }
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
@@ -61,31 +61,31 @@ class StreamSink final : public Sink {
     file_.write(bytes);
     order_.take(rows);
   }
-  void finish(const RunReport&) override {
+  void finish(const simulate::RunReport&) override {
     order_.expect_all();
     file_.commit();
   }
 
  private:
   Encoding encoding_;
-  OutputFile file_;
+  core::OutputFile file_;
   RowOrder order_;
 };
 
-class DiscardingSink final : public Sink {
+class DiscardingSink final : public simulate::Sink {
  public:
-  DiscardingSink(const Product& product, const SinkOptions& options)
+  DiscardingSink(const simulate::Product& product, const SinkOptions& options)
       : encoding_(encoding_of(product, options)), order_(product.rows) {}
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
-  [[nodiscard]] std::vector<std::byte> encode(const Block& block) const override {
+  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
     return encode_rows(encoding_, block);
   }
   void append(std::span<const std::byte>, std::size_t first_row, std::size_t rows) override {
     order_.expect(first_row, rows);
     order_.take(rows);
   }
-  void finish(const RunReport&) override { order_.expect_all(); }
+  void finish(const simulate::RunReport&) override { order_.expect_all(); }
 
  private:
   Encoding encoding_;
@@ -99,20 +99,20 @@ double mean_digits(double highest) {
   return digits;
 }
 
-double expected_text_bytes(const Product& product, const Encoding& encoding) {
+double expected_text_bytes(const simulate::Product& product, const Encoding& encoding) {
   const double samples = static_cast<double>(product.rows) * static_cast<double>(product.columns);
   const double rows = static_cast<double>(product.rows);
   const double offset = static_cast<double>(CountRange{encoding.bits}.offset());
   const double with_sign = mean_digits(offset + 1.0) + offset / (2.0 * offset + 2.0);
   switch (encoding.format) {
-    case FileFormat::ascii: return samples * (2.0 * with_sign + 2.0) + rows;
-    case FileFormat::bracket: return samples * (2.0 * with_sign + 4.0) + rows;
+    case scene::FileFormat::ascii: return samples * (2.0 * with_sign + 2.0) + rows;
+    case scene::FileFormat::bracket: return samples * (2.0 * with_sign + 4.0) + rows;
     default: return samples * (2.0 * mean_digits(2.0 * offset + 1.0) + 2.0);
   }
 }
 
 // About how many bytes an HDF5 file needs beside the samples.
-double hdf5_overhead_bytes(const Product& product) {
+double hdf5_overhead_bytes(const simulate::Product& product) {
   constexpr double structure = 8150.0;  // Superblock, object headers, the heap that holds the texts.
   return structure + static_cast<double>(product.script.size()) + 16.0 * static_cast<double>(product.rows) +
          8.0 * static_cast<double>(product.columns);
@@ -121,8 +121,8 @@ double hdf5_overhead_bytes(const Product& product) {
 // A whole HDF5 file but for its samples, for as long as it is needed.
 class Hdf5Frame {
  public:
-  Hdf5Frame(const std::filesystem::path& path, const Product& product, const Encoding& encoding,
-            const RunReport& report)
+  Hdf5Frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
+            const simulate::RunReport& report)
       : path_(path), places_(hdf5_module(path).row_places(path, product, encoding)), rows_(product.rows) {
     hdf5_module(path).write_frame(path, product, encoding, report);
   }
@@ -133,15 +133,15 @@ class Hdf5Frame {
     std::filesystem::remove(path_, ignored);
   }
 
-  void copy_to(RawFile& file) const {
-    const RawFile frame(path_, RawFile::Mode::read);
+  void copy_to(core::RawFile& file) const {
+    const core::RawFile frame(path_, core::RawFile::Mode::read);
     file.resize(frame.size());
     copy(frame, file, 0, places_.first_byte);
     copy(frame, file, places_.of(rows_), frame.size());
   }
 
  private:
-  static void copy(const RawFile& from, RawFile& to, std::uint64_t begin, std::uint64_t end) {
+  static void copy(const core::RawFile& from, core::RawFile& to, std::uint64_t begin, std::uint64_t end) {
     std::vector<std::byte> bytes;
     while (begin < end) {
       bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(end - begin, std::uint64_t{1} << 20U)));
@@ -158,45 +158,47 @@ class Hdf5Frame {
 
 }  // namespace
 
-std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product, const SinkOptions& options) {
-  if (options.format == FileFormat::hdf5)
+std::unique_ptr<simulate::Sink> make_sink(const std::filesystem::path& path, const simulate::Product& product,
+                                          const SinkOptions& options) {
+  if (options.format == scene::FileFormat::hdf5)
     return hdf5_module(path).make_sink(path, product, encoding_of(product, options), options.replace);
   return std::make_unique<StreamSink>(path, product, options);
 }
 
-double expected_bytes(const Product& product, const SinkOptions& options) {
+double expected_bytes(const simulate::Product& product, const SinkOptions& options) {
   const Encoding encoding = encoding_of(product, options);
   const double rows = static_cast<double>(product.rows);
   const double columns = static_cast<double>(product.columns);
   const double data = rows * columns * 2.0 * static_cast<double>(component_bytes(encoding));
   switch (encoding.format) {
-    case FileFormat::binary: return data;
-    case FileFormat::npy: return data + static_cast<double>(npy_header_of(product, encoding).size());
-    case FileFormat::hdf5: return data + hdf5_overhead_bytes(product);
+    case scene::FileFormat::binary: return data;
+    case scene::FileFormat::npy: return data + static_cast<double>(npy_header_of(product, encoding).size());
+    case scene::FileFormat::hdf5: return data + hdf5_overhead_bytes(product);
     default: break;
   }
-  const double header =
-      encoding.format == FileFormat::csv && options.header ? columns * (2.0 * mean_digits(columns - 1.0) + 4.0) : 0.0;
+  const double header = encoding.format == scene::FileFormat::csv && options.header
+                            ? columns * (2.0 * mean_digits(columns - 1.0) + 4.0)
+                            : 0.0;
   return expected_text_bytes(product, encoding) + header;
 }
 
-std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options) {
+std::unique_ptr<simulate::Sink> make_discarding_sink(const simulate::Product& product, const SinkOptions& options) {
   return std::make_unique<DiscardingSink>(product, options);
 }
 
-std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const Product& product,
+std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const simulate::Product& product,
                                     const SinkOptions& options) {
   const Encoding encoding = encoding_of(product, options);
-  if (options.format == FileFormat::hdf5) return hdf5_module(scratch).row_places(scratch, product, encoding);
+  if (options.format == scene::FileFormat::hdf5) return hdf5_module(scratch).row_places(scratch, product, encoding);
   const std::size_t component = component_bytes(encoding);
   if (component == 0) return std::nullopt;
   return RowPlaces{preamble(product, encoding, options.header).size(), 2 * product.columns * component};
 }
 
-void write_frame(RawFile& file, const std::filesystem::path& scratch, const Product& product,
-                 const SinkOptions& options, const RunReport& report) {
+void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
+                 const SinkOptions& options, const simulate::RunReport& report) {
   const Encoding encoding = encoding_of(product, options);
-  if (options.format != FileFormat::hdf5) {
+  if (options.format != scene::FileFormat::hdf5) {
     const std::string begin = preamble(product, encoding, options.header);
     file.write_at(0, std::as_bytes(std::span(begin)));
     file.resize(row_places(scratch, product, options).value().of(product.rows));
@@ -206,4 +208,4 @@ void write_frame(RawFile& file, const std::filesystem::path& scratch, const Prod
   frame.copy_to(file);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,11 +8,11 @@
 #include "raster/table/row_places.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How a recording is to be stored.
 struct SinkOptions {
-  FileFormat format = FileFormat::binary;
+  scene::FileFormat format = scene::FileFormat::binary;
   bool replace = false;  ///< Replace an existing file.
   bool counts = false;   ///< Integer counts rather than volts in HDF5 and NPY; the other formats always hold counts.
   bool header = false;   ///< A header line in CSV.
@@ -25,25 +25,26 @@ struct SinkOptions {
 /// Rows must be appended in order, all of them before `finish`; anything else is a std::logic_error. Throws
 /// std::invalid_argument for bits outside 1 to 64, std::system_error where the file cannot be made (see OutputFile),
 /// std::runtime_error where the HDF5 library refuses.
-[[nodiscard]] std::unique_ptr<Sink> make_sink(const std::filesystem::path& path, const Product& product,
-                                              const SinkOptions& options);
+[[nodiscard]] std::unique_ptr<simulate::Sink> make_sink(const std::filesystem::path& path,
+                                                        const simulate::Product& product, const SinkOptions& options);
 
 /// Bytes that the finished file will have: exact for BINARY and NPY, an estimate for text (from the digits of counts
 /// spread evenly over the range) and HDF5.
-[[nodiscard]] double expected_bytes(const Product& product, const SinkOptions& options);
+[[nodiscard]] double expected_bytes(const simulate::Product& product, const SinkOptions& options);
 
 /// A sink that encodes like the file's and throws the bytes away, for measuring. Same rules for the order of rows.
-[[nodiscard]] std::unique_ptr<Sink> make_discarding_sink(const Product& product, const SinkOptions& options);
+[[nodiscard]] std::unique_ptr<simulate::Sink> make_discarding_sink(const simulate::Product& product,
+                                                                   const SinkOptions& options);
 
 /// Where each row of a product stands in its file; nothing for text, whose rows have no size of their own.
 /// @param scratch  name of a file that may be made for a moment; HDF5 only
-[[nodiscard]] std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const Product& product,
-                                                  const SinkOptions& options);
+[[nodiscard]] std::optional<RowPlaces> row_places(const std::filesystem::path& scratch,
+                                                  const simulate::Product& product, const SinkOptions& options);
 
 /// Completes a file whose rows somebody has written at their places: writes what stands before and behind them. The
 /// bytes are then those that `make_sink` gives.
 /// @param scratch  name of a file that is made for a moment; HDF5 only
-void write_frame(RawFile& file, const std::filesystem::path& scratch, const Product& product,
-                 const SinkOptions& options, const RunReport& report);
+void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
+                 const SinkOptions& options, const simulate::RunReport& report);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

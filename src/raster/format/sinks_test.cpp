@@ -13,14 +13,14 @@
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using namespace data_test;
 using testing::HasSubstr;
 
 struct Case {
-  FileFormat format;
+  scene::FileFormat format;
   bool counts;
   int bits;
 };
@@ -32,11 +32,11 @@ std::string name_of_case(const testing::TestParamInfo<Case>& info) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const FileFormat format :
-       {FileFormat::ascii, FileFormat::csv, FileFormat::bracket, FileFormat::binary, FileFormat::hdf5, FileFormat::npy})
+  for (const scene::FileFormat format : {scene::FileFormat::ascii, scene::FileFormat::csv, scene::FileFormat::bracket,
+                                         scene::FileFormat::binary, scene::FileFormat::hdf5, scene::FileFormat::npy})
     for (const int bits : {1, 8, 12, 16, 31, 32, 53, 64}) cases.push_back({format, true, bits});
-  cases.push_back({FileFormat::hdf5, false, 8});
-  cases.push_back({FileFormat::npy, false, 8});
+  cases.push_back({scene::FileFormat::hdf5, false, 8});
+  cases.push_back({scene::FileFormat::npy, false, 8});
   return cases;
 }
 
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Sinks, EveryFormat, testing::ValuesIn(all_cases()), nam
 
 TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
   const TestFolder folder;
-  const Product product = test_product(11, 7, GetParam().bits);
+  const simulate::Product product = test_product(11, 7, GetParam().bits);
   write_test_file(file(folder), product, options());
   EXPECT_EQ(folder.entries(), 1U);
   SampleFileHints hints;
@@ -88,16 +88,16 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
 
 TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {
   const TestFolder folder;
-  const Product product = test_product(11, 7, GetParam().bits);
+  const simulate::Product product = test_product(11, 7, GetParam().bits);
   write_test_file(folder / "a", product, options());
   const auto sink = make_sink(folder / "b", product, options());
   const auto counts = test_counts(77, product.bits);
   const auto volts = test_volts(77);
-  Block block{0, 11, 7, {}, {}};
+  simulate::Block block{0, 11, 7, {}, {}};
   if (sink->wants_counts()) block.counts = counts;
   if (!sink->wants_counts()) block.volts = volts;
   sink->append(sink->encode(block), 0, 11);
-  RunReport report;
+  simulate::RunReport report;
   report.lsb_v = 2.5e-9;
   sink->finish(report);
   EXPECT_EQ(contents(folder / "a"), contents(folder / "b"));
@@ -105,7 +105,7 @@ TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {
 
 TEST_P(EveryFormat, NothingStandsUnderTheNameWithoutFinish) {
   const TestFolder folder;
-  const Product product = test_product(11, 7, GetParam().bits);
+  const simulate::Product product = test_product(11, 7, GetParam().bits);
   {
     const auto sink = make_sink(file(folder), product, options());
     append_all(*sink, product, test_counts(77, product.bits), test_volts(77));
@@ -116,31 +116,32 @@ TEST_P(EveryFormat, NothingStandsUnderTheNameWithoutFinish) {
 
 TEST_P(EveryFormat, SizeIsAsExpected) {
   const TestFolder folder;
-  const Product product = test_product(200, 20, GetParam().bits);
+  const simulate::Product product = test_product(200, 20, GetParam().bits);
   write_test_file(file(folder), product, options());
   const double size = static_cast<double>(fs::file_size(file(folder)));
-  const bool exact = GetParam().format == FileFormat::binary || GetParam().format == FileFormat::npy;
+  const bool exact = GetParam().format == scene::FileFormat::binary || GetParam().format == scene::FileFormat::npy;
   // The counts of the test are spread evenly, as the estimate for text supposes.
   EXPECT_NEAR(expected_bytes(product, options()), size, exact ? 0.0 : 0.05 * size);
 }
 
 TEST(Sinks, MinusZeroIsNeverWritten) {
   const std::vector<std::int64_t> counts{0, -0, -1, 0, 0, 1};
-  for (const FileFormat format : {FileFormat::ascii, FileFormat::bracket, FileFormat::csv}) {
+  for (const scene::FileFormat format :
+       {scene::FileFormat::ascii, scene::FileFormat::bracket, scene::FileFormat::csv}) {
     const auto sink = make_discarding_sink(test_product(1, 3, 8), {format});
     EXPECT_THAT(text_of(sink->encode({0, 1, 3, {}, counts})), testing::Not(HasSubstr("-0")));
   }
 }
 
-class EveryDisk : public testing::TestWithParam<FileFormat> {};
+class EveryDisk : public testing::TestWithParam<scene::FileFormat> {};
 
 INSTANTIATE_TEST_SUITE_P(Sinks, EveryDisk,
-                         testing::Values(FileFormat::ascii, FileFormat::csv, FileFormat::bracket, FileFormat::binary,
-                                         FileFormat::hdf5, FileFormat::npy),
+                         testing::Values(scene::FileFormat::ascii, scene::FileFormat::csv, scene::FileFormat::bracket,
+                                         scene::FileFormat::binary, scene::FileFormat::hdf5, scene::FileFormat::npy),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
 // Writes until an error; returns its number, 0 where everything fitted.
-int error_of_writing(const fs::path& path, const Product& product, SinkOptions options, std::string& what) {
+int error_of_writing(const fs::path& path, const simulate::Product& product, SinkOptions options, std::string& what) {
   try {
     write_test_file(path, product, options);
   } catch (const std::system_error& error) {
@@ -162,7 +163,7 @@ TEST_P(EveryDisk, RefusesAnExistingFile) {
 
 TEST_P(EveryDisk, RefusesAFileThatAppearsMeanwhile) {
   const TestFolder folder;
-  const Product product = test_product(2, 2, 8);
+  const simulate::Product product = test_product(2, 2, 8);
   const auto sink = make_sink(folder / "a", product, {GetParam()});
   append_all(*sink, product, test_counts(4, 8), test_volts(4));
   put(folder / "a", "theirs");
@@ -178,7 +179,7 @@ TEST_P(EveryDisk, AFullDeviceIsOneCleanError) {
 
 TEST_P(EveryDisk, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
   const TestFolder folder;
-  const Product product = test_product(400, 50, 8);
+  const simulate::Product product = test_product(400, 50, 8);
   for (const char* size : {"size=4k", "size=8k", "size=16k", "size=64k"}) {
     const SmallDisk disk(folder / "disk", size);
     if (!disk.mounted()) GTEST_SKIP() << "may not mount a file system here";
@@ -197,7 +198,7 @@ TEST_P(EveryDisk, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
 
 TEST_P(EveryDisk, RowsMustComeInOrderAndCompletely) {
   const TestFolder folder;
-  const Product product = test_product(3, 2, 8);
+  const simulate::Product product = test_product(3, 2, 8);
   const auto counts = test_counts(6, 8);
   const auto volts = test_volts(6);
   for (const bool discard : {false, true}) {
@@ -233,14 +234,14 @@ TEST(Sinks, Hdf5CannotGoThroughAPipe) {
   const TestFolder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::thread reader([&] { (void)contents(folder / "pipe"); });
-  EXPECT_THROW((void)make_sink(folder / "pipe", test_product(1, 1, 8), {FileFormat::hdf5}), std::system_error);
+  EXPECT_THROW((void)make_sink(folder / "pipe", test_product(1, 1, 8), {scene::FileFormat::hdf5}), std::system_error);
   reader.join();
 }
 
 TEST(Sinks, CsvHasAHeaderOnlyWhenAsked) {
   const TestFolder folder;
-  const Product product = test_product(1, 2, 8);
-  SinkOptions options{FileFormat::csv};
+  const simulate::Product product = test_product(1, 2, 8);
+  SinkOptions options{scene::FileFormat::csv};
   write_test_file(folder / "a", product, options);
   EXPECT_EQ(contents(folder / "a"), "0,255,127,126\n");
   options.header = true;
@@ -250,11 +251,11 @@ TEST(Sinks, CsvHasAHeaderOnlyWhenAsked) {
 
 TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   const TestFolder folder;
-  Product product = test_product(20000, 2, 12);
-  product.processing = Processing::matched_filter;
-  product.options.profile = Profile::classic;
+  simulate::Product product = test_product(20000, 2, 12);
+  product.processing = scene::Processing::matched_filter;
+  product.options.profile = scene::Profile::classic;
   product.script = std::string(100000, 'x') + "\xC3\xA9";
-  write_test_file(folder / "a.h5", product, {FileFormat::hdf5});
+  write_test_file(folder / "a.h5", product, {scene::FileFormat::hdf5});
   const auto opened = SampleFile::open(folder / "a.h5");
   ASSERT_TRUE(opened.file) << text_of(opened.problems);
   const SampleFileInfo& info = opened.file->info();
@@ -271,7 +272,7 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   EXPECT_EQ(attributes.at("radar"), "Radar1");
   EXPECT_EQ(attributes.at("format_version"), "1");
   EXPECT_EQ(attributes.at("tolerance"), "1E-06");
-  EXPECT_FALSE(attributes.at("program_version").empty());
+  EXPECT_FALSE(attributes.at("core::program_version").empty());
   const auto axes = opened.file->axes();
   ASSERT_TRUE(axes);
   for (std::size_t row = 0; row < product.rows; ++row) {
@@ -282,10 +283,10 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
 }
 
 TEST(Sinks, ManyMayEncodeAtOnce) {
-  const Product product = test_product(64, 1000, 16);
-  const auto sink = make_discarding_sink(product, {FileFormat::ascii});
+  const simulate::Product product = test_product(64, 1000, 16);
+  const auto sink = make_discarding_sink(product, {scene::FileFormat::ascii});
   const auto counts = test_counts(64000, 16);
-  const Block block{0, 64, 1000, {}, counts};
+  const simulate::Block block{0, 64, 1000, {}, counts};
   const auto expected = sink->encode(block);
   std::vector<std::vector<std::byte>> results(4);
   std::vector<std::thread> threads;
@@ -295,4 +296,4 @@ TEST(Sinks, ManyMayEncodeAtOnce) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

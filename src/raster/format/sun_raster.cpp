@@ -9,7 +9,7 @@
 #include "core/os/output_file.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -38,8 +38,8 @@ std::string name_of_type(std::uint32_t type) {
   }
 }
 
-std::optional<Problem> kind_problem(const std::string& name, std::uint32_t type, std::uint32_t depth,
-                                    std::uint32_t map_type) {
+std::optional<core::Problem> kind_problem(const std::string& name, std::uint32_t type, std::uint32_t depth,
+                                          std::uint32_t map_type) {
   if (type > 3)
     return file_problem(name, "this type of Sun raster is not supported", name_of_type(type), supported,
                         "convert it to one of those");
@@ -52,7 +52,7 @@ std::optional<Problem> kind_problem(const std::string& name, std::uint32_t type,
   return std::nullopt;
 }
 
-std::optional<Problem> map_problem(const std::string& name, const SunRasterHeader& header) {
+std::optional<core::Problem> map_problem(const std::string& name, const SunRasterHeader& header) {
   if (header.map_type != 1 || header.depth > 8) return std::nullopt;
   const std::uint32_t most = header.depth == 1 ? 6U : most_map_bytes;
   if (header.map_length % 3 == 0 && header.map_length <= most) return std::nullopt;
@@ -60,7 +60,8 @@ std::optional<Problem> map_problem(const std::string& name, const SunRasterHeade
                       fmt::format("a multiple of 3 up to {}", most));
 }
 
-std::optional<Problem> size_problem(const std::string& name, const SunRasterHeader& header, std::uint64_t file_bytes) {
+std::optional<core::Problem> size_problem(const std::string& name, const SunRasterHeader& header,
+                                          std::uint64_t file_bytes) {
   if (header.width == 0 || header.height == 0)
     return file_problem(name, "the picture has no pixels", fmt::format("{} x {}", header.width, header.height));
   if (header.data_offset() > file_bytes)
@@ -104,7 +105,7 @@ template <class PutRow>
 void write_rows(const std::filesystem::path& path, std::size_t width, std::size_t height, std::uint32_t depth,
                 bool replace, const PutRow& put_row) {
   const std::vector<std::byte> begin = header_bytes(width, height, depth);
-  OutputFile file(path, replace);
+  core::OutputFile file(path, replace);
   file.write(begin);
   std::vector<std::byte> row;
   for (std::size_t y = 0; y < height; ++y) {
@@ -131,7 +132,7 @@ bool is_sun_raster(std::span<const std::byte> begin) {
   return begin.size() >= 4 && big_endian(begin) == SunRasterHeader::magic;
 }
 
-std::variant<SunRasterHeader, Problem> read_sun_header(const InputFile& file) {
+std::variant<SunRasterHeader, core::Problem> read_sun_header(const core::InputFile& file) {
   const std::string name = file.path().string();
   std::array<std::byte, SunRasterHeader::bytes> bytes{};
   const std::size_t got = file.read_at(0, bytes);
@@ -155,7 +156,8 @@ std::variant<SunRasterHeader, Problem> read_sun_header(const InputFile& file) {
   return header;
 }
 
-SunPixels::SunPixels(const InputFile& file, const SunRasterHeader& header) : header_(header), grey_(header.depth <= 8) {
+SunPixels::SunPixels(const core::InputFile& file, const SunRasterHeader& header)
+    : header_(header), grey_(header.depth <= 8) {
   if (header.depth > 8) return;
   if (header.map_type != 1 || header.map_length == 0) {
     for (std::size_t i = 0; i < map_.size(); ++i) {
@@ -203,4 +205,4 @@ void write_sun_raster(const std::filesystem::path& path, std::size_t width, std:
   });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

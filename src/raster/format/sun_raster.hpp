@@ -12,7 +12,7 @@
 #include "core/report/problem.hpp"
 #include "raster/table/image_value.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How the pixels of a Sun raster file are stored.
 enum class SunType : std::uint32_t {
@@ -46,13 +46,13 @@ struct SunRasterHeader {
 
 /// Reads and checks the header: every size is held against the file's, so that whoever trusts it need not. The pixels
 /// of a compressed file may still end early. Other types and depths are refused with their names.
-[[nodiscard]] std::variant<SunRasterHeader, Problem> read_sun_header(const InputFile& file);
+[[nodiscard]] std::variant<SunRasterHeader, core::Problem> read_sun_header(const core::InputFile& file);
 
 /// Turns the stored pixels of a raster into grey levels or colours.
 class SunPixels {
  public:
   /// Reads the colour map where there is one. std::runtime_error where the file has become shorter.
-  SunPixels(const InputFile& file, const SunRasterHeader& header);
+  SunPixels(const core::InputFile& file, const SunRasterHeader& header);
 
   /// Whether every pixel is a grey level: no map, or a map of greys only.
   [[nodiscard]] bool grey() const { return grey_; }
@@ -76,4 +76,4 @@ void write_sun_raster(const std::filesystem::path& path, std::size_t width, std:
 void write_sun_raster(const std::filesystem::path& path, std::size_t width, std::size_t height,
                       std::span<const Rgb> colour, bool replace = false);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,7 +8,7 @@
 #include "raster/format/image_source.hpp"
 #include "raster/format/sun_run_length.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 namespace fs = std::filesystem;
@@ -270,4 +270,4 @@ TEST_F(ImageMagick, ReadsWhatWeWrite) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

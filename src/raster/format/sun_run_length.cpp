@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::uint64_t SunRunDecoder::skip(std::uint64_t count) {
   return done;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -7,7 +7,7 @@
 
 #include "core/os/input_file.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Decodes the bytes of a run-length encoded Sun raster from any remembered place on.
 ///
@@ -22,7 +22,7 @@ class SunRunDecoder {
     std::byte value{};
   };
 
-  SunRunDecoder(const InputFile& file, State state) : file_(file), state_(state) {}
+  SunRunDecoder(const core::InputFile& file, State state) : file_(file), state_(state) {}
 
   /// Decodes bytes and returns how many there were; fewer than asked for only at the end of the file.
   std::size_t take(std::span<std::byte> out);
@@ -34,10 +34,10 @@ class SunRunDecoder {
   bool next_run();
   bool next_byte(std::byte& byte);
 
-  const InputFile& file_;
+  const core::InputFile& file_;
   State state_;
   std::vector<std::byte> buffer_;
   std::uint64_t buffer_offset_ = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

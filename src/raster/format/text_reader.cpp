@@ -10,7 +10,7 @@
 #include "raster/format/text_rows.hpp"
 #include "raster/table/count_range.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -33,10 +33,10 @@ struct TextSurvey {
   bool whole = true;
   bool negative = false;
   std::uint64_t highest = 0;
-  Problems problems;
+  core::Problems problems;
 };
 
-TextScanner scanner_at_start(const InputFile& file) {
+TextScanner scanner_at_start(const core::InputFile& file) {
   std::array<char, 3> begin{};
   const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
   const bool marked = std::string_view(begin.data(), got) == byte_order_mark;
@@ -49,7 +49,7 @@ bool is_name(const std::string& token) {
 }
 
 // A header is a first line none of whose fields is a number and whose first field is a name.
-void skip_header(TextScanner& scanner, const InputFile& file) {
+void skip_header(TextScanner& scanner, const core::InputFile& file) {
   scanner.skip_white_space();
   TextScanner ahead(file, scanner.offset(), scanner.line());
   std::string token;
@@ -67,8 +67,8 @@ void skip_header(TextScanner& scanner, const InputFile& file) {
   if (!first) scanner.skip_line();
 }
 
-Problem uneven_row(const TextRow& row, std::size_t index, std::size_t expected, bool last) {
-  Problem problem;
+core::Problem uneven_row(const TextRow& row, std::size_t index, std::size_t expected, bool last) {
+  core::Problem problem;
   problem.place.line = row.line;
   problem.place.column = row.column;
   const bool half = row.values % 2 != 0;
@@ -95,7 +95,7 @@ void remember(TextSurvey& survey, std::uint64_t offset, std::size_t line) {
     survey.marks.push_back({survey.rows, offset, line});
 }
 
-TextSurvey survey_text(const InputFile& file, TextScanner scanner, const TextLayout& layout) {
+TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const TextLayout& layout) {
   TextSurvey survey;
   TextRowParser parser(scanner, layout, [&survey](const TextNumber& number) { note_value(survey, number); });
   for (;;) {
@@ -121,7 +121,7 @@ TextSurvey survey_text(const InputFile& file, TextScanner scanner, const TextLay
     }
     ++survey.rows;
   }
-  for (Problem& problem : survey.problems) problem.place.file = file.path().string();
+  for (core::Problem& problem : survey.problems) problem.place.file = file.path().string();
   if (survey.rows == 0 && survey.problems.empty())
     survey.problems.push_back(file_problem(file.path().string(), "the file holds no samples"));
   return survey;
@@ -129,7 +129,7 @@ TextSurvey survey_text(const InputFile& file, TextScanner scanner, const TextLay
 
 class TextReader final : public SampleReader {
  public:
-  TextReader(InputFile file, SampleFileInfo info, TextLayout layout, std::vector<RowMark> marks,
+  TextReader(core::InputFile file, SampleFileInfo info, TextLayout layout, std::vector<RowMark> marks,
              std::optional<CountRange> offset)
       : SampleReader(std::move(info)),
         file_(std::move(file)),
@@ -165,7 +165,7 @@ class TextReader final : public SampleReader {
     return static_cast<double>(offset_->without_offset(number.magnitude));
   }
 
-  InputFile file_;
+  core::InputFile file_;
   TextLayout layout_;
   std::vector<RowMark> marks_;
   std::optional<CountRange> offset_;
@@ -173,12 +173,12 @@ class TextReader final : public SampleReader {
 
 // CSV holds counts plus an offset, which only the number of bits tells.
 std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFileHints& hints, const std::string& name,
-                                      Problems& problems) {
+                                      core::Problems& problems) {
   if (hints.bits == 0) {
     problems.push_back(with_severity(
         file_problem(name, "the values may contain the offset of the A/D converter", {}, {},
                      "give the number of A/D bits to have it subtracted; the values are taken as they stand"),
-        Severity::note));
+        core::Severity::note));
     return std::nullopt;
   }
   const CountRange range{hints.bits};
@@ -194,7 +194,7 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFile
 
 }  // namespace
 
-std::optional<FileFormat> detect_text_format(const InputFile& file) {
+std::optional<scene::FileFormat> detect_text_format(const core::InputFile& file) {
   std::vector<char> begin(4096);
   begin.resize(file.read_at(0, std::as_writable_bytes(std::span(begin))));
   const auto control = [](char c) {
@@ -205,19 +205,20 @@ std::optional<FileFormat> detect_text_format(const InputFile& file) {
   std::string_view text(begin.data(), begin.size());
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   const std::size_t start = text.find_first_not_of(" \t\r\n\v\f");
-  if (start == std::string_view::npos) return FileFormat::ascii;
+  if (start == std::string_view::npos) return scene::FileFormat::ascii;
   text.remove_prefix(start);
-  if (text.starts_with('(')) return FileFormat::bracket;
-  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? FileFormat::csv : FileFormat::ascii;
+  if (text.starts_with('(')) return scene::FileFormat::bracket;
+  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? scene::FileFormat::csv
+                                                                             : scene::FileFormat::ascii;
 }
 
-TextScanner scanner_at_samples(const InputFile& file, FileFormat format) {
+TextScanner scanner_at_samples(const core::InputFile& file, scene::FileFormat format) {
   TextScanner scanner = scanner_at_start(file);
-  if (format == FileFormat::csv) skip_header(scanner, file);
+  if (format == scene::FileFormat::csv) skip_header(scanner, file);
   return scanner;
 }
 
-OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints& hints) {
+OpenedReader open_text(core::InputFile file, scene::FileFormat format, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64)
     return {nullptr,
@@ -225,10 +226,10 @@ OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints&
   if (hints.columns > std::numeric_limits<std::size_t>::max() / 2)
     return {nullptr, {file_problem(name, "the samples of a row are too many", fmt::format("{}", hints.columns))}};
   TextScanner scanner = scanner_at_samples(file, format);
-  const TextLayout layout{format, format == FileFormat::csv ? 0 : hints.columns};
+  const TextLayout layout{format, format == scene::FileFormat::csv ? 0 : hints.columns};
   TextSurvey survey = survey_text(file, std::move(scanner), layout);
   OpenedReader result{nullptr, std::move(survey.problems)};
-  if (has_errors(result.problems)) return result;
+  if (core::has_errors(result.problems)) return result;
   if (hints.rows > 0 && hints.rows != survey.rows)
     result.problems.push_back(file_problem(name, "the file has another number of rows", fmt::format("{}", survey.rows),
                                            fmt::format("{}", hints.rows)));
@@ -237,8 +238,8 @@ OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints&
                                            fmt::format("{} samples", survey.values / 2),
                                            fmt::format("{} samples", hints.columns)));
   std::optional<CountRange> offset;
-  if (format == FileFormat::csv) offset = find_offset(survey, hints, name, result.problems);
-  if (has_errors(result.problems)) return result;
+  if (format == scene::FileFormat::csv) offset = find_offset(survey, hints, name, result.problems);
+  if (core::has_errors(result.problems)) return result;
   SampleFileInfo info;
   info.format = format;
   info.rows = survey.rows;
@@ -250,4 +251,4 @@ OpenedReader open_text(InputFile file, FileFormat format, const SampleFileHints&
   return result;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

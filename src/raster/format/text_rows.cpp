@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -19,8 +19,9 @@ std::string printable(const std::string& text) {
 
 }  // namespace
 
-Problem malformed_text(std::size_t line, std::size_t column, const std::string& token, int next, const char* expected) {
-  Problem problem;
+core::Problem malformed_text(std::size_t line, std::size_t column, const std::string& token, int next,
+                             const char* expected) {
+  core::Problem problem;
   problem.place.line = line;
   problem.place.column = column;
   problem.expected = expected;
@@ -37,4 +38,4 @@ Problem malformed_text(std::size_t line, std::size_t column, const std::string& 
   return problem;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -7,12 +7,12 @@
 #include "raster/format/sample_reader.hpp"
 #include "raster/format/text_scanner.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How the numbers of a text make rows.
 struct TextLayout {
-  FileFormat format = FileFormat::ascii;  ///< ascii, csv or bracket.
-  std::size_t columns = 0;                ///< Above 0: rows of ASCII and BRACKET end after so many samples.
+  scene::FileFormat format = scene::FileFormat::ascii;  ///< ascii, csv or bracket.
+  std::size_t columns = 0;  ///< Above 0: rows of ASCII and BRACKET end after so many samples.
 };
 
 /// What `parse_row` found.
@@ -20,7 +20,7 @@ struct TextRow {
   std::size_t values = 0;  ///< Numbers of the row; 0 at the end of the file.
   std::size_t line = 0;    ///< Place of its last number.
   std::size_t column = 0;
-  std::optional<Problem> malformed;  ///< With line and column, without the file's name.
+  std::optional<core::Problem> malformed;  ///< With line and column, without the file's name.
 };
 
 /// Takes the next row, giving each number to `put(const TextNumber&)`.
@@ -36,8 +36,8 @@ class TextRowParser {
     scanner_.skip_white_space();
     if (scanner_.peek() == TextScanner::end) return row_;
     switch (layout_.format) {
-      case FileFormat::csv: parse_csv(); break;
-      case FileFormat::bracket: parse_bracket(); break;
+      case scene::FileFormat::csv: parse_csv(); break;
+      case scene::FileFormat::bracket: parse_bracket(); break;
       default: parse_ascii(); break;
     }
     return row_;
@@ -119,8 +119,8 @@ class TextRowParser {
 };
 
 /// The problem of a text that cannot be read on at a place; `token` is made printable, `next` is the byte behind it.
-[[nodiscard]] Problem malformed_text(std::size_t line, std::size_t column, const std::string& token, int next,
-                                     const char* expected);
+[[nodiscard]] core::Problem malformed_text(std::size_t line, std::size_t column, const std::string& token, int next,
+                                           const char* expected);
 
 template <class Put>
 bool TextRowParser<Put>::fail(std::size_t line, std::size_t column, const std::string& token, const char* expected) {
@@ -128,4 +128,4 @@ bool TextRowParser<Put>::fail(std::size_t line, std::size_t column, const std::s
   return false;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

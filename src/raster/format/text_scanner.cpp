@@ -4,7 +4,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -27,7 +27,7 @@ bool read_whole(std::string_view text, TextNumber& number) {
 
 }  // namespace
 
-TextScanner::TextScanner(const InputFile& file, std::uint64_t offset, std::size_t line)
+TextScanner::TextScanner(const core::InputFile& file, std::uint64_t offset, std::size_t line)
     : file_(file), buffer_(scanner_buffer_bytes), base_(offset), line_start_(offset), line_(line) {}
 
 bool TextScanner::fill() {
@@ -73,11 +73,11 @@ bool TextScanner::take_number(TextNumber& number, std::string& token) {
   }
   number = {};
   if (read_whole(token, number)) return true;
-  const auto value = token.size() < longest_token ? parse_number(token) : std::nullopt;
+  const auto value = token.size() < longest_token ? core::parse_number(token) : std::nullopt;
   if (!value) return false;
   number.whole = false;
   number.value = *value;
   return true;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

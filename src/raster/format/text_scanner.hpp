@@ -7,7 +7,7 @@
 
 #include "core/os/input_file.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A number as it stands in a text: whole numbers exactly, others as the nearest double.
 struct TextNumber {
@@ -23,7 +23,7 @@ class TextScanner {
   static constexpr int end = -1;
 
   /// Begins at a place of the file, which is said to be the beginning of a line.
-  TextScanner(const InputFile& file, std::uint64_t offset, std::size_t line);
+  TextScanner(const core::InputFile& file, std::uint64_t offset, std::size_t line);
 
   /// The next byte, or `end`.
   int peek() {
@@ -59,7 +59,7 @@ class TextScanner {
  private:
   bool fill();
 
-  const InputFile& file_;
+  const core::InputFile& file_;
   std::vector<char> buffer_;
   std::size_t next_ = 0;
   std::size_t filled_ = 0;
@@ -68,4 +68,4 @@ class TextScanner {
   std::size_t line_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

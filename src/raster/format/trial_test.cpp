@@ -10,15 +10,16 @@
 #include "raster/format/sample_file.hpp"
 #include "support/folders.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 TEST(Trial, TellsSurvivalFromCrashAndHang) {
-  EXPECT_EQ(run_trial([] { return std::string(); }, 5).result, TrialResult::passed);
-  EXPECT_EQ(run_trial([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result, TrialResult::passed);
-  EXPECT_EQ(run_trial([]() -> std::string { std::abort(); }, 5).result, TrialResult::crashed);
+  EXPECT_EQ(core::run_trial([] { return std::string(); }, 5).result, core::TrialResult::passed);
+  EXPECT_EQ(core::run_trial([]() -> std::string { throw std::runtime_error("an answer"); }, 5).result,
+            core::TrialResult::passed);
+  EXPECT_EQ(core::run_trial([]() -> std::string { std::abort(); }, 5).result, core::TrialResult::crashed);
   volatile bool never = false;
-  EXPECT_EQ(run_trial(
+  EXPECT_EQ(core::run_trial(
                 [&] {
                   while (!never) {
                   }
@@ -26,40 +27,40 @@ TEST(Trial, TellsSurvivalFromCrashAndHang) {
                 },
                 1)
                 .result,
-            TrialResult::timed_out);
+            core::TrialResult::timed_out);
 }
 
 // The terminal sends Ctrl-C to the child as well.
 TEST(Trial, ARequestToEndIsNoCrash) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(signal, SIG_DFL);
-    const TrialReport report = run_trial(
+    const core::TrialReport report = core::run_trial(
         [signal] {
           std::raise(signal);
           return std::string("survived");
         },
         5);
     std::signal(signal, before);
-    EXPECT_EQ(report.result, TrialResult::stopped) << signal;
+    EXPECT_EQ(report.result, core::TrialResult::stopped) << signal;
   }
 }
 
 TEST(Trial, WhatIsIgnoredStaysIgnored) {
   const auto before = std::signal(SIGHUP, SIG_IGN);
-  const TrialReport report = run_trial(
+  const core::TrialReport report = core::run_trial(
       [] {
         std::raise(SIGHUP);
         return std::string("survived");
       },
       5);
   std::signal(SIGHUP, before);
-  EXPECT_EQ(report.result, TrialResult::passed);
+  EXPECT_EQ(report.result, core::TrialResult::passed);
   EXPECT_EQ(report.text, "survived");
 }
 
 TEST(Trial, BringsBackTheTextAndNothingElse) {
   int value = 1;
-  const TrialReport report = run_trial(
+  const core::TrialReport report = core::run_trial(
       [&] {
         value = 2;
         return std::string(50'000, 'x') + '\0' + "end";
@@ -76,7 +77,7 @@ TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
   const OpenedSampleFile opened = SampleFile::open(path);
   EXPECT_FALSE(opened.file.has_value());
   ASSERT_FALSE(opened.problems.empty());
-  EXPECT_EQ(opened.problems.front().severity, Severity::error);
+  EXPECT_EQ(opened.problems.front().severity, core::Severity::error);
 }
 
 // Another: the library asks for 17 GB because a header says so.
@@ -89,4 +90,4 @@ TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -17,7 +17,7 @@
 #include "core/os/raw_file.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace fs = std::filesystem;
 
@@ -45,15 +45,15 @@ std::vector<Piece> pieces_of(std::span<const Journal> journals) {
   return pieces;
 }
 
-std::string rows_text(RowRange rows) {
+std::string rows_text(simulate::RowRange rows) {
   if (rows.count == 1) return fmt::format("pulse {}", rows.first + 1);
   return fmt::format("pulses {} to {}", rows.first + 1, rows.end());
 }
 
 // Calls take(bytes) for the bytes of a claim, at most `step` at a time; whether they are as vouched for.
-bool each_piece(const RawFile& file, const Claim& claim, std::size_t step,
+bool each_piece(const core::RawFile& file, const Claim& claim, std::size_t step,
                 const std::function<void(std::span<const std::byte>)>& take) {
-  Checksum sum;
+  core::Checksum sum;
   std::vector<std::byte> bytes;
   for (std::uint64_t done = 0; done < claim.bytes; done += bytes.size()) {
     bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(step, claim.bytes - done)));
@@ -65,7 +65,7 @@ bool each_piece(const RawFile& file, const Claim& claim, std::size_t step,
 }
 
 [[noreturn]] void throw_damaged(const Piece& piece) {
-  Problem problem =
+  core::Problem problem =
       file_problem(file_of(*piece.journal).string(),
                    fmt::format("{} are not what part {} wrote", rows_text(piece.claim.rows), piece.journal->head.part));
   problem.hint = "compute them again: run that part with --resume, or delete its journal and run it anew";
@@ -73,16 +73,16 @@ bool each_piece(const RawFile& file, const Claim& claim, std::size_t step,
 }
 
 // Throws UnfitParts for a piece whose bytes are not there.
-void verify(const std::vector<Piece>& pieces, const RunControl& control) {
-  parallel_ranges(pieces.size(), 1, {thread_count(control.threads), control.stop},
-                  [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i)
-                      if (!holds(*pieces[i].journal, pieces[i].claim)) throw_damaged(pieces[i]);
-                  });
+void verify(const std::vector<Piece>& pieces, const simulate::RunControl& control) {
+  core::parallel_ranges(pieces.size(), 1, {core::thread_count(control.threads), control.stop},
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i)
+                            if (!holds(*pieces[i].journal, pieces[i].claim)) throw_damaged(pieces[i]);
+                        });
 }
 
-ConversionTally tally_of(const std::vector<Piece>& pieces) {
-  ConversionTally tally;
+radar::ConversionTally tally_of(const std::vector<Piece>& pieces) {
+  radar::ConversionTally tally;
   for (const Piece& piece : pieces) tally.add(piece.claim.tally);
   return tally;
 }
@@ -96,7 +96,7 @@ double seconds_of(const std::vector<Piece>& pieces) {
 // One join, from the pieces to a complete file that has not its name yet.
 class Joiner {
  public:
-  Joiner(const JoinTask& task, const RunControl& control)
+  Joiner(const JoinTask& task, const simulate::RunControl& control)
       : task_(task),
         control_(control),
         pieces_(pieces_of(task.journals)),
@@ -121,7 +121,7 @@ class Joiner {
     std::error_code ignored;
     const fs::file_status status = fs::status(task_.output, ignored);
     if (!fs::exists(status) || fs::is_regular_file(status)) return;
-    Problem problem = file_problem(task_.output.string(), "parts can only become a file");
+    core::Problem problem = file_problem(task_.output.string(), "parts can only become a file");
     problem.hint = "give the output another name";
     throw UnfitParts({problem});
   }
@@ -136,13 +136,13 @@ class Joiner {
 
   // @param[out] complete  the whole file, as soon as there is one
   Joined join_into(fs::path& complete) {
-    const ConversionTally tally = tally_of(pieces_);
+    const radar::ConversionTally tally = tally_of(pieces_);
     const double given_v = task_.product.product.lsb_v;
     Joined joined;
     if (task_.product.estimate_lsb) {
-      complete = convert(joined.report, lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
+      complete = convert(joined.report, simulate::lsb_of_maximum_v(tally.maximum_v, recorded_.bits));
     } else {
-      joined.report = report_of(recorded_, given_v, tally);
+      joined.report = simulate::report_of(recorded_, given_v, tally);
       complete = in_place() ? frame(joined.report) : concatenate(joined.report);
     }
     joined.report.seconds = seconds_of(pieces_);
@@ -162,29 +162,29 @@ class Joiner {
     });
   }
 
-  fs::path frame(const RunReport& report) {
+  fs::path frame(const simulate::RunReport& report) {
     verify(unchecked(), control_);
     const fs::path path = shared_rows_of(folder_);
-    RawFile file(path, RawFile::Mode::write);
+    core::RawFile file(path, core::RawFile::Mode::write);
     write_frame(file, frame_path(), task_.product.product, task_.product.options, report);
     file.sync();
     return path;
   }
 
-  [[nodiscard]] std::unique_ptr<Sink> sink_at(const fs::path& path) const {
+  [[nodiscard]] std::unique_ptr<simulate::Sink> sink_at(const fs::path& path) const {
     SinkOptions options = task_.product.options;
     options.replace = true;
     return make_sink(path, task_.product.product, options);
   }
 
-  fs::path concatenate(const RunReport& report) {
+  fs::path concatenate(const simulate::RunReport& report) {
     fs::path path = joined_path();
     const auto sink = sink_at(path);
     const auto places = row_places(frame_path(), task_.product.product, task_.product.options);
     const std::size_t row_bytes = places ? static_cast<std::size_t>(places->row_bytes) : 0;
     for (const Piece& piece : pieces_) {
       append(piece, row_bytes, *sink);
-      if (control_.stop != nullptr && control_.stop->requested()) throw Interrupted();
+      if (control_.stop != nullptr && control_.stop->requested()) throw core::Interrupted();
       if (control_.progress) control_.progress({piece.claim.rows.end(), recorded_.rows, recorded_.columns});
     }
     sink->finish(report);
@@ -192,9 +192,9 @@ class Joiner {
   }
 
   // Rows of a known size go on as whole rows; text in any pieces, of which the last one counts as the rows.
-  static void append(const Piece& piece, std::size_t row_bytes, Sink& sink) {
-    const RawFile file(file_of(*piece.journal), RawFile::Mode::read);
-    const RowRange rows = piece.claim.rows;
+  static void append(const Piece& piece, std::size_t row_bytes, simulate::Sink& sink) {
+    const core::RawFile file(file_of(*piece.journal), core::RawFile::Mode::read);
+    const simulate::RowRange rows = piece.claim.rows;
     const std::size_t step =
         row_bytes > 0 ? std::max(piece_bytes / row_bytes, std::size_t{1}) * row_bytes : piece_bytes;
     std::size_t row = rows.first;
@@ -207,27 +207,27 @@ class Joiner {
     if (row_bytes == 0) sink.append({}, rows.first, rows.count);
   }
 
-  fs::path convert(RunReport& report, double lsb_v) {
+  fs::path convert(simulate::RunReport& report, double lsb_v) {
     verify(pieces_, control_);
     fs::path path = joined_path();
     const auto sink = sink_at(path);
-    report = run_stored(
+    report = simulate::run_stored(
         recorded_, [&] { return reader(); }, lsb_v, *sink, control_);
     return path;
   }
 
   // Of one thread, with one file open at a time: there may be more parts than a process may have files.
-  [[nodiscard]] RowReader reader() const {
+  [[nodiscard]] simulate::RowReader reader() const {
     struct Open {
       const Journal* journal = nullptr;
-      RawFile file;
+      core::RawFile file;
     };
     return [this, open = std::make_shared<Open>()](std::size_t row, std::span<std::complex<double>> volts) {
       const auto after = std::ranges::upper_bound(pieces_, row, {}, [](const Piece& p) { return p.claim.rows.first; });
       const Piece& piece = *std::prev(after);
       if (open->journal != piece.journal) {
-        open->file = RawFile();
-        open->file = RawFile(file_of(*piece.journal), RawFile::Mode::read);
+        open->file = core::RawFile();
+        open->file = core::RawFile(file_of(*piece.journal), core::RawFile::Mode::read);
         open->journal = piece.journal;
       }
       const std::uint64_t offset = piece.claim.offset + (row - piece.claim.rows.first) * volts.size_bytes();
@@ -253,21 +253,21 @@ class Joiner {
   void write_receipt(const fs::path& complete, const Joined& joined) const;
 
   const JoinTask& task_;
-  const RunControl& control_;
+  const simulate::RunControl& control_;
   std::vector<Piece> pieces_;
   fs::path folder_;
-  Recorded recorded_;
+  simulate::Recorded recorded_;
 };
 
 fs::path receipt_of(const fs::path& output) {
-  fs::path path = end_of_links(output);
+  fs::path path = core::end_of_links(output);
   path += ".journal";
   return path;
 }
 
 void Joiner::publish(const fs::path& complete) const {
   try {
-    publish_file(complete, task_.output, task_.replace);
+    core::publish_file(complete, task_.output, task_.replace);
   } catch (...) {
     std::error_code ignored;
     fs::remove(receipt_of(task_.output), ignored);
@@ -293,10 +293,10 @@ void Joiner::write_receipt(const fs::path& complete, const Joined& joined) const
   claim.seconds = joined.report.seconds;
   claim.tally = {joined.report.maximum_v, joined.report.saturated, joined.report.zero};
   const std::string text = text_of(head) + text_of(claim);
-  static_cast<void>(replace_file(receipt_of(task_.output), std::as_bytes(std::span(text))));
+  static_cast<void>(core::replace_file(receipt_of(task_.output), std::as_bytes(std::span(text))));
 }
 
-void add_identity_problems(const std::vector<Journal>& journals, Problems& problems) {
+void add_identity_problems(const std::vector<Journal>& journals, core::Problems& problems) {
   for (std::size_t i = 1; i < journals.size(); ++i) {
     const JournalHead& first = journals.front().head;
     const JournalHead& other = journals[i].head;
@@ -308,9 +308,9 @@ void add_identity_problems(const std::vector<Journal>& journals, Problems& probl
 }
 
 // Whose the missing rows would be.
-std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
+std::string owner_text(const std::vector<Journal>& journals, simulate::RowRange missing) {
   for (const Journal& journal : journals) {
-    const RowRange range = journal.head.range;
+    const simulate::RowRange range = journal.head.range;
     if (missing.first >= range.first && missing.first < range.end())
       return fmt::format("part {} has not finished; go on with it by --resume", journal.head.part);
   }
@@ -320,7 +320,7 @@ std::string owner_text(const std::vector<Journal>& journals, RowRange missing) {
 }  // namespace
 
 fs::path parts_folder_of(const fs::path& output) {
-  fs::path folder = end_of_links(output);
+  fs::path folder = core::end_of_links(output);
   folder += ".parts";
   return folder;
 }
@@ -334,10 +334,10 @@ std::vector<Journal> read_journals(const fs::path& folder) {
     if (entry.path().extension() == ".journal") paths.push_back(entry.path());
   std::ranges::sort(paths);
   std::vector<Journal> journals;
-  Problems problems;
+  core::Problems problems;
   for (const fs::path& path : paths) {
     auto read = read_journal(path);
-    if (auto* problem = std::get_if<Problem>(&read))
+    if (auto* problem = std::get_if<core::Problem>(&read))
       problems.push_back(std::move(*problem));
     else
       journals.push_back(std::move(std::get<Journal>(read)));
@@ -360,11 +360,11 @@ void remove_parts(const fs::path& folder) noexcept {
   fs::remove(folder, ignored);
 }
 
-std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals) {
-  std::vector<RowRange> missing;
+std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals) {
+  std::vector<simulate::RowRange> missing;
   std::size_t next = range.first;
   for (const Piece& piece : pieces_of(journals)) {
-    const RowRange rows = piece.claim.rows;
+    const simulate::RowRange rows = piece.claim.rows;
     if (rows.first >= range.end()) break;
     if (rows.first > next) missing.push_back({next, rows.first - next});
     next = std::max(next, rows.end());
@@ -373,25 +373,25 @@ std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> jour
   return missing;
 }
 
-Problems join_problems(const std::vector<Journal>& journals, std::size_t rows) {
+core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows) {
   constexpr std::size_t most = 10;
-  Problems problems;
+  core::Problems problems;
   add_identity_problems(journals, problems);
   if (!problems.empty()) return problems;
   const std::vector<Piece> pieces = pieces_of(journals);
   for (std::size_t i = 1; i < pieces.size() && problems.size() < most; ++i) {
-    const RowRange before = pieces[i - 1].claim.rows;
-    const RowRange here = pieces[i].claim.rows;
+    const simulate::RowRange before = pieces[i - 1].claim.rows;
+    const simulate::RowRange here = pieces[i].claim.rows;
     if (here.first >= before.end()) continue;
-    const RowRange both{here.first, std::min(before.end(), here.end()) - here.first};
+    const simulate::RowRange both{here.first, std::min(before.end(), here.end()) - here.first};
     problems.push_back(file_problem(pieces[i].journal->path.string(),
                                     fmt::format("parts overlap: {} are in part {} and in part {}", rows_text(both),
                                                 pieces[i - 1].journal->head.part, pieces[i].journal->head.part)));
     problems.back().hint = "leave one of them out";
   }
-  for (const RowRange& missing : missing_rows({0, rows}, journals)) {
+  for (const simulate::RowRange& missing : missing_rows({0, rows}, journals)) {
     if (problems.size() >= most) break;
-    Problem problem =
+    core::Problem problem =
         file_problem({}, fmt::format("parts are missing: nobody vouches for {} of {}", rows_text(missing), rows));
     problem.hint = owner_text(journals, missing);
     problems.push_back(std::move(problem));
@@ -403,10 +403,10 @@ bool holds(const Journal& journal, const Claim& claim) {
   std::error_code missing;
   const fs::path path = file_of(journal);
   if (!fs::exists(path, missing)) return false;
-  return each_piece(RawFile(path, RawFile::Mode::read), claim, piece_bytes, {});
+  return each_piece(core::RawFile(path, core::RawFile::Mode::read), claim, piece_bytes, {});
 }
 
-Joined join_parts(const JoinTask& task, const RunControl& control) { return Joiner(task, control).join(); }
+Joined join_parts(const JoinTask& task, const simulate::RunControl& control) { return Joiner(task, control).join(); }
 
 std::optional<Receipt> read_receipt(const fs::path& output, const StoredProduct& stored) {
   std::error_code missing;
@@ -419,11 +419,12 @@ std::optional<Receipt> read_receipt(const fs::path& output, const StoredProduct&
   if (finished == receipt.identity.end() || finished->second != state_of(output)) return std::nullopt;
   receipt.identity.erase(finished);
   const Claim& claim = journal->claims.front();
-  const Product& product = stored.product;
-  const double lsb_v = stored.estimate_lsb ? lsb_of_maximum_v(claim.tally.maximum_v, product.bits) : product.lsb_v;
-  receipt.report = report_of({product.rows, product.columns, product.bits}, lsb_v, claim.tally);
+  const simulate::Product& product = stored.product;
+  const double lsb_v =
+      stored.estimate_lsb ? simulate::lsb_of_maximum_v(claim.tally.maximum_v, product.bits) : product.lsb_v;
+  receipt.report = simulate::report_of({product.rows, product.columns, product.bits}, lsb_v, claim.tally);
   receipt.report.seconds = claim.seconds;
   return receipt;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -14,12 +14,12 @@
 #include "raster/parts/stored_product.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Thrown where parts cannot be begun, continued or joined because of what is there already.
 struct UnfitParts : std::runtime_error {
-  explicit UnfitParts(Problems all) : std::runtime_error("unfit parts"), problems(std::move(all)) {}
-  Problems problems;
+  explicit UnfitParts(core::Problems all) : std::runtime_error("unfit parts"), problems(std::move(all)) {}
+  core::Problems problems;
 };
 
 /// The folder beside an output in which its parts come together; where the output is a link, beside what it means, so
@@ -37,10 +37,10 @@ struct UnfitParts : std::runtime_error {
 void remove_parts(const std::filesystem::path& folder) noexcept;
 
 /// Rows of a range for which no journal vouches, in order.
-[[nodiscard]] std::vector<RowRange> missing_rows(RowRange range, std::span<const Journal> journals);
+[[nodiscard]] std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals);
 
 /// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
-[[nodiscard]] Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
+[[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
 
 /// Whether the bytes that a claim speaks of are what it says.
 [[nodiscard]] bool holds(const Journal& journal, const Claim& claim);
@@ -58,7 +58,7 @@ struct JoinTask {
 
 /// What the whole turned out to be.
 struct Joined {
-  RunReport report;  ///< `seconds`: of computing, of all parts together.
+  simulate::RunReport report;  ///< `seconds`: of computing, of all parts together.
 };
 
 /// Makes a recording's file of its parts, byte for byte the file of a single run, and gives it its name; beside it a
@@ -66,15 +66,15 @@ struct Joined {
 /// which becomes the output where all rows stand in it.
 /// Where it fails, the parts are all that is left.
 /// @throws UnfitParts where rows are not what their journal says, and where the output is there but no file
-Joined join_parts(const JoinTask& task, const RunControl& control);
+Joined join_parts(const JoinTask& task, const simulate::RunControl& control);
 
 /// A finished recording's receipt.
 struct Receipt {
   Identity identity;
-  RunReport report;
+  simulate::RunReport report;
 };
 
 /// The receipt of a finished recording; nothing where there is none or where the file was changed since.
 [[nodiscard]] std::optional<Receipt> read_receipt(const std::filesystem::path& output, const StoredProduct& product);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

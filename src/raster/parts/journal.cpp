@@ -17,7 +17,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -25,14 +25,14 @@ constexpr std::string_view first_line = "sarsim journal 1";
 constexpr std::string_view script_name = "script";
 constexpr std::array<std::string_view, 3> store_words{"placed", "encoded", "volts"};
 
-std::string sealed(const std::string& line) { return fmt::format("{} #{:016x}\n", line, checksum_of(line)); }
+std::string sealed(const std::string& line) { return fmt::format("{} #{:016x}\n", line, core::checksum_of(line)); }
 
 // The line without its seal; nothing where they do not fit.
 std::optional<std::string_view> unsealed(std::string_view line) {
   const std::size_t mark = line.rfind(" #");
   if (mark == std::string_view::npos) return std::nullopt;
   const std::string_view content = line.substr(0, mark);
-  if (line.substr(mark + 2) != fmt::format("{:016x}", checksum_of(content))) return std::nullopt;
+  if (line.substr(mark + 2) != fmt::format("{:016x}", core::checksum_of(content))) return std::nullopt;
   return content;
 }
 
@@ -61,7 +61,7 @@ class Words {
     return error == std::errc() && end == word.data() + word.size() && !word.empty();
   }
   bool take(double& value) {
-    const auto number = parse_number(next());
+    const auto number = core::parse_number(next());
     value = number.value_or(0.0);
     return number.has_value();
   }
@@ -144,8 +144,8 @@ class JournalReader {
   std::set<std::pair<std::size_t, std::size_t>> ends_;
 };
 
-Problem damage(const std::filesystem::path& path, std::size_t line) {
-  Problem problem = file_problem(path.string(), "the journal is damaged");
+core::Problem damage(const std::filesystem::path& path, std::size_t line) {
+  core::Problem problem = file_problem(path.string(), "the journal is damaged");
   problem.place.line = line;
   problem.hint = "delete this journal: the rows that it vouches for are then computed again";
   return problem;
@@ -200,11 +200,11 @@ std::string text_of(const JournalHead& head) {
 std::string text_of(const Claim& claim) {
   return sealed(fmt::format("rows {} {} at {} bytes {} sum {:016x} seconds {} peak {} saturated {} zero {}",
                             claim.rows.first, claim.rows.count, claim.offset, claim.bytes, claim.checksum,
-                            format_number(claim.seconds), format_number(claim.tally.maximum_v), claim.tally.saturated,
-                            claim.tally.zero));
+                            core::format_number(claim.seconds), core::format_number(claim.tally.maximum_v),
+                            claim.tally.saturated, claim.tally.zero));
 }
 
-std::variant<Journal, Problem> parse_journal(const std::filesystem::path& path, const std::string& text) {
+std::variant<Journal, core::Problem> parse_journal(const std::filesystem::path& path, const std::string& text) {
   Journal journal;
   journal.path = path;
   JournalReader reader(journal);
@@ -222,7 +222,7 @@ std::variant<Journal, Problem> parse_journal(const std::filesystem::path& path, 
   return journal;
 }
 
-std::variant<Journal, Problem> read_journal(const std::filesystem::path& path) {
+std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
@@ -234,4 +234,4 @@ std::filesystem::path rows_file_of(const std::filesystem::path& journal) {
   return std::filesystem::path(journal).replace_extension(".rows");
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -12,7 +12,7 @@
 #include "core/report/problem.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What decides the bytes of a recording, by name: version of the program, script, seed, format ... Parts belong
 /// together where all of it is equal.
@@ -34,20 +34,20 @@ enum class RowStore {
 /// What the beginning of a journal says.
 struct JournalHead {
   Identity identity;
-  std::string part;  ///< Name of the part, for people: "3/8".
-  RowRange range;    ///< Rows that it is to make; none where they are dealt out as it goes.
+  std::string part;          ///< Name of the part, for people: "3/8".
+  simulate::RowRange range;  ///< Rows that it is to make; none where they are dealt out as it goes.
   RowStore store = RowStore::placed;
   std::string maker;  ///< Where it is made: "host, process 123".
 };
 
 /// Rows that are safe on the disk: one entry of a journal.
 struct Claim {
-  RowRange rows;
+  simulate::RowRange rows;
   std::uint64_t offset = 0;  ///< In the file that holds them.
   std::uint64_t bytes = 0;
   std::uint64_t checksum = 0;  ///< Of these bytes.
   double seconds = 0.0;        ///< From the claim before, or the begin, to this one.
-  ConversionTally tally;
+  radar::ConversionTally tally;
 };
 
 /// Whether two speak of the same bytes.
@@ -71,12 +71,13 @@ struct Journal {
 
 /// Understands the text of a journal. A last line without its end was being written when the process ended and is left
 /// out; any other damage is a Problem with its line. Claims that meet are damage, too.
-[[nodiscard]] std::variant<Journal, Problem> parse_journal(const std::filesystem::path& path, const std::string& text);
+[[nodiscard]] std::variant<Journal, core::Problem> parse_journal(const std::filesystem::path& path,
+                                                                 const std::string& text);
 
 /// Reads a journal; std::system_error where the file cannot be read.
-[[nodiscard]] std::variant<Journal, Problem> read_journal(const std::filesystem::path& path);
+[[nodiscard]] std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path);
 
 /// Name of the file beside a journal that holds its rows where they are not placed.
 [[nodiscard]] std::filesystem::path rows_file_of(const std::filesystem::path& journal);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

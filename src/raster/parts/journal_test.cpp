@@ -4,7 +4,7 @@
 
 #include "raster/parts/join_parts.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using testing::ElementsAre;
@@ -27,8 +27,8 @@ JournalHead test_head() {
 
 Journal parsed(const std::string& text) {
   auto read = parse_journal("a.journal", text);
-  if (const auto* problem = std::get_if<Problem>(&read)) {
-    ADD_FAILURE() << to_string(*problem);
+  if (const auto* problem = std::get_if<core::Problem>(&read)) {
+    ADD_FAILURE() << core::to_string(*problem);
     return {};
   }
   return std::get<Journal>(read);
@@ -36,13 +36,13 @@ Journal parsed(const std::string& text) {
 
 void expect_damage(const std::string& text, std::size_t line) {
   const auto read = parse_journal("a.journal", text);
-  const auto* problem = std::get_if<Problem>(&read);
+  const auto* problem = std::get_if<core::Problem>(&read);
   ASSERT_NE(problem, nullptr);
   EXPECT_THAT(problem->message, HasSubstr("damaged"));
   EXPECT_EQ(problem->place.line, line);
 }
 
-Journal journal_of(const std::string& part, RowRange range, const std::vector<Claim>& claims,
+Journal journal_of(const std::string& part, simulate::RowRange range, const std::vector<Claim>& claims,
                    const Identity& identity = {}) {
   return {part + ".journal", {identity, part, range, RowStore::placed, ""}, claims, 0};
 }
@@ -52,14 +52,14 @@ TEST(Journal, ReadsWhatItsTextSays) {
   const Journal journal = parsed(text);
   EXPECT_EQ(journal.head.identity, test_head().identity);
   EXPECT_EQ(journal.head.part, "3/8");
-  EXPECT_EQ(journal.head.range, (RowRange{20, 10}));
+  EXPECT_EQ(journal.head.range, (simulate::RowRange{20, 10}));
   EXPECT_EQ(journal.head.store, RowStore::volts);
   EXPECT_EQ(journal.head.maker, "node 7, process 4711");
   EXPECT_EQ(journal.bytes, text.size());
   ASSERT_EQ(journal.claims.size(), 2U);
   EXPECT_EQ(journal.claimed_rows(), 10U);
   const Claim claim = journal.claims[1];
-  EXPECT_EQ(claim.rows, (RowRange{24, 6}));
+  EXPECT_EQ(claim.rows, (simulate::RowRange{24, 6}));
   EXPECT_EQ(claim.offset, 240U);
   EXPECT_EQ(claim.bytes, 60U);
   EXPECT_EQ(claim.checksum, 0x0123456789abcdefU);
@@ -84,7 +84,7 @@ TEST(Journal, IsDamagedWhereAnyByteOfAWholeLineIsAnother) {
   for (std::size_t i = 0; i + 1 < text.size(); ++i) {
     std::string other = text;
     other[i] = static_cast<char>(other[i] ^ 1);
-    EXPECT_TRUE(std::holds_alternative<Problem>(parse_journal("a.journal", other))) << i;
+    EXPECT_TRUE(std::holds_alternative<core::Problem>(parse_journal("a.journal", other))) << i;
   }
   expect_damage(text + "rows 24 6\n", 10);
 }
@@ -111,26 +111,27 @@ TEST(Journal, NamesWhatDiffersAndTheScriptOnlyWhereNothingElseDoes) {
 TEST(MissingRows, AreTheGapsBetweenAllEntries) {
   const std::vector<Journal> journals{journal_of("1/2", {0, 50}, {claim_of(10, 5), claim_of(30, 10)}),
                                       journal_of("2/2", {50, 50}, {claim_of(15, 5), claim_of(95, 5)})};
-  EXPECT_THAT(missing_rows({0, 100}, journals), ElementsAre(RowRange{0, 10}, RowRange{20, 10}, RowRange{40, 55}));
-  EXPECT_THAT(missing_rows({12, 20}, journals), ElementsAre(RowRange{20, 10}));
+  EXPECT_THAT(missing_rows({0, 100}, journals),
+              ElementsAre(simulate::RowRange{0, 10}, simulate::RowRange{20, 10}, simulate::RowRange{40, 55}));
+  EXPECT_THAT(missing_rows({12, 20}, journals), ElementsAre(simulate::RowRange{20, 10}));
   EXPECT_TRUE(missing_rows({30, 10}, journals).empty());
-  EXPECT_THAT(missing_rows({0, 3}, {}), ElementsAre(RowRange{0, 3}));
+  EXPECT_THAT(missing_rows({0, 3}, {}), ElementsAre(simulate::RowRange{0, 3}));
 }
 
 TEST(JoinProblems, NameOverlapsGapsAndOtherRuns) {
   const Journal first = journal_of("1/2", {0, 50}, {claim_of(0, 50)});
   EXPECT_TRUE(join_problems({first, journal_of("2/2", {50, 50}, {claim_of(50, 50)})}, 100).empty());
-  const Problems overlap = join_problems({first, journal_of("41:100", {40, 60}, {claim_of(40, 60)})}, 100);
+  const core::Problems overlap = join_problems({first, journal_of("41:100", {40, 60}, {claim_of(40, 60)})}, 100);
   ASSERT_EQ(overlap.size(), 1U);
   EXPECT_THAT(overlap[0].message, HasSubstr("pulses 41 to 50 are in part 1/2 and in part 41:100"));
-  const Problems gap = join_problems({first, journal_of("2/2", {50, 50}, {claim_of(51, 49)})}, 100);
+  const core::Problems gap = join_problems({first, journal_of("2/2", {50, 50}, {claim_of(51, 49)})}, 100);
   ASSERT_EQ(gap.size(), 1U);
   EXPECT_THAT(gap[0].message, HasSubstr("pulse 51 of 100"));
   EXPECT_THAT(gap[0].hint, HasSubstr("part 2/2 has not finished"));
-  const Problems other = join_problems({first, journal_of("2/2", {50, 50}, {}, {{"seed", "2"}})}, 100);
+  const core::Problems other = join_problems({first, journal_of("2/2", {50, 50}, {}, {{"seed", "2"}})}, 100);
   ASSERT_EQ(other.size(), 1U);
   EXPECT_THAT(other[0].message, HasSubstr("seed is not said in part 1/2, 2 in part 2/2"));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -16,7 +16,7 @@
 
 #include "raster/format/sample_reader.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace fs = std::filesystem;
 
@@ -28,19 +28,21 @@ std::string maker_text() {
   return fmt::format("{}, process {}", host.data(), ::getpid());
 }
 
-bool meet(RowRange a, RowRange b) { return a.count > 0 && b.count > 0 && a.first < b.end() && b.first < a.end(); }
+bool meet(simulate::RowRange a, simulate::RowRange b) {
+  return a.count > 0 && b.count > 0 && a.first < b.end() && b.first < a.end();
+}
 
-bool meets(const Journal& journal, RowRange range) {
+bool meets(const Journal& journal, simulate::RowRange range) {
   return meet(journal.head.range, range) ||
          std::ranges::any_of(journal.claims, [&](const Claim& claim) { return meet(claim.rows, range); });
 }
 
 // The door of a folder, which may vanish while one waits for it: the part that completes a recording removes it.
-RawFile open_door(const fs::path& folder) {
+core::RawFile open_door(const fs::path& folder) {
   for (;;) {
     fs::create_directories(folder);
     try {
-      RawFile door(folder / "lock", RawFile::Mode::write);
+      core::RawFile door(folder / "lock", core::RawFile::Mode::write);
       door.lock();
       if (door.still_there()) return door;
     } catch (const std::system_error& error) {
@@ -62,21 +64,21 @@ std::string journal_text(const Journal& journal) {
 }
 
 // Who is dealt rows must find the journal of the one who deals them.
-Problem not_shared(const fs::path& folder) {
-  Problem problem = file_problem(folder.string(), "this process does not see what the first one has begun");
+core::Problem not_shared(const fs::path& folder) {
+  core::Problem problem = file_problem(folder.string(), "this process does not see what the first one has begun");
   problem.hint = "name a folder with --out that all machines share";
   return problem;
 }
 
 Journal read_again(const Journal& journal) {
   auto read = read_journal(journal.path);
-  if (auto* problem = std::get_if<Problem>(&read)) throw UnfitParts({std::move(*problem)});
+  if (auto* problem = std::get_if<core::Problem>(&read)) throw UnfitParts({std::move(*problem)});
   return std::move(std::get<Journal>(read));
 }
 
 }  // namespace
 
-PartRun::PartRun(PartTask task, const WorkControl& control)
+PartRun::PartRun(PartTask task, const core::WorkControl& control)
     : task_(std::move(task)), folder_(parts_folder_of(task_.output)) {
   enter();
   verify(control);
@@ -97,7 +99,7 @@ void PartRun::choose_name() {
 }
 
 void PartRun::enter() {
-  const RawFile door = open_door(folder_);
+  const core::RawFile door = open_door(folder_);
   choose_name();
   journals_ = read_journals(folder_);
   if (task_.anew && !task_.resume) forget_own(journals_);
@@ -122,7 +124,7 @@ void PartRun::enter() {
 void PartRun::forget_own(std::vector<Journal>& journals) const {
   std::erase_if(journals, [&](const Journal& journal) {
     if (journal.path != journal_path()) return false;
-    RawFile file(journal.path, RawFile::Mode::write);
+    core::RawFile file(journal.path, core::RawFile::Mode::write);
     if (!file.try_lock()) return false;
     file.unlink();
     return true;
@@ -130,7 +132,7 @@ void PartRun::forget_own(std::vector<Journal>& journals) const {
 }
 
 void PartRun::expect_same_run(const std::vector<Journal>& journals) const {
-  Problems problems;
+  core::Problems problems;
   for (const Journal& journal : journals) {
     for (const std::string& difference : differences(task_.identity, "now", journal.head.identity, "there"))
       problems.push_back(file_problem(journal.path.string(), "the journal belongs to another run: " + difference));
@@ -145,8 +147,8 @@ void PartRun::expect_same_run(const std::vector<Journal>& journals) const {
 // this part at work, and is refused.
 void PartRun::expect_free(const Journal& journal) {
   const bool own = journal.path == journal_path();
-  Problem problem = file_problem(journal.path.string(), "");
-  RawFile file(journal.path, RawFile::Mode::write);
+  core::Problem problem = file_problem(journal.path.string(), "");
+  core::RawFile file(journal.path, core::RawFile::Mode::write);
   const std::string& part = journal.head.part;
   if (!file.try_lock()) {
     problem.message =
@@ -174,7 +176,7 @@ void PartRun::begin_journal() {
   }
   const JournalHead head{task_.identity, task_.words, task_.range, store_, maker_text()};
   const std::string text = text_of(head);
-  journal_ = replace_file(journal_path(), std::as_bytes(std::span(text)));
+  journal_ = core::replace_file(journal_path(), std::as_bytes(std::span(text)));
   journals_.push_back({journal_path(), head, {}, text.size()});
 }
 
@@ -182,29 +184,29 @@ void PartRun::begin_journal() {
 void PartRun::begin_rows(bool anew) {
   const Journal* earlier = own();
   if (earlier != nullptr && earlier->head.store != store_) {
-    Problem problem = file_problem(journal_path().string(), "the part was begun with, or without, --part-file");
+    core::Problem problem = file_problem(journal_path().string(), "the part was begun with, or without, --part-file");
     problem.hint = fmt::format("go on as it was begun, or delete the folder {}", folder_.string());
     throw UnfitParts({problem});
   }
   if (store_ != RowStore::placed) {
-    rows_ = RawFile(rows_file_of(journal_path()), RawFile::Mode::write);
+    rows_ = core::RawFile(rows_file_of(journal_path()), core::RawFile::Mode::write);
     rows_.resize(earlier != nullptr ? rows_end(*earlier) : 0);
     return;
   }
-  rows_ = RawFile(shared_rows_of(folder_), RawFile::Mode::write);
+  rows_ = core::RawFile(shared_rows_of(folder_), core::RawFile::Mode::write);
   const std::uint64_t bytes = places_.of(task_.product.product.rows);
   if (anew) rows_.resize(0);
   if (rows_.size() < bytes) rows_.allocate(bytes);
 }
 
 // What is vouched for must be there; entries that are not true are taken out.
-void PartRun::verify(const WorkControl& control) {
+void PartRun::verify(const core::WorkControl& control) {
   for (Journal& journal : journals_) {
     std::vector<Claim> claims;
     std::ranges::copy_if(journal.claims, std::back_inserter(claims),
                          [&](const Claim& claim) { return meet(claim.rows, task_.range); });
     std::vector<char> good(claims.size(), 1);
-    parallel_ranges(claims.size(), 1, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(claims.size(), 1, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) good[i] = holds(journal, claims[i]) ? 1 : 0;
     });
     std::vector<Claim> bad;
@@ -223,13 +225,13 @@ void PartRun::verify(const WorkControl& control) {
 
 // The one case in which a journal is not only added to: another one without these entries takes its place.
 void PartRun::take_out(const Journal& journal, const std::vector<Claim>& bad) {
-  const RawFile door = open_door(folder_);
+  const core::RawFile door = open_door(folder_);
   Journal now = read_again(journal);
   std::erase_if(now.claims, [&](const Claim& claim) {
     return std::ranges::any_of(bad, [&](const Claim& other) { return other.rows == claim.rows; });
   });
   const std::string text = journal_text(now);
-  RawFile file = replace_file(now.path, std::as_bytes(std::span(text)));
+  core::RawFile file = core::replace_file(now.path, std::as_bytes(std::span(text)));
   if (now.path == journal_path()) journal_ = std::move(file);
 }
 
@@ -243,10 +245,10 @@ void PartRun::expect_complete() const {
                   task_.words, folder_.string()));
 }
 
-PartOutcome PartRun::finish(bool replace, const RunControl& control) {
+PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
   writer_->settle();
   PartOutcome outcome;
-  const RawFile door = open_door(folder_);
+  const core::RawFile door = open_door(folder_);
   if (!journal_.still_there() || !rows_.still_there()) {
     // The folder that the door has just been made in anew is empty.
     if (!fs::exists(product_file_of(folder_))) remove_parts(folder_);
@@ -258,12 +260,13 @@ PartOutcome PartRun::finish(bool replace, const RunControl& control) {
   std::ranges::copy(writer_->claims(), std::back_inserter(join.checked));
   const std::size_t rows = task_.product.product.rows;
   outcome.rows_there = rows;
-  for (const RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
+  for (const simulate::RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
   if (outcome.rows_there < rows || task_.apart) return outcome;
-  if (Problems problems = join_problems(join.journals, rows); !problems.empty()) throw UnfitParts(std::move(problems));
+  if (core::Problems problems = join_problems(join.journals, rows); !problems.empty())
+    throw UnfitParts(std::move(problems));
   outcome.joined = join_parts(join, control);
   remove_parts(folder_);
   return outcome;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,14 +8,14 @@
 #include "raster/parts/join_parts.hpp"
 #include "raster/parts/part_writer.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A share of a recording that one process makes on its own.
 struct PartTask {
   std::filesystem::path output;  ///< What the parts become together.
   std::string name;              ///< Of the part's files: "part-3-of-8".
   std::string words;             ///< Of the part in messages: "3/8".
-  RowRange range;
+  simulate::RowRange range;
   bool dealt = false;   ///< Rows come as a leader deals them, who has made sure of them; `range` is empty.
   bool apart = false;   ///< Rows go to a file of the part's own, to be joined by somebody else.
   bool resume = false;  ///< Go on where an earlier process ended; otherwise nothing may be there.
@@ -41,13 +41,13 @@ class PartRun {
   /// Enters the folder, which is made where it is missing; reads and verifies what is there.
   /// @throws UnfitParts where the part cannot be made here: another process has it, it was begun and `resume` is not
   ///         set, its range meets another part, what is there belongs to another run or is damaged
-  PartRun(PartTask task, const WorkControl& control);
+  PartRun(PartTask task, const core::WorkControl& control);
   PartRun(const PartRun&) = delete;
   PartRun& operator=(const PartRun&) = delete;
   ~PartRun() = default;
 
   /// Ranges that are still to be made, in order.
-  [[nodiscard]] const std::vector<RowRange>& missing() const { return missing_; }
+  [[nodiscard]] const std::vector<simulate::RowRange>& missing() const { return missing_; }
   /// Rows whose journal vouched for bytes that are not there; they are missing again.
   [[nodiscard]] std::size_t rejected_rows() const { return rejected_rows_; }
   [[nodiscard]] PartWriter& writer() { return *writer_; }
@@ -55,7 +55,7 @@ class PartRun {
   /// for is read once and held against their checksums.
   /// @throws UnfitParts where it is not what they say; std::runtime_error where the part's own files have gone, though
   ///         the recording is not complete
-  [[nodiscard]] PartOutcome finish(bool replace, const RunControl& control);
+  [[nodiscard]] PartOutcome finish(bool replace, const simulate::RunControl& control);
 
  private:
   void enter();
@@ -65,7 +65,7 @@ class PartRun {
   void expect_free(const Journal& journal);
   void begin_journal();
   void begin_rows(bool anew);
-  void verify(const WorkControl& control);
+  void verify(const core::WorkControl& control);
   void expect_complete() const;
   void take_out(const Journal& journal, const std::vector<Claim>& bad);
 
@@ -78,11 +78,11 @@ class PartRun {
   RowPlaces places_;
   std::vector<Journal> journals_;  // All that concern the part's rows.
   std::vector<Claim> checked_;     // Of these, what was found to be there.
-  RawFile journal_;                // The part's own, locked.
-  RawFile rows_;
-  std::vector<RowRange> missing_;
+  core::RawFile journal_;          // The part's own, locked.
+  core::RawFile rows_;
+  std::vector<simulate::RowRange> missing_;
   std::size_t rejected_rows_ = 0;
   std::optional<PartWriter> writer_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

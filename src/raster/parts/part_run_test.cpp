@@ -4,7 +4,7 @@
 
 #include "raster/format/data_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
 using data_test::contents;
@@ -18,7 +18,7 @@ constexpr std::size_t rows = 12;
 constexpr std::size_t columns = 5;
 constexpr int bits = 12;
 
-StoredProduct stored_as(FileFormat format, bool counts = false) {
+StoredProduct stored_as(scene::FileFormat format, bool counts = false) {
   StoredProduct stored;
   stored.product = data_test::test_product(rows, columns, bits);
   stored.product.lsb_v = 2.5e-9;
@@ -28,7 +28,8 @@ StoredProduct stored_as(FileFormat format, bool counts = false) {
   return stored;
 }
 
-PartTask task_for(const fs::path& output, const StoredProduct& product, const std::string& name, RowRange range) {
+PartTask task_for(const fs::path& output, const StoredProduct& product, const std::string& name,
+                  simulate::RowRange range) {
   PartTask task;
   task.output = output;
   task.name = name;
@@ -41,11 +42,11 @@ PartTask task_for(const fs::path& output, const StoredProduct& product, const st
 }
 
 // Rows of the test's recording as their file holds them.
-EncodedRows encoded(const StoredProduct& stored, RowRange range) {
+simulate::EncodedRows encoded(const StoredProduct& stored, simulate::RowRange range) {
   const auto sink = make_discarding_sink(stored.product, stored.options);
   const auto counts = data_test::test_counts(rows * columns, bits);
   const auto volts = data_test::test_volts(rows * columns);
-  Block block{range.first, range.count, columns, {}, {}};
+  simulate::Block block{range.first, range.count, columns, {}, {}};
   if (sink->wants_counts())
     block.counts = std::span(counts).subspan(2 * range.first * columns, 2 * range.count * columns);
   else
@@ -54,12 +55,12 @@ EncodedRows encoded(const StoredProduct& stored, RowRange range) {
 }
 
 PartOutcome make(PartRun& part, const StoredProduct& stored) {
-  for (const RowRange& range : part.missing())
+  for (const simulate::RowRange& range : part.missing())
     for (std::size_t row = range.first; row < range.end(); ++row) part.writer().take(encoded(stored, {row, 1}));
   return part.finish(false, {});
 }
 
-class PartRunOfFormats : public testing::TestWithParam<std::pair<FileFormat, bool>> {};
+class PartRunOfFormats : public testing::TestWithParam<std::pair<scene::FileFormat, bool>> {};
 
 TEST_P(PartRunOfFormats, MakesTheFileThatASinkMakes) {
   const TestFolder folder;
@@ -81,15 +82,16 @@ TEST_P(PartRunOfFormats, MakesTheFileThatASinkMakes) {
   EXPECT_EQ(receipt->report.maximum_v, 12e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, PartRunOfFormats,
-                         testing::Values(std::pair(FileFormat::binary, false), std::pair(FileFormat::ascii, false),
-                                         std::pair(FileFormat::csv, false), std::pair(FileFormat::npy, false),
-                                         std::pair(FileFormat::npy, true), std::pair(FileFormat::hdf5, false),
-                                         std::pair(FileFormat::hdf5, true)));
+INSTANTIATE_TEST_SUITE_P(
+    Formats, PartRunOfFormats,
+    testing::Values(std::pair(scene::FileFormat::binary, false), std::pair(scene::FileFormat::ascii, false),
+                    std::pair(scene::FileFormat::csv, false), std::pair(scene::FileFormat::npy, false),
+                    std::pair(scene::FileFormat::npy, true), std::pair(scene::FileFormat::hdf5, false),
+                    std::pair(scene::FileFormat::hdf5, true)));
 
 TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartTask task = task_for(folder / "out", stored, "all", {0, rows});
   {
     PartRun early(task, {});
@@ -99,7 +101,7 @@ TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
   EXPECT_THROW(PartRun(task, {}), UnfitParts);
   task.resume = true;
   PartRun late(task, {});
-  EXPECT_THAT(late.missing(), ElementsAre(RowRange{2, 3}, RowRange{8, 4}));
+  EXPECT_THAT(late.missing(), ElementsAre(simulate::RowRange{2, 3}, simulate::RowRange{8, 4}));
   EXPECT_TRUE(make(late, stored).joined.has_value());
   data_test::write_test_file(folder / "whole", stored.product, stored.options);
   EXPECT_EQ(contents(folder / "out"), contents(folder / "whole"));
@@ -107,7 +109,7 @@ TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
 
 TEST(PartRun, IsRefusedWhileItsRowsAreBeingMade) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   const PartRun busy(task_for(folder / "out", stored, "a", {0, 7}), {});
   PartTask task = task_for(folder / "out", stored, "b", {6, 6});
   task.resume = true;
@@ -123,7 +125,7 @@ TEST(PartRun, IsRefusedWhileItsRowsAreBeingMade) {
 
 TEST(PartRun, ThatIsDealtRowsNeedsTheJournalOfWhoDealsThem) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartTask dealt = task_for(folder / "out", stored, "rank-1", {});
   dealt.dealt = true;
   EXPECT_THROW(PartRun(dealt, {}), UnfitParts);
@@ -139,7 +141,7 @@ TEST(PartRun, ThatIsDealtRowsNeedsTheJournalOfWhoDealsThem) {
 
 TEST(PartRun, ThatComesLateFindsTheRecordingComplete) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun first(task_for(folder / "out", stored, "a", {0, 7}), {});
   PartRun second(task_for(folder / "out", stored, "b", {7, 5}), {});
   for (std::size_t row = 0; row < 7; ++row) first.writer().take(encoded(stored, {row, 1}));
@@ -152,7 +154,7 @@ TEST(PartRun, ThatComesLateFindsTheRecordingComplete) {
 
 // Rows 0 to 6 were made, and vouched for, by a process that ended.
 StoredProduct begun_recording(const TestFolder& folder) {
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun early(task_for(folder / "out", stored, "a", {0, 7}), {});
   EXPECT_FALSE(make(early, stored).joined.has_value());
   return stored;
@@ -197,7 +199,7 @@ TEST(PartRun, PublishesNothingWhereRowsOfOthersWereChanged) {
 
 TEST(PartRun, WhoseFolderIsDeletedSaysSo) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
   fs::remove_all(parts_folder_of(folder / "out"));
   try {
@@ -211,7 +213,7 @@ TEST(PartRun, WhoseFolderIsDeletedSaysSo) {
 
 TEST(PartRun, WhoseRowsAreTakenAwaySaysSo) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
   fs::remove(shared_rows_of(parts_folder_of(folder / "out")));
   EXPECT_THROW(static_cast<void>(make(part, stored)), std::runtime_error);
@@ -220,7 +222,7 @@ TEST(PartRun, WhoseRowsAreTakenAwaySaysSo) {
 
 TEST(PartRun, ThatComesLateIsNotCompletedByAFileOfAnotherRun) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartTask task = task_for(folder / "out", stored, "all", {0, rows});
   PartRun part(task, {});
   fs::remove_all(parts_folder_of(folder / "out"));
@@ -237,7 +239,7 @@ TEST(PartRun, WorksBesideTheFileThatALinkMeans) {
   const data_test::SmallDisk disk(folder / "disk", "size=1m");
   if (!disk.mounted()) GTEST_SKIP() << "a second file system cannot be mounted here";
   fs::create_symlink(folder / "disk" / "real", folder / "out");
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
   EXPECT_TRUE(fs::exists(folder / "disk" / "real.parts"));
   EXPECT_TRUE(make(part, stored).joined.has_value());
@@ -249,7 +251,7 @@ TEST(PartRun, WorksBesideTheFileThatALinkMeans) {
 
 TEST(PartRun, DoesNotReplaceAFileThatAppearedMeanwhile) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
   data_test::put(folder / "out", "precious");
   EXPECT_THROW(static_cast<void>(make(part, stored)), std::system_error);
@@ -260,7 +262,7 @@ TEST(PartRun, DoesNotReplaceAFileThatAppearedMeanwhile) {
 
 TEST(Receipt, IsOfNoUseForAFileThatWasChanged) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::binary);
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
   ASSERT_TRUE(make(part, stored).joined.has_value());
   ASSERT_TRUE(read_receipt(folder / "out", stored).has_value());
@@ -270,24 +272,24 @@ TEST(Receipt, IsOfNoUseForAFileThatWasChanged) {
 
 TEST(StoredProduct, ComesBackWhole) {
   const TestFolder folder;
-  const StoredProduct stored = stored_as(FileFormat::hdf5, true);
+  const StoredProduct stored = stored_as(scene::FileFormat::hdf5, true);
   store_product(folder / "product", stored);
   const StoredProduct back = load_product(folder / "product");
-  const Product& a = stored.product;
-  const Product& b = back.product;
+  const simulate::Product& a = stored.product;
+  const simulate::Product& b = back.product;
   EXPECT_EQ(std::tie(b.radar, b.rows, b.columns, b.sample_rate_hz, b.bits, b.lsb_v, b.options, b.engine, b.script),
             std::tie(a.radar, a.rows, a.columns, a.sample_rate_hz, a.bits, a.lsb_v, a.options, a.engine, a.script));
   EXPECT_EQ(b.row_time_s(rows - 1), a.row_time_s(rows - 1));
   EXPECT_EQ(b.row_carrier_hz(3), a.row_carrier_hz(3));
   EXPECT_EQ(b.column_range_m(columns - 1), a.column_range_m(columns - 1));
-  EXPECT_EQ(back.options.format, FileFormat::hdf5);
+  EXPECT_EQ(back.options.format, scene::FileFormat::hdf5);
   EXPECT_TRUE(back.options.counts);
   EXPECT_EQ(back.engine_reason, "because");
 }
 
 TEST(StoredProduct, IsRefusedWhereAByteIsAnother) {
   const TestFolder folder;
-  store_product(folder / "product", stored_as(FileFormat::binary));
+  store_product(folder / "product", stored_as(scene::FileFormat::binary));
   std::string text = contents(folder / "product");
   text[text.size() / 2] = static_cast<char>(text[text.size() / 2] ^ 1);
   data_test::put(folder / "product", text);
@@ -295,4 +297,4 @@ TEST(StoredProduct, IsRefusedWhereAByteIsAnother) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -6,21 +6,21 @@
 
 #include "core/task/clock.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {}  // namespace
 
-PartWriter::PartWriter(RawFile& rows, RawFile& journal, const RowPlaces& places, const JournalPace& pace)
+PartWriter::PartWriter(core::RawFile& rows, core::RawFile& journal, const RowPlaces& places, const JournalPace& pace)
     : rows_(rows),
       journal_(journal),
       places_(places),
       pace_(pace),
       rows_end_(places.row_bytes > 0 ? 0 : rows.size()),
       journal_end_(journal.size()),
-      settled_at_s_(now_s()),
+      settled_at_s_(core::now_s()),
       next_settling_s_(settled_at_s_ + pace.seconds) {}
 
-void PartWriter::take(const EncodedRows& block) {
+void PartWriter::take(const simulate::EncodedRows& block) {
   const std::uint64_t offset = places_.row_bytes > 0 ? places_.of(block.rows.first) : rows_end_;
   rows_.write_at(offset, block.bytes);
   rows_end_ = offset + block.bytes.size();
@@ -35,12 +35,12 @@ void PartWriter::take(const EncodedRows& block) {
   last.claim.bytes += block.bytes.size();
   last.claim.tally.add(block.tally);
   last.sum.add(block.bytes);
-  if (now_s() >= next_settling_s_) settle();
+  if (core::now_s() >= next_settling_s_) settle();
 }
 
 void PartWriter::settle() {
   if (pending_.empty()) return;
-  const double begin_s = now_s();
+  const double begin_s = core::now_s();
   rows_.sync();
   std::string text;
   for (Pending& pending : pending_) {
@@ -55,11 +55,11 @@ void PartWriter::settle() {
   journal_.write_at(journal_end_, std::as_bytes(std::span(text)));
   journal_.sync();
   journal_end_ += text.size();
-  settled_at_s_ = now_s();
+  settled_at_s_ = core::now_s();
   const double cost_s = settled_at_s_ - begin_s;
   settling_s_ += cost_s;
   const double pause_s = pace_.seconds > 0.0 ? std::max(pace_.seconds, cost_s / pace_.most_share) : 0.0;
   next_settling_s_ = settled_at_s_ + pause_s;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -8,7 +8,7 @@
 #include "raster/parts/journal.hpp"
 #include "raster/table/row_places.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// How often rows are brought to the disk and vouched for.
 struct JournalPace {
@@ -25,10 +25,10 @@ class PartWriter {
   /// @param rows     the shared file, or the part's own, which is continued at its end
   /// @param journal  to be continued at its end
   /// @param places   of the rows in the shared file; a row size of 0: in the part's own, one after the other
-  PartWriter(RawFile& rows, RawFile& journal, const RowPlaces& places, const JournalPace& pace);
+  PartWriter(core::RawFile& rows, core::RawFile& journal, const RowPlaces& places, const JournalPace& pace);
 
   /// Writes rows to the file; now and then vouches for what there is.
-  void take(const EncodedRows& block);
+  void take(const simulate::EncodedRows& block);
   /// Brings everything to the disk and vouches for it.
   void settle();
   /// Claims made so far.
@@ -39,11 +39,11 @@ class PartWriter {
  private:
   struct Pending {
     Claim claim;
-    Checksum sum;
+    core::Checksum sum;
   };
 
-  RawFile& rows_;
-  RawFile& journal_;
+  core::RawFile& rows_;
+  core::RawFile& journal_;
   RowPlaces places_;
   JournalPace pace_;
   std::uint64_t rows_end_ = 0;
@@ -55,4 +55,4 @@ class PartWriter {
   double settling_s_ = 0.0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -12,7 +12,7 @@
 #include "core/hash/checksum.hpp"
 #include "core/os/raw_file.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -38,7 +38,7 @@ class Packer {
     for (std::size_t i = 0; axis && i < count; ++i) put_real(axis(i));
   }
   std::vector<std::byte> take() {
-    Checksum sum;
+    core::Checksum sum;
     sum.add(bytes_);
     put(sum.value());
     return std::move(bytes_);
@@ -54,7 +54,7 @@ class Unpacker {
  public:
   Unpacker(std::span<const std::byte> bytes, std::string name) : rest_(bytes), name_(std::move(name)) {
     if (rest_.size() < 2 * sizeof(std::uint64_t)) fail();
-    Checksum sum;
+    core::Checksum sum;
     const std::size_t content = rest_.size() - sizeof(std::uint64_t);
     sum.add(rest_.first(content));
     std::uint64_t expected = 0;
@@ -102,8 +102,8 @@ class Unpacker {
 }  // namespace
 
 void store_product(const std::filesystem::path& path, const StoredProduct& stored) {
-  const Product& product = stored.product;
-  const bool axes = stored.options.format == FileFormat::hdf5;
+  const simulate::Product& product = stored.product;
+  const bool axes = stored.options.format == scene::FileFormat::hdf5;
   Packer packer;
   packer.put(format_mark);
   packer.put_text(product.radar);
@@ -127,31 +127,31 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put_axis(axes ? product.row_time_s : Axis(), product.rows);
   packer.put_axis(axes ? product.row_carrier_hz : Axis(), product.rows);
   packer.put_axis(axes ? product.column_range_m : Axis(), product.columns);
-  static_cast<void>(replace_file(path, packer.take()));
+  static_cast<void>(core::replace_file(path, packer.take()));
 }
 
 StoredProduct load_product(const std::filesystem::path& path) {
-  const RawFile file(path, RawFile::Mode::read);
+  const core::RawFile file(path, core::RawFile::Mode::read);
   std::vector<std::byte> bytes(static_cast<std::size_t>(file.size()));
   static_cast<void>(file.read_at(0, bytes));
   Unpacker from(bytes, path.string());
   if (from.word() != format_mark) from.fail();
   StoredProduct stored;
-  Product& product = stored.product;
+  simulate::Product& product = stored.product;
   product.radar = from.text();
-  product.processing = static_cast<Processing>(from.word());
+  product.processing = static_cast<scene::Processing>(from.word());
   product.rows = from.word();
   product.columns = from.word();
   product.sample_rate_hz = from.real();
   product.bits = static_cast<int>(from.word());
   product.lsb_v = from.real();
-  product.options.profile = static_cast<Profile>(from.word());
+  product.options.profile = static_cast<scene::Profile>(from.word());
   product.options.seed = from.word();
-  product.options.pulse = static_cast<PulseDefinition>(from.word());
+  product.options.pulse = static_cast<scene::PulseDefinition>(from.word());
   product.options.tolerance = from.real();
   product.engine = from.text();
   product.script = from.text();
-  stored.options.format = static_cast<FileFormat>(from.word());
+  stored.options.format = static_cast<scene::FileFormat>(from.word());
   stored.options.counts = from.word() != 0;
   stored.options.header = from.word() != 0;
   stored.estimate_lsb = from.word() != 0;
@@ -162,4 +162,4 @@ StoredProduct load_product(const std::filesystem::path& path) {
   return stored;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

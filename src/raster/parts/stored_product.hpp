@@ -6,12 +6,12 @@
 #include "raster/format/sinks.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What is needed to make a recording's file from its rows without the scene: for parts that are joined elsewhere. Of a
 /// recording that is made here everything is known.
 struct StoredProduct {
-  Product product;
+  simulate::Product product;
   SinkOptions options;
   bool estimate_lsb = false;  ///< The rows are volts until the largest of all of them is known.
   std::string engine_reason;
@@ -24,4 +24,4 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
 /// @throws std::system_error where the file cannot be read, std::runtime_error where it is damaged
 [[nodiscard]] StoredProduct load_product(const std::filesystem::path& path);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

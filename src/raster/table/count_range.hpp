@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// The counts that an A/D converter of 1 to 64 bits gives (docs/formats/samples.md): -C to C + 1 with
 /// C = max(1, 2^(bits-1) - 1); for 64 bits the upper end is the largest 64-bit integer.
@@ -33,4 +33,4 @@ struct CountRange {
   }
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

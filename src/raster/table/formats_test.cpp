@@ -4,23 +4,23 @@
 
 #include <array>
 
-namespace sarsim {
+namespace sarsim::raster {
 namespace {
 
-constexpr std::array all_formats{FileFormat::ascii, FileFormat::binary, FileFormat::bracket,
-                                 FileFormat::hdf5,  FileFormat::csv,    FileFormat::npy};
+constexpr std::array all_formats{scene::FileFormat::ascii, scene::FileFormat::binary, scene::FileFormat::bracket,
+                                 scene::FileFormat::hdf5,  scene::FileFormat::csv,    scene::FileFormat::npy};
 
 TEST(Formats, NamesAndExtensionsLeadBackToTheFormat) {
-  for (const FileFormat format : all_formats) {
+  for (const scene::FileFormat format : all_formats) {
     EXPECT_EQ(format_from_name(name_of(format)), format);
     EXPECT_EQ(format_from_path("folder.x/file" + std::string(extension_of(format))), format);
   }
 }
 
 TEST(Formats, CaseDoesNotMatter) {
-  EXPECT_EQ(format_from_name("hdf5"), FileFormat::hdf5);
-  EXPECT_EQ(format_from_path("A.NPY"), FileFormat::npy);
-  EXPECT_EQ(format_from_path("a.hdf5"), FileFormat::hdf5);
+  EXPECT_EQ(format_from_name("hdf5"), scene::FileFormat::hdf5);
+  EXPECT_EQ(format_from_path("A.NPY"), scene::FileFormat::npy);
+  EXPECT_EQ(format_from_path("a.hdf5"), scene::FileFormat::hdf5);
 }
 
 TEST(Formats, OthersAreNotKnown) {
@@ -30,4 +30,4 @@ TEST(Formats, OthersAreNotKnown) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -2,7 +2,7 @@
 
 #include "raster/table/rgb.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Brightness of a colour, 0 to 255: ITU-R BT.601, 0.299 red + 0.587 green + 0.114 blue.
 [[nodiscard]] inline float luminance(Rgb colour) {
@@ -19,4 +19,4 @@ enum class ImageValue {
   rgb,        ///< A colour.
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Which samples of an image are wanted: row row0 + i row_step and column col0 + k col_step for i below rows and k
 /// below cols.
@@ -28,4 +28,4 @@ struct ImageWindow {
   return first < size && (size - 1 - first) / step >= count - 1;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

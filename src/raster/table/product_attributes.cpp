@@ -6,7 +6,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -36,7 +36,7 @@ bool take_whole(const std::string& text, std::uint64_t& value) {
 }
 
 bool take_number(const std::string& text, double& value) {
-  const auto number = parse_number(text);
+  const auto number = core::parse_number(text);
   if (number) value = *number;
   return number.has_value();
 }
@@ -49,27 +49,31 @@ std::string attribute_of(const FileAttributes& attributes, std::string_view name
   return found == attributes.end() ? std::string() : found->second;
 }
 
-void take_origin(const FileAttributes& attributes, Product& product) {
-  RunOptions& options = product.options;
+void take_origin(const FileAttributes& attributes, simulate::Product& product) {
+  scene::RunOptions& options = product.options;
   const auto take = [&](const char* name, const auto& taker) {
     if (!taker(attribute_of(attributes, name))) product.unknown.emplace_back(name);
   };
   take("radar", [&](const std::string& text) { return take_text(text, product.radar); });
   take("engine", [&](const std::string& text) { return take_text(text, product.engine); });
   take("processing", [&](const std::string& text) {
-    return take_word(
-        text, {{"raw", Processing::raw}, {"matched_filter", Processing::matched_filter}, {"srp", Processing::srp}},
-        product.processing);
+    return take_word(text,
+                     {{"raw", scene::Processing::raw},
+                      {"matched_filter", scene::Processing::matched_filter},
+                      {"srp", scene::Processing::srp}},
+                     product.processing);
   });
   take("profile", [&](const std::string& text) {
-    return take_word(text, {{"physical", Profile::physical}, {"classic", Profile::classic}}, options.profile);
+    return take_word(text, {{"physical", scene::Profile::physical}, {"classic", scene::Profile::classic}},
+                     options.profile);
   });
   take("pulse", [&](const std::string& text) {
-    return take_word(text, {{"ideal", PulseDefinition::ideal}, {"band_limited", PulseDefinition::band_limited}},
+    return take_word(text,
+                     {{"ideal", scene::PulseDefinition::ideal}, {"band_limited", scene::PulseDefinition::band_limited}},
                      options.pulse);
   });
   take("seed", [&](const std::string& text) { return take_whole(text, options.seed); });
   take("tolerance", [&](const std::string& text) { return take_number(text, options.tolerance); });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

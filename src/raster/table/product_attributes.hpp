@@ -8,7 +8,7 @@
 
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// What a file says of itself: name, value.
 using FileAttributes = std::vector<std::pair<std::string, std::string>>;
@@ -17,12 +17,12 @@ using FileAttributes = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] std::string attribute_of(const FileAttributes& attributes, std::string_view name);
 
 /// Whether a product knows the value of an attribute.
-[[nodiscard]] inline bool is_known(const Product& product, std::string_view name) {
+[[nodiscard]] inline bool is_known(const simulate::Product& product, std::string_view name) {
   return std::ranges::find(product.unknown, name) == product.unknown.end();
 }
 
 /// Gives a product what the attributes of a recording (docs/formats/samples.md) say of its origin: radar, processing,
 /// engine, profile, pulse, seed and tolerance. What is missing, or no such value, stays as it is and counts as unknown.
-void take_origin(const FileAttributes& attributes, Product& product);
+void take_origin(const FileAttributes& attributes, simulate::Product& product);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

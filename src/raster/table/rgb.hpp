@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A colour as red, green, blue from 0 to 255.
 struct Rgb {
@@ -13,4 +13,4 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -16,7 +16,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/stop.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Where rows of a file begin that has to be looked through to know that: a mark every so many bytes, made on a thread
 /// of its own, usable from any thread meanwhile.
@@ -38,7 +38,7 @@ class RowIndex {
     void rows_known(std::size_t rows) { index_.rows_.store(rows, std::memory_order_release); }
     void part_done(double part) { index_.done_.store(part, std::memory_order_relaxed); }
     /// Something is wrong with the file; the work may go on.
-    void problem(Problem problem) {
+    void problem(core::Problem problem) {
       const std::scoped_lock hold(index_.lock_);
       index_.problems_.push_back(std::move(problem));
     }
@@ -69,7 +69,7 @@ class RowIndex {
       try {
         work(recorder);
       } catch (const std::exception& error) {
-        Problem problem;
+        core::Problem problem;
         problem.message = error.what();
         problem.place.file = file;
         recorder.problem(std::move(problem));
@@ -85,11 +85,11 @@ class RowIndex {
     return running_;
   }
   /// Returns when the work has ended; throws Interrupted where a stop is requested before.
-  void wait(const StopFlag* stop) const {
+  void wait(const core::StopFlag* stop) const {
     std::unique_lock hold(lock_);
     while (running_) {
       ended_.wait_for(hold, std::chrono::milliseconds(20));
-      if (stop != nullptr && stop->requested()) throw Interrupted();
+      if (stop != nullptr && stop->requested()) throw core::Interrupted();
     }
   }
 
@@ -97,7 +97,7 @@ class RowIndex {
   /// 0 to 1.
   [[nodiscard]] double done() const { return running() ? std::min(0.999, done_.load(std::memory_order_relaxed)) : 1.0; }
   /// What was found to be wrong so far.
-  [[nodiscard]] Problems problems() const {
+  [[nodiscard]] core::Problems problems() const {
     const std::scoped_lock hold(lock_);
     return problems_;
   }
@@ -118,11 +118,11 @@ class RowIndex {
   mutable std::mutex lock_;
   mutable std::condition_variable ended_;
   std::vector<std::pair<std::size_t, Mark>> marks_;
-  Problems problems_;
+  core::Problems problems_;
   bool running_ = false;
   std::atomic<std::size_t> rows_{0};
   std::atomic<double> done_{0.0};
-  StopFlag stop_;
+  core::StopFlag stop_;
   std::thread thread_;
 };
 
@@ -134,4 +134,4 @@ class RowIndex {
   return std::max(least, file_bytes / most_marks);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Watches that the rows of a product arrive in order and completely.
 class RowOrder {
@@ -25,4 +25,4 @@ class RowOrder {
   std::size_t next_ = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// Where the rows of a recording stand in its file, where that is known beforehand.
 struct RowPlaces {
@@ -13,4 +13,4 @@ struct RowPlaces {
   [[nodiscard]] std::uint64_t of(std::size_t row) const { return first_byte + row * row_bytes; }
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::raster {
 
 namespace {
 
@@ -22,8 +22,8 @@ bool far_apart(const StoredGrid& grid, const ImageWindow& window) {
   return window.col_step > stretch_bytes / grid.sample_bytes;
 }
 
-void read_row_far(const InputFile& file, const StoredGrid& grid, const ImageWindow& window, std::uint64_t row_offset,
-                  std::vector<std::byte>& buffer, std::complex<float>* out) {
+void read_row_far(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
+                  std::uint64_t row_offset, std::vector<std::byte>& buffer, std::complex<float>* out) {
   buffer.resize(window.cols * grid.sample_bytes);
   for (std::size_t k = 0; k < window.cols; ++k)
     file.read_all_at(row_offset + std::uint64_t{window.column(k)} * grid.sample_bytes,
@@ -31,8 +31,8 @@ void read_row_far(const InputFile& file, const StoredGrid& grid, const ImageWind
   grid.decode(grid, buffer.data(), grid.sample_bytes, window.cols, out);
 }
 
-void read_row_near(const InputFile& file, const StoredGrid& grid, const ImageWindow& window, std::uint64_t row_offset,
-                   std::vector<std::byte>& buffer, std::complex<float>* out) {
+void read_row_near(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
+                   std::uint64_t row_offset, std::vector<std::byte>& buffer, std::complex<float>* out) {
   const std::size_t stride = window.col_step * grid.sample_bytes;
   const std::size_t at_once = std::max<std::size_t>(1, chunk_bytes / stride);
   for (std::size_t k = 0; k < window.cols; k += at_once) {
@@ -45,12 +45,12 @@ void read_row_near(const InputFile& file, const StoredGrid& grid, const ImageWin
 
 }  // namespace
 
-void read_grid(const InputFile& file, const StoredGrid& grid, const ImageWindow& window,
-               std::span<std::complex<float>> out, const WorkControl& control) {
+void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
+               std::span<std::complex<float>> out, const core::WorkControl& control) {
   if (window.samples() == 0) return;
   const bool far = far_apart(grid, window);
   const std::size_t grain = std::max<std::size_t>(1, samples_at_once / window.cols);
-  parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(window.rows, grain, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::byte> buffer;
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint64_t row_offset = grid.offset + std::uint64_t{window.row(i)} * grid.row_bytes();
@@ -69,4 +69,4 @@ double grid_cost_s(const StoredGrid& grid, const ImageWindow& window) {
   return rows * (requests * request_s + cols * (stride * byte_s + sample_s));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -9,7 +9,7 @@
 #include "core/task/parallel.hpp"
 #include "raster/table/image_window.hpp"
 
-namespace sarsim {
+namespace sarsim::raster {
 
 /// A table of samples of a fixed size in a file, rows one after the other.
 struct StoredGrid {
@@ -29,10 +29,10 @@ struct StoredGrid {
 
 /// Reads a window: whole stretches where samples lie close together, sample by sample where they are pages apart.
 /// std::runtime_error where the file has become shorter, std::system_error where the disk fails.
-void read_grid(const InputFile& file, const StoredGrid& grid, const ImageWindow& window,
-               std::span<std::complex<float>> out, const WorkControl& control);
+void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
+               std::span<std::complex<float>> out, const core::WorkControl& control);
 
 /// Estimated seconds of that where the system holds the file in memory.
 [[nodiscard]] double grid_cost_s(const StoredGrid& grid, const ImageWindow& window);
 
-}  // namespace sarsim
+}  // namespace sarsim::raster

@@ -6,7 +6,7 @@
 #include "scene/check/check_objects.hpp"
 #include "scene/model/limits.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -28,14 +28,14 @@ void check_each(Findings& findings, std::string_view kind, const Objects& object
 
 // Targets can be very many: ranges of them are checked on several threads, what is found is joined in their order.
 void check_targets(Findings& findings, NameCheck& platforms, const std::vector<Target>& targets,
-                   const WorkControl& control) {
+                   const core::WorkControl& control) {
   constexpr std::size_t range_targets = 16384;
   struct Part {
     Findings findings;
     std::optional<NameCheck> platforms;
   };
   std::vector<Part> parts((targets.size() + range_targets - 1) / range_targets);
-  parallel_ranges(targets.size(), range_targets, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(targets.size(), range_targets, control, [&](std::size_t begin, std::size_t end) {
     Part& part = parts[begin / range_targets];
     part.platforms = platforms.beginning_anew();
     for (std::size_t i = begin; i < end; ++i) {
@@ -54,7 +54,7 @@ void check_surfaces_together(Findings& findings, const std::vector<Surface>& sur
   double area_m2 = 0.0;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const auto& [a, b, c] = surfaces[i].corner_m;
-    const double more_m2 = 0.5 * norm(cross(b - a, c - a));
+    const double more_m2 = 0.5 * core::norm(core::cross(b - a, c - a));
     if (!(more_m2 <= largest_surface_m2)) continue;  // Reported by itself.
     area_m2 += more_m2;
     if (area_m2 <= largest_surface_m2) continue;
@@ -74,7 +74,7 @@ void check_options(Findings& findings, const RunOptions& options) {
   findings.between("tolerance", "tolerance", options.tolerance, 1e-12, 0.1, "");
 }
 
-Problems check(const Scene& scene, const WorkControl& control) {
+core::Problems check(const Scene& scene, const core::WorkControl& control) {
   Findings findings;
   NameCheck platforms("platform", names_of(scene.platforms));
   NameCheck radars("radar", names_of(scene.radars));
@@ -96,4 +96,4 @@ Problems check(const Scene& scene, const WorkControl& control) {
   return std::move(findings).take();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

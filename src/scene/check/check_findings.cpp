@@ -11,11 +11,11 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Finding too_large(std::string_view what, std::string found, std::string_view unit) {
   return {.message = fmt::format("the {} is too large to compute with", what),
@@ -24,7 +24,7 @@ Finding too_large(std::string_view what, std::string found, std::string_view uni
           .hint = {}};
 }
 
-std::string vector_text(const Vec3& v, std::string_view unit) {
+std::string vector_text(const core::Vec3& v, std::string_view unit) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g}) {}", v.x, v.y, v.z, unit);
 }
 
@@ -41,9 +41,9 @@ std::string title(const FunctionRule& rule, std::size_t part) {
 }
 
 bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std::size_t part,
-                              const SampledFunction& function) {
+                              const core::SampledFunction& function) {
   const auto bad = std::ranges::find_if(
-      function.knots, [](const Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
+      function.knots, [](const core::Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
   if (bad == function.knots.end()) return true;
   findings.error(rule.field,
                  {.message = fmt::format("a point of the {} is not a finite number", title(rule, part)),
@@ -54,9 +54,9 @@ bool check_points_are_numbers(Findings& findings, const FunctionRule& rule, std:
 }
 
 bool check_points_are_computable(Findings& findings, const FunctionRule& rule, std::size_t part,
-                                 const SampledFunction& function) {
-  const auto bad =
-      std::ranges::find_if(function.knots, [](const Knot& knot) { return !computable(knot.x) || !computable(knot.y); });
+                                 const core::SampledFunction& function) {
+  const auto bad = std::ranges::find_if(
+      function.knots, [](const core::Knot& knot) { return !computable(knot.x) || !computable(knot.y); });
   if (bad == function.knots.end()) return true;
   findings.error(rule.field,
                  too_large(fmt::format("point of the {}", title(rule, part)),
@@ -65,8 +65,8 @@ bool check_points_are_computable(Findings& findings, const FunctionRule& rule, s
 }
 
 bool check_points_ascend(Findings& findings, const FunctionRule& rule, std::size_t part,
-                         const SampledFunction& function) {
-  const auto first = std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x);
+                         const core::SampledFunction& function) {
+  const auto first = std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &core::Knot::x);
   if (first == function.knots.end()) return true;
   findings.error(rule.field, {.message = fmt::format("the points of the {} do not ascend", title(rule, part)),
                               .found = fmt::format("x = {:.9g} after {:.9g} at point {}", std::next(first)->x, first->x,
@@ -81,9 +81,9 @@ bool check_points_ascend(Findings& findings, const FunctionRule& rule, std::size
 constexpr double even_within = 0.05;
 
 void check_points_are_even(Findings& findings, const FunctionRule& rule, std::size_t part,
-                           const SampledFunction& function) {
+                           const core::SampledFunction& function) {
   const auto& knots = function.knots;
-  if (function.method != Interpolation::low_pass || knots.size() < 3) return;
+  if (function.method != core::Interpolation::low_pass || knots.size() < 3) return;
   const double spacing = (knots.back().x - knots.front().x) / static_cast<double>(knots.size() - 1);
   std::size_t worst = 0;
   double farthest = 0.0;
@@ -103,7 +103,8 @@ void check_points_are_even(Findings& findings, const FunctionRule& rule, std::si
        .hint = "Take CUBIC, which goes through points at any spacing, or give the points at even spacing."});
 }
 
-bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t part, const SampledFunction& function) {
+bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t part,
+                     const core::SampledFunction& function) {
   if (!function.knots.empty() || rule.empty == FunctionRule::Empty::allowed) return true;
   const std::string message = fmt::format("the {} has no points", title(rule, part));
   if (rule.empty == FunctionRule::Empty::error) {
@@ -122,7 +123,7 @@ bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t p
 
 std::string value_text(double value, std::string_view unit) {
   static constexpr std::string_view prefixed[] = {"Hz", "s", "W", "V"};
-  if (std::ranges::find(prefixed, unit) != std::end(prefixed)) return with_prefix(value, unit);
+  if (std::ranges::find(prefixed, unit) != std::end(prefixed)) return core::with_prefix(value, unit);
   return unit.empty() ? fmt::format("{:.9g}", value) : fmt::format("{:.9g} {}", value, unit);
 }
 
@@ -131,27 +132,29 @@ void Findings::about(std::string_view kind, std::size_t index) {
   subject_.index = index;
 }
 
-void Findings::add(Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count) {
-  Problem problem{.severity = severity,
-                  .message = std::move(finding.message),
-                  .found = clipped(std::move(finding.found)),
-                  .expected = clipped(std::move(finding.expected)),
-                  .hint = std::move(finding.hint),
-                  .place = {},
-                  .subject = subject_,
-                  .count = count};
+void Findings::add(core::Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count) {
+  core::Problem problem{.severity = severity,
+                        .message = std::move(finding.message),
+                        .found = clipped(std::move(finding.found)),
+                        .expected = clipped(std::move(finding.expected)),
+                        .hint = std::move(finding.hint),
+                        .place = {},
+                        .subject = subject_,
+                        .count = count};
   problem.subject.field = field;
   entries_.push_back({rank, std::move(problem)});
 }
 
-void Findings::error(std::string_view field, Finding finding) { add(Severity::error, 0, field, std::move(finding)); }
+void Findings::error(std::string_view field, Finding finding) {
+  add(core::Severity::error, 0, field, std::move(finding));
+}
 
 void Findings::warning(Consequence consequence, std::string_view field, Finding finding) {
-  add(Severity::warning, static_cast<int>(consequence), field, std::move(finding));
+  add(core::Severity::warning, static_cast<int>(consequence), field, std::move(finding));
 }
 
 void Findings::note(std::string_view field, Finding finding, std::size_t count) {
-  add(Severity::note, 0, field, std::move(finding), count);
+  add(core::Severity::note, 0, field, std::move(finding), count);
 }
 
 bool Findings::finite(std::string_view field, std::string_view what, double value, std::string_view unit) {
@@ -167,7 +170,7 @@ bool Findings::finite(std::string_view field, std::string_view what, double valu
   return false;
 }
 
-bool Findings::finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
+bool Findings::finite(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit) {
   if (computable(value.x) && computable(value.y) && computable(value.z)) return true;
   if (is_finite(value)) {
     error(field, too_large(what, vector_text(value, unit), unit));
@@ -200,7 +203,8 @@ bool Findings::not_negative(std::string_view field, std::string_view what, doubl
   return false;
 }
 
-bool Findings::not_negative(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit) {
+bool Findings::not_negative(std::string_view field, std::string_view what, const core::Vec3& value,
+                            std::string_view unit) {
   if (!finite(field, what, value, unit)) return false;
   if (value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0) return true;
   error(field, {.message = fmt::format("the {} is negative", what),
@@ -223,25 +227,25 @@ bool Findings::between(std::string_view field, std::string_view what, double val
 
 void Findings::append(Findings&& later) { std::ranges::move(later.entries_, std::back_inserter(entries_)); }
 
-Problems Findings::take() && {
+core::Problems Findings::take() && {
   // A warning about an object with an error may only follow from the error.
   std::set<std::pair<std::string, std::size_t>> faulty;
   for (const Entry& entry : entries_)
-    if (entry.problem.severity == Severity::error)
+    if (entry.problem.severity == core::Severity::error)
       faulty.insert({entry.problem.subject.kind, entry.problem.subject.index});
   std::erase_if(entries_, [&](const Entry& entry) {
-    return entry.problem.severity == Severity::warning &&
+    return entry.problem.severity == core::Severity::warning &&
            faulty.contains({entry.problem.subject.kind, entry.problem.subject.index});
   });
   std::ranges::stable_sort(entries_, {},
                            [](const Entry& entry) { return std::tuple(entry.problem.severity, entry.rank); });
-  Problems problems;
+  core::Problems problems;
   problems.reserve(entries_.size());
   for (Entry& entry : entries_) problems.push_back(std::move(entry.problem));
   return problems;
 }
 
-bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts) {
+bool check_function(Findings& findings, const FunctionRule& rule, std::span<const core::SampledFunction> parts) {
   bool all_sound = true;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     bool sound = check_points_are_numbers(findings, rule, part, parts[part]) &&
@@ -256,4 +260,4 @@ bool check_function(Findings& findings, const FunctionRule& rule, std::span<cons
   return all_sound;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

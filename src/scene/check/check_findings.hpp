@@ -10,7 +10,7 @@
 #include "core/maths/vector.hpp"
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// What ignoring a warning leads to, worst first; the order in which `check` lists warnings.
 enum class Consequence {
@@ -33,7 +33,7 @@ class Findings {
  public:
   /// Everything reported from here on is about this object.
   void about(std::string_view kind, std::size_t index);
-  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const core::Subject& subject() const { return subject_; }
 
   /// Reports a mistake: nothing runs with it. `field` names the member of the object.
   void error(std::string_view field, Finding finding);
@@ -46,10 +46,10 @@ class Findings {
   /// "the ...". A number that is too large to compute with (scene/model/limits.hpp) breaks all of them.
   /// @{
   bool finite(std::string_view field, std::string_view what, double value, std::string_view unit);
-  bool finite(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit);
+  bool finite(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit);
   bool positive(std::string_view field, std::string_view what, double value, std::string_view unit);
   bool not_negative(std::string_view field, std::string_view what, double value, std::string_view unit);
-  bool not_negative(std::string_view field, std::string_view what, const Vec3& value, std::string_view unit);
+  bool not_negative(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit);
   bool between(std::string_view field, std::string_view what, double value, double low, double high,
                std::string_view unit);
   /// @}
@@ -58,17 +58,17 @@ class Findings {
   void append(Findings&& later);
 
   /// Errors in the order reported, warnings by consequence, notes. Of an object with an error only the errors.
-  [[nodiscard]] Problems take() &&;
+  [[nodiscard]] core::Problems take() &&;
 
  private:
   struct Entry {
     int rank = 0;
-    Problem problem;
+    core::Problem problem;
   };
 
-  void add(Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count = 1);
+  void add(core::Severity severity, int rank, std::string_view field, Finding&& finding, std::size_t count = 1);
 
-  Subject subject_;
+  core::Subject subject_;
   std::vector<Entry> entries_;
 };
 
@@ -91,10 +91,10 @@ struct FunctionRule {
 /// Checks the parts of a user-defined function against a rule; true where a function that is used can be evaluated.
 /// Points for Interpolation::low_pass that are farther than a twentieth of their mean spacing from even places lead to
 /// a warning.
-bool check_function(Findings& findings, const FunctionRule& rule, std::span<const SampledFunction> parts);
+bool check_function(Findings& findings, const FunctionRule& rule, std::span<const core::SampledFunction> parts);
 
 /// Names of the parts of functions that stand alone and of those with three coordinates.
 inline constexpr std::string_view single_part[] = {""};
 inline constexpr std::string_view coordinate_parts[] = {"X", "Y", "Z"};
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

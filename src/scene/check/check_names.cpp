@@ -7,27 +7,28 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 // Either may be a prefix of the other, as the original programs compared (script format, strings).
 bool share_prefix(std::string_view a, std::string_view b) {
   const std::size_t shared = std::min(a.size(), b.size());
-  return shared > 0 && equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
+  return shared > 0 && core::equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
 }
 
 }  // namespace
 
 NameTable::NameTable(std::vector<std::string_view> names) : names_(std::move(names)) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const auto [first, is_new] = first_.try_emplace(lower_case(names_[i]), i);
+    const auto [first, is_new] = first_.try_emplace(core::lower_case(names_[i]), i);
     if (!is_new) duplicates_.emplace_back(i, first->second);
   }
 }
 
 NameTable::Result NameTable::find(std::string_view name) const {
-  if (const auto exact = first_.find(lower_case(name)); exact != first_.end()) return {Match::exact, exact->second};
+  if (const auto exact = first_.find(core::lower_case(name)); exact != first_.end())
+    return {Match::exact, exact->second};
   Result result;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (!share_prefix(names_[i], name)) continue;
@@ -96,7 +97,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
          .hint = "Write the whole name."});
     return result.index;
   }
-  if (kind_ == "platform" && equal_ignoring_case(name, "Earth")) {
+  if (kind_ == "platform" && core::equal_ignoring_case(name, "Earth")) {
     if (earth_uses_++ == 0) first_earth_ = findings.subject();
     return not_found;
   }
@@ -114,7 +115,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
   std::vector<std::string_view> candidates = table_->names();
   if (kind_ == "platform") candidates.emplace_back("Earth");
-  const std::string nearest = nearest_word(name, candidates);
+  const std::string nearest = core::nearest_word(name, candidates);
   std::string hint;
   if (!nearest.empty())
     hint = fmt::format("Did you mean {}?", nearest);
@@ -137,4 +138,4 @@ void NameCheck::report_undefined_earth(Findings& findings) const {
                 earth_uses_);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

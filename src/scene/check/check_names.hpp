@@ -12,7 +12,7 @@
 #include "scene/check/check_findings.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The names of a scene's platforms or radars, for looking many of them up: agrees with `find_platform` and
 /// `find_radar` and says besides how a name was found.
@@ -73,8 +73,8 @@ class NameCheck {
   std::unordered_map<std::string, NameTable::Result> known_;  // scenes name one platform a million times,
   std::string last_name_;                                     // most often the one named just before
   std::optional<NameTable::Result> last_;
-  Subject first_earth_;
+  core::Subject first_earth_;
   std::size_t earth_uses_ = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

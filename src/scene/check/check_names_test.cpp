@@ -4,7 +4,7 @@
 
 #include "scene/check/check_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
@@ -20,7 +20,7 @@ TEST(CheckNames, AcceptNamesInAnyCase) {
 TEST(CheckNames, SuggestTheNearestNameForAnUnknownPlatform) {
   Scene scene = sound_scene();
   scene.targets[0].platform = "Plnae";
-  const Problem problem = expect_error(scene, {"target", 0, "platform"});
+  const core::Problem problem = expect_error(scene, {"target", 0, "platform"});
   EXPECT_EQ(problem.found, "Plnae");
   EXPECT_EQ(problem.hint, "Did you mean Plane?");
 }
@@ -62,7 +62,7 @@ TEST(CheckNames, AcceptUndefinedEarthWithOneNoteForAllUses) {
   Scene scene = sound_scene();
   scene.platforms.erase(scene.platforms.begin());
   scene.targets.resize(3);
-  const Problem problem = expect_single(scene, Severity::note, {"surface", 0, "platform"});
+  const core::Problem problem = expect_single(scene, core::Severity::note, {"surface", 0, "platform"});
   EXPECT_EQ(problem.count, 4U);
   EXPECT_THAT(problem.message, HasSubstr("Earth is not defined"));
 }
@@ -70,7 +70,7 @@ TEST(CheckNames, AcceptUndefinedEarthWithOneNoteForAllUses) {
 TEST(CheckNames, WarnOfANameThatIsOnlyAPrefix) {
   Scene scene = sound_scene();
   scene.targets[0].platform = "Pla";
-  const Problem problem = expect_warning(scene, {"target", 0, "platform"});
+  const core::Problem problem = expect_warning(scene, {"target", 0, "platform"});
   EXPECT_EQ(problem.found, "Pla");
   EXPECT_EQ(problem.expected, "Plane");
 }
@@ -140,4 +140,4 @@ TEST(NameTable, AgreesWithFindPlatform) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -9,7 +9,7 @@
 #include "scene/model/scene.hpp"
 
 /// The parts of `check`, one for each kind of object. Each expects `findings.about` to have named the object.
-namespace sarsim {
+namespace sarsim::scene {
 
 void check_platform(Findings& findings, const Platform& platform);
 void check_target(Findings& findings, NameCheck& platforms, const Target& target);
@@ -23,10 +23,10 @@ void check_options(Findings& findings, const RunOptions& options);
 void check_file_names(Findings& findings, const Scene& scene);
 
 /// When a radar's pulses leave; nothing where its repetition is faulty.
-[[nodiscard]] std::optional<Repetition> repetition_of(const Radar& radar);
+[[nodiscard]] std::optional<radar::Repetition> repetition_of(const Radar& radar);
 
 /// Bandwidth by which a radar's sampling is judged [Hz], the same that `bandwidth_hz` has for its pulse (decision 7);
 /// nothing where the pulse is faulty.
 [[nodiscard]] std::optional<double> nominal_bandwidth_hz(const Radar& radar);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

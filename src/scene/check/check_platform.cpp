@@ -3,11 +3,13 @@
 
 #include "scene/check/check_objects.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
-Vec3 degrees(const std::array<Angle, 3>& angles) { return {angles[0].deg(), angles[1].deg(), angles[2].deg()}; }
+core::Vec3 degrees(const std::array<core::Angle, 3>& angles) {
+  return {angles[0].deg(), angles[1].deg(), angles[2].deg()};
+}
 
 void check_path(Findings& findings, const Platform& platform) {
   const bool moves = platform.path == Platform::Path::trajectory;
@@ -20,7 +22,8 @@ void check_path(Findings& findings, const Platform& platform) {
                                      .empty = FunctionRule::Empty::constant_zero},
                                     platform.trajectory_m.part);
   if (!moves || !platform.aligned || !sound) return;
-  if (std::ranges::all_of(platform.trajectory_m.part, [](const SampledFunction& f) { return f.knots.size() < 2; }))
+  if (std::ranges::all_of(platform.trajectory_m.part,
+                          [](const core::SampledFunction& f) { return f.knots.size() < 2; }))
     findings.warning(Consequence::surprise, "aligned",
                      {.message = "the platform is aligned with its velocity but does not move",
                       .found = "a trajectory of single points",
@@ -47,7 +50,7 @@ void check_envelope(Findings& findings, std::string_view field, std::string_view
       findings,
       {.field = field, .what = what, .parts = coordinate_parts, .used = used, .empty = FunctionRule::Empty::allowed},
       envelope.part);
-  if (used && std::ranges::any_of(envelope.part, [](const SampledFunction& f) { return f.knots.size() == 1; }))
+  if (used && std::ranges::any_of(envelope.part, [](const core::SampledFunction& f) { return f.knots.size() == 1; }))
     findings.error(field, {.message = "the " + std::string(what) + " has a single point on one axis",
                            .found = "1 point",
                            .expected = "at least two points, or none for no error on that axis",
@@ -72,4 +75,4 @@ void check_platform(Findings& findings, const Platform& platform) {
   check_errors(findings, platform);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

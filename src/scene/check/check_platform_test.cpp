@@ -1,6 +1,6 @@
 #include "scene/check/check_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
@@ -9,7 +9,7 @@ TEST(CheckPlatform, RefusesATrajectoryWhoseTimesDoNotAscend) {
   for (const auto& bad : {points({{0.0, 1.0}, {2.0, 1.0}, {1.0, 1.0}}), points({{0.0, 1.0}, {1.0, 1.0}, {1.0, 2.0}})}) {
     Scene scene = sound_scene();
     scene.platforms[1].trajectory_m.part[0] = bad;
-    const Problem problem = expect_error(scene, {"platform", 1, "trajectory_m"});
+    const core::Problem problem = expect_error(scene, {"platform", 1, "trajectory_m"});
     EXPECT_THAT(problem.message, HasSubstr("trajectory X"));
     EXPECT_THAT(problem.found, HasSubstr("at point 3"));
   }
@@ -47,7 +47,7 @@ TEST(CheckPlatform, RefusesNegativeStandardDeviations) {
   scene.platforms[0].position_stddev_m.z = -0.1;
   expect_error(scene, {"platform", 0, "position_stddev_m"});
   scene = sound_scene();
-  scene.platforms[0].rotation_stddev[1] = Angle::from_deg(-1.0);
+  scene.platforms[0].rotation_stddev[1] = core::Angle::from_deg(-1.0);
   expect_error(scene, {"platform", 0, "rotation_stddev"});
 }
 
@@ -86,10 +86,10 @@ TEST(CheckTarget, RefusesNegativeStandardDeviations) {
   scene.targets[0].position_stddev_m.x = -1.0;
   expect_error(scene, {"target", 0, "position_stddev_m"});
   scene = sound_scene();
-  scene.targets[0].azimuth_stddev = Angle::from_deg(-1.0);
+  scene.targets[0].azimuth_stddev = core::Angle::from_deg(-1.0);
   expect_error(scene, {"target", 0, "azimuth_stddev"});
   scene = sound_scene();
-  scene.targets[0].elevation_stddev = Angle::from_deg(-1.0);
+  scene.targets[0].elevation_stddev = core::Angle::from_deg(-1.0);
   expect_error(scene, {"target", 0, "elevation_stddev"});
 }
 
@@ -113,23 +113,23 @@ TEST(CheckTarget, NeedsPointsForItsOwnReflectivityFunctionOnlyWhereThatIsUsed) {
 
 TEST(CheckSurface, WarnsOfCornersOnALine) {
   Scene scene = sound_scene();
-  scene.surfaces[0].corner_m = {Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 1.0, 1.0}, Vec3{3.0, 3.0, 3.0}};
+  scene.surfaces[0].corner_m = {core::Vec3{0.0, 0.0, 0.0}, core::Vec3{1.0, 1.0, 1.0}, core::Vec3{3.0, 3.0, 3.0}};
   expect_warning(scene, {"surface", 0, "corner_m"});
-  scene.surfaces[0].corner_m = {Vec3{1.0, 2.0, 3.0}, Vec3{1.0, 2.0, 3.0}, Vec3{3.0, 3.0, 3.0}};
+  scene.surfaces[0].corner_m = {core::Vec3{1.0, 2.0, 3.0}, core::Vec3{1.0, 2.0, 3.0}, core::Vec3{3.0, 3.0, 3.0}};
   expect_warning(scene, {"surface", 0, "corner_m"});
 }
 
 Scene with_low_pass_trajectory(std::initializer_list<double> times_s) {
   Scene scene = sound_scene();
-  SampledFunction& x_m = scene.platforms[1].trajectory_m.part[0];
-  x_m = {.method = Interpolation::low_pass, .knots = {}};
+  core::SampledFunction& x_m = scene.platforms[1].trajectory_m.part[0];
+  x_m = {.method = core::Interpolation::low_pass, .knots = {}};
   for (const double t : times_s) x_m.knots.push_back({t, 100.0 - 200.0 * t});
   return scene;
 }
 
 TEST(CheckFunctions, WarnOfUnevenPointsThatALowPassFilterMisses) {
   const Scene scene = with_low_pass_trajectory({0.0, 1.0, 2.0, 10.0});  // even places: 0, 3.33, 6.67, 10
-  const Problem problem = expect_warning(scene, {"platform", 1, "trajectory_m"});
+  const core::Problem problem = expect_warning(scene, {"platform", 1, "trajectory_m"});
   EXPECT_EQ(problem.message, "the points of the trajectory X are not evenly spaced: MFILTER passes them by");
   EXPECT_EQ(problem.found, "x = 2 at point 3, 1.4 spacings from its even place");
   EXPECT_EQ(problem.expected, "points 3.33333333 apart, within 5 %");
@@ -147,15 +147,15 @@ TEST(CheckFunctions, TakeRoundedTablesForEven) {
 
 TEST(CheckFunctions, SayNothingOfUnevenPointsThatNoLowPassFilterReads) {
   Scene scene = with_low_pass_trajectory({0.0, 1.0, 2.0, 10.0});
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic}) {
+  for (const core::Interpolation method : {core::Interpolation::linear, core::Interpolation::cubic}) {
     scene.platforms[1].trajectory_m.part[0].method = method;
     EXPECT_TRUE(check(scene).empty());
   }
   scene = sound_scene();
-  scene.platforms[0].trajectory_m.part[0] = {.method = Interpolation::low_pass,
+  scene.platforms[0].trajectory_m.part[0] = {.method = core::Interpolation::low_pass,
                                              .knots = {{0.0, 0.0}, {1.0, 1.0}, {10.0, 2.0}}};
   EXPECT_TRUE(check(scene).empty()) << "a platform that stands does not look at its trajectory";
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

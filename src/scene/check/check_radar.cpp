@@ -8,20 +8,21 @@
 #include "scene/model/limits.hpp"
 #include "scene/model/radar_pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 constexpr std::string_view quadrature_parts[] = {"I", "Q"};
 constexpr std::string_view cut_parts[] = {"azimuth cut", "elevation cut"};
 
-bool all_zero(const SampledFunction& function) {
-  return std::ranges::all_of(function.knots, [](const Knot& knot) { return knot.y == 0.0; });
+bool all_zero(const core::SampledFunction& function) {
+  return std::ranges::all_of(function.knots, [](const core::Knot& knot) { return knot.y == 0.0; });
 }
 
 void check_user_pulse(Findings& findings, const Radar& radar) {
   const bool used = radar.pulse == Radar::Pulse::user;
-  const bool none = std::ranges::all_of(radar.pulse_iq.part, [](const SampledFunction& f) { return f.knots.empty(); });
+  const bool none =
+      std::ranges::all_of(radar.pulse_iq.part, [](const core::SampledFunction& f) { return f.knots.empty(); });
   const bool sound = check_function(findings,
                                     {.field = "pulse_iq",
                                      .what = "user-defined pulse",
@@ -80,7 +81,7 @@ void check_list(Findings& findings, std::string_view field, std::string_view wha
   const FunctionRule rule{.field = field, .what = what, .parts = single_part, .used = used, .x_matters = false};
   if (!check_function(findings, rule, list.part) || !used) return;
   const auto& knots = list.part[0].knots;
-  const auto bad = std::ranges::find_if(knots, [](const Knot& knot) { return !(knot.y > 0.0); });
+  const auto bad = std::ranges::find_if(knots, [](const core::Knot& knot) { return !(knot.y > 0.0); });
   if (bad != knots.end())
     findings.error(field, {.message = fmt::format("an entry of the {} is not above zero", what),
                            .found = fmt::format("entry {}: {}", bad - knots.begin() + 1, value_text(bad->y, unit)),
@@ -220,32 +221,34 @@ void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar) {
   check_receiver(findings, radar);
 }
 
-std::optional<Repetition> repetition_of(const Radar& radar) {
+std::optional<radar::Repetition> repetition_of(const Radar& radar) {
   const auto usable = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (radar.repetition == Radar::Repetition::constant) {
     if (!usable(radar.prf_hz)) return std::nullopt;
-    return Repetition::constant(radar.prf_hz);
+    return radar::Repetition::constant(radar.prf_hz);
   }
   std::vector<double> intervals;
-  for (const Knot& knot : radar.pri_s.part[0].knots) {
+  for (const core::Knot& knot : radar.pri_s.part[0].knots) {
     if (!usable(knot.y)) return std::nullopt;
     intervals.push_back(knot.y);
   }
   if (intervals.empty()) return std::nullopt;
-  return Repetition::intervals(std::move(intervals));
+  return radar::Repetition::intervals(std::move(intervals));
 }
 
 namespace {
 
 // Whether the functions of a user-defined pulse can be evaluated; what is wrong with them is said elsewhere.
 bool user_pulse_is_sound(const Radar& radar) {
-  const auto numbers = [](const SampledFunction& function) {
-    return std::ranges::all_of(function.knots, [](const Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
+  const auto numbers = [](const core::SampledFunction& function) {
+    return std::ranges::all_of(function.knots,
+                               [](const core::Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
   };
-  const auto ascends = [](const SampledFunction& function) {
-    return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x) == function.knots.end();
+  const auto ascends = [](const core::SampledFunction& function) {
+    return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &core::Knot::x) ==
+           function.knots.end();
   };
-  const auto sound = [&](const SampledFunction& function) { return numbers(function) && ascends(function); };
+  const auto sound = [&](const core::SampledFunction& function) { return numbers(function) && ascends(function); };
   if (!std::ranges::all_of(radar.pulse_iq.part, sound) || std::ranges::all_of(radar.pulse_iq.part, all_zero))
     return false;
   switch (radar.envelope) {
@@ -265,16 +268,16 @@ std::optional<double> nominal_bandwidth_hz(const Radar& radar) {
     case Radar::Pulse::mono: break;
     case Radar::Pulse::user:
       if (!user_pulse_is_sound(radar)) return std::nullopt;
-      return bandwidth_hz(pulse_of(radar));
+      return radar::bandwidth_hz(pulse_of(radar));
     case Radar::Pulse::chirp:
       if (!std::isfinite(radar.bandwidth_hz)) return std::nullopt;
       if (radar.bandwidth_hz != 0.0) return std::abs(radar.bandwidth_hz);
       break;
     case Radar::Pulse::barker:
       if (radar.barker_code < 0 || radar.barker_code > 6) return std::nullopt;
-      return static_cast<double>(barker_code(radar.barker_code).size()) / radar.pulse_width_s;
+      return static_cast<double>(radar::barker_code(radar.barker_code).size()) / radar.pulse_width_s;
   }
   return 1.0 / radar.pulse_width_s;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

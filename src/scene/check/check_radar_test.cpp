@@ -5,7 +5,7 @@
 #include "scene/check/check_test_scene.hpp"
 #include "scene/model/radar_pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
@@ -16,7 +16,7 @@ Scene with_radar(const std::function<void(Radar&)>& change) {
   return scene;
 }
 
-Subject radar_field(const char* field) { return {"radar", 0, field}; }
+core::Subject radar_field(const char* field) { return {"radar", 0, field}; }
 
 TEST(CheckRadar, RefusesAPulseWidthThatIsNotAboveZero) {
   for (const double width_s : {0.0, -1e-6})
@@ -27,7 +27,8 @@ TEST(CheckRadar, SaysTheOffendingValueWithItsUnit) {
   EXPECT_EQ(expect_error(with_radar([](Radar& r) { r.pulse_width_s = -800e-9; }), radar_field("pulse_width_s")).found,
             "-800 ns");
   EXPECT_EQ(
-      expect_error(with_radar([](Radar& r) { r.losses = PowerRatio::from_db(-3.0); }), radar_field("losses")).found,
+      expect_error(with_radar([](Radar& r) { r.losses = core::PowerRatio::from_db(-3.0); }), radar_field("losses"))
+          .found,
       "-3 dB");
 }
 
@@ -41,9 +42,9 @@ TEST(CheckRadar, RefusesNegativePowerLossesTemperatureAndRamps) {
 TEST(CheckRadar, AcceptsADownChirpAndGainsOfEitherSign) {
   const Scene scene = with_radar([](Radar& r) {
     r.bandwidth_hz = -100e6;
-    r.transmit_gain = PowerRatio::from_db(-3.0);
-    r.receive_gain = PowerRatio::from_db(30.0);
-    r.beam_rate = Angle::from_deg(-24.0);
+    r.transmit_gain = core::PowerRatio::from_db(-3.0);
+    r.receive_gain = core::PowerRatio::from_db(30.0);
+    r.beam_rate = core::Angle::from_deg(-24.0);
   });
   EXPECT_TRUE(check(scene).empty());
 }
@@ -63,7 +64,7 @@ TEST(CheckRadar, KnowsTheBarkerCodes) {
 TEST(CheckRadar, NeedsAUserPulseThatTransmitsSomething) {
   Scene scene = with_radar([](Radar& r) { r.pulse = Radar::Pulse::user; });
   EXPECT_EQ(check(scene).size(), 2U) << "I and Q";
-  EXPECT_TRUE(has_errors(check(scene)));
+  EXPECT_TRUE(core::has_errors(check(scene)));
   scene.radars[0].pulse_iq.part[0] = points({{0.0, 1.0}, {1.0, 1.0}});
   EXPECT_THAT(expect_warning(scene, radar_field("pulse_iq")).message, HasSubstr("pulse Q"));
   scene.radars[0].pulse_iq.part[1] = points({{0.0, 0.0}});
@@ -147,7 +148,7 @@ TEST(CheckRadar, RefusesFewerThanOneStepOrPulse) {
 
 TEST(CheckRadar, HoldsBeamWidthsBetweenZeroAndAFullCircle) {
   for (const double width_deg : {0.0, -1.0, 361.0}) {
-    const Angle width = Angle::from_deg(width_deg);
+    const core::Angle width = core::Angle::from_deg(width_deg);
     expect_error(with_radar([&](Radar& r) { r.transmit_antenna.azimuth_beamwidth = width; }),
                  radar_field("transmit_antenna.azimuth_beamwidth"));
     EXPECT_TRUE(check(with_radar([&](Radar& r) { r.receive_antenna.azimuth_beamwidth = width; })).empty())
@@ -219,9 +220,9 @@ TEST(NominalBandwidth, IsThatOfTheModulation) {
   radar.pulse = Radar::Pulse::user;
   EXPECT_FALSE(nominal_bandwidth_hz(radar));
   radar.pulse_iq.part[0] = points({{0.0, 1.0}, {0.5, -1.0}, {1.0, 1.0}});
-  EXPECT_EQ(nominal_bandwidth_hz(radar).value(), bandwidth_hz(pulse_of(radar)));
+  EXPECT_EQ(nominal_bandwidth_hz(radar).value(), radar::bandwidth_hz(pulse_of(radar)));
   EXPECT_GT(nominal_bandwidth_hz(radar).value(), 0.5e6);
-  for (const Knot& fault : {Knot{0.5, 1.0}, Knot{2.0, std::numeric_limits<double>::quiet_NaN()}}) {
+  for (const core::Knot& fault : {core::Knot{0.5, 1.0}, core::Knot{2.0, std::numeric_limits<double>::quiet_NaN()}}) {
     radar.pulse_iq.part[1] = points({{0.0, 1.0}, {1.0, 1.0}, fault});
     EXPECT_FALSE(nominal_bandwidth_hz(radar));
   }
@@ -236,9 +237,10 @@ TEST(NominalBandwidth, IsThatOfTheModulation) {
 TEST(CheckRadar, TakesListsWhoseNumbersAreNotEven) {
   Scene scene = sound_scene();
   scene.radars[0].repetition = Radar::Repetition::user;
-  scene.radars[0].pri_s.part[0] = {.method = Interpolation::low_pass, .knots = {{0.0, 4e-3}, {5.0, 4e-3}, {6.0, 4e-3}}};
+  scene.radars[0].pri_s.part[0] = {.method = core::Interpolation::low_pass,
+                                   .knots = {{0.0, 4e-3}, {5.0, 4e-3}, {6.0, 4e-3}}};
   EXPECT_TRUE(check(scene).empty());
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 #include "scene/model/limits.hpp"
 #include "scene/model/radar_pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -55,7 +55,7 @@ bool check_ends(Findings& findings, const Window& window) {
 }
 
 // The pulses of the window; none after reporting.
-PulseRange check_pulses(Findings& findings, const Window& window, const Repetition& repetition) {
+radar::PulseRange check_pulses(Findings& findings, const Window& window, const radar::Repetition& repetition) {
   const double farthest_s = std::max(std::abs(window.time_start_s), std::abs(window.time_end_s));
   if (farthest_s / repetition.mean_interval_s() >= exact_integers) {
     findings.error("time_end_s",
@@ -65,7 +65,7 @@ PulseRange check_pulses(Findings& findings, const Window& window, const Repetiti
                     .hint = {}});
     return {};
   }
-  const PulseRange pulses = repetition.pulses_in(window.time_start_s, window.time_end_s);
+  const radar::PulseRange pulses = repetition.pulses_in(window.time_start_s, window.time_end_s);
   if (pulses.count() > 0) return pulses;
   findings.error(
       "time_end_s",
@@ -80,7 +80,7 @@ PulseRange check_pulses(Findings& findings, const Window& window, const Repetiti
 
 double sample_count(const Simulation& simulation) {
   return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
-                        exact_light_speed_mps +
+                        core::exact_light_speed_mps +
                     0.5);
 }
 
@@ -124,8 +124,9 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
          .found = fmt::format("{} at {}", value_text(simulation.range_end_m - simulation.range_start_m, "m"),
                               value_text(simulation.sample_rate_hz, "Hz")),
          .expected = fmt::format(
-             "at least {:.4g} m or {}", 0.25 * exact_light_speed_mps / simulation.sample_rate_hz,
-             value_text(0.25 * exact_light_speed_mps / (simulation.range_end_m - simulation.range_start_m), "Hz")),
+             "at least {:.4g} m or {}", 0.25 * core::exact_light_speed_mps / simulation.sample_rate_hz,
+             value_text(0.25 * core::exact_light_speed_mps / (simulation.range_end_m - simulation.range_start_m),
+                        "Hz")),
          .hint = "Samples lie c/(2 fs) apart."});
     return;
   }
@@ -185,7 +186,7 @@ void check_converter(Findings& findings, const Simulation& simulation) {
 std::optional<double> band_to_keep_hz(const Radar& radar) {
   const auto bandwidth_hz = nominal_bandwidth_hz(radar);
   if (!bandwidth_hz || radar.pulse != Radar::Pulse::user) return bandwidth_hz;
-  return energy_band_hz(pulse_of(radar), 0.9);
+  return radar::energy_band_hz(pulse_of(radar), 0.9);
 }
 
 void check_bandwidth(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
@@ -207,14 +208,14 @@ void check_bandwidth(Findings& findings, const Simulation& simulation, const Rad
                                    value_text(beyond_hz, "Hz"))});
 }
 
-void check_ranges(Findings& findings, const Simulation& simulation, const Repetition& repetition) {
+void check_ranges(Findings& findings, const Simulation& simulation, const radar::Repetition& repetition) {
   if (simulation.range_start_m < 0.0)
     findings.warning(Consequence::surprise, "range_start_m",
                      {.message = "the slant range window starts before the radar; that part is empty",
                       .found = value_text(simulation.range_start_m, "m"),
                       .expected = "0 m or more",
                       .hint = {}});
-  const double unambiguous_m = 0.5 * exact_light_speed_mps * repetition.shortest_interval_s();
+  const double unambiguous_m = 0.5 * core::exact_light_speed_mps * repetition.shortest_interval_s();
   if (simulation.range_end_m <= unambiguous_m) return;
   findings.warning(Consequence::lost_signal, "range_end_m",
                    {.message = "the slant range window reaches beyond the unambiguous range",
@@ -224,10 +225,10 @@ void check_ranges(Findings& findings, const Simulation& simulation, const Repeti
                             "its own pulse."});
 }
 
-void check_burst(Findings& findings, const Radar& radar, const PulseRange& pulses) {
+void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {
   const std::int64_t length = std::int64_t{radar.carrier_steps} * radar.pulses_per_step;
-  const std::int64_t first = -floor_divide(-pulses.first, length);
-  const std::int64_t beyond = floor_divide(pulses.last + 1, length);
+  const std::int64_t first = -radar::floor_divide(-pulses.first, length);
+  const std::int64_t beyond = radar::floor_divide(pulses.last + 1, length);
   if (pulses.count() == 0 || first < beyond) return;
   findings.error("time_end_s",
                  {.message = "the azimuth window holds no complete burst of frequency steps",
@@ -237,7 +238,7 @@ void check_burst(Findings& findings, const Radar& radar, const PulseRange& pulse
 }
 
 // A range profile is synthesised from the steps of a burst: there have to be some, and they have to fit the pulse.
-void check_profile(Findings& findings, const Radar& radar, const PulseRange& pulses) {
+void check_profile(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {
   if (radar.carrier != Radar::Carrier::stepped || radar.carrier_steps < 2) {
     findings.error("processing",
                    {.message = "synthetic range profiles need a carrier with at least two frequency steps",
@@ -269,8 +270,8 @@ void check_profile(Findings& findings, const Radar& radar, const PulseRange& pul
         Consequence::false_signal, "processing",
         {.message =
              "the frequency steps are wider apart than one over the pulse width: a profile is shorter than the pulse",
-         .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m", 0.5 * exact_light_speed_mps / step_hz,
-                              0.5 * exact_light_speed_mps * radar.pulse_width_s),
+         .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m", 0.5 * core::exact_light_speed_mps / step_hz,
+                              0.5 * core::exact_light_speed_mps * radar.pulse_width_s),
          .expected = fmt::format("steps up to {} or a pulse up to {}", value_text(1.0 / radar.pulse_width_s, "Hz"),
                                  value_text(1.0 / step_hz, "s")),
          .hint = "Targets of one range gate fold onto each other."});
@@ -288,7 +289,7 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
 
   const Radar* radar = index == not_found ? nullptr : &scene.radars[index];
   const auto repetition = radar == nullptr ? std::nullopt : repetition_of(*radar);
-  PulseRange pulses;
+  radar::PulseRange pulses;
   if (window_sound && repetition) {
     pulses = check_pulses(findings, window_of(simulation), *repetition);
     check_ranges(findings, simulation, *repetition);
@@ -333,4 +334,4 @@ void check_file_names(Findings& findings, const Scene& scene) {
   for (std::size_t i = 0; i < scene.geometries.size(); ++i) meet("geometry", i, scene.geometries[i].file);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -3,7 +3,7 @@
 
 #include "scene/check/check_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
@@ -14,7 +14,7 @@ Scene with_simulation(const std::function<void(Simulation&)>& change) {
   return scene;
 }
 
-Subject simulation_field(const char* field) { return {"simulation", 0, field}; }
+core::Subject simulation_field(const char* field) { return {"simulation", 0, field}; }
 
 Scene with_times(double start_s, double end_s) {
   return with_simulation([=](Simulation& s) { s.time_start_s = start_s, s.time_end_s = end_s; });
@@ -42,7 +42,7 @@ TEST(CheckRecording, AcceptsAWindowOfOneInstantThatHoldsAPulse) {
 
 // Pulse 1 leaves at 3.333 ms, pulse 2 at 6.667 ms.
 TEST(CheckRecording, RefusesAWindowBetweenTwoPulsesAndNamesThem) {
-  const Problem problem = expect_error(with_times(4e-3, 6e-3), simulation_field("time_end_s"));
+  const core::Problem problem = expect_error(with_times(4e-3, 6e-3), simulation_field("time_end_s"));
   EXPECT_THAT(problem.message, HasSubstr("no pulse"));
   EXPECT_THAT(problem.expected, HasSubstr("3.33333 ms or 6.66667 ms"));
   Scene scene = sound_scene();
@@ -74,7 +74,7 @@ TEST(CheckRecording, RefusesAWindowTooFarFromZeroToNumberItsPulses) {
 }
 
 TEST(CheckRecording, RefusesARecordingOfMoreSamplesThanCanBeCounted) {
-  const Problem problem = expect_error(with_times(0.0, 1e13), simulation_field("time_end_s"));
+  const core::Problem problem = expect_error(with_times(0.0, 1e13), simulation_field("time_end_s"));
   EXPECT_THAT(problem.message, HasSubstr("1.5e+18 samples cannot be made"));
   EXPECT_TRUE(check(with_times(0.0, 1e10)).empty()) << "3e12 pulses of 500 samples are many, but countable";
 }
@@ -86,14 +86,14 @@ TEST(CheckRecording, RefusesARowThatNoMemoryHolds) {
       s.range_end_m = s.range_start_m + samples * 299792458.0 / (2.0 * s.sample_rate_hz);
     });
   };
-  EXPECT_FALSE(has_errors(check(rows_of(9.9e6))));
+  EXPECT_FALSE(core::has_errors(check(rows_of(9.9e6))));
   EXPECT_THAT(expect_error(rows_of(1.1e7), simulation_field("range_end_m")).message, HasSubstr("too long"));
 }
 
 TEST(CheckRecording, RefusesAPulseThatNoMemoryHoldsWhereItIsKept) {
   Scene scene = with_simulation([](Simulation& s) { s.time_end_s = s.time_start_s; });
   scene.radars[0].pulse_width_s = 1.1e7 / scene.simulations[0].sample_rate_hz;
-  EXPECT_FALSE(has_errors(check(scene)));
+  EXPECT_FALSE(core::has_errors(check(scene)));
   scene.simulations[0].processing = Processing::matched_filter;
   EXPECT_THAT(check(scene)[0].message, HasSubstr("a pulse of 1.1e+07 samples is too long"));
 }
@@ -104,7 +104,7 @@ TEST(CheckRecording, RefusesABandLimitedPulseWhoseFilterNoMemoryHolds) {
   scene.options.pulse = PulseDefinition::band_limited;
   scene.radars[0].pulse = Radar::Pulse::mono;
   scene.radars[0].pulse_width_s = 2e5 / scene.simulations[0].sample_rate_hz;
-  EXPECT_FALSE(has_errors(check(scene)));
+  EXPECT_FALSE(core::has_errors(check(scene)));
   scene.simulations[0].oversampling = 2.0;
   EXPECT_THAT(check(scene)[0].message, HasSubstr("is too long"));
 }
@@ -139,18 +139,18 @@ TEST(CheckRecording, RefusesANegativeLsbAndFactorsOutOfRange) {
     expect_error(with_simulation([&](Simulation& s) { s.oversampling = factor; }), simulation_field("oversampling"));
     expect_error(with_simulation([&](Simulation& s) { s.width_factor = factor; }), simulation_field("width_factor"));
   }
-  EXPECT_FALSE(has_errors(check(with_simulation([](Simulation& s) { s.oversampling = 100.0; }))));
+  EXPECT_FALSE(core::has_errors(check(with_simulation([](Simulation& s) { s.oversampling = 100.0; }))));
 }
 
 TEST(CheckRecording, NotesFactorsThatDoNothingToAnIdealPulse) {
   Scene scene = with_simulation([](Simulation& s) { s.oversampling = 5.0, s.width_factor = 2.0; });
-  const Problem both = expect_single(scene, Severity::note, simulation_field("oversampling"));
+  const core::Problem both = expect_single(scene, core::Severity::note, simulation_field("oversampling"));
   EXPECT_EQ(both.found, "5 and 2");
   EXPECT_THAT(both.hint, HasSubstr("PULSE BAND_LIMITED"));
   scene.options.profile = Profile::classic;
-  expect_single(scene, Severity::note, simulation_field("oversampling"));
+  expect_single(scene, core::Severity::note, simulation_field("oversampling"));
   scene.simulations[0].oversampling = 1.0;
-  const Problem length = expect_single(scene, Severity::note, simulation_field("width_factor"));
+  const core::Problem length = expect_single(scene, core::Severity::note, simulation_field("width_factor"));
   EXPECT_THAT(length.hint, HasSubstr("a factor above 1"));
 }
 
@@ -185,7 +185,7 @@ TEST(CheckRecording, NumbersEveryRepetitionOfAFileName) {
   Scene scene = sound_scene();
   scene.simulations.resize(3, scene.simulations[0]);
   for (Simulation& simulation : scene.simulations) simulation.file = "plain";
-  const Problems problems = check(scene);
+  const core::Problems problems = check(scene);
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_THAT(problems[0].hint, HasSubstr("plain-2."));
   EXPECT_THAT(problems[1].hint, HasSubstr("plain-3."));
@@ -205,13 +205,13 @@ TEST(CheckRecording, WarnsOfSamplingFarBelowTheBandOfAUserPulse) {
   Radar& radar = scene.radars[0];
   radar.pulse = Radar::Pulse::user;
   radar.pulse_width_s = 2e-6;
-  radar.pulse_iq.part[0].method = Interpolation::linear;
+  radar.pulse_iq.part[0].method = core::Interpolation::linear;
   for (int chip = 0; chip < 32; ++chip)
     for (const double edge : {0.001, 0.999})
       radar.pulse_iq.part[0].knots.push_back({(chip + edge) / 32.0, chip % 2 == 0 ? 1.0 : -1.0});
   radar.pulse_iq.part[1].knots = {{0.0, 0.0}};
   scene.simulations[0].sample_rate_hz = 10e6;
-  const Problem problem = expect_warning(scene, simulation_field("sample_rate_hz"));
+  const core::Problem problem = expect_warning(scene, simulation_field("sample_rate_hz"));
   EXPECT_THAT(problem.message, HasSubstr("below the bandwidth of the pulse"));
   EXPECT_THAT(problem.expected, HasSubstr("which holds 90 % of its energy"));
   scene.simulations[0].sample_rate_hz = 100e6;
@@ -219,8 +219,8 @@ TEST(CheckRecording, WarnsOfSamplingFarBelowTheBandOfAUserPulse) {
 }
 
 TEST(CheckRecording, WarnsOfSamplingBelowTheBandwidthAndSaysWhatFolds) {
-  const Problem problem = expect_warning(with_simulation([](Simulation& s) { s.sample_rate_hz = 80e6; }),
-                                         simulation_field("sample_rate_hz"));
+  const core::Problem problem = expect_warning(with_simulation([](Simulation& s) { s.sample_rate_hz = 80e6; }),
+                                               simulation_field("sample_rate_hz"));
   EXPECT_EQ(problem.found, "80 MHz");
   EXPECT_EQ(problem.expected, "at least 100 MHz");
   EXPECT_THAT(problem.hint, HasSubstr("outer 20 MHz"));
@@ -251,7 +251,7 @@ TEST(CheckRecording, WarnsOfAWindowBeyondTheUnambiguousRange) {
     return with_simulation([=](Simulation& s) { s.range_start_m = 499e3, s.range_end_m = end_m; });
   };
   EXPECT_TRUE(check(until(499654.0)).empty());
-  const Problem problem = expect_warning(until(499655.0), simulation_field("range_end_m"));
+  const core::Problem problem = expect_warning(until(499655.0), simulation_field("range_end_m"));
   EXPECT_THAT(problem.expected, HasSubstr("499654 m"));
   EXPECT_THAT(problem.hint, HasSubstr("after the next pulse has left"));
 }
@@ -324,7 +324,7 @@ TEST(CheckProfile, WarnsOfAModulatedPulse) {
 TEST(CheckProfile, WarnsOfStepsTooWideForThePulse) {
   Scene scene = profile_scene();
   scene.radars[0].carrier_step_hz = 12.5e6;
-  const Problem problem = expect_warning(scene, simulation_field("processing"));
+  const core::Problem problem = expect_warning(scene, simulation_field("processing"));
   EXPECT_EQ(problem.found, "profile of 11.99 m, pulse of 14.99 m");
   EXPECT_EQ(problem.expected, "steps up to 10 MHz or a pulse up to 80 ns");
   scene.radars[0].carrier_step_hz = -12.5e6;
@@ -338,4 +338,4 @@ TEST(CheckProfile, SaysNothingMoreAboutAFaultyCarrier) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

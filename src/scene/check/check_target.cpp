@@ -1,7 +1,7 @@
 #include "scene/check/check_objects.hpp"
 #include "scene/model/limits.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -35,10 +35,10 @@ void check_target(Findings& findings, NameCheck& platforms, const Target& target
 void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface) {
   platforms.resolve(findings, "platform", surface.platform);
   bool sound = true;
-  for (const Vec3& corner : surface.corner_m) sound = findings.finite("corner_m", "corner", corner, "m") && sound;
+  for (const core::Vec3& corner : surface.corner_m) sound = findings.finite("corner_m", "corner", corner, "m") && sound;
   const auto& [a, b, c] = surface.corner_m;
   if (!sound) return;
-  const double area_m2 = 0.5 * norm(cross(b - a, c - a));
+  const double area_m2 = 0.5 * core::norm(core::cross(b - a, c - a));
   if (area_m2 > largest_surface_m2)
     findings.error("corner_m", {.message = "the surface is too large to be filled with points, one per square metre",
                                 .found = value_text(area_m2, "m2"),
@@ -52,4 +52,4 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
                       .hint = {}});
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

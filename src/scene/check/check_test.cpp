@@ -6,13 +6,13 @@
 
 #include "scene/check/check_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
 
 TEST(Check, FindsNothingInASoundScene) {
-  for (const Problem& problem : check(sound_scene())) ADD_FAILURE() << to_string(problem);
+  for (const core::Problem& problem : check(sound_scene())) ADD_FAILURE() << core::to_string(problem);
 }
 
 TEST(Check, FindsNothingInAnEmptyScene) { EXPECT_TRUE(check(Scene{}).empty()); }
@@ -26,7 +26,7 @@ TEST(Check, FindsNothingWrongWithARadarThatNoSimulationUses) {
 
 // Every number of a scene, with its place. What is not in use must be a number too: an editor shows it.
 struct Field {
-  Subject subject;
+  core::Subject subject;
   std::function<void(Scene&, double)> set;
 };
 
@@ -38,20 +38,20 @@ std::vector<Field> motion_fields() {
        [](Scene& s, double v) {
          s.platforms[0].trajectory_m.part[1] = points({{v, 0.0}});
        }},
-      {{"platform", 0, "rotation"}, [](Scene& s, double v) { s.platforms[0].rotation[2] = Angle::from_deg(v); }},
+      {{"platform", 0, "rotation"}, [](Scene& s, double v) { s.platforms[0].rotation[2] = core::Angle::from_deg(v); }},
       {{"platform", 0, "rotation_deg"},
        [](Scene& s, double v) {
          s.platforms[0].rotation_deg.part[0] = points({{0.0, v}});
        }},
       {{"platform", 0, "rotation_rate"},
-       [](Scene& s, double v) { s.platforms[0].rotation_rate[1] = Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.platforms[0].rotation_rate[1] = core::Angle::from_deg(v); }},
       {{"platform", 0, "position_stddev_m"}, [](Scene& s, double v) { s.platforms[0].position_stddev_m.x = v; }},
       {{"platform", 0, "position_envelope"},
        [](Scene& s, double v) {
          s.platforms[0].position_envelope.part[0] = points({{v, 1.0}});
        }},
       {{"platform", 0, "rotation_stddev"},
-       [](Scene& s, double v) { s.platforms[0].rotation_stddev[0] = Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.platforms[0].rotation_stddev[0] = core::Angle::from_deg(v); }},
       {{"platform", 0, "rotation_envelope"},
        [](Scene& s, double v) {
          s.platforms[0].rotation_envelope.part[2] = points({{0.0, v}});
@@ -60,11 +60,12 @@ std::vector<Field> motion_fields() {
       {{"target", 0, "position_stddev_m"}, [](Scene& s, double v) { s.targets[0].position_stddev_m.z = v; }},
       {{"target", 0, "rcs_m2"}, [](Scene& s, double v) { s.targets[0].rcs_m2 = v; }},
       {{"target", 0, "rcs_stddev_m2"}, [](Scene& s, double v) { s.targets[0].rcs_stddev_m2 = v; }},
-      {{"target", 0, "azimuth"}, [](Scene& s, double v) { s.targets[0].azimuth = Angle::from_deg(v); }},
-      {{"target", 0, "elevation"}, [](Scene& s, double v) { s.targets[0].elevation = Angle::from_deg(v); }},
-      {{"target", 0, "azimuth_stddev"}, [](Scene& s, double v) { s.targets[0].azimuth_stddev = Angle::from_deg(v); }},
+      {{"target", 0, "azimuth"}, [](Scene& s, double v) { s.targets[0].azimuth = core::Angle::from_deg(v); }},
+      {{"target", 0, "elevation"}, [](Scene& s, double v) { s.targets[0].elevation = core::Angle::from_deg(v); }},
+      {{"target", 0, "azimuth_stddev"},
+       [](Scene& s, double v) { s.targets[0].azimuth_stddev = core::Angle::from_deg(v); }},
       {{"target", 0, "elevation_stddev"},
-       [](Scene& s, double v) { s.targets[0].elevation_stddev = Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.targets[0].elevation_stddev = core::Angle::from_deg(v); }},
       {{"target", 0, "gain_db"},
        [](Scene& s, double v) {
          s.targets[0].gain_db.part[0] = points({{v, 0.0}});
@@ -99,25 +100,28 @@ std::vector<Field> radar_fields() {
          s.radars[0].carrier_list_hz.part[0] = points({{0.0, v}});
        }},
       {{"radar", 0, "power_w"}, [](Scene& s, double v) { s.radars[0].power_w = v; }},
-      {{"radar", 0, "transmit_gain"}, [](Scene& s, double v) { s.radars[0].transmit_gain = PowerRatio::from_db(v); }},
-      {{"radar", 0, "receive_gain"}, [](Scene& s, double v) { s.radars[0].receive_gain = PowerRatio::from_db(v); }},
-      {{"radar", 0, "losses"}, [](Scene& s, double v) { s.radars[0].losses = PowerRatio::from_db(v); }},
+      {{"radar", 0, "transmit_gain"},
+       [](Scene& s, double v) { s.radars[0].transmit_gain = core::PowerRatio::from_db(v); }},
+      {{"radar", 0, "receive_gain"},
+       [](Scene& s, double v) { s.radars[0].receive_gain = core::PowerRatio::from_db(v); }},
+      {{"radar", 0, "losses"}, [](Scene& s, double v) { s.radars[0].losses = core::PowerRatio::from_db(v); }},
       {{"radar", 0, "noise_temperature_k"}, [](Scene& s, double v) { s.radars[0].noise_temperature_k = v; }},
       {{"radar", 0, "transmit_antenna.azimuth_beamwidth"},
-       [](Scene& s, double v) { s.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(v); }},
       {{"radar", 0, "transmit_antenna"},
        [](Scene& s, double v) {
          s.radars[0].transmit_antenna.gain_db.part[0] = points({{v, v}});
        }},
       {{"radar", 0, "receive_antenna.elevation_beamwidth"},
-       [](Scene& s, double v) { s.radars[0].receive_antenna.elevation_beamwidth = Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.radars[0].receive_antenna.elevation_beamwidth = core::Angle::from_deg(v); }},
       {{"radar", 0, "receive_antenna"},
        [](Scene& s, double v) {
          s.radars[0].receive_antenna.gain_db.part[1] = points({{0.0, v}});
        }},
-      {{"radar", 0, "beam_elevation"}, [](Scene& s, double v) { s.radars[0].beam_elevation = Angle::from_deg(v); }},
-      {{"radar", 0, "beam_azimuth"}, [](Scene& s, double v) { s.radars[0].beam_azimuth = Angle::from_deg(v); }},
-      {{"radar", 0, "beam_rate"}, [](Scene& s, double v) { s.radars[0].beam_rate = Angle::from_deg(v); }},
+      {{"radar", 0, "beam_elevation"},
+       [](Scene& s, double v) { s.radars[0].beam_elevation = core::Angle::from_deg(v); }},
+      {{"radar", 0, "beam_azimuth"}, [](Scene& s, double v) { s.radars[0].beam_azimuth = core::Angle::from_deg(v); }},
+      {{"radar", 0, "beam_rate"}, [](Scene& s, double v) { s.radars[0].beam_rate = core::Angle::from_deg(v); }},
       {{"radar", 0, "spot_world_m"}, [](Scene& s, double v) { s.radars[0].spot_world_m.z = v; }},
       {{"radar", 0, "beam_target_world_m"},
        [](Scene& s, double v) {
@@ -160,7 +164,7 @@ void expect_refuses_what_is_no_number(const std::vector<Field>& fields) {
       SCOPED_TRACE(field.subject.kind + " " + field.subject.field);
       Scene scene = sound_scene();
       field.set(scene, value);
-      const Problem problem = expect_error(scene, field.subject);
+      const core::Problem problem = expect_error(scene, field.subject);
       EXPECT_THAT(problem.message, HasSubstr("finite number"));
       EXPECT_THAT(problem.found, HasSubstr(std::isnan(value) ? "nan" : "inf"));
     }
@@ -188,7 +192,7 @@ TEST(Check, PutsErrorsBeforeWarningsAndFalseSignalsBeforeSurprises) {
   scene.targets[0].rcs_m2 = -1.0;                 // lost signal
   scene.geometries[0].columns = 256;              // error, from the last object
   std::vector<std::string> fields;
-  for (const Problem& problem : check(scene)) fields.push_back(problem.subject.field);
+  for (const core::Problem& problem : check(scene)) fields.push_back(problem.subject.field);
   EXPECT_THAT(fields, testing::ElementsAre("columns", "sample_rate_hz", "rcs_m2", "name", "range_start_m"));
 }
 
@@ -196,19 +200,19 @@ TEST(Check, RefusesNumbersThatNothingCanBeComputedWith) {
   for (const double value : {1e18, -1e18}) {
     Scene scene = sound_scene();
     scene.platforms[0].position_m.y = value;
-    EXPECT_FALSE(has_errors(check(scene))) << value;
+    EXPECT_FALSE(core::has_errors(check(scene))) << value;
     scene.platforms[0].position_m.y = 1.1 * value;
     EXPECT_THAT(expect_error(scene, {"platform", 0, "position_m"}).message, testing::HasSubstr("too large"));
   }
   Scene scene = sound_scene();
-  scene.radars[0].transmit_gain = PowerRatio::from_db(300.1);
+  scene.radars[0].transmit_gain = core::PowerRatio::from_db(300.1);
   expect_error(scene, {"radar", 0, "transmit_gain"});
 }
 
 TEST(Check, RefusesASurfaceOfTooManyPoints) {
   Scene scene = sound_scene();
-  scene.surfaces.push_back({"Earth", {Vec3{}, Vec3{6e3, 0.0, 0.0}, Vec3{0.0, 6e3, 0.0}}});
-  EXPECT_FALSE(has_errors(check(scene)));
+  scene.surfaces.push_back({"Earth", {core::Vec3{}, core::Vec3{6e3, 0.0, 0.0}, core::Vec3{0.0, 6e3, 0.0}}});
+  EXPECT_FALSE(core::has_errors(check(scene)));
   scene.surfaces.back().corner_m[2].y = 7e3;
   EXPECT_THAT(expect_error(scene, {"surface", scene.surfaces.size() - 1, "corner_m"}).message,
               testing::HasSubstr("too large"));
@@ -218,10 +222,11 @@ TEST(Check, RefusesSurfacesThatAreTooLargeTogether) {
   Scene scene = sound_scene();
   scene.surfaces.clear();
   const std::size_t before = scene.surfaces.size();
-  for (int i = 0; i < 3; ++i) scene.surfaces.push_back({"Earth", {Vec3{}, Vec3{4e3, 0.0, 0.0}, Vec3{0.0, 4e3, 0.0}}});
+  for (int i = 0; i < 3; ++i)
+    scene.surfaces.push_back({"Earth", {core::Vec3{}, core::Vec3{4e3, 0.0, 0.0}, core::Vec3{0.0, 4e3, 0.0}}});
   EXPECT_THAT(expect_error(scene, {"surface", before + 2, "corner_m"}).message, testing::HasSubstr("together"));
   scene.surfaces.pop_back();
-  EXPECT_FALSE(has_errors(check(scene)));
+  EXPECT_FALSE(core::has_errors(check(scene)));
 }
 
 TEST(Check, SaysOfAnObjectWithAnErrorOnlyTheError) {
@@ -268,8 +273,8 @@ TEST(Check, FindsTheSameOnAnyNumberOfThreads) {
   }
   const auto printed = [&](unsigned threads) {
     std::string text;
-    for (const Problem& p : check(scene, {threads}))
-      text += to_string(p) + " " + p.subject.kind + std::to_string(p.subject.index) + p.subject.field + "\n";
+    for (const core::Problem& p : check(scene, {threads}))
+      text += core::to_string(p) + " " + p.subject.kind + std::to_string(p.subject.index) + p.subject.field + "\n";
     return text;
   };
   const std::string one = printed(1);
@@ -285,17 +290,17 @@ TEST(Check, CountsTheUsesOfAnUndefinedEarthAndNamesTheFirst) {
   scene.targets.assign(60'000, Target{});
   for (std::size_t i = 0; i < 30'001; ++i) scene.targets[i].platform = "Ground";
   for (const unsigned threads : {1U, 2U}) {
-    const Problems problems = check(scene, {threads});
+    const core::Problems problems = check(scene, {threads});
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].subject, (Subject{"target", 30'001, "platform"}));
+    EXPECT_EQ(problems[0].subject, (core::Subject{"target", 30'001, "platform"}));
     EXPECT_EQ(problems[0].count, 29'999U);
   }
 }
 
 TEST(Check, EndsWhenAskedTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW(static_cast<void>(check(sound_scene(), {2, &stop})), Interrupted);
+  EXPECT_THROW(static_cast<void>(check(sound_scene(), {2, &stop})), core::Interrupted);
 }
 
 TEST(Check, OfAMillionTargetsOnOnePlatformNeedsNoMillionLookUps) {
@@ -310,4 +315,4 @@ TEST(Check, OfAMillionTargetsOnOnePlatformNeedsNoMillionLookUps) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

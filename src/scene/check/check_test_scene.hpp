@@ -11,10 +11,10 @@
 #include "scene/model/scene.hpp"
 
 /// Support for the tests of `check`: a scene without any problem, to be spoilt in one place at a time.
-namespace sarsim {
+namespace sarsim::scene {
 
-inline SampledFunction points(std::initializer_list<Knot> knots) {
-  return {.method = Interpolation::linear, .knots = knots};
+inline core::SampledFunction points(std::initializer_list<core::Knot> knots) {
+  return {.method = core::Interpolation::linear, .knots = knots};
 }
 
 /// One object of each kind with values of a C-band SAR; `check` finds nothing in it.
@@ -33,7 +33,7 @@ inline Scene sound_scene() {
   radar.prf_hz = 300.0;
   radar.carrier_hz = 5.3e9;
   radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.beam_elevation = Angle::from_deg(-11.3);
+  radar.beam_elevation = core::Angle::from_deg(-11.3);
 
   Simulation simulation;
   simulation.radar = "Radar1";
@@ -57,27 +57,27 @@ inline Scene sound_scene() {
 }
 
 /// Expects `check` to find exactly one problem, of this severity and about this field, and returns it.
-inline Problem expect_single(const Scene& scene, Severity severity, const Subject& subject) {
-  const Problems problems = check(scene);
-  EXPECT_EQ(problems.size(), 1U) << (problems.empty() ? "nothing found" : to_string(problems.back()));
+inline core::Problem expect_single(const Scene& scene, core::Severity severity, const core::Subject& subject) {
+  const core::Problems problems = check(scene);
+  EXPECT_EQ(problems.size(), 1U) << (problems.empty() ? "nothing found" : core::to_string(problems.back()));
   if (problems.empty()) return {};
-  const Problem& problem = problems.front();
-  EXPECT_EQ(problem.severity, severity) << to_string(problem);
+  const core::Problem& problem = problems.front();
+  EXPECT_EQ(problem.severity, severity) << core::to_string(problem);
   EXPECT_EQ(problem.subject, subject) << problem.subject.kind << " " << problem.subject.index << " "
-                                      << problem.subject.field << ": " << to_string(problem);
+                                      << problem.subject.field << ": " << core::to_string(problem);
   EXPECT_FALSE(problem.message.empty());
   EXPECT_TRUE(problem.place.file.empty() && problem.place.line == 0);
   return problem;
 }
 
-inline Problem expect_error(const Scene& scene, const Subject& subject) {
-  Problem problem = expect_single(scene, Severity::error, subject);
-  EXPECT_FALSE(problem.expected.empty()) << to_string(problem);
+inline core::Problem expect_error(const Scene& scene, const core::Subject& subject) {
+  core::Problem problem = expect_single(scene, core::Severity::error, subject);
+  EXPECT_FALSE(problem.expected.empty()) << core::to_string(problem);
   return problem;
 }
 
-inline Problem expect_warning(const Scene& scene, const Subject& subject) {
-  return expect_single(scene, Severity::warning, subject);
+inline core::Problem expect_warning(const Scene& scene, const core::Subject& subject) {
+  return expect_single(scene, core::Severity::warning, subject);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

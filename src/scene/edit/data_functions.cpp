@@ -5,7 +5,7 @@
 
 #include "scene/edit/edit_runs.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -42,18 +42,19 @@ std::vector<FunctionUse> uses(const Object&) {
 }
 
 bool finite(const FunctionUse& function) {
-  return std::ranges::all_of(function.parts, [](const SampledFunction& part) {
-    return std::ranges::all_of(part.knots, [](const Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
+  return std::ranges::all_of(function.parts, [](const core::SampledFunction& part) {
+    return std::ranges::all_of(part.knots,
+                               [](const core::Knot& k) { return std::isfinite(k.x) && std::isfinite(k.y); });
   });
 }
 
-bool same_points(std::span<const SampledFunction> parts, const std::vector<std::vector<Knot>>& points) {
-  return std::ranges::equal(parts, points, {}, &SampledFunction::knots);
+bool same_points(std::span<const core::SampledFunction> parts, const std::vector<std::vector<core::Knot>>& points) {
+  return std::ranges::equal(parts, points, {}, &core::SampledFunction::knots);
 }
 
 bool same_data(const FunctionUse& a, const FunctionUse& b) {
   return *a.file == *b.file &&
-         std::ranges::equal(a.parts, b.parts, {}, &SampledFunction::knots, &SampledFunction::knots);
+         std::ranges::equal(a.parts, b.parts, {}, &core::SampledFunction::knots, &core::SampledFunction::knots);
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ void PendingData::note(const FunctionUse& function, const DataFileLoader& disk) 
   const DataFileText found = disk ? disk(*function.file) : DataFileText{};
   if (!found.path.empty() && found.failure.empty()) {
     const DataFileReading reading = read_data_file(found.text, found.path, *function.block);
-    if (!has_errors(reading.problems) && same_points(function.parts, reading.functions)) {
+    if (!core::has_errors(reading.problems) && same_points(function.parts, reading.functions)) {
       texts_.erase(*function.file);
       return;
     }
@@ -99,4 +100,4 @@ DataFileLoader PendingData::loader(DataFileLoader disk) {
   };
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

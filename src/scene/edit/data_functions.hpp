@@ -8,12 +8,12 @@
 #include "scene/edit/edit.hpp"
 #include "scene/script/data_file.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One user-defined function of an object, with its place in the script language.
 struct FunctionUse {
   const FunctionBlock* block = nullptr;
-  std::span<const SampledFunction> parts;
+  std::span<const core::SampledFunction> parts;
   const std::string* file = nullptr;  ///< Empty: INLINE.
 };
 
@@ -44,4 +44,4 @@ class PendingData {
   std::map<std::string, std::string> texts_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

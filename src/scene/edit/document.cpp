@@ -10,7 +10,7 @@
 #include "scene/script/tokens.hpp"
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace fs = std::filesystem;
 
@@ -34,13 +34,13 @@ Document Document::open(const fs::path& path) {
   std::optional<std::string> bytes = read_text_file(path);
   if (!bytes || script::find_control_byte(*bytes) != std::string_view::npos) {
     ScriptReading reading = read_script_file(path);
-    if (!has_errors(reading.problems)) {
-      Problem problem;
+    if (!core::has_errors(reading.problems)) {
+      core::Problem problem;
       problem.message = "cannot read the script";
       problem.place.file = path.string();
       reading.problems.push_back(std::move(problem));
     }
-    document.findings_ = {ranked(std::move(reading.problems)), document.places()};
+    document.findings_ = {core::ranked(std::move(reading.problems)), document.places()};
     return document;
   }
   document.path_ = path;
@@ -73,12 +73,12 @@ ScriptReading Document::read(const std::string& text) const {
 }
 
 Document::Findings Document::found_in(ScriptReading reading) const {
-  if (!has_errors(reading.problems)) {
-    Problems of_scene = check(scene_);
+  if (!core::has_errors(reading.problems)) {
+    core::Problems of_scene = check(scene_);
     locate(of_scene, reading.places);
     std::ranges::move(of_scene, std::back_inserter(reading.problems));
   }
-  return {ranked(std::move(reading.problems)), std::move(reading.places)};
+  return {core::ranked(std::move(reading.problems)), std::move(reading.places)};
 }
 
 const Document::Findings& Document::findings() const {
@@ -129,7 +129,7 @@ void Document::perform(Edit edit) {
 void Document::type_text(std::string text) {
   if (text == text_) return;
   ScriptReading reading = read(text);
-  const bool broken = has_errors(reading.problems);
+  const bool broken = core::has_errors(reading.problems);
   Edit edit = broken ? Edit{} : difference(scene_, reading.scene, "");
   edit.label = "Edit script";
   edit.merge_key = "script";
@@ -177,4 +177,4 @@ void Document::save(const fs::path& path) {
 
 bool Document::changed_on_disk() const { return !path_.empty() && read_text_file(path_) != text_on_disk_; }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

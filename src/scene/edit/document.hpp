@@ -13,7 +13,7 @@
 #include "scene/edit/splice_places.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// A scene being edited together with its script text, its file and its history. Scene and text always say the same:
 /// an edit of the scene rewrites the commands of the objects it touched and leaves everything else, comments included,
@@ -37,7 +37,7 @@ class Document {
   /// Problems of the text and, where it holds no errors, of the scene (`check`), with their places in the text; ranked.
   /// Found when they are asked for, once after each change; that reads the text, so a drag of many objects should ask
   /// when it ends.
-  [[nodiscard]] const Problems& problems() const { return findings().problems; }
+  [[nodiscard]] const core::Problems& problems() const { return findings().problems; }
   /// Where each field stands in the text; found as the problems are.
   [[nodiscard]] const FieldPlaces& places() const { return findings().places; }
   /// Where the commands of the objects stand in the text; always at hand. While the text is broken, those of the last
@@ -84,7 +84,7 @@ class Document {
  private:
   // What is known of the text as it is.
   struct Findings {
-    Problems problems;
+    core::Problems problems;
     FieldPlaces places;
   };
 
@@ -118,4 +118,4 @@ class Document {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace fs = std::filesystem;
 
@@ -88,7 +88,7 @@ std::vector<DataFileWrite> data_to_write(const Document& document, const fs::pat
 }
 
 std::string self_contained_script(const Document& document) {
-  if (files_of(document.scene()).empty() || document.text_broken() || has_errors(document.problems()))
+  if (files_of(document.scene()).empty() || document.text_broken() || core::has_errors(document.problems()))
     return document.text();
   Scene scene = document.scene();
   forget_files(scene);
@@ -108,4 +108,4 @@ void write_data(const std::vector<DataFileWrite>& files) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

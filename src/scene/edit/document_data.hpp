@@ -6,7 +6,7 @@
 
 #include "scene/edit/document.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// A data file that has to be written so that a script means what its document shows.
 struct DataFileWrite {
@@ -30,4 +30,4 @@ struct DataFileWrite {
 /// @throws std::runtime_error naming the file; those before it are written then
 void write_data(const std::vector<DataFileWrite>& files);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

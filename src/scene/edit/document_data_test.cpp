@@ -10,7 +10,7 @@
 #include "scene/edit/text_file.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -123,7 +123,7 @@ TEST_F(DataFiles, GoWithTheScriptToAnotherFolderByteByByte) {
   document.save(file("new/a.scr"));
   EXPECT_EQ(read_text_file(file("new/gain.dat")), gain_points);
   EXPECT_EQ(gain_in(file("new/a.scr")), -10.0);
-  EXPECT_FALSE(has_errors(document.problems()));
+  EXPECT_FALSE(core::has_errors(document.problems()));
 }
 
 TEST_F(DataFiles, ThatStandInTheOtherFolderAreReplacedOnlyWhereTheyDiffer) {
@@ -138,7 +138,7 @@ TEST_F(DataFiles, ThatStandInTheOtherFolderAreReplacedOnlyWhereTheyDiffer) {
 TEST_F(DataFiles, WithWholePathsStayWhereTheyAre) {
   write("old/b.scr", directional_script(file("old/gain.dat").string()));
   Document document = opened("old/b.scr");
-  ASSERT_FALSE(has_errors(document.problems()));
+  ASSERT_FALSE(core::has_errors(document.problems()));
   EXPECT_TRUE(data_to_write(document, file("new/b.scr")).empty());
   set_gain(document, -20.0);
   const auto files = data_to_write(document, file("new/b.scr"));
@@ -151,7 +151,7 @@ TEST_F(DataFiles, InSubfoldersBringTheirFolderAlong) {
   write("old/data/gain.dat", gain_points);
   write("old/b.scr", directional_script("data\\gain.dat"));
   const Document document = opened("old/b.scr");
-  ASSERT_FALSE(has_errors(document.problems()));
+  ASSERT_FALSE(core::has_errors(document.problems()));
   write_data(data_to_write(document, file("new/b.scr")));
   EXPECT_EQ(read_text_file(file("new/data/gain.dat")), gain_points);
 }
@@ -174,4 +174,4 @@ TEST_F(DataFiles, ThatCannotBeWrittenAreNamed) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -13,7 +13,7 @@
 #include "scene/edit/text_file.hpp"
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST(Document, FollowsTypedText) {
   std::string text = document.text();
   text.replace(text.find("1 2 3"), 5, "4 5 6");
   document.type_text(text);
-  EXPECT_EQ(document.scene().targets[0].position_m, (Vec3{4.0, 5.0, 6.0}));
+  EXPECT_EQ(document.scene().targets[0].position_m, (core::Vec3{4.0, 5.0, 6.0}));
   EXPECT_EQ(document.text(), text);
   EXPECT_EQ(document.last_edit()->edit.changes.size(), 1U);
   document.undo();
@@ -140,11 +140,11 @@ TEST(Document, KeepsTheLastSceneWhileTheTextIsBroken) {
   document.type_text(text);
   EXPECT_TRUE(document.text_broken());
   EXPECT_TRUE(document.scene() == before);
-  ASSERT_TRUE(has_errors(document.problems()));
+  ASSERT_TRUE(core::has_errors(document.problems()));
   EXPECT_EQ(document.problems()[0].place.line, 4U);
   document.type_text(small_script);
   EXPECT_FALSE(document.text_broken());
-  EXPECT_FALSE(has_errors(document.problems()));
+  EXPECT_FALSE(core::has_errors(document.problems()));
   EXPECT_FALSE(document.changed());  // typed and taken back: nothing has happened
 }
 
@@ -229,14 +229,14 @@ TEST(Document, HoldsFaultyValuesAndSaysWhereTheyAre) {
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
   EXPECT_TRUE(document.scene().targets[0] == faulty);
   EXPECT_FALSE(document.text_broken());
-  ASSERT_TRUE(has_errors(document.problems()));
+  ASSERT_TRUE(core::has_errors(document.problems()));
   EXPECT_EQ(document.problems()[0].place.line, 4U);
   faulty.rcs_stddev_m2 = std::numeric_limits<double>::quiet_NaN();
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
-  EXPECT_TRUE(has_errors(document.problems()));
+  EXPECT_TRUE(core::has_errors(document.problems()));
   faulty.rcs_stddev_m2 = 0.5;
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
-  EXPECT_FALSE(has_errors(document.problems()));
+  EXPECT_FALSE(core::has_errors(document.problems()));
   EXPECT_TRUE(scene_of(document.text()) == document.scene());
   while (document.history().can_undo()) document.undo();
   EXPECT_EQ(document.text(), small_script);
@@ -246,8 +246,8 @@ TEST(Document, LocatesTheProblemsOfTheSceneInTheText) {
   Document document = Document::from_text(small_script);
   document.perform(carry_objects(document.scene(), {target(0)}, "Nowhere"));
   ASSERT_FALSE(document.problems().empty());
-  const Problem& problem = document.problems()[0];
-  EXPECT_EQ(problem.severity, Severity::error);
+  const core::Problem& problem = document.problems()[0];
+  EXPECT_EQ(problem.severity, core::Severity::error);
   EXPECT_EQ(problem.subject.kind, "target");
   EXPECT_EQ(problem.place.line, 4U);
   EXPECT_EQ(document.places().find({"target", 0, "position_m"}).line, 4U);
@@ -274,7 +274,7 @@ TEST(Document, RefusesAnEditOfAnotherScene) {
 TEST(Document, UnderstandsWhatItCanOfAFaultyScript) {
   const std::string text = std::string(small_script) + "$TARGT Earth 0 0 0 0 0 0 1 0 ISO ! misspelt\n$WRONG 1 2\n";
   Document document = Document::from_text(text);
-  EXPECT_TRUE(has_errors(document.problems()));
+  EXPECT_TRUE(core::has_errors(document.problems()));
   EXPECT_EQ(document.text(), text);
   EXPECT_EQ(document.scene().targets.size(), 1U);
   document.perform(move_to(document, 6.0));
@@ -303,7 +303,7 @@ TEST_F(DocumentFiles, ThatCannotBeReadGiveAnEmptyDocument) {
   write(file("binary.scr"), std::string("ab\0cd", 5));
   for (const fs::path& path : {file("none.scr"), folder_, file("binary.scr")}) {
     const Document document = Document::open(path);
-    EXPECT_TRUE(has_errors(document.problems())) << path;
+    EXPECT_TRUE(core::has_errors(document.problems())) << path;
     EXPECT_EQ(document.problems()[0].place.file, path.string());
     EXPECT_TRUE(document.path().empty());
     EXPECT_TRUE(document.scene() == Document().scene());
@@ -375,7 +375,7 @@ TEST_F(DocumentFiles, OfFunctionsKeepTheirNamesWhenTheFunctionIsEdited) {
   write(file("gain.dat"), "2\n0 0\n90 -10\n");
   write(file("a.scr"), directional_script("gain.dat"));
   Document document = Document::open(file("a.scr"));
-  ASSERT_FALSE(has_errors(document.problems()));
+  ASSERT_FALSE(core::has_errors(document.problems()));
   const Scene before = document.scene();
   Target edited = before.targets.at(0);
   edited.gain_db.part[0].knots[1].y = -20.0;
@@ -401,7 +401,7 @@ TEST_F(DocumentFiles, OfFunctionsKeepTheirNamesWhenTheFunctionIsEdited) {
 TEST_F(DocumentFiles, OfFunctionsThatAreMissingAreAProblem) {
   write(file("a.scr"), directional_script("none.dat"));
   const Document document = Document::open(file("a.scr"));
-  ASSERT_TRUE(has_errors(document.problems()));
+  ASSERT_TRUE(core::has_errors(document.problems()));
   EXPECT_EQ(document.text(), directional_script("none.dat"));
   EXPECT_EQ(document.path(), file("a.scr"));
 }
@@ -426,4 +426,4 @@ TEST(DocumentSpeed, AnEditOfALargeSceneDoesNotReadItAll) {
   EXPECT_TRUE(scene_of(document.text()) == document.scene());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 #include "scene/edit/edit_runs.hpp"
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::set<ObjectId> moved(const std::set<ObjectId>& ids, const Edit& edit, bool f
   return there;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

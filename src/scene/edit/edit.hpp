@@ -9,7 +9,7 @@
 #include "scene/model/kept_object.hpp"
 #include "scene/model/object.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One object put in place of another: before without value inserts at `id`, after without value removes.
 struct ObjectChange {
@@ -88,4 +88,4 @@ void revert(const Edit& edit, Scene& scene);
 [[nodiscard]] Edit difference(const Scene& from, const Scene& to, std::string label);
 /// @}
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

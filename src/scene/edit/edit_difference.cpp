@@ -5,7 +5,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -158,4 +158,4 @@ Edit difference(const Scene& from, const Scene& to, std::string label) {
   return edit;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

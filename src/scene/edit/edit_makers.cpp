@@ -10,7 +10,7 @@
 #include "scene/edit/edit_names.hpp"
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -91,7 +91,7 @@ std::string name_objection(const Scene& scene, ObjectId id, const std::string& n
   if (has_control_characters(name)) return "a name has no line ends or control characters";
   const std::vector<std::string> names = names_of(scene, id.kind);
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (i != id.index && equal_ignoring_case(names[i], name))
+    if (i != id.index && core::equal_ignoring_case(names[i], name))
       return fmt::format("another {} has this name", name_of(id.kind));
   return {};
 }
@@ -191,4 +191,4 @@ Edit change_options(const Scene& scene, RunOptions options) {
   return edit;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

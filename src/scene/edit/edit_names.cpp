@@ -9,12 +9,12 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 bool is_taken(const std::vector<std::string>& names, std::string_view name) {
-  return std::ranges::any_of(names, [&](const std::string& other) { return equal_ignoring_case(other, name); });
+  return std::ranges::any_of(names, [&](const std::string& other) { return core::equal_ignoring_case(other, name); });
 }
 
 std::string first_free(const std::vector<std::string>& taken, std::string beginning, const std::string& ending) {
@@ -113,7 +113,7 @@ std::vector<std::string> names_of(const Scene& scene, ObjectKind kind) {
 
 std::string free_name(const std::vector<std::string>& taken, const std::string& wanted) {
   if (!is_taken(taken, wanted)) return wanted;
-  return first_free(taken, equal_ignoring_case(wanted, Platform{}.name) ? "Platform" : wanted, "");
+  return first_free(taken, core::equal_ignoring_case(wanted, Platform{}.name) ? "Platform" : wanted, "");
 }
 
 std::string free_file_name(const std::vector<std::string>& taken, const std::string& wanted) {
@@ -152,4 +152,4 @@ void keep_references(const Scene& scene, Edit& edit) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 #include "scene/edit/edit.hpp"
 
 /// Names in edits: making free ones, and keeping what refers to an object referring to it.
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The names that platforms or radars of a scene have.
 [[nodiscard]] std::vector<std::string> names_of(const Scene& scene, ObjectKind kind);
@@ -26,4 +26,4 @@ namespace sarsim {
 /// @param edit  its insertions are at the ends of the lists
 void keep_references(const Scene& scene, Edit& edit);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -9,7 +9,7 @@
 #include "scene/edit/edit.hpp"
 
 /// How the changes of an edit act on lists: on those of a scene and on whatever runs parallel to them.
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One change, in the direction in which it is made: out without value inserts, in without value removes.
 struct ListChange {
@@ -74,4 +74,4 @@ void change_list(std::vector<Item>& list, std::span<const ListChange> run, Fits 
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

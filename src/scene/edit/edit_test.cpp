@@ -8,7 +8,7 @@
 
 #include "scene/edit/edit_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -376,4 +376,4 @@ TEST(ComposedEdits, DoWhatBothDoInTurn) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

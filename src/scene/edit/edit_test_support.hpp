@@ -8,7 +8,7 @@
 #include "scene/model/object_lists.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
-namespace sarsim::test {
+namespace sarsim::scene::test {
 
 /// Random edits of a scene, each by one of the makers; the same seed gives the same edits for the same scenes.
 class RandomEdits {
@@ -55,7 +55,8 @@ class RandomEdits {
   // A small change of a number or a choice, as people make them.
   AnyObject nudged(AnyObject object) {
     const double number = scenes_.number();
-    if (auto* const platform = std::get_if<Platform>(&object)) platform->rotation_rate[1] = Angle::from_deg(number);
+    if (auto* const platform = std::get_if<Platform>(&object))
+      platform->rotation_rate[1] = core::Angle::from_deg(number);
     if (auto* const target = std::get_if<Target>(&object)) target->position_m.y = number;
     if (auto* const surface = std::get_if<Surface>(&object)) surface->corner_m[below(3)].z = number;
     if (auto* const radar = std::get_if<Radar>(&object)) {
@@ -63,8 +64,8 @@ class RandomEdits {
         radar->power_w = std::abs(number);
       else
         radar->beam = radar->beam == Radar::Beam::spot ? Radar::Beam::fixed : Radar::Beam::spot;
-      if (radar->beam == Radar::Beam::spot) radar->beam_elevation = radar->beam_azimuth = Angle{};
-      if (radar->beam == Radar::Beam::spot) radar->beam_rate = Angle{}, radar->beam_target_world_m = {};
+      if (radar->beam == Radar::Beam::spot) radar->beam_elevation = radar->beam_azimuth = core::Angle{};
+      if (radar->beam == Radar::Beam::spot) radar->beam_rate = core::Angle{}, radar->beam_target_world_m = {};
       if (radar->beam != Radar::Beam::spot) radar->spot_world_m = {};
     }
     if (auto* const simulation = std::get_if<Simulation>(&object)) simulation->range_end_m = number;
@@ -102,4 +103,4 @@ class RandomEdits {
   RandomScenes scenes_;
 };
 
-}  // namespace sarsim::test
+}  // namespace sarsim::scene::test

@@ -9,7 +9,7 @@
 #include "scene/schema/function_table.hpp"
 #include "scene/schema/table_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -44,8 +44,8 @@ class CsvReader {
     for (std::size_t i = 0; i < functions_.size(); ++i) finish(i);
   }
 
-  [[nodiscard]] std::vector<std::vector<Knot>> take_functions() { return std::move(functions_); }
-  [[nodiscard]] Problems take_problems() { return std::move(problems_); }
+  [[nodiscard]] std::vector<std::vector<core::Knot>> take_functions() { return std::move(functions_); }
+  [[nodiscard]] core::Problems take_problems() { return std::move(problems_); }
 
  private:
   [[nodiscard]] std::string expected() const {
@@ -55,9 +55,9 @@ class CsvReader {
   }
 
   void add(const TableLine& line, std::string message, std::string_view found, std::string expected_text,
-           Severity severity = Severity::error) {
+           core::Severity severity = core::Severity::error) {
     if (problems_.size() >= most_problems) return;
-    Problem problem;
+    core::Problem problem;
     problem.severity = severity;
     problem.message = std::move(message);
     problem.found = found.substr(0, 80);
@@ -116,18 +116,18 @@ class CsvReader {
     if (knots.empty() && problems_.empty())
       add({}, fmt::format("{} has no points", kind_.part_names[part]), "", expected());
     if (kind_.block.x_ignored) return;
-    std::ranges::stable_sort(knots, {}, &Knot::x);
-    const auto twice = std::ranges::adjacent_find(knots, {}, &Knot::x);
+    std::ranges::stable_sort(knots, {}, &core::Knot::x);
+    const auto twice = std::ranges::adjacent_find(knots, {}, &core::Knot::x);
     if (twice != knots.end())
       add({}, fmt::format("{} has two points at the same {}", kind_.part_names[part], kind_.x_name),
-          format_number(twice->x), "each once");
+          core::format_number(twice->x), "each once");
   }
 
   const FunctionKind& kind_;
   std::string file_name_;
   std::vector<Column> columns_;
-  std::vector<std::vector<Knot>> functions_;
-  Problems problems_;
+  std::vector<std::vector<core::Knot>> functions_;
+  core::Problems problems_;
   bool x_given_ = true;
 };
 
@@ -139,11 +139,11 @@ FunctionReading import_function_csv(const AnyObject& object, std::string_view fi
   CsvReader reader(function_kind(kind_of(object), field), file_name);
   reader.read(table_lines(text));
   reading.problems = reader.take_problems();
-  if (has_errors(reading.problems)) return reading;
+  if (core::has_errors(reading.problems)) return reading;
   auto functions = reader.take_functions();
   for (std::size_t i = 0; i < functions.size(); ++i) reading.draft.parts[i].knots = std::move(functions[i]);
   reading.draft.file.clear();
   return reading;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

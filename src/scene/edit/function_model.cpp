@@ -10,7 +10,7 @@
 #include "scene/schema/function_table.hpp"
 #include "scene/script/data_file.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -36,7 +36,7 @@ double step_of(const std::array<double, 2>& range) {
 }
 
 // x of a moved knot: apart from its neighbours by a step, or halfway between them where there is no room.
-double x_between_neighbours(const std::vector<Knot>& knots, std::size_t at, double x, const FunctionInfo& info) {
+double x_between_neighbours(const std::vector<core::Knot>& knots, std::size_t at, double x, const FunctionInfo& info) {
   double low = info.x_limits[0];
   double high = info.x_limits[1];
   const double step = step_of(info.x_range);
@@ -84,14 +84,14 @@ void set_function(AnyObject& object, std::string_view field, const FunctionDraft
   *ref.file = draft.file;
 }
 
-std::size_t insert_knot(SampledFunction& function, std::size_t at) {
+std::size_t insert_knot(core::SampledFunction& function, std::size_t at) {
   auto& knots = function.knots;
   if (knots.empty()) {
     knots.push_back({0.0, 0.0});
     return 0;
   }
   at = std::min(at, knots.size() - 1);
-  Knot knot{knots[at].x + 1.0, knots[at].y};
+  core::Knot knot{knots[at].x + 1.0, knots[at].y};
   if (at + 1 < knots.size())
     knot = {std::midpoint(knots[at].x, knots[at + 1].x), std::midpoint(knots[at].y, knots[at + 1].y)};
   else if (!(knot.x > knots[at].x))  // a unit vanishes in the digits of a large x
@@ -102,12 +102,12 @@ std::size_t insert_knot(SampledFunction& function, std::size_t at) {
   return at + 1;
 }
 
-void remove_knot(SampledFunction& function, std::size_t at) {
+void remove_knot(core::SampledFunction& function, std::size_t at) {
   if (function.knots.size() < 2 || at >= function.knots.size()) return;
   function.knots.erase(function.knots.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-std::size_t move_knot(SampledFunction& function, std::size_t at, Knot to, const FunctionInfo& info) {
+std::size_t move_knot(core::SampledFunction& function, std::size_t at, core::Knot to, const FunctionInfo& info) {
   auto& knots = function.knots;
   if (at >= knots.size() || std::isnan(to.x) || std::isnan(to.y)) return at;
   if (!info.per_pulse) knots[at].x = x_between_neighbours(knots, at, to.x, info);
@@ -120,20 +120,20 @@ double rounded_to_range(double value, double range) {
   if (!usable_range(range) || !std::isfinite(value)) return value;
   const int exponent = rounding_exponent(range);
   // Moved by decimal exponents as text, so that the result is the double nearest to the few digits it is meant to have.
-  const auto steps = parse_number(format_number(value), -exponent);
+  const auto steps = core::parse_number(core::format_number(value), -exponent);
   if (!steps || std::abs(*steps) > 0x1p53) return value;
-  return parse_number(format_number(std::round(*steps)), exponent).value_or(value);
+  return core::parse_number(core::format_number(std::round(*steps)), exponent).value_or(value);
 }
 
-std::vector<Knot> curve_points(const SampledFunction& function, Interpolation method, double x0, double x1,
-                               std::size_t count) {
-  SampledFunction sorted{method, function.knots};
-  std::erase_if(sorted.knots, [](const Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
-  std::ranges::stable_sort(sorted.knots, {}, &Knot::x);
-  const auto repeated = std::ranges::unique(sorted.knots, {}, &Knot::x);
+std::vector<core::Knot> curve_points(const core::SampledFunction& function, core::Interpolation method, double x0,
+                                     double x1, std::size_t count) {
+  core::SampledFunction sorted{method, function.knots};
+  std::erase_if(sorted.knots, [](const core::Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
+  std::ranges::stable_sort(sorted.knots, {}, &core::Knot::x);
+  const auto repeated = std::ranges::unique(sorted.knots, {}, &core::Knot::x);
   sorted.knots.erase(repeated.begin(), repeated.end());
-  const Interpolator curve(sorted);
-  std::vector<Knot> points;
+  const core::Interpolator curve(sorted);
+  std::vector<core::Knot> points;
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double part = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
@@ -152,11 +152,11 @@ FunctionReading read_function_file(const AnyObject& object, std::string_view fie
   FunctionReading reading{function_of(object, field), {}};
   DataFileReading data = read_data_file(text, file_name, function_kind(kind_of(object), field).block);
   reading.problems = std::move(data.problems);
-  if (has_errors(reading.problems)) return reading;
+  if (core::has_errors(reading.problems)) return reading;
   for (std::size_t i = 0; i < reading.draft.parts.size(); ++i)
     reading.draft.parts[i].knots = std::move(data.functions[i]);
   reading.draft.file = file_name;
   return reading;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 #include "core/report/problem.hpp"
 #include "scene/model/object.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// What the function editor needs to know of one user-defined function of a field (thesis 4.6).
 struct FunctionInfo {
@@ -35,7 +35,7 @@ struct FunctionInfo {
 
 /// A function of one to three parts as it is edited. Knots stay sorted by x; at least one stays.
 struct FunctionDraft {
-  std::vector<SampledFunction> parts;
+  std::vector<core::SampledFunction> parts;
   std::string file;  ///< Empty: INLINE.
 
   friend bool operator==(const FunctionDraft&, const FunctionDraft&) = default;
@@ -48,19 +48,19 @@ void set_function(AnyObject& object, std::string_view field, const FunctionDraft
 
 /// Puts a knot halfway between knot `at` and the next (one unit behind the last), on the line between them; returns its
 /// number. The first knot of an empty function is (0, 0).
-std::size_t insert_knot(SampledFunction& function, std::size_t at);
+std::size_t insert_knot(core::SampledFunction& function, std::size_t at);
 /// Removes a knot unless it is the last one left.
-void remove_knot(SampledFunction& function, std::size_t at);
+void remove_knot(core::SampledFunction& function, std::size_t at);
 /// Moves a knot, keeping x between the neighbours' (a hundredth of the decade of the axis away from them where there is
 /// room) and both inside the limits; returns its number. Of a function of the pulse number only y moves.
-std::size_t move_knot(SampledFunction& function, std::size_t at, Knot to, const FunctionInfo& info);
+std::size_t move_knot(core::SampledFunction& function, std::size_t at, core::Knot to, const FunctionInfo& info);
 /// Rounds to about a hundredth of the decade of an axis's range, as a dragged point is.
 [[nodiscard]] double rounded_to_range(double value, double range);
 
 /// Points of the curve for drawing, `count` of them evenly from x0 to x1, by the method given. Knots that do not ascend
 /// are taken in order of x, the first of equals alone.
-[[nodiscard]] std::vector<Knot> curve_points(const SampledFunction& function, Interpolation method, double x0,
-                                             double x1, std::size_t count);
+[[nodiscard]] std::vector<core::Knot> curve_points(const core::SampledFunction& function, core::Interpolation method,
+                                                   double x0, double x1, std::size_t count);
 
 /// Text of a `.dat` file with the header of comments (scene/script/data_file.hpp), and back. A file that was read is
 /// the draft's `file`; interpolation is no part of it and stays that of the object. With an error among the problems
@@ -69,7 +69,7 @@ std::size_t move_knot(SampledFunction& function, std::size_t at, Knot to, const 
                                              const FunctionDraft& draft);
 struct FunctionReading {
   FunctionDraft draft;
-  Problems problems;
+  core::Problems problems;
 };
 [[nodiscard]] FunctionReading read_function_file(const AnyObject& object, std::string_view field, std::string_view text,
                                                  const std::string& file_name);
@@ -80,4 +80,4 @@ struct FunctionReading {
 [[nodiscard]] FunctionReading import_function_csv(const AnyObject& object, std::string_view field,
                                                   std::string_view text, const std::string& file_name);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

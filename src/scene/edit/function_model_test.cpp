@@ -15,7 +15,7 @@
 #include "scene/schema/fields.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -28,14 +28,15 @@ std::vector<std::pair<AnyObject, std::string>> all_functions() {
   return functions;
 }
 
-std::string printed(const Problems& problems) {
+std::string printed(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
-bool ascends(const SampledFunction& function) {
-  return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &Knot::x) == function.knots.end();
+bool ascends(const core::SampledFunction& function) {
+  return std::ranges::adjacent_find(function.knots, std::ranges::greater_equal{}, &core::Knot::x) ==
+         function.knots.end();
 }
 
 TEST(FunctionModel, EveryFunctionFieldOfEveryObjectIsKnown) {
@@ -75,7 +76,7 @@ TEST(FunctionModel, AFieldThatIsNoFunctionIsAProgrammersMistake) {
   AnyObject radar = Radar{};
   EXPECT_THROW(static_cast<void>(function_info(radar, "prf_hz")), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(function_of(Surface{}, "gain_db")), std::invalid_argument);
-  EXPECT_THROW(set_function(radar, "pulse_iq", FunctionDraft{{SampledFunction{}}, ""}), std::invalid_argument);
+  EXPECT_THROW(set_function(radar, "pulse_iq", FunctionDraft{{core::SampledFunction{}}, ""}), std::invalid_argument);
 }
 
 TEST(FunctionModel, AFunctionThatIsSetIsTheOneThatIsGotAndNoOther) {
@@ -83,7 +84,7 @@ TEST(FunctionModel, AFunctionThatIsSetIsTheOneThatIsGotAndNoOther) {
     AnyObject object = before;
     FunctionDraft draft = function_of(object, field);
     for (std::size_t i = 0; i < draft.parts.size(); ++i)
-      draft.parts[i] = {Interpolation::cubic, {{0.0, static_cast<double>(i) + 1.0}, {0.5, 2.0}}};
+      draft.parts[i] = {core::Interpolation::cubic, {{0.0, static_cast<double>(i) + 1.0}, {0.5, 2.0}}};
     draft.file = "data.dat";
     set_function(object, field, draft);
     EXPECT_TRUE(function_of(object, field) == draft) << field;
@@ -97,37 +98,37 @@ TEST(FunctionModel, AFunctionThatIsSetIsTheOneThatIsGotAndNoOther) {
 }
 
 TEST(FunctionModel, AKnotIsInsertedHalfway) {
-  SampledFunction f{Interpolation::linear, {{0.0, 0.0}, {2.0, 10.0}}};
+  core::SampledFunction f{core::Interpolation::linear, {{0.0, 0.0}, {2.0, 10.0}}};
   EXPECT_EQ(insert_knot(f, 0), 1U);
-  EXPECT_EQ(f.knots[1], (Knot{1.0, 5.0}));
+  EXPECT_EQ(f.knots[1], (core::Knot{1.0, 5.0}));
   EXPECT_EQ(insert_knot(f, 2), 3U);
-  EXPECT_EQ(f.knots[3], (Knot{3.0, 10.0}));
+  EXPECT_EQ(f.knots[3], (core::Knot{3.0, 10.0}));
   EXPECT_EQ(insert_knot(f, 99), 4U);
-  SampledFunction empty;
+  core::SampledFunction empty;
   EXPECT_EQ(insert_knot(empty, 5), 0U);
-  EXPECT_EQ(empty.knots, (std::vector<Knot>{{0.0, 0.0}}));
+  EXPECT_EQ(empty.knots, (std::vector<core::Knot>{{0.0, 0.0}}));
 }
 
 TEST(FunctionModel, NothingIsInsertedWhereThereIsNoNumberBetween) {
-  SampledFunction f{Interpolation::linear, {{1.0, 0.0}, {std::nextafter(1.0, 2.0), 1.0}}};
+  core::SampledFunction f{core::Interpolation::linear, {{1.0, 0.0}, {std::nextafter(1.0, 2.0), 1.0}}};
   insert_knot(f, 0);
   EXPECT_EQ(f.knots.size(), 2U);
 }
 
 TEST(FunctionModel, TheLastKnotStays) {
-  SampledFunction f{Interpolation::linear, {{0.0, 0.0}, {2.0, 10.0}}};
+  core::SampledFunction f{core::Interpolation::linear, {{0.0, 0.0}, {2.0, 10.0}}};
   remove_knot(f, 7);
   EXPECT_EQ(f.knots.size(), 2U);
   remove_knot(f, 0);
   remove_knot(f, 0);
-  EXPECT_EQ(f.knots, (std::vector<Knot>{{2.0, 10.0}}));
+  EXPECT_EQ(f.knots, (std::vector<core::Knot>{{2.0, 10.0}}));
 }
 
 TEST(FunctionModel, AKnotIsMovedBetweenItsNeighboursAndWithinTheLimits) {
   const FunctionInfo info = function_info(Radar{}, "window_gain");  // x from 0 to 1
-  SampledFunction f{Interpolation::linear, {{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}};
+  core::SampledFunction f{core::Interpolation::linear, {{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}};
   EXPECT_EQ(move_knot(f, 1, {0.7, 3.0}, info), 1U);
-  EXPECT_EQ(f.knots[1], (Knot{0.7, 3.0}));
+  EXPECT_EQ(f.knots[1], (core::Knot{0.7, 3.0}));
   move_knot(f, 1, {5.0, 1.0}, info);
   EXPECT_EQ(f.knots[1].x, 0.99);
   move_knot(f, 1, {-5.0, 1.0}, info);
@@ -140,7 +141,7 @@ TEST(FunctionModel, AKnotIsMovedBetweenItsNeighboursAndWithinTheLimits) {
 
 TEST(FunctionModel, OfAFunctionOfThePulseNumberOnlyTheValueMovesAndStaysAboveZero) {
   const FunctionInfo info = function_info(Radar{}, "pri_s");
-  SampledFunction f{Interpolation::linear, {{0.0, 1e-3}, {1.0, 2e-3}}};
+  core::SampledFunction f{core::Interpolation::linear, {{0.0, 1e-3}, {1.0, 2e-3}}};
   move_knot(f, 1, {7.0, -1.0}, info);
   EXPECT_EQ(f.knots[1].x, 1.0);
   EXPECT_GT(f.knots[1].y, 0.0);
@@ -152,7 +153,7 @@ TEST(FunctionModel, AnyEditingKeepsKnotsAscendingAndOneOfThem) {
   for (const auto& [object, field] : all_functions()) {
     const FunctionInfo info = function_info(object, field);
     if (info.per_pulse) continue;
-    SampledFunction f;
+    core::SampledFunction f;
     insert_knot(f, 0);
     for (int step = 0; step < 3000; ++step) {
       const std::size_t at = engine() % f.knots.size();
@@ -181,24 +182,27 @@ TEST(FunctionModel, DraggedValuesAreRoundedToAHundredthOfTheDecade) {
 }
 
 TEST(FunctionModel, TheCurveIsThatOfTheSimulation) {
-  const SampledFunction f{Interpolation::linear, {{0.0, 0.0}, {1.0, 2.0}, {3.0, -1.0}}};
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic, Interpolation::low_pass}) {
-    const Interpolator direct({method, f.knots});
+  const core::SampledFunction f{core::Interpolation::linear, {{0.0, 0.0}, {1.0, 2.0}, {3.0, -1.0}}};
+  for (const core::Interpolation method :
+       {core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass}) {
+    const core::Interpolator direct({method, f.knots});
     const auto points = curve_points(f, method, -1.0, 4.0, 51);
     ASSERT_EQ(points.size(), 51U);
     EXPECT_EQ(points.front().x, -1.0);
     EXPECT_EQ(points.back().x, 4.0);
-    for (const Knot& point : points) EXPECT_EQ(point.y, direct.value(point.x));
+    for (const core::Knot& point : points) EXPECT_EQ(point.y, direct.value(point.x));
   }
 }
 
 TEST(FunctionModel, ACurveIsDrawnWhateverTheKnots) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const SampledFunction bad{Interpolation::cubic, {{3.0, 1.0}, {1.0, 2.0}, {1.0, 5.0}, {nan, 1.0}, {2.0, nan}}};
-  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic, Interpolation::low_pass})
-    for (const Knot& point : curve_points(bad, method, 0.0, 4.0, 9)) EXPECT_TRUE(std::isfinite(point.y));
-  EXPECT_TRUE(curve_points({}, Interpolation::cubic, 0.0, 1.0, 0).empty());
-  EXPECT_EQ(curve_points({}, Interpolation::cubic, 0.0, 1.0, 3)[1].y, 0.0);
+  const core::SampledFunction bad{core::Interpolation::cubic,
+                                  {{3.0, 1.0}, {1.0, 2.0}, {1.0, 5.0}, {nan, 1.0}, {2.0, nan}}};
+  for (const core::Interpolation method :
+       {core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass})
+    for (const core::Knot& point : curve_points(bad, method, 0.0, 4.0, 9)) EXPECT_TRUE(std::isfinite(point.y));
+  EXPECT_TRUE(curve_points({}, core::Interpolation::cubic, 0.0, 1.0, 0).empty());
+  EXPECT_EQ(curve_points({}, core::Interpolation::cubic, 0.0, 1.0, 3)[1].y, 0.0);
 }
 
 TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {
@@ -206,7 +210,7 @@ TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {
   for (const auto& [object, field] : all_functions()) {
     FunctionDraft draft = function_of(object, field);
     const bool positive = function_info(object, field).per_pulse;
-    for (SampledFunction& part : draft.parts)
+    for (core::SampledFunction& part : draft.parts)
       for (int i = 0; i < 20; ++i) {
         const double y = random.number();
         part.knots.push_back({i + 0.1, positive ? std::abs(y) + 1e-6 : y});
@@ -222,10 +226,10 @@ TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {
 
 TEST(FunctionModel, ABadFileIsExplainedAndLeavesTheFunctionAsItWas) {
   Platform platform;
-  platform.trajectory_m.part[0] = {Interpolation::cubic, {{0.0, 5.0}}};
+  platform.trajectory_m.part[0] = {core::Interpolation::cubic, {{0.0, 5.0}}};
   for (const char* text : {"", "two", "2 0 0 1", "1 0 0 1 0 0", "2 1 0 0 0 1 0 0 1 0 0", "$PLATFORM Earth"}) {
     const FunctionReading reading = read_function_file(platform, "trajectory_m", text, "bad.dat");
-    EXPECT_TRUE(has_errors(reading.problems)) << text;
+    EXPECT_TRUE(core::has_errors(reading.problems)) << text;
     EXPECT_EQ(reading.problems.front().place.file, "bad.dat");
     EXPECT_TRUE(reading.draft == function_of(platform, "trajectory_m")) << text;
   }
@@ -233,9 +237,9 @@ TEST(FunctionModel, ABadFileIsExplainedAndLeavesTheFunctionAsItWas) {
 
 TEST(FunctionModel, InterpolationStaysThatOfTheObjectWhenAFileIsRead) {
   Radar radar;
-  radar.window_gain.part[0].method = Interpolation::low_pass;
+  radar.window_gain.part[0].method = core::Interpolation::low_pass;
   const FunctionReading reading = read_function_file(radar, "window_gain", "2  0 0  1 1", "w.dat");
-  EXPECT_EQ(reading.draft.parts[0].method, Interpolation::low_pass);
+  EXPECT_EQ(reading.draft.parts[0].method, core::Interpolation::low_pass);
   EXPECT_EQ(reading.draft.file, "w.dat");
 }
 
@@ -243,19 +247,19 @@ TEST(FunctionModel, CsvGivesXAndAColumnForEachPart) {
   const FunctionReading reading =
       import_function_csv(Platform{}, "trajectory_m", "t [ms],x [km],y,z\n1000,1,2,3\n0,4 m,5,\n", "track.csv");
   EXPECT_EQ(printed(reading.problems), "");
-  EXPECT_EQ(reading.draft.parts[0].knots, (std::vector<Knot>{{0.0, 4.0}, {1.0, 1000.0}}));
-  EXPECT_EQ(reading.draft.parts[1].knots, (std::vector<Knot>{{0.0, 5.0}, {1.0, 2.0}}));
-  EXPECT_EQ(reading.draft.parts[2].knots, (std::vector<Knot>{{1.0, 3.0}}));
+  EXPECT_EQ(reading.draft.parts[0].knots, (std::vector<core::Knot>{{0.0, 4.0}, {1.0, 1000.0}}));
+  EXPECT_EQ(reading.draft.parts[1].knots, (std::vector<core::Knot>{{0.0, 5.0}, {1.0, 2.0}}));
+  EXPECT_EQ(reading.draft.parts[2].knots, (std::vector<core::Knot>{{1.0, 3.0}}));
   EXPECT_EQ(reading.draft.file, "");
 }
 
 TEST(FunctionModel, AListMayBeAColumnOfValuesAlone) {
   const FunctionReading reading = import_function_csv(Radar{}, "carrier_list_hz", "f [GHz]\n9.5\n9.6\n", "f.csv");
   EXPECT_EQ(printed(reading.problems), "");
-  EXPECT_EQ(reading.draft.parts[0].knots, (std::vector<Knot>{{0.0, 9.5e9}, {1.0, 9.6e9}}));
+  EXPECT_EQ(reading.draft.parts[0].knots, (std::vector<core::Knot>{{0.0, 9.5e9}, {1.0, 9.6e9}}));
   const FunctionReading numbered = import_function_csv(Radar{}, "pri_s", "0;1 ms\n1;2 ms\n", "p.csv");
   EXPECT_EQ(printed(numbered.problems), "");
-  EXPECT_EQ(numbered.draft.parts[0].knots, (std::vector<Knot>{{0.0, 1e-3}, {1.0, 2e-3}}));
+  EXPECT_EQ(numbered.draft.parts[0].knots, (std::vector<core::Knot>{{0.0, 1e-3}, {1.0, 2e-3}}));
 }
 
 struct BadCsv {
@@ -279,7 +283,7 @@ TEST(FunctionModel, BadCsvIsExplainedWithItsLineAndLeavesTheFunctionAsItWas) {
   radar.stc_gain.part[0].knots = {{0.0, 7.0}};
   for (const BadCsv& bad : table) {
     const FunctionReading reading = import_function_csv(radar, "stc_gain", bad.text, "bad.csv");
-    EXPECT_TRUE(has_errors(reading.problems)) << bad.text;
+    EXPECT_TRUE(core::has_errors(reading.problems)) << bad.text;
     EXPECT_NE(printed(reading.problems).find(bad.says), std::string::npos) << printed(reading.problems);
     EXPECT_EQ(reading.problems.front().place.file, "bad.csv");
     EXPECT_EQ(reading.problems.front().place.line, bad.line) << bad.text;
@@ -301,4 +305,4 @@ TEST(FunctionModel, TenThousandLinesOfCsvTakeNoTimeToSpeakOf) {
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 void History::perform(Edit edit, Scene& scene) {
   if (changes_nothing(edit)) return;
@@ -54,4 +54,4 @@ void History::mark_saved() {
 
 bool History::changed() const { return !saved_reachable_ || saved_ != done_; }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

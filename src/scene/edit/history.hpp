@@ -6,7 +6,7 @@
 
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// What was done to a scene, step by step, without limit.
 class History {
@@ -41,4 +41,4 @@ class History {
   bool run_open_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 #include "scene/edit/edit_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -201,4 +201,4 @@ TEST(History, TakesAThousandRandomEditsBackAndForth) {
   EXPECT_FALSE(history.can_redo());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

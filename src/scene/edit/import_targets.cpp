@@ -10,7 +10,7 @@
 #include "scene/model/limits.hpp"
 #include "scene/schema/table_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -37,11 +37,11 @@ struct Columns {
   std::size_t count = quantities;  // beyond this, cells are a surprise
 };
 
-Problem problem_of(Severity severity, const TableLine& line, std::string message, std::string found,
-                   std::string expected) {
+core::Problem problem_of(core::Severity severity, const TableLine& line, std::string message, std::string found,
+                         std::string expected) {
   constexpr std::size_t longest = 80;
   if (found.size() > longest) found.replace(longest, std::string::npos, "...");
-  Problem problem;
+  core::Problem problem;
   problem.severity = severity;
   problem.message = std::move(message);
   problem.found = std::move(found);
@@ -92,7 +92,7 @@ class Importer {
     for (std::size_t kind = 0; kind < 3; ++kind) {
       if (columns_.at[kind]) continue;
       sound = false;
-      add(problem_of(Severity::error, line,
+      add(problem_of(core::Severity::error, line,
                      fmt::format("the names of the columns do not include {}", kinds[kind].words),
                      std::string(line.text), "x, y, z and, where there is one, rcs"));
     }
@@ -101,7 +101,7 @@ class Importer {
 
   bool take_column(const TableLine& line, std::size_t kind, std::size_t at, const std::string& unit) {
     if (columns_.at[kind]) {
-      add(problem_of(Severity::error, line, fmt::format("two columns are named {}", kinds[kind].words),
+      add(problem_of(core::Severity::error, line, fmt::format("two columns are named {}", kinds[kind].words),
                      std::string(line.text), "each name once"));
       return false;
     }
@@ -111,8 +111,8 @@ class Importer {
     std::string units;
     for (const std::string_view name : units_of(kinds[kind].quantity))
       units += fmt::format("{}{}", units.empty() ? "" : ", ", name);
-    add(problem_of(Severity::error, line, fmt::format("the unit of column {} is not known", kinds[kind].words), unit,
-                   units));
+    add(problem_of(core::Severity::error, line, fmt::format("the unit of column {} is not known", kinds[kind].words),
+                   unit, units));
     return false;
   }
 
@@ -138,7 +138,7 @@ class Importer {
       values[kind] = reading.value.value_or(0.0);
     }
     if (!message.empty())
-      return add(problem_of(Severity::error, line, std::move(message), std::move(found),
+      return add(problem_of(core::Severity::error, line, std::move(message), std::move(found),
                             "x, y, z and, where there is one, the cross-section"));
     if (line.cells.size() > columns_.count && more_cells_++ == 0) first_longer_ = line;
     Target target;
@@ -148,7 +148,7 @@ class Importer {
     import_.targets.push_back(std::move(target));
   }
 
-  void add(Problem problem) {
+  void add(core::Problem problem) {
     if (import_.problems.size() < most_line_problems)
       import_.problems.push_back(std::move(problem));
     else
@@ -157,13 +157,14 @@ class Importer {
 
   void report_rest() {
     if (unsaid_ > 0) {
-      Problem& last = import_.problems.back();
+      core::Problem& last = import_.problems.back();
       last.hint = fmt::format("{} more lines could not be read.", unsaid_);
     }
     if (more_cells_ == 0) return;
-    Problem problem = problem_of(Severity::warning, first_longer_,
-                                 fmt::format("columns behind the {} expected are ignored", columns_.count),
-                                 std::string(first_longer_.text), "x, y, z and, where there is one, the cross-section");
+    core::Problem problem =
+        problem_of(core::Severity::warning, first_longer_,
+                   fmt::format("columns behind the {} expected are ignored", columns_.count),
+                   std::string(first_longer_.text), "x, y, z and, where there is one, the cross-section");
     problem.count = more_cells_;
     import_.problems.push_back(std::move(problem));
   }
@@ -187,11 +188,11 @@ TargetImport import_targets(std::string_view text, const std::string& platform) 
 std::string targets_text(const std::vector<Target>& targets) {
   std::string text = "x [m]\ty [m]\tz [m]\trcs [m2]\n";
   for (const Target& target : targets) {
-    const Vec3& at = target.position_m;
-    text += format_number(at.x) + '\t' + format_number(at.y) + '\t' + format_number(at.z) + '\t' +
-            format_number(target.rcs_m2) + '\n';
+    const core::Vec3& at = target.position_m;
+    text += core::format_number(at.x) + '\t' + core::format_number(at.y) + '\t' + core::format_number(at.z) + '\t' +
+            core::format_number(target.rcs_m2) + '\n';
   }
   return text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

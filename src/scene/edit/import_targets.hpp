@@ -7,12 +7,12 @@
 #include "core/report/problem.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// Targets read from a table, and what was wrong with its lines (Place::line counts from 1).
 struct TargetImport {
   std::vector<Target> targets;
-  Problems problems;
+  core::Problems problems;
 };
 
 /// Reads targets from lines of x, y, z and, where there is one, the cross-section: what a spreadsheet puts on the
@@ -24,4 +24,4 @@ struct TargetImport {
 /// The same table of targets, tab-separated with a line of names, for the clipboard.
 [[nodiscard]] std::string targets_text(const std::vector<Target>& targets);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 std::string printed(const TargetImport& import) {
   std::string text;
-  for (const Problem& problem : import.problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : import.problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -68,7 +68,7 @@ TEST(ImportTargets, ABadLineIsAProblemWithItsNumberAndTheOthersAreTaken) {
   EXPECT_NE(import.problems[0].message.find("y: 'five' is no length"), std::string::npos) << import.problems[0].message;
   EXPECT_EQ(import.problems[1].place.line, 3U);
   EXPECT_EQ(import.problems[1].message, "z is missing");
-  EXPECT_TRUE(has_errors(import.problems));
+  EXPECT_TRUE(core::has_errors(import.problems));
 }
 
 TEST(ImportTargets, ADecimalCommaIsExplained) {
@@ -101,7 +101,7 @@ TEST(ImportTargets, MoreColumnsThanExpectedAreOneWarning) {
   const TargetImport import = import_targets("1 2 3 4 5\n1 2 3 4 5\n", "Ship");
   EXPECT_EQ(import.targets.size(), 2U);
   ASSERT_EQ(import.problems.size(), 1U);
-  EXPECT_EQ(import.problems[0].severity, Severity::warning);
+  EXPECT_EQ(import.problems[0].severity, core::Severity::warning);
   EXPECT_EQ(import.problems[0].count, 2U);
 }
 
@@ -138,4 +138,4 @@ TEST(ImportTargets, TenThousandLinesTakeNoTimeToSpeakOf) {
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -16,7 +16,7 @@
 
 #include "scene/edit/text_file.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace fs = std::filesystem;
 
@@ -179,4 +179,4 @@ void Recovery::discard(const Copy& copy) {
   fs::remove(copy.file, ignored);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// Copies of unsaved documents that survive a crash: one file per running program in a folder, holding the path of the
 /// document and its text. Programs never touch each other's: a file is named after the number and the start of its
@@ -38,4 +38,4 @@ class Recovery {
   std::filesystem::path file_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

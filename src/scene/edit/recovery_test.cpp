@@ -11,7 +11,7 @@
 
 #include "scene/edit/text_file.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -186,4 +186,4 @@ TEST_F(RecoveryFolder, WithoutAFolderThereAreNoCopies) {
   EXPECT_THROW(Recovery(folder_ / "file", 1), std::runtime_error);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

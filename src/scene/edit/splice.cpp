@@ -9,7 +9,7 @@
 #include "scene/edit/splice_command.hpp"
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -318,4 +318,4 @@ void settle_values(Edit& edit, const DataFileLoader& loader) {
   if (edit.options_after) edit.options_after = as_script_says(*edit.options_after);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -8,7 +8,7 @@
 #include "scene/edit/text_change.hpp"
 #include "scene/script/data_file.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// An edit carried over into the text of a script.
 struct Splice {
@@ -34,4 +34,4 @@ struct Splice {
 /// The edit with its new objects and options as a script says them (`as_script_says`); in place.
 void settle_values(Edit& edit, const DataFileLoader& loader);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 #include "scene/schema/grammar.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -179,13 +179,13 @@ AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader) 
   AnyObject writable = object;
   std::visit([](auto& any) { make_writable(any); }, writable);
   const ScriptReading reading = read_command_text(command_text(writable), loader);
-  if (has_errors(reading.problems)) return writable;
+  if (core::has_errors(reading.problems)) return writable;
   return only_object(reading.scene).value_or(writable);
 }
 
 RunOptions as_script_says(const RunOptions& options) {
   const ScriptReading reading = read_command_text(command_text(options), {});
-  return has_errors(reading.problems) ? options : reading.scene.options;
+  return core::has_errors(reading.problems) ? options : reading.scene.options;
 }
 
 namespace detail {
@@ -246,4 +246,4 @@ std::string with_line_ends(std::string_view text, std::string_view line_end) {
 
 }  // namespace detail
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

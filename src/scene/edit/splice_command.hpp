@@ -10,7 +10,7 @@
 #include "scene/script/reader.hpp"
 
 /// Single commands of a script: writing, reading and changing them.
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The command of an object in the writer's layout (scene/script/writer.hpp), without blank lines behind it. Bytes that
 /// no script holds (line ends and other controls in names) are written as '_'; a number that is none is written as a
@@ -74,4 +74,4 @@ TextChanges change_command(std::string_view text, TextStretch at, std::string_vi
   return changes;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include "scene/model/object_lists.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::size_t lead_begin(std::string_view text, std::size_t begin) {
   return lead == 0 ? own_line : lead;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -9,7 +9,7 @@
 #include "scene/model/scene.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// A part of a text, in bytes.
 struct TextStretch {
@@ -65,4 +65,4 @@ struct CommandPlaces {
 /// it; `begin` itself where something else stands on its line before it.
 [[nodiscard]] std::size_t lead_begin(std::string_view text, std::size_t begin);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -12,7 +12,7 @@
 #include "scene/script/writer.hpp"
 #include "support/folders.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -61,7 +61,7 @@ std::string with(std::string text, std::string_view old_part, std::string_view n
   return at == std::string::npos ? text : text.replace(at, old_part.size(), new_part);
 }
 
-Edit move_target(const Scene& scene, std::size_t index, Vec3 to) {
+Edit move_target(const Scene& scene, std::size_t index, core::Vec3 to) {
   Target target = scene.targets.at(index);
   target.position_m = to;
   return replace_object(scene, {ObjectKind::target, index}, target, "Move target");
@@ -92,7 +92,7 @@ TEST(Splice, ReplacesTheLinesOfAChoiceAndLeavesTheOthers) {
   const Scene scene = scene_of(text);
   Target target = scene.targets[1];
   target.reflectivity = Target::Reflectivity::directional;
-  target.azimuth = Angle::from_deg(30.0);
+  target.azimuth = core::Angle::from_deg(30.0);
   const std::string after = after_edit(text, replace_object(scene, {ObjectKind::target, 1}, target, "Change target"));
   EXPECT_NE(after.find("-10, 20, 0                ! (m) guessed\n0, 0, 0\n! between the lines\n2, 0\nDIRECTIONAL"),
             std::string::npos)
@@ -175,7 +175,7 @@ TEST(Splice, WritesBeforeTheEndOfFileMark) {
   const std::string after = after_edit(text, add_object(scene_of(text), Target{}));
   EXPECT_EQ(after.back(), '\x1A');
   EXPECT_EQ(scene_of(after).targets.size(), 2U);
-  EXPECT_FALSE(has_errors(read_script(after, "", {}).problems));
+  EXPECT_FALSE(core::has_errors(read_script(after, "", {}).problems));
 }
 
 TEST(Splice, ManagesSeveralCommandsOnALine) {
@@ -199,7 +199,7 @@ TEST(Splice, RewritesAnOlderDialectOnlyWhereItChanges) {
   const std::string text = old_platform + "$PLATFORM Buoy STATIONARY 1 2 3  0 0 0 STDDEV 0 0 0 STDDEV 0 0 0\n";
   const Scene scene = scene_of(text);
   Platform buoy = scene.platforms.at(1);
-  buoy.rotation_rate[2] = Angle::from_deg(6.0);
+  buoy.rotation_rate[2] = core::Angle::from_deg(6.0);
   const std::string after = after_edit(text, replace_object(scene, {ObjectKind::platform, 1}, buoy, ""));
   EXPECT_TRUE(after.starts_with(old_platform));
   EXPECT_TRUE(scene_of(after).platforms.at(1) == buoy);
@@ -276,7 +276,7 @@ namespace {
 
 std::vector<fs::path> all_scripts() {
   std::vector<fs::path> scripts;
-  for (const fs::path& folder : {test::source_folder() / "examples", test::reference_folder()}) {
+  for (const fs::path& folder : {sarsim::test::source_folder() / "examples", sarsim::test::reference_folder()}) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string ending = entry.path().extension().string();
@@ -290,7 +290,7 @@ std::vector<fs::path> all_scripts() {
 // What must hold after each edit of a document.
 void expect_text_says_scene(const Document& document, const fs::path& path) {
   const ScriptReading reading = read_script(document.text(), "", disk_loader(path.parent_path()));
-  ASSERT_FALSE(has_errors(reading.problems)) << document.text();
+  ASSERT_FALSE(core::has_errors(reading.problems)) << document.text();
   ASSERT_TRUE(reading.scene == document.scene()) << document.text();
   ASSERT_TRUE(document.commands() == find_commands(document.text())) << document.text();
 }
@@ -341,7 +341,7 @@ TEST(SpliceProperty, TextAndSceneAgreeThroughRandomEditsOfEveryScript) {
   for (const fs::path& path : scripts) {
     if (HasFatalFailure()) return;
     const Document document = Document::open(path);
-    ASSERT_FALSE(has_errors(read_script_file(path).problems)) << path;
+    ASSERT_FALSE(core::has_errors(read_script_file(path).problems)) << path;
     edit_and_undo(document, path, seed, 25);
   }
 }
@@ -360,4 +360,4 @@ TEST(SpliceProperty, TextAndSceneAgreeThroughRandomEditsOfCommentedAndCrampedTex
     for (int i = 0; i < 8 && !HasFatalFailure(); ++i) edit_and_undo(Document::from_text(text), "text", ++seed, 40);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include <span>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -121,4 +121,4 @@ TextChanges text_difference(std::string_view from, std::string_view to) {
            std::string(to_rest.substr(0, to_rest.size() - tail))}};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

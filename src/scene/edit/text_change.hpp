@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One stretch of a text put in place of another.
 struct TextChange {
@@ -32,4 +32,4 @@ using TextChanges = std::vector<TextChange>;
 /// The change that leads from one text to another: what stands between their common beginning and their common end.
 [[nodiscard]] TextChanges text_difference(std::string_view from, std::string_view to);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

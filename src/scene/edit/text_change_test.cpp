@@ -5,7 +5,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 TEST(TextChange, IsAppliedAndReverted) {
   const TextChanges changes{{0, "one", "1"}, {4, "", "and "}, {4, "two", ""}};
@@ -72,4 +72,4 @@ TEST(ComposedTextChanges, DoWhatBothDoInTurn) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

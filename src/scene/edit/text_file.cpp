@@ -16,7 +16,7 @@
 
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace fs = std::filesystem;
 
@@ -135,4 +135,4 @@ void write_text_file(const fs::path& path, std::string_view text) {
   if (const int error = direct ? 0 : file.keep()) fail(path, error);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The bytes of a regular file; nothing where there is none that can be read to its end.
 [[nodiscard]] std::optional<std::string> read_text_file(const std::filesystem::path& path);
@@ -15,4 +15,4 @@ namespace sarsim {
 /// @throws std::runtime_error "cannot write FILE: cause"
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

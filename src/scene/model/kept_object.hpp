@@ -9,7 +9,7 @@
 
 #include "scene/model/object.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// An object as a step of editing remembers it, or none. Takes no more memory than its kind needs (AnyObject has room
 /// for the largest) and is shared by copies: histories hold millions. Cannot be changed, only replaced.
@@ -81,4 +81,4 @@ class KeptObject {
       kept_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

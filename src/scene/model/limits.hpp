@@ -1,6 +1,6 @@
 #pragma once
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// No number of a scene may be larger than this (SI units, degrees): far beyond anything physical, and small enough
 /// that squares and products of several such numbers stay finite.
@@ -18,4 +18,4 @@ inline constexpr double longest_row = 1e7;
 /// Whether echoes can be computed with a number; false for NaN.
 [[nodiscard]] constexpr bool computable(double value) { return value >= -largest_value && value <= largest_value; }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -60,7 +60,7 @@ std::string label_of(const Scene& scene, ObjectId id) {
     case ObjectKind::surface: return fmt::format("Surface {}", id.index + 1);
     case ObjectKind::target: break;
   }
-  const Vec3& at = scene.targets.at(id.index).position_m;
+  const core::Vec3& at = scene.targets.at(id.index).position_m;
   return fmt::format("Target {} ({:.6g}, {:.6g}, {:.6g}) m", id.index + 1, at.x, at.y, at.z);
 }
 
@@ -79,4 +79,4 @@ std::vector<ObjectId> objects_on(const Scene& scene, std::size_t platform) {
   return found;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -8,7 +8,7 @@
 
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The lists of a scene, in the order in which people see them.
 enum class ObjectKind { platform, target, surface, radar, simulation, geometry };
@@ -50,4 +50,4 @@ using AnyObject = std::variant<Platform, Target, Surface, Radar, Simulation, Geo
 /// index `not_found` those that stand on the world itself, because no platform has their name.
 [[nodiscard]] std::vector<ObjectId> objects_on(const Scene& scene, std::size_t platform);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

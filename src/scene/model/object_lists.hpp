@@ -7,7 +7,7 @@
 #include "scene/model/object.hpp"
 
 /// The members that objects of different kinds share, for code that treats all kinds alike.
-namespace sarsim {
+namespace sarsim::scene {
 
 inline constexpr ObjectKind all_object_kinds[] = {ObjectKind::platform, ObjectKind::target,     ObjectKind::surface,
                                                   ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
@@ -65,4 +65,4 @@ template <class Object>
   return kind == ObjectKind::simulation || kind == ObjectKind::geometry ? ObjectKind::radar : ObjectKind::platform;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

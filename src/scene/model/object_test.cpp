@@ -4,7 +4,7 @@
 
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -88,4 +88,4 @@ TEST(ObjectsOn, TheWorldAreThoseThatNoPlatformCarries) {
   EXPECT_EQ(objects_on(harbour(), not_found), (std::vector<ObjectId>{{ObjectKind::target, 2}}));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -4,9 +4,9 @@
 #include "radar/waveform/pulse.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The pulse that a radar sends, its functions ready to be evaluated. The radar has passed `check`.
-[[nodiscard]] Pulse pulse_of(const Radar& radar, LowPassRule rule = LowPassRule::first_knot);
+[[nodiscard]] radar::Pulse pulse_of(const Radar& radar, core::LowPassRule rule = core::LowPassRule::first_knot);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -2,19 +2,19 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 template <class Objects>
 std::size_t find_by_name(const Objects& objects, std::string_view name) {
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (equal_ignoring_case(objects[i].name, name)) return i;
+    if (core::equal_ignoring_case(objects[i].name, name)) return i;
   std::size_t found = not_found;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string_view candidate = objects[i].name;
     const std::size_t shared = std::min(candidate.size(), name.size());
-    if (shared == 0 || !equal_ignoring_case(candidate.substr(0, shared), name.substr(0, shared))) continue;
+    if (shared == 0 || !core::equal_ignoring_case(candidate.substr(0, shared), name.substr(0, shared))) continue;
     if (found != not_found) return not_found;
     found = i;
   }
@@ -26,10 +26,10 @@ std::size_t find_by_name(const Objects& objects, std::string_view name) {
 std::size_t find_platform(const Scene& scene, std::string_view name) {
   const std::size_t found = find_by_name(scene.platforms, name);
   // "Earth" is the world itself, not short for a platform "Earth2".
-  const bool world = equal_ignoring_case(name, "Earth");
-  if (world && found != not_found && !equal_ignoring_case(scene.platforms[found].name, name)) return not_found;
+  const bool world = core::equal_ignoring_case(name, "Earth");
+  if (world && found != not_found && !core::equal_ignoring_case(scene.platforms[found].name, name)) return not_found;
   return found;
 }
 std::size_t find_radar(const Scene& scene, std::string_view name) { return find_by_name(scene.radars, name); }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

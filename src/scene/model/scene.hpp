@@ -14,12 +14,12 @@
 /// half-typed object; `check` (scene/check/check.hpp) says whether they can be simulated. SI units, except
 /// that angles and decibels keep what was typed (core/maths/angle.hpp) and that the knots of user-defined
 /// functions stay in the units that their name ends in.
-namespace sarsim {
+namespace sarsim::scene {
 
 /// N functions of one variable that are defined together, in the script or in a data file.
 template <std::size_t N>
 struct UserFunction {
-  std::array<SampledFunction, N> part;
+  std::array<core::SampledFunction, N> part;
   std::string file;  ///< Name of the data file as the script gives it; empty: INLINE.
 
   friend bool operator==(const UserFunction&, const UserFunction&) = default;
@@ -36,18 +36,18 @@ struct Platform {
 
   std::string name = "Earth";
   Path path = Path::stationary;
-  Vec3 position_m;               ///< World position; Path::stationary.
+  core::Vec3 position_m;         ///< World position; Path::stationary.
   UserFunction<3> trajectory_m;  ///< World x, y, z [m] against time [s]; Path::trajectory.
   bool aligned = false;          ///< Platform x axis along the velocity; Path::trajectory.
   Rotation rotation_kind = Rotation::constant;
-  std::array<Angle, 3> rotation;       ///< About x, y, z; Rotation::constant.
-  UserFunction<3> rotation_deg;        ///< About x, y, z [deg] against time [s]; Rotation::user.
-  std::array<Angle, 3> rotation_rate;  ///< Per second; added to either kind as rate * t.
+  std::array<core::Angle, 3> rotation;       ///< About x, y, z; Rotation::constant.
+  UserFunction<3> rotation_deg;              ///< About x, y, z [deg] against time [s]; Rotation::user.
+  std::array<core::Angle, 3> rotation_rate;  ///< Per second; added to either kind as rate * t.
   MotionError position_error = MotionError::gaussian;
-  Vec3 position_stddev_m;             ///< MotionError::gaussian.
+  core::Vec3 position_stddev_m;       ///< MotionError::gaussian.
   UserFunction<3> position_envelope;  ///< Integration envelope [m/sqrt(s)] against lag [s]; MotionError::envelope.
   MotionError rotation_error = MotionError::gaussian;
-  std::array<Angle, 3> rotation_stddev;
+  std::array<core::Angle, 3> rotation_stddev;
   UserFunction<3> rotation_envelope;  ///< Integration envelope [deg/sqrt(s)] against lag [s].
 
   friend bool operator==(const Platform&, const Platform&) = default;
@@ -61,15 +61,15 @@ struct Target {
   enum class Gain { cosine, user };
 
   std::string platform = "Earth";
-  Vec3 position_m;  ///< In the platform's frame.
-  Vec3 position_stddev_m;
+  core::Vec3 position_m;  ///< In the platform's frame.
+  core::Vec3 position_stddev_m;
   double rcs_m2 = 1.0;
   double rcs_stddev_m2 = 0.0;
   Reflectivity reflectivity = Reflectivity::isotropic;
-  Angle azimuth;  ///< Of the reflecting normal in the platform's frame; Reflectivity::directional.
-  Angle elevation;
-  Angle azimuth_stddev;
-  Angle elevation_stddev;
+  core::Angle azimuth;  ///< Of the reflecting normal in the platform's frame; Reflectivity::directional.
+  core::Angle elevation;
+  core::Angle azimuth_stddev;
+  core::Angle elevation_stddev;
   Gain gain = Gain::cosine;
   UserFunction<1> gain_db;  ///< Reflectivity [dB] against incidence angle [deg]; Gain::user.
 
@@ -80,7 +80,8 @@ struct Target {
 /// points.
 struct Surface {
   std::string platform = "Earth";
-  std::array<Vec3, 3> corner_m{Vec3{1000.0, 10.0, 0.0}, Vec3{1000.0, -10.0, 0.0}, Vec3{1000.0, 0.0, 10.0}};
+  std::array<core::Vec3, 3> corner_m{core::Vec3{1000.0, 10.0, 0.0}, core::Vec3{1000.0, -10.0, 0.0},
+                                     core::Vec3{1000.0, 0.0, 10.0}};
 
   friend bool operator==(const Surface&, const Surface&) = default;
 };
@@ -91,8 +92,8 @@ struct Antenna {
   enum class Pattern { isotropic, sinx, user };
 
   Pattern pattern = Pattern::isotropic;
-  Angle elevation_beamwidth = Angle::from_deg(10.0);  ///< Pattern::sinx.
-  Angle azimuth_beamwidth = Angle::from_deg(10.0);
+  core::Angle elevation_beamwidth = core::Angle::from_deg(10.0);  ///< Pattern::sinx.
+  core::Angle azimuth_beamwidth = core::Angle::from_deg(10.0);
   UserFunction<2> gain_db;  ///< Azimuth cut, elevation cut: one-way power [dB] against offset [deg]; Pattern::user.
 
   friend bool operator==(const Antenna&, const Antenna&) = default;
@@ -139,19 +140,19 @@ struct Radar {
   UserFunction<1> carrier_list_hz;  ///< y: carrier of each pulse, in turn; x is ignored; Carrier::user.
 
   double power_w = 1000.0;
-  PowerRatio transmit_gain;
-  PowerRatio receive_gain;
-  PowerRatio losses;
+  core::PowerRatio transmit_gain;
+  core::PowerRatio receive_gain;
+  core::PowerRatio losses;
   double noise_temperature_k = 0.0;
 
   Antenna transmit_antenna;
   bool same_antenna = true;  ///< Receive with the transmit antenna.
   Antenna receive_antenna;   ///< Where not the same.
   Beam beam = Beam::fixed;
-  Angle beam_elevation;                 ///< Beam::fixed, Beam::rotating; in the platform's frame.
-  Angle beam_azimuth;                   ///< Beam::fixed.
-  Angle beam_rate;                      ///< Per second; Beam::rotating.
-  Vec3 spot_world_m;                    ///< Beam::spot.
+  core::Angle beam_elevation;           ///< Beam::fixed, Beam::rotating; in the platform's frame.
+  core::Angle beam_azimuth;             ///< Beam::fixed.
+  core::Angle beam_rate;                ///< Per second; Beam::rotating.
+  core::Vec3 spot_world_m;              ///< Beam::spot.
   UserFunction<3> beam_target_world_m;  ///< World point looked at [m] against time [s]; Beam::user.
 
   Window window = Window::rectangular;
@@ -248,4 +249,4 @@ inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
 /// The same for radars.
 [[nodiscard]] std::size_t find_radar(const Scene& scene, std::string_view name);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -12,7 +12,7 @@
 #include "scene/schema/radar_grammar.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -85,7 +85,7 @@ const Field* fitting(const std::vector<const Field*>& fields, std::string_view v
 
 std::optional<ObjectKind> kind_called(std::string_view word) {
   for (const ObjectKind kind : all_object_kinds)
-    if (equal_ignoring_case(name_of(kind), word)) return kind;
+    if (core::equal_ignoring_case(name_of(kind), word)) return kind;
   return std::nullopt;
 }
 
@@ -111,9 +111,9 @@ void find_by_own_name(const Scene& scene, std::string_view word, ObjectSearch& s
         return;
       }
   };
-  const auto named = [&](const auto& object) { return equal_ignoring_case(object.name, word); };
+  const auto named = [&](const auto& object) { return core::equal_ignoring_case(object.name, word); };
   const auto filed = [&](const auto& object) {
-    return equal_ignoring_case(object.file, word) || equal_ignoring_case(file_name(object.file), word);
+    return core::equal_ignoring_case(object.file, word) || core::equal_ignoring_case(file_name(object.file), word);
   };
   look(ObjectKind::radar, scene.radars, named);
   look(ObjectKind::platform, scene.platforms, named);
@@ -144,7 +144,7 @@ void find_by_kind(const Scene& scene, std::string_view word, ObjectSearch& searc
     search.found.push_back(std::move(all));
     return;
   }
-  const auto number = rest.empty() && count == 1 ? std::optional<std::int64_t>(1) : parse_integer(rest);
+  const auto number = rest.empty() && count == 1 ? std::optional<std::int64_t>(1) : core::parse_integer(rest);
   if (number && *number >= 1 && static_cast<std::size_t>(*number) <= count)
     search.found.push_back({{*kind, static_cast<std::size_t>(*number) - 1}});
   else if (search.failure.empty())
@@ -169,7 +169,7 @@ std::vector<std::string> short_names(const std::vector<Field>& fields) {
 
 // What to try instead of a name that nothing has.
 std::string meant_among(std::string_view name, const std::vector<std::string>& names) {
-  const std::string nearest = nearest_word(name, names);
+  const std::string nearest = core::nearest_word(name, names);
   return nearest.empty() ? "'sarsim sweep SCENE --fields' lists what there is"
                          : fmt::format("did you mean {}?", nearest);
 }
@@ -197,7 +197,7 @@ NamedField option_called(std::string_view name, std::string_view value) {
 // What one way of cutting a name into object and field can mean.
 std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std::string_view field,
                                std::string_view value, std::string& failure) {
-  if (equal_ignoring_case(object, "options")) {
+  if (core::equal_ignoring_case(object, "options")) {
     NamedField named = option_called(field, value);
     if (named.field == nullptr) failure = no_field("$OPTIONS", option_fields(), field);
     return named.field == nullptr ? std::vector<NamedField>{} : std::vector<NamedField>{named};
@@ -319,7 +319,7 @@ NamedField find_named_field(const Scene& scene, std::string_view name, std::stri
   if (!failure.empty()) return failed(std::move(failure));
   const std::size_t dot = name.find('.');
   if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
-  const std::string nearest = nearest_word(name, short_names(option_fields()));
+  const std::string nearest = core::nearest_word(name, short_names(option_fields()));
   return failed(nearest.empty()
                     ? fmt::format("'{}' is no option; a field is written OBJECT.FIELD, as in Radar1.bandwidth", name)
                     : fmt::format("'{}' is no option; did you mean {}?", name, nearest));
@@ -362,4 +362,4 @@ std::string named_field_text(const Scene& scene, const NamedField& named) {
   return field_text(object_of(scene, named.objects.front()), named.field->id);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// A field that was named in words: one field of one or several objects of a kind, or of the options.
 struct NamedField {
@@ -41,4 +41,4 @@ struct NamedField {
 /// The value as text, of the first object.
 [[nodiscard]] std::string named_field_text(const Scene& scene, const NamedField& named);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::HasSubstr;
@@ -175,4 +175,4 @@ TEST(FieldNames, EveryFieldTakesTheValueThatItHas) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -10,12 +10,12 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
 bool begins_with(std::string_view text, std::string_view beginning) {
-  return beginning.size() <= text.size() && equal_ignoring_case(text.substr(0, beginning.size()), beginning);
+  return beginning.size() <= text.size() && core::equal_ignoring_case(text.substr(0, beginning.size()), beginning);
 }
 
 std::string listed(const std::vector<std::string>& words, std::string_view last_joint) {
@@ -31,7 +31,8 @@ std::string listed(const std::vector<std::string>& words, std::string_view last_
 std::string range_words(const script::Range& range, Quantity quantity) {
   const bool below = range.low > -std::numeric_limits<double>::infinity();
   const bool above = range.high < std::numeric_limits<double>::infinity();
-  if (below && above) return fmt::format("{} to {}", format_number(range.low), quantity_text(range.high, quantity));
+  if (below && above)
+    return fmt::format("{} to {}", core::format_number(range.low), quantity_text(range.high, quantity));
   if (above) return fmt::format("up to {}", quantity_text(range.high, quantity));
   if (!below) return {};
   if (range.low == 0.0) return range.low_excluded ? "above 0" : "0 or more";
@@ -48,7 +49,7 @@ NumberReading read_number(const script::Field& grammar, Quantity quantity, std::
   QuantityReading reading = read_quantity(text, quantity);
   if (!reading.value) return {0.0, std::move(reading.failure)};
   const double value = *reading.value;
-  const std::string found = clipped(trimmed(text));
+  const std::string found = core::clipped(core::trimmed(text));
   if (!grammar.range.holds(value))
     return {0.0, fmt::format("'{}' is outside what a script can say: {} is {}", found, grammar.words,
                              range_words(grammar.range, quantity))};
@@ -71,11 +72,11 @@ std::string name_failure(std::string_view words, std::string_view text) {
 }
 
 ChoiceReading read_choice(const std::vector<std::string>& choices, std::string_view text) {
-  const std::string_view typed = trimmed(text);
+  const std::string_view typed = core::trimmed(text);
   std::vector<std::string> alike;
   std::size_t found = 0;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (equal_ignoring_case(choices[i], typed)) return {i, {}};
+    if (core::equal_ignoring_case(choices[i], typed)) return {i, {}};
     if (typed.empty() || !begins_with(choices[i], typed)) continue;
     alike.push_back(choices[i]);
     found = i;
@@ -83,23 +84,23 @@ ChoiceReading read_choice(const std::vector<std::string>& choices, std::string_v
   if (alike.size() == 1) return {found, {}};
   if (typed.empty()) return {0, fmt::format("nothing is chosen; expected {}", listed(choices, " or "))};
   if (alike.size() > 1)
-    return {0, fmt::format("'{}' can mean {}; write more of it", clipped(typed), listed(alike, " or "))};
-  std::string failure = fmt::format("'{}' is none of {}", clipped(typed), listed(choices, " and "));
-  if (const std::string nearest = nearest_word(typed.substr(0, 60), choices); !nearest.empty())
+    return {0, fmt::format("'{}' can mean {}; write more of it", core::clipped(typed), listed(alike, " or "))};
+  std::string failure = fmt::format("'{}' is none of {}", core::clipped(typed), listed(choices, " and "));
+  if (const std::string nearest = core::nearest_word(typed.substr(0, 60), choices); !nearest.empty())
     failure += fmt::format("; did you mean {}?", nearest);
   return {0, std::move(failure)};
 }
 
 CheckReading read_check(std::string_view text) {
-  const std::string_view typed = trimmed(text);
+  const std::string_view typed = core::trimmed(text);
   for (const std::string_view word : {"yes", "true", "on", "1", "y"})
-    if (equal_ignoring_case(typed, word)) return {true, {}};
+    if (core::equal_ignoring_case(typed, word)) return {true, {}};
   for (const std::string_view word : {"no", "false", "off", "0", "n"})
-    if (equal_ignoring_case(typed, word)) return {false, {}};
-  return {false, fmt::format("'{}' is neither yes nor no", clipped(typed))};
+    if (core::equal_ignoring_case(typed, word)) return {false, {}};
+  return {false, fmt::format("'{}' is neither yes nor no", core::clipped(typed))};
 }
 
-std::string function_summary(const SampledFunction* parts, std::size_t count, const std::string& file) {
+std::string function_summary(const core::SampledFunction* parts, std::size_t count, const std::string& file) {
   if (!file.empty()) return file;
   static constexpr std::array<std::string_view, 3> methods{"linear", "cubic", "low pass"};
   std::vector<std::string> sizes;
@@ -119,8 +120,8 @@ std::string limits_text(const script::Field& grammar, Quantity quantity) {
   return words.empty() ? std::string() : fmt::format(" Takes {}.", words);
 }
 
-void begin_constant(SampledFunction& function, double value) {
+void begin_constant(core::SampledFunction& function, double value) {
   if (function.knots.empty()) function.knots.push_back({0.0, value});
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

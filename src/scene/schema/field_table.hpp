@@ -17,17 +17,17 @@
 #include "scene/schema/grammar.hpp"
 
 /// How the tables behind scene/schema/fields.hpp are put together. Internal to the field_*.cpp and fields_*.cpp files.
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 /// The number that a member holds, in the unit in which it is held.
 [[nodiscard]] inline double held(double value) { return value; }
 [[nodiscard]] inline double held(int value) { return value; }
-[[nodiscard]] inline double held(const Angle& value) { return value.deg(); }
-[[nodiscard]] inline double held(const PowerRatio& value) { return value.db(); }
+[[nodiscard]] inline double held(const core::Angle& value) { return value.deg(); }
+[[nodiscard]] inline double held(const core::PowerRatio& value) { return value.db(); }
 inline void hold(double& member, double value) { member = value; }
 inline void hold(int& member, double value) { member = static_cast<int>(value); }
-inline void hold(Angle& member, double value) { member = Angle::from_deg(value); }
-inline void hold(PowerRatio& member, double value) { member = PowerRatio::from_db(value); }
+inline void hold(core::Angle& member, double value) { member = core::Angle::from_deg(value); }
+inline void hold(core::PowerRatio& member, double value) { member = core::PowerRatio::from_db(value); }
 
 /// Reads a number for a field and holds it against the limits of the script language.
 struct NumberReading {
@@ -54,7 +54,8 @@ struct CheckReading {
 [[nodiscard]] CheckReading read_check(std::string_view text);
 
 /// "3 points, cubic", "3, 2 and 1 points, linear", or the name of the file.
-[[nodiscard]] std::string function_summary(const SampledFunction* parts, std::size_t count, const std::string& file);
+[[nodiscard]] std::string function_summary(const core::SampledFunction* parts, std::size_t count,
+                                           const std::string& file);
 
 /// ", 0 to 7" in the field's unit for the end of a tooltip; empty where anything goes.
 [[nodiscard]] std::string limits_text(const script::Field& grammar, Quantity quantity);
@@ -239,10 +240,14 @@ class FieldTable {
   }
 
  private:
-  static double& component(Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-  static const double& component(const Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-  static Angle& component(std::array<Angle, 3>& angles, std::size_t axis) { return angles[axis]; }
-  static const Angle& component(const std::array<Angle, 3>& angles, std::size_t axis) { return angles[axis]; }
+  static double& component(core::Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+  static const double& component(const core::Vec3& v, std::size_t axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+  }
+  static core::Angle& component(std::array<core::Angle, 3>& angles, std::size_t axis) { return angles[axis]; }
+  static const core::Angle& component(const std::array<core::Angle, 3>& angles, std::size_t axis) {
+    return angles[axis];
+  }
 
   [[nodiscard]] Field described(std::string id, std::string label, FieldKind kind, std::string tooltip) const {
     Field field;
@@ -299,7 +304,7 @@ class FieldTable {
 };
 
 /// A function that is `value` throughout, for one that has no points yet.
-void begin_constant(SampledFunction& function, double value);
+void begin_constant(core::SampledFunction& function, double value);
 
 /// The tables, made at first use.
 [[nodiscard]] const FieldTable<Platform>& platform_table();
@@ -313,4 +318,4 @@ void begin_constant(SampledFunction& function, double value);
 /// The second page of the radar's dialog: antennas, direction, filter window, STC.
 void add_antenna_fields(FieldTable<Radar>& table);
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

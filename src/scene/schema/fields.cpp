@@ -2,7 +2,7 @@
 
 #include "scene/schema/field_table.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::string set_field(RunOptions& options, std::string_view id, std::string_view
   return options_table().set(options, id, text);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -1,7 +1,7 @@
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/radar_grammar.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
@@ -96,4 +96,4 @@ void add_antenna_fields(FieldTable<Radar>& table) {
   add_receiver(table);
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

@@ -1,7 +1,7 @@
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
@@ -63,7 +63,9 @@ void add_motion_errors(FieldTable<Platform>& table) {
                  "White noise is integrated with this weight against the time before now. No points: no error.");
 }
 
-double first_value(const SampledFunction& function) { return function.knots.empty() ? 0.0 : function.knots.front().y; }
+double first_value(const core::SampledFunction& function) {
+  return function.knots.empty() ? 0.0 : function.knots.front().y;
+}
 
 // The platform stays where it was, and as it was turned, at the beginning of what is now given otherwise.
 void begin_platform(const Platform& before, Platform& after) {
@@ -79,7 +81,7 @@ void begin_platform(const Platform& before, Platform& after) {
     if (after.rotation_kind == Platform::Rotation::user)
       begin_constant(after.rotation_deg.part[axis], before.rotation[axis].deg());
     else if (before.rotation_kind == Platform::Rotation::user)
-      after.rotation[axis] = Angle::from_deg(first_value(before.rotation_deg.part[axis]));
+      after.rotation[axis] = core::Angle::from_deg(first_value(before.rotation_deg.part[axis]));
   }
 }
 
@@ -101,4 +103,4 @@ const FieldTable<Platform>& platform_table() {
   return made;
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

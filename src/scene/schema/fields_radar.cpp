@@ -1,7 +1,7 @@
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/radar_grammar.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
@@ -109,7 +109,7 @@ void begin_lists(const Radar& before, Radar& after) {
 
 void begin_antenna(Antenna& antenna) {
   if (antenna.pattern != Antenna::Pattern::user) return;
-  for (SampledFunction& cut : antenna.gain_db.part) begin_constant(cut, 0.0);
+  for (core::SampledFunction& cut : antenna.gain_db.part) begin_constant(cut, 0.0);
 }
 
 void begin_radar(const Radar& before, Radar& after) {
@@ -153,4 +153,4 @@ const FieldTable<Radar>& radar_table() {
   return made;
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

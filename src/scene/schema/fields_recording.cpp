@@ -5,7 +5,7 @@
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
@@ -169,4 +169,4 @@ const FieldTable<RunOptions>& options_table() {
   return made;
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

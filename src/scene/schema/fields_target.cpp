@@ -1,7 +1,7 @@
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim::field_tables {
+namespace sarsim::scene::field_tables {
 
 namespace {
 
@@ -88,4 +88,4 @@ const FieldTable<Surface>& surface_table() {
   return made;
 }
 
-}  // namespace sarsim::field_tables
+}  // namespace sarsim::scene::field_tables

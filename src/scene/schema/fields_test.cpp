@@ -13,7 +13,7 @@
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -306,7 +306,8 @@ TEST(Fields, AfterAnyChoiceTheObjectIsOneThatAScriptKeeps) {
           },
           object);
       const ScriptReading reading = read_script(write_script(scene), "written.scr", {});
-      ASSERT_FALSE(has_errors(reading.problems)) << to_string(reading.problems.front()) << write_script(scene);
+      ASSERT_FALSE(core::has_errors(reading.problems))
+          << core::to_string(reading.problems.front()) << write_script(scene);
       ASSERT_TRUE(reading.scene == scene) << field.id << " = " << text << "\n" << write_script(scene);
     }
   }
@@ -438,8 +439,8 @@ TEST(Fields, AFunctionThatIsChosenBeginsAsWhatWasThere) {
   EXPECT_EQ(set_field(object, "position_m.y", "2 km"), "");
   EXPECT_EQ(set_field(object, "path", "Trajectory"), "");
   const Platform moving = std::get<Platform>(object);
-  EXPECT_EQ(moving.trajectory_m.part[1].knots, (std::vector<Knot>{{0.0, 2000.0}}));
-  EXPECT_EQ(moving.position_m, Vec3{});
+  EXPECT_EQ(moving.trajectory_m.part[1].knots, (std::vector<core::Knot>{{0.0, 2000.0}}));
+  EXPECT_EQ(moving.position_m, core::Vec3{});
   EXPECT_EQ(set_field(object, "path", "Stationary"), "");
   EXPECT_EQ(std::get<Platform>(object).position_m.y, 2000.0);
   EXPECT_TRUE(std::get<Platform>(object).trajectory_m.part[1].knots.empty());
@@ -447,7 +448,7 @@ TEST(Fields, AFunctionThatIsChosenBeginsAsWhatWasThere) {
   AnyObject radar = Radar{};
   EXPECT_EQ(set_field(radar, "prf_hz", "2 kHz"), "");
   EXPECT_EQ(set_field(radar, "repetition", "User"), "");
-  EXPECT_EQ(std::get<Radar>(radar).pri_s.part[0].knots, (std::vector<Knot>{{0.0, 0.0005}}));
+  EXPECT_EQ(std::get<Radar>(radar).pri_s.part[0].knots, (std::vector<core::Knot>{{0.0, 0.0005}}));
   EXPECT_EQ(std::get<Radar>(radar).prf_hz, 1000.0);
 }
 
@@ -461,18 +462,18 @@ TEST(Fields, EveryFunctionThatIsChosenIsOneThatCanBeSimulated) {
     Scene scene;
     scene.platforms.emplace_back();
     scene.radars.push_back(std::get<Radar>(object));
-    EXPECT_FALSE(has_errors(check(scene))) << id << ": " << to_string(check(scene).front());
+    EXPECT_FALSE(core::has_errors(check(scene))) << id << ": " << core::to_string(check(scene).front());
   }
 }
 
 TEST(Fields, AFunctionIsSummarised) {
   Platform platform;
   platform.path = Platform::Path::trajectory;
-  platform.trajectory_m.part[0] = {Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
-  platform.trajectory_m.part[1] = {Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
-  platform.trajectory_m.part[2] = {Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
+  platform.trajectory_m.part[0] = {core::Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
+  platform.trajectory_m.part[1] = {core::Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
+  platform.trajectory_m.part[2] = {core::Interpolation::cubic, {{0, 0}, {1, 1}, {2, 4}}};
   EXPECT_EQ(field_text(AnyObject(platform), "trajectory_m"), "3 points, cubic");
-  platform.trajectory_m.part[2] = {Interpolation::linear, {{0, 0}}};
+  platform.trajectory_m.part[2] = {core::Interpolation::linear, {{0, 0}}};
   EXPECT_EQ(field_text(AnyObject(platform), "trajectory_m"), "3, 3 and 1 points, cubic, cubic and linear");
   platform.trajectory_m.file = "track.dat";
   EXPECT_EQ(field_text(AnyObject(platform), "trajectory_m"), "track.dat");
@@ -495,4 +496,4 @@ TEST(Fields, AnUnknownIdIsAProgrammersMistake) {
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One axis of a user-defined function.
 struct FunctionAxis {
@@ -67,4 +67,4 @@ inline constexpr std::array<const FunctionBlock*, 14> all{
 
 }  // namespace function_blocks
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace sarsim::function_tables {
+namespace sarsim::scene::function_tables {
 
 namespace {
 
@@ -252,4 +252,4 @@ ConstFunctionRef function_in(const AnyObject& object, std::string_view field) {
   return find_function<ConstFunctionRef>(object, field);
 }
 
-}  // namespace sarsim::function_tables
+}  // namespace sarsim::scene::function_tables

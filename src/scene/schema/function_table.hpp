@@ -10,7 +10,7 @@
 #include "scene/schema/quantity.hpp"
 
 /// Which user-defined functions there are, and what is known of each. Internal to function_model.
-namespace sarsim::function_tables {
+namespace sarsim::scene::function_tables {
 
 /// What the editor knows of one function besides its block of the script language.
 struct FunctionKind {
@@ -34,14 +34,14 @@ struct FunctionKind {
 
 /// The parts and the file name of a function inside an object.
 struct FunctionRef {
-  std::span<SampledFunction> parts;
+  std::span<core::SampledFunction> parts;
   std::string* file;
 };
 [[nodiscard]] FunctionRef function_in(AnyObject& object, std::string_view field);
 struct ConstFunctionRef {
-  std::span<const SampledFunction> parts;
+  std::span<const core::SampledFunction> parts;
   const std::string* file;
 };
 [[nodiscard]] ConstFunctionRef function_in(const AnyObject& object, std::string_view field);
 
-}  // namespace sarsim::function_tables
+}  // namespace sarsim::scene::function_tables

@@ -6,7 +6,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -31,10 +31,10 @@ std::string range_text(const Range& range) {
   const bool bounded_below = std::isfinite(range.low);
   const bool bounded_above = std::isfinite(range.high);
   if (bounded_below && bounded_above)
-    return fmt::format(", {} to {}", format_number(range.low), format_number(range.high));
-  if (!bounded_below) return bounded_above ? fmt::format(", at most {}", format_number(range.high)) : "";
+    return fmt::format(", {} to {}", core::format_number(range.low), core::format_number(range.high));
+  if (!bounded_below) return bounded_above ? fmt::format(", at most {}", core::format_number(range.high)) : "";
   if (range.low == 0.0) return range.low_excluded ? ", above zero" : ", zero or more";
-  return fmt::format(", at least {}", format_number(range.low));
+  return fmt::format(", at least {}", core::format_number(range.low));
 }
 
 bool keyword_matches(std::string_view typed, std::string_view keyword) { return letters_match(typed, keyword, 3); }
@@ -51,4 +51,4 @@ bool begins_like_number(std::string_view typed) {
   return !typed.empty() && std::string_view("+-.0123456789").find(typed.front()) != std::string_view::npos;
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

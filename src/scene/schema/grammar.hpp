@@ -11,7 +11,7 @@
 
 /// The pieces that the language is described with. Reader and writer work from the same descriptions
 /// (scene_grammar.hpp, radar_grammar.hpp), so that what one writes the other reads.
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// The values a number may have, in SI units, angles and decibels as typed.
 struct Range {
@@ -62,4 +62,4 @@ using Alternatives = std::array<Alternative<Value>, N>;
 /// Whether a word begins as a number does.
 [[nodiscard]] bool begins_like_number(std::string_view typed);
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -11,7 +11,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -43,9 +43,10 @@ constexpr Unit length_units[] = {
 constexpr Unit time_units[] = {decimal("s", 0, false), decimal("ns", -9), decimal("us", -6), decimal("ms", -3),
                                scaled("min", 60.0)};
 constexpr Unit frequency_units[] = {decimal("Hz", 0, false), decimal("kHz", 3), decimal("MHz", 6), decimal("GHz", 9)};
-constexpr Unit angle_units[] = {decimal("deg", 0, false), scaled("rad", deg_per_rad),
-                                scaled("mrad", deg_per_rad * 1e-3, true), scaled("'", 1.0 / 60.0)};
-constexpr Unit angle_rate_units[] = {decimal("deg/s", 0, false), scaled("rad/s", deg_per_rad), scaled("rpm", 6.0)};
+constexpr Unit angle_units[] = {decimal("deg", 0, false), scaled("rad", core::deg_per_rad),
+                                scaled("mrad", core::deg_per_rad * 1e-3, true), scaled("'", 1.0 / 60.0)};
+constexpr Unit angle_rate_units[] = {decimal("deg/s", 0, false), scaled("rad/s", core::deg_per_rad),
+                                     scaled("rpm", 6.0)};
 constexpr Unit area_units[] = {decimal("m2", 0, false), decimal("cm2", -4, true, false), decibel("dBsm", 0.0)};
 constexpr Unit power_units[] = {decimal("W", 0, false), decimal("mW", -3),   decimal("kW", 3),
                                 decimal("MW", 6),       decibel("dBW", 0.0), decibel("dBm", -30.0)};
@@ -135,22 +136,22 @@ std::size_t number_length(std::string_view text) {
   std::size_t i = 0;
   if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
   std::size_t digits = 0;
-  while (i < text.size() && is_digit(text[i])) ++i, ++digits;
+  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
   if (i < text.size() && text[i] == '.') ++i;
-  while (i < text.size() && is_digit(text[i])) ++i, ++digits;
+  while (i < text.size() && core::is_digit(text[i])) ++i, ++digits;
   if (digits == 0) return 0;
   if (i == text.size() || std::string_view("eEdD").find(text[i]) == std::string_view::npos) return i;
   std::size_t end = i + 1;
   if (end < text.size() && (text[end] == '+' || text[end] == '-')) ++end;
-  if (end == text.size() || !is_digit(text[end])) return i;
-  while (end < text.size() && is_digit(text[end])) ++end;
+  if (end == text.size() || !core::is_digit(text[end])) return i;
+  while (end < text.size() && core::is_digit(text[end])) ++end;
   return end;
 }
 
 // Texts can be of any length, messages cannot.
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 60;
-  text = trimmed(text);
+  text = core::trimmed(text);
   if (text.size() <= longest) return fmt::format("'{}'", text);
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not within a character
@@ -175,7 +176,7 @@ UnitSearch find_unit(std::string_view typed, Quantity quantity, std::string_view
   std::string alike;
   for (const Unit& unit : units) {
     if (unit.name == typed) return {&unit, {}};
-    if (!equal_ignoring_case(unit.name, typed)) continue;
+    if (!core::equal_ignoring_case(unit.name, typed)) continue;
     if (!alike.empty()) alike += " or ";
     alike += unit.name;
     search.unit = search.unit == nullptr && alike == unit.name && !other_prefix(typed, unit) ? &unit : nullptr;
@@ -201,15 +202,15 @@ std::string comma_failure(std::string_view text, std::string_view number) {
 
 // Why what stands behind a number is no unit, where it looks like a part of the number; empty where it does not.
 std::string broken_number(std::string_view text, std::string_view whole, std::string_view rest) {
-  const bool digit_follows = rest.size() > 1 && is_digit(rest[1]);
+  const bool digit_follows = rest.size() > 1 && core::is_digit(rest[1]);
   if (rest.front() == ',') {
     const std::size_t end = whole.find_first_not_of("+-0123456789.,eE");
-    const std::string_view number = trimmed(whole.substr(0, end));
+    const std::string_view number = core::trimmed(whole.substr(0, end));
     return digit_follows ? comma_failure(text, number) : fmt::format("{} has a comma behind the number", quoted(text));
   }
-  if (is_digit(rest.front())) {
+  if (core::is_digit(rest.front())) {
     std::string mended(whole);
-    std::erase_if(mended, is_blank);
+    std::erase_if(mended, core::is_blank);
     const std::size_t length = number_length(mended);
     return fmt::format("{} has a blank within the number; write {}", quoted(text), mended.substr(0, length));
   }
@@ -219,8 +220,8 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
 }
 
 std::optional<double> converted(std::string_view number, const Unit& unit) {
-  if (unit.law == Unit::Law::decimal) return parse_number(number, unit.exponent);
-  const auto plain = parse_number(number);
+  if (unit.law == Unit::Law::decimal) return core::parse_number(number, unit.exponent);
+  const auto plain = core::parse_number(number);
   if (!plain) return std::nullopt;
   const double value =
       unit.law == Unit::Law::factor ? *plain * unit.factor : std::pow(10.0, (*plain + unit.factor) / 10.0);
@@ -229,8 +230,8 @@ std::optional<double> converted(std::string_view number, const Unit& unit) {
 }
 
 QuantityReading read_factor(std::string_view typed, std::string_view text) {
-  const std::string_view number = trimmed(typed.substr(1));
-  const auto factor = number_length(number) == number.size() ? parse_number(number) : std::nullopt;
+  const std::string_view number = core::trimmed(typed.substr(1));
+  const auto factor = number_length(number) == number.size() ? core::parse_number(number) : std::nullopt;
   if (!factor || *factor <= 0.0)
     return no_quantity(
         fmt::format("{} is no ratio; a factor is written as x100, with a number above zero", quoted(text)));
@@ -239,7 +240,7 @@ QuantityReading read_factor(std::string_view typed, std::string_view text) {
 
 std::string no_number(std::string_view text, std::string_view typed, Quantity quantity) {
   if (typed.empty()) return fmt::format("nothing is typed; expected a {}", noun_of(quantity));
-  if (typed.front() == ',' && typed.size() > 1 && is_digit(typed[1]))
+  if (typed.front() == ',' && typed.size() > 1 && core::is_digit(typed[1]))
     return comma_failure(text, "0" + std::string(typed));
   const auto units = table_of(quantity);
   return units.empty() ? fmt::format("{} is no {}", quoted(text), noun_of(quantity))
@@ -260,10 +261,10 @@ std::string text_in(double value, const Unit& unit) {
   if (!std::isfinite(value))
     number = std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
   else if (unit.law == Unit::Law::decimal)
-    number = format_number(value, -unit.exponent);
+    number = core::format_number(value, -unit.exponent);
   else
-    number =
-        format_number(unit.law == Unit::Law::factor ? value / unit.factor : 10.0 * std::log10(value) - unit.factor);
+    number = core::format_number(unit.law == Unit::Law::factor ? value / unit.factor
+                                                               : 10.0 * std::log10(value) - unit.factor);
   return unit.name.empty() ? number : fmt::format("{} {}", number, unit.name);
 }
 
@@ -271,13 +272,13 @@ std::string text_in(double value, const Unit& unit) {
 
 QuantityReading read_quantity(std::string_view text, Quantity quantity, std::string_view bare_unit) {
   const std::string plain = plain_text(text);
-  const std::string_view typed = trimmed(plain);
+  const std::string_view typed = core::trimmed(plain);
   if (quantity == Quantity::ratio_db && !typed.empty() && (typed.front() == 'x' || typed.front() == 'X'))
     return read_factor(typed, text);
   const std::size_t length = number_length(typed);
   if (length == 0) return no_quantity(no_number(text, typed, quantity));
   const std::string_view number = typed.substr(0, length);
-  const std::string_view rest = trimmed(typed.substr(length));
+  const std::string_view rest = core::trimmed(typed.substr(length));
 
   const Unit* unit = nullptr;
   if (rest.empty()) {
@@ -291,7 +292,8 @@ QuantityReading read_quantity(std::string_view text, Quantity quantity, std::str
   const auto value = converted(number, *unit);
   if (!value) return no_quantity(fmt::format("{} is too large for a number", quoted(text)));
   if (quantity == Quantity::count && *value != std::floor(*value))
-    return no_quantity(fmt::format("{} is no whole number; try {}", quoted(text), format_number(std::round(*value))));
+    return no_quantity(
+        fmt::format("{} is no whole number; try {}", quoted(text), core::format_number(std::round(*value))));
   return {*value, {}};
 }
 
@@ -306,7 +308,7 @@ std::string quantity_text(double value, Quantity quantity) {
     if (!unit.shown) continue;
     if (unit.exponent < smallest->exponent) smallest = &unit;
     // The nearest double to the power of ten: the comparison is then that of the shortest decimals.
-    const bool fits = std::abs(value) >= *parse_number("1", unit.exponent);
+    const bool fits = std::abs(value) >= *core::parse_number("1", unit.exponent);
     if (fits && (fitting == nullptr || unit.exponent > fitting->exponent)) fitting = &unit;
   }
   return text_in(value, fitting == nullptr ? *smallest : *fitting);
@@ -322,4 +324,4 @@ std::vector<std::string_view> units_of(Quantity quantity) {
   return names;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// What a number measures: which units may be typed, and which one is shown.
 enum class Quantity {
@@ -43,4 +43,4 @@ struct QuantityReading {
 /// The units that may be typed, the base unit first.
 [[nodiscard]] std::vector<std::string_view> units_of(Quantity quantity);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -193,4 +193,4 @@ TEST(Quantity, TheBaseUnitIsTheFirstThatMayBeTyped) {
 
 }  // namespace
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

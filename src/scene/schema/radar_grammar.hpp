@@ -5,7 +5,7 @@
 #include "scene/schema/grammar.hpp"
 
 /// Fields and keywords of `$RADAR`.
-namespace sarsim::script::radar_grammar {
+namespace sarsim::scene::script::radar_grammar {
 
 /// The receive antenna's own choice: the transmit antenna's patterns, or that antenna itself.
 enum class ReceivePattern { isotropic, sinx, same, user };
@@ -103,4 +103,4 @@ inline constexpr Alternatives<Radar::Stc, 2> stc_laws{
     {{"1OVERR4", Radar::Stc::range_law, "takes the loss with range out of the echoes"},
      {"OTHER", Radar::Stc::user, "gain given by points"}}};
 
-}  // namespace sarsim::script::radar_grammar
+}  // namespace sarsim::scene::script::radar_grammar

@@ -4,14 +4,15 @@
 #include "scene/schema/grammar.hpp"
 
 /// Fields and keywords of `$PLATFORM`, `$TARGET`, `$SURFACE`, `$SIMULATION`, `$GEOMETRY` and `$OPTIONS`.
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 inline constexpr std::array<std::string_view, 7> command_words{"TARGET",  "PLATFORM", "RADAR",  "SIMULATION",
                                                                "SURFACE", "GEOMETRY", "OPTIONS"};
 
-inline constexpr Alternatives<Interpolation, 3> interpolations{{{"CUBIC", Interpolation::cubic, "cubic pieces"},
-                                                                {"MFILTER", Interpolation::low_pass, "low-pass filter"},
-                                                                {"LINEAR", Interpolation::linear, "straight lines"}}};
+inline constexpr Alternatives<core::Interpolation, 3> interpolations{
+    {{"CUBIC", core::Interpolation::cubic, "cubic pieces"},
+     {"MFILTER", core::Interpolation::low_pass, "low-pass filter"},
+     {"LINEAR", core::Interpolation::linear, "straight lines"}}};
 
 namespace platform_grammar {
 
@@ -168,4 +169,4 @@ inline constexpr Alternatives<PulseDefinition, 2> pulses{
 
 }  // namespace options_grammar
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -5,15 +5,16 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
 std::string_view unquoted(std::string_view cell) {
-  cell = trimmed(cell);
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') return trimmed(cell.substr(1, cell.size() - 2));
+  cell = core::trimmed(cell);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+    return core::trimmed(cell.substr(1, cell.size() - 2));
   return cell;
 }
 
@@ -41,9 +42,10 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 
 ColumnHeading heading_of(std::string_view cell) {
   const std::size_t open = cell.find_first_of("[(");
-  if (open == std::string_view::npos) return {lower_case(cell), {}};
+  if (open == std::string_view::npos) return {core::lower_case(cell), {}};
   const std::size_t close = std::min(cell.find_first_of("])", open), cell.size());
-  return {lower_case(trimmed(cell.substr(0, open))), std::string(trimmed(cell.substr(open + 1, close - open - 1)))};
+  return {core::lower_case(core::trimmed(cell.substr(0, open))),
+          std::string(core::trimmed(cell.substr(open + 1, close - open - 1)))};
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ std::vector<TableLine> table_lines(std::string_view text) {
   std::vector<TableLine> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find(line_end), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
+    const std::string_view line = core::trimmed(text.substr(0, end));
     // The first cells of a spreadsheet's row may be empty: tabs at the beginning count.
     const std::string_view whole = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -84,11 +86,11 @@ bool is_heading(const TableLine& line) {
 }
 
 QuantityReading read_cell(std::string_view cell, Quantity quantity, const std::string& column_unit) {
-  if (const auto plain = parse_number(cell)) {
+  if (const auto plain = core::parse_number(cell)) {
     if (column_unit.empty()) return {*plain, {}};
     return read_quantity(std::string(cell) + " " + column_unit, quantity);
   }
   return read_quantity(cell, quantity);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 
 #include "scene/schema/quantity.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// One line of a table of text: views into the text that was split.
 struct TableLine {
@@ -33,4 +33,4 @@ struct ColumnHeading {
 /// Reads a cell, in the unit of its column where it has none of its own.
 [[nodiscard]] QuantityReading read_cell(std::string_view cell, Quantity quantity, const std::string& column_unit);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -11,7 +11,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -23,7 +23,7 @@ ValueList no_values(std::string failure) { return {{}, std::move(failure)}; }
 // Length of the decimal number at the beginning of a text.
 std::size_t number_length(std::string_view text) {
   const auto digits_from = [&](std::size_t i) {
-    while (i < text.size() && is_digit(text[i])) ++i;
+    while (i < text.size() && core::is_digit(text[i])) ++i;
     return i;
   };
   const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -51,9 +51,9 @@ struct Term {
 };
 
 Term term_of(std::string_view text, const std::string& unit) {
-  text = trimmed(text);
+  text = core::trimmed(text);
   const std::size_t length = number_length(text);
-  Term term{std::string(text.substr(0, length)), std::string(trimmed(text.substr(length)))};
+  Term term{std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
   if (length > 0 && term.unit.empty()) term.unit = unit;
   return term;
 }
@@ -71,14 +71,14 @@ std::optional<std::vector<std::string>> split(std::string_view text) {
       items.back() += c;
   }
   if (quoted) return std::nullopt;
-  for (std::string& item : items) item = trimmed(item);
+  for (std::string& item : items) item = core::trimmed(item);
   return items;
 }
 
 // 15 digits are what a double surely holds: sums of decimal fractions come out as people write them.
 std::string decimal(double value) {
   constexpr int digits = 15;
-  return format_number(tidy(value, digits));
+  return core::format_number(core::tidy(value, digits));
 }
 
 // Reads the values of one field.
@@ -88,14 +88,14 @@ class Reader {
 
   ValueList read(std::string_view text) {
     const auto items = split(text);
-    if (!items) return no_values(fmt::format("'{}' has a quotation mark without its partner", clipped(text)));
+    if (!items) return no_values(fmt::format("'{}' has a quotation mark without its partner", core::clipped(text)));
     if (items->size() == 1 && items->front().empty()) return no_values("no value follows the '='");
     const bool numbers = field_.kind == FieldKind::quantity;
     if (numbers) unit_ = list_unit(items->back());
     for (const std::string& item : *items) {
       std::string failure;
       if (item.empty())
-        failure = fmt::format("'{}' has nothing between two commas", clipped(text));
+        failure = fmt::format("'{}' has nothing between two commas", core::clipped(text));
       else if (!numbers)
         failure = add(item);
       else
@@ -114,7 +114,7 @@ class Reader {
   }
 
   std::string too_many(std::string_view item) const {
-    return fmt::format("'{}' would be more than {} values", clipped(item), most_);
+    return fmt::format("'{}' would be more than {} values", core::clipped(item), most_);
   }
 
   std::string add(std::string text) {
@@ -138,17 +138,17 @@ class Reader {
     const std::size_t points = item.find("..");
     const Term last = term_of(std::string_view(item).substr(points + 2), unit_);
     const Term first = term_of(std::string_view(item).substr(0, points), last.unit);
-    const auto from = parse_integer(first.number);
-    const auto to = parse_integer(last.number);
+    const auto from = core::parse_integer(first.number);
+    const auto to = core::parse_integer(last.number);
     if (!from || !to)
       return fmt::format("'{}' is no range of whole numbers; it is written first..last, others start:step:end",
-                         clipped(item));
+                         core::clipped(item));
     if (first.unit != last.unit)
-      return fmt::format("'{}' begins and ends in different units; write both in {}", clipped(item),
+      return fmt::format("'{}' begins and ends in different units; write both in {}", core::clipped(item),
                          last.unit.empty() ? "the same" : last.unit);
     if (*to < *from)
-      return fmt::format("'{}' goes down; write {}..{}{}, or {}:-1:{}{}", clipped(item), *to, *from, last.unit, *from,
-                         *to, last.unit);
+      return fmt::format("'{}' goes down; write {}..{}{}, or {}:-1:{}{}", core::clipped(item), *to, *from, last.unit,
+                         *from, *to, last.unit);
     if (const std::string text = std::to_string(*from) + last.unit; field_.id != "seed")
       if (std::string failure = read_quantity(text, field_.quantity).failure; !failure.empty()) return failure;
     const std::uint64_t steps = static_cast<std::uint64_t>(*to) - static_cast<std::uint64_t>(*from);
@@ -165,8 +165,8 @@ class Reader {
       colon = item.find(':', begin);
       parts.push_back(std::string_view(item).substr(begin, colon - begin));
     }
-    if (parts.size() != 3 || std::ranges::any_of(parts, [](auto part) { return trimmed(part).empty(); }))
-      return fmt::format("'{}' is no range; it is written start:step:end", clipped(item));
+    if (parts.size() != 3 || std::ranges::any_of(parts, [](auto part) { return core::trimmed(part).empty(); }))
+      return fmt::format("'{}' is no range; it is written start:step:end", core::clipped(item));
     const Term end = term_of(parts[2], unit_);
     const std::array<Term, 3> terms{term_of(parts[0], end.unit), term_of(parts[1], end.unit), end};
     for (const Term& term : terms) {
@@ -185,7 +185,7 @@ class Reader {
 
   std::string add_in_unit(const std::string& item, const std::array<Term, 3>& terms) {
     std::array<double, 3> numbers{};
-    for (std::size_t i = 0; i < 3; ++i) numbers[i] = parse_number(terms[i].number).value_or(NAN);
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = core::parse_number(terms[i].number).value_or(NAN);
     const auto text_of = [&](double value) { return decimal(value) + terms[2].unit; };
     return add_steps(item, numbers, {terms[0].text(), terms[2].text()}, text_of);
   }
@@ -194,11 +194,11 @@ class Reader {
     std::array<double, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i) {
       if (terms[i].unit.starts_with("dB"))
-        return fmt::format("'{}' mixes decibels with another unit; write all three in one unit", clipped(item));
+        return fmt::format("'{}' mixes decibels with another unit; write all three in one unit", core::clipped(item));
       numbers[i] = read_quantity(terms[i].text(), field_.quantity).value.value_or(NAN);
     }
     const auto text_of = [&](double value) {
-      std::string text = quantity_text(*parse_number(decimal(value)), field_.quantity);
+      std::string text = quantity_text(*core::parse_number(decimal(value)), field_.quantity);
       std::erase(text, ' ');
       return text;
     };
@@ -209,10 +209,11 @@ class Reader {
   std::string add_steps(const std::string& item, const std::array<double, 3>& range,
                         const std::array<std::string, 2>& ends, const TextOf& text_of) {
     const auto [start, step, end] = range;
-    if (!std::isfinite(start + step + end)) return fmt::format("'{}' holds a number that is too large", clipped(item));
-    if (step == 0.0) return fmt::format("'{}' has a step of zero", clipped(item));
+    if (!std::isfinite(start + step + end))
+      return fmt::format("'{}' holds a number that is too large", core::clipped(item));
+    if (step == 0.0) return fmt::format("'{}' has a step of zero", core::clipped(item));
     const double steps = std::floor((end - start) / step + rounding);
-    if (steps < 0.0) return fmt::format("'{}' never reaches its end: the step leads away from it", clipped(item));
+    if (steps < 0.0) return fmt::format("'{}' never reaches its end: the step leads away from it", core::clipped(item));
     if (!(steps < static_cast<double>(most_ - std::min(most_, texts_.size())))) return too_many(item);
     const auto last = static_cast<std::size_t>(steps);
     for (std::size_t i = 0; i <= last; ++i) {
@@ -235,4 +236,4 @@ ValueList read_value_list(std::string_view text, const Field& field, std::size_t
   return Reader(field, most).read(text);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 
 #include "scene/schema/fields.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// Values for a field as texts that `set_field` takes, or why there are none, in words.
 struct ValueList {
@@ -26,4 +26,4 @@ struct ValueList {
 /// @param most  more values than that are a failure
 [[nodiscard]] ValueList read_value_list(std::string_view text, const Field& field, std::size_t most);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

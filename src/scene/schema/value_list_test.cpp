@@ -4,7 +4,7 @@
 
 #include "scene/model/object_lists.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 namespace {
 
 using testing::ElementsAre;
@@ -124,4 +124,4 @@ TEST(ValueList, RefusesMoreValuesThanMany) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::scene

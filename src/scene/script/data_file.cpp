@@ -9,7 +9,7 @@
 #include "scene/script/problem_log.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace script {
 
@@ -91,12 +91,12 @@ void report(const std::optional<Descent>& descent, const FunctionText& text, Rep
   if (!descent) return;
   reporter.error(descent->x_token, text.member,
                  {fmt::format("{} of the points of {} must ascend", text.block.x.name, subject_of(text)),
-                  shown(descent->x_token.text), fmt::format("more than {}", format_number(descent->above))});
+                  shown(descent->x_token.text), fmt::format("more than {}", core::format_number(descent->above))});
 }
 
 }  // namespace
 
-PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& reporter, std::vector<Knot>& points) {
+PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& reporter, std::vector<core::Knot>& points) {
   points.clear();
   const std::optional<std::uint64_t> count = read_count(tokens, text, reporter);
   if (!count) return PointsEnd::broken;
@@ -107,7 +107,7 @@ PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& report
   for (std::uint64_t i = 0; i < *count; ++i) {
     if (ends_data(tokens.peek(), text)) return report_early_end(tokens.peek(), text, reporter, *count, points.size());
     const Token x_token = tokens.take();
-    Knot point;
+    core::Knot point;
     const bool x_good = read_coordinate(x_token, text, false, reporter, point.x);
     if (ends_data(tokens.peek(), text)) return report_early_end(tokens.peek(), text, reporter, *count, points.size());
     static_cast<void>(read_coordinate(tokens.take(), text, true, reporter, point.y));
@@ -125,10 +125,10 @@ std::string axes_text(const FunctionBlock& block, std::size_t part) {
   return fmt::format("{} against {}", with_unit(block.y[part]), with_unit(block.x));
 }
 
-void append_point(std::string& text, const FunctionBlock& block, const Knot& point) {
-  append_number(text, point.x);
+void append_point(std::string& text, const FunctionBlock& block, const core::Knot& point) {
+  core::append_number(text, point.x);
   text += ", ";
-  append_number(text, point.y, -block.y_shift);
+  core::append_number(text, point.y, -block.y_shift);
 }
 
 }  // namespace script
@@ -154,14 +154,14 @@ DataFileReading read_data_file(std::string_view text, const std::string& file_na
     for (std::size_t i = 0; i < block.count; ++i)
       if (read_points(tokens, {block, i, "", true}, reporter, reading.functions[i]) != PointsEnd::complete) break;
   reading.problems = log.take();
-  if (const Token rest = tokens.peek(); !has_errors(reading.problems) && rest.kind != TokenKind::end) {
+  if (const Token rest = tokens.peek(); !core::has_errors(reading.problems) && rest.kind != TokenKind::end) {
     reporter.warning(rest, "", {"numbers behind the last function are ignored", shown(rest.text)});
-    for (Problem& problem : log.take()) reading.problems.push_back(std::move(problem));
+    for (core::Problem& problem : log.take()) reading.problems.push_back(std::move(problem));
   }
   return reading;
 }
 
-std::string write_data_file(std::span<const SampledFunction> functions, const FunctionBlock& block) {
+std::string write_data_file(std::span<const core::SampledFunction> functions, const FunctionBlock& block) {
   using namespace script;
   std::string text = fmt::format("! Data of: {}\n", block.words);
   text += "! For each function the number of points, then x and y of every point";
@@ -169,7 +169,7 @@ std::string write_data_file(std::span<const SampledFunction> functions, const Fu
   for (std::size_t i = 0; i < block.count; ++i) text += fmt::format("! Function {}: {}\n", i + 1, axes_text(block, i));
   for (std::size_t i = 0; i < block.count; ++i) {
     text += fmt::format("\n{:<20} ! points of {}\n", functions[i].knots.size(), axes_text(block, i));
-    for (const Knot& knot : functions[i].knots) {
+    for (const core::Knot& knot : functions[i].knots) {
       append_point(text, block, knot);
       text += '\n';
     }
@@ -177,4 +177,4 @@ std::string write_data_file(std::span<const SampledFunction> functions, const Fu
   return text;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 #include "core/report/problem.hpp"
 #include "scene/schema/function_block.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The bytes of a data file that a script names, or why there are none.
 struct DataFileText {
@@ -24,8 +24,8 @@ using DataFileLoader = std::function<DataFileText(const std::string& name)>;
 
 /// The points of a data file: one list for each function of the block.
 struct DataFileReading {
-  std::vector<std::vector<Knot>> functions;
-  Problems problems;
+  std::vector<std::vector<core::Knot>> functions;
+  core::Problems problems;
 };
 
 /// Reads the text of a user-function data file: for each function of `block` the number of points, then x and y of
@@ -39,7 +39,7 @@ struct DataFileReading {
 
 /// The text of a data file for the functions of `block`, with comments that name the axes and their units. Reading it
 /// gives the same points, bit for bit. Points must be finite.
-[[nodiscard]] std::string write_data_file(std::span<const SampledFunction> functions, const FunctionBlock& block);
+[[nodiscard]] std::string write_data_file(std::span<const core::SampledFunction> functions, const FunctionBlock& block);
 
 namespace script {
 
@@ -63,14 +63,14 @@ enum class PointsEnd {
 
 /// Reads the number of points and the points of one function.
 [[nodiscard]] PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& reporter,
-                                    std::vector<Knot>& points);
+                                    std::vector<core::Knot>& points);
 
 /// "position x (m) against time (s)".
 [[nodiscard]] std::string axes_text(const FunctionBlock& block, std::size_t part);
 
 /// Adds one point to a text: "x, y" in the units of a script.
-void append_point(std::string& text, const FunctionBlock& block, const Knot& point);
+void append_point(std::string& text, const FunctionBlock& block, const core::Knot& point);
 
 }  // namespace script
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

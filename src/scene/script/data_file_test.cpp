@@ -4,7 +4,7 @@
 
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -15,18 +15,18 @@ constexpr std::string_view three_functions = "! path\n2\n-1 -100, 1 100\n1\n0 10
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-Problem only_problem(const Problems& problems) {
+core::Problem only_problem(const core::Problems& problems) {
   EXPECT_EQ(problems.size(), 1U);
-  for (std::size_t i = 1; i < problems.size(); ++i) ADD_FAILURE() << to_string(problems[i]);
-  return problems.empty() ? Problem{} : problems[0];
+  for (std::size_t i = 1; i < problems.size(); ++i) ADD_FAILURE() << core::to_string(problems[i]);
+  return problems.empty() ? core::Problem{} : problems[0];
 }
 
-Problem data_problem(std::string_view text, const FunctionBlock& block = trajectory) {
+core::Problem data_problem(std::string_view text, const FunctionBlock& block = trajectory) {
   return only_problem(read_data_file(text, "p.dat", block).problems);
 }
 
 // A script whose platform takes its path from the given block text, read with one data file "p.dat".
-Problems script_problems(const std::string& block, const std::string& data) {
+core::Problems script_problems(const std::string& block, const std::string& data) {
   const std::string script = "$PLATFORM P TRAJ\n" + block + " NOT CONST 0 0 0 0 0 0 STD 0 0 0 STD 0 0 0";
   return read_script(script, "t.scr",
                      [&](const std::string& name) {
@@ -42,21 +42,21 @@ TEST(DataFile, HoldsCountAndPointsOfEachFunction) {
   const DataFileReading reading = read_data_file(three_functions, "p.dat", trajectory);
   EXPECT_TRUE(reading.problems.empty());
   ASSERT_EQ(reading.functions.size(), 3U);
-  EXPECT_EQ(reading.functions[0], (std::vector<Knot>{{-1, -100}, {1, 100}}));
-  EXPECT_EQ(reading.functions[2], (std::vector<Knot>{{0, 2000}}));
+  EXPECT_EQ(reading.functions[0], (std::vector<core::Knot>{{-1, -100}, {1, 100}}));
+  EXPECT_EQ(reading.functions[2], (std::vector<core::Knot>{{0, 2000}}));
 }
 
 TEST(DataFile, IsScaledToTheUnitsOfTheScene) {
   const DataFileReading reading = read_data_file("2 0 5.3 0 0.141", "p.dat", carriers);
   EXPECT_TRUE(reading.problems.empty());
-  EXPECT_EQ(reading.functions[0], (std::vector<Knot>{{0, 5.3e9}, {0, 0.141e9}}));
+  EXPECT_EQ(reading.functions[0], (std::vector<core::Knot>{{0, 5.3e9}, {0, 0.141e9}}));
 }
 
 TEST(DataFile, IsReadBackBitForBitForEveryBlock) {
   for (const FunctionBlock* block : function_blocks::all) {
-    std::vector<SampledFunction> functions(block->count);
+    std::vector<core::SampledFunction> functions(block->count);
     double x = -1.0 / 3.0;
-    for (SampledFunction& function : functions)
+    for (core::SampledFunction& function : functions)
       for (int i = 0; i < 50; ++i)
         function.knots.push_back({x += 1.0 / 7.0, std::ldexp(block->x_ignored ? std::abs(x) : x, 2 * i - 70)});
     const std::string text = write_data_file(functions, *block);
@@ -69,8 +69,8 @@ TEST(DataFile, IsReadBackBitForBitForEveryBlock) {
 }
 
 TEST(DataFile, ReportsABadNumberWithItsPlaceAxisAndUnit) {
-  const Problem problem = data_problem("2\n-1 -100, 1 10x0\n1\n0 10000\n1\n0 2000\n");
-  EXPECT_EQ(problem.place, (Place{"p.dat", 2, 12}));
+  const core::Problem problem = data_problem("2\n-1 -100, 1 10x0\n1\n0 10000\n1\n0 2000\n");
+  EXPECT_EQ(problem.place, (core::Place{"p.dat", 2, 12}));
   EXPECT_EQ(problem.found, "10x0");
   EXPECT_EQ(problem.expected, "a number in m");
   EXPECT_TRUE(holds(problem.message, "position x"));
@@ -85,7 +85,7 @@ TEST(DataFile, ReportsACountThatIsNone) {
 }
 
 TEST(DataFile, ReportsTooFewNumbersAndTooFewFunctions) {
-  const Problem few = data_problem("3 0 1 1 2");
+  const core::Problem few = data_problem("3 0 1 1 2");
   EXPECT_TRUE(holds(few.message, "3 points were announced")) << few.message;
   EXPECT_TRUE(holds(few.message, "after 2"));
   EXPECT_TRUE(holds(data_problem("1 0 1").message, "number of points for position y"));
@@ -99,8 +99,8 @@ TEST(DataFile, ReportsEmptinessScriptsAndBytes) {
 }
 
 TEST(DataFile, DemandsThatXAscends) {
-  const Problem problem = data_problem("4 0 0 2 0 1 0 0.5 0\n1 0 0\n1 0 0");
-  EXPECT_EQ(problem.place, (Place{"p.dat", 1, 11}));
+  const core::Problem problem = data_problem("4 0 0 2 0 1 0 0.5 0\n1 0 0\n1 0 0");
+  EXPECT_EQ(problem.place, (core::Place{"p.dat", 1, 11}));
   EXPECT_EQ(problem.expected, "more than 2");
   EXPECT_TRUE(holds(data_problem("2 1 0 1 0 1 0 0 1 0 0").message, "must ascend"));
 }
@@ -109,27 +109,27 @@ TEST(DataFile, IgnoresXInLists) { EXPECT_TRUE(read_data_file("3 0 1 0 2 -5 3", "
 
 TEST(DataFile, DemandsListsAboveZero) {
   for (const char* text : {"2 0 1 0 0", "2 0 1 0 -5"}) {
-    const Problems problems = read_data_file(text, "p.dat", carriers).problems;
+    const core::Problems problems = read_data_file(text, "p.dat", carriers).problems;
     ASSERT_EQ(problems.size(), 1U) << text;
     EXPECT_EQ(problems[0].place.column, 9U) << text;
   }
 }
 
 TEST(DataFile, SaysOnlyThatPointsAreMissingWhereTheCountIsWrong) {
-  const Problems problems = read_data_file("9 0 0 1 1 1 0 1 1 1 0", "p.dat", trajectory).problems;
+  const core::Problems problems = read_data_file("9 0 0 1 1 1 0 1 1 1 0", "p.dat", trajectory).problems;
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_TRUE(holds(problems[0].message, "9 points were announced"));
 }
 
 TEST(DataFile, WarnsOfNumbersBehindTheLastFunction) {
-  const Problem problem = data_problem("1 0 1 7", carriers);
-  EXPECT_EQ(problem.severity, Severity::warning);
+  const core::Problem problem = data_problem("1 0 1 7", carriers);
+  EXPECT_EQ(problem.severity, core::Severity::warning);
   EXPECT_EQ(problem.found, "7");
 }
 
 TEST(DataFile, IsNotBelievedAHugeCount) {
   const DataFileReading reading = read_data_file("9000000000000000000 0 1", "p.dat", carriers);
-  EXPECT_TRUE(has_errors(reading.problems));
+  EXPECT_TRUE(core::has_errors(reading.problems));
   EXPECT_LT(reading.functions[0].capacity(), 100U);
 }
 
@@ -148,22 +148,22 @@ TEST(FunctionBlock, TakesItsPointsFromTheFileItNames) {
   EXPECT_TRUE(reading.problems.empty());
   const UserFunction<3>& path = reading.scene.platforms.at(0).trajectory_m;
   EXPECT_EQ(path.file, "p.dat");
-  EXPECT_EQ(path.part[0].method, Interpolation::cubic);
-  EXPECT_EQ(path.part[2].method, Interpolation::low_pass);
+  EXPECT_EQ(path.part[0].method, core::Interpolation::cubic);
+  EXPECT_EQ(path.part[2].method, core::Interpolation::low_pass);
   EXPECT_EQ(path.part[0].knots.size(), 2U);
 }
 
 TEST(FunctionBlock, PlacesProblemsOfADataFileAtItsNameAndSaysWhereTheyAre) {
-  const Problem problem = only_problem(script_problems("LIN LIN LIN FILE p.dat", "1 0 1\n1 0 q\n1 0 1"));
-  EXPECT_EQ(problem.place, (Place{"t.scr", 2, 18}));
+  const core::Problem problem = only_problem(script_problems("LIN LIN LIN FILE p.dat", "1 0 1\n1 0 q\n1 0 1"));
+  EXPECT_EQ(problem.place, (core::Place{"t.scr", 2, 18}));
   EXPECT_TRUE(holds(problem.message, "dir/p.dat:2:5: position y")) << problem.message;
   EXPECT_EQ(problem.found, "q");
-  EXPECT_EQ(problem.subject, (Subject{"platform", 0, "trajectory_m"}));
+  EXPECT_EQ(problem.subject, (core::Subject{"platform", 0, "trajectory_m"}));
 }
 
 TEST(FunctionBlock, SaysWhereAMissingDataFileWasLookedFor) {
-  const Problem problem = only_problem(script_problems("LIN LIN LIN FILE q.dat", ""));
-  EXPECT_EQ(problem.place, (Place{"t.scr", 2, 18}));
+  const core::Problem problem = only_problem(script_problems("LIN LIN LIN FILE q.dat", ""));
+  EXPECT_EQ(problem.place, (core::Place{"t.scr", 2, 18}));
   EXPECT_TRUE(holds(problem.message, "looked for q.dat"));
 }
 
@@ -174,19 +174,19 @@ TEST(FunctionBlock, NeedsALoaderForFiles) {
 }
 
 TEST(FunctionBlock, ToleratesAFunctionWithoutPointsInTheScriptWithAWarning) {
-  const Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 0 1 0 1 1 0 1", ""));
-  EXPECT_EQ(problem.severity, Severity::warning);
+  const core::Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 0 1 0 1 1 0 1", ""));
+  EXPECT_EQ(problem.severity, core::Severity::warning);
   EXPECT_TRUE(holds(problem.message, "no points"));
 }
 
 TEST(FunctionBlock, ReportsACountThatIsTooLargeOnce) {
-  const Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 1 0 1 1 0 1 2 0 1", ""));
+  const core::Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 1 0 1 1 0 1 2 0 1", ""));
   EXPECT_TRUE(holds(problem.message, "2 points were announced for position z")) << problem.message;
   EXPECT_EQ(problem.found, "NOT");
 }
 
 TEST(FunctionBlock, ReportsACountThatIsTooSmallOnce) {
-  const Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 1 0 1 1 0 1 1 0 1 5 6", ""));
+  const core::Problem problem = only_problem(script_problems("LIN LIN LIN INLINE 1 0 1 1 0 1 1 0 1 5 6", ""));
   EXPECT_EQ(problem.found, "5");
   EXPECT_TRUE(holds(problem.expected, "NOT_ALIGNED"));
 }
@@ -198,7 +198,7 @@ TEST(FunctionBlock, ReportsAnUnknownInterpolationOrSource) {
 }
 
 TEST(FunctionBlock, GoesOnAfterABadPoint) {
-  const Problems problems = script_problems("LIN LIN LIN INLINE 1 0 a 1 b 1 1 0 c", "");
+  const core::Problems problems = script_problems("LIN LIN LIN INLINE 1 0 a 1 b 1 1 0 c", "");
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_EQ(problems[1].found, "b");
 }
@@ -209,4 +209,4 @@ TEST(FunctionBlock, ReadsMoreInlinePointsThanTheOldLimit) {
   EXPECT_TRUE(script_problems(block + " 1 0 1 1 0 1", "").empty());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -4,7 +4,7 @@
 
 #include "scene/script/make_room.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::uint32_t FieldPlaces::label_of(std::string_view field, std::size_t file) {
   return last_label_ = found;
 }
 
-void FieldPlaces::add(const Subject& subject, const Place& place) {
+void FieldPlaces::add(const core::Subject& subject, const core::Place& place) {
   begin_object(subject.kind, subject.index, place.file);
   add_field(subject.field, place.line, place.column);
 }
@@ -90,7 +90,7 @@ void FieldPlaces::append_entries(const Kind& later, std::size_t objects_before, 
   }
 }
 
-Place FieldPlaces::find_exactly(const Kind& kind, std::size_t index, std::string_view field) const {
+core::Place FieldPlaces::find_exactly(const Kind& kind, std::size_t index, std::string_view field) const {
   for (const Entry& entry : std::ranges::equal_range(kind.entries, index, {}, &Entry::object)) {
     const Label& label = labels_[entry.column_and_label % label_limit];
     if (label.field == field) return {files_[label.file], entry.line, entry.column_and_label >> label_bits};
@@ -98,15 +98,15 @@ Place FieldPlaces::find_exactly(const Kind& kind, std::size_t index, std::string
   return {};
 }
 
-Place FieldPlaces::find(const Subject& subject) const {
+core::Place FieldPlaces::find(const core::Subject& subject) const {
   const auto kind = std::ranges::find(kinds_, subject.kind, &Kind::name);
   if (kind == kinds_.end()) return {};
   const std::string_view field = subject.field;
   for (const std::string_view name : {field, field.substr(0, field.find_first_of(".[")), std::string_view{}}) {
-    const Place place = find_exactly(*kind, subject.index, name);
+    const core::Place place = find_exactly(*kind, subject.index, name);
     if (place.line > 0) return place;
   }
   return {};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

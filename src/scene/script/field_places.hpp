@@ -9,7 +9,7 @@
 
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// Where each field of a scene stands in its script. Twelve bytes for a field, so that scripts of millions of targets
 /// can be kept; columns beyond a million are remembered as unknown (0).
@@ -17,7 +17,7 @@ class FieldPlaces {
  public:
   /// Notes the place of a field, or of the whole object where `subject.field` is empty; a field noted twice keeps its
   /// first place. Cheapest in the order of the objects.
-  void add(const Subject& subject, const Place& place);
+  void add(const core::Subject& subject, const core::Place& place);
 
   /// The same in two steps, for readers, which note millions of fields: what the fields that follow belong to ...
   void begin_object(std::string_view kind, std::size_t index, std::string_view file);
@@ -32,7 +32,7 @@ class FieldPlaces {
 
   /// Place of the field; where that is not known, of the part of its name before the first '.' or '[' (a member of a
   /// member), then of its object; else an empty place.
-  [[nodiscard]] Place find(const Subject& subject) const;
+  [[nodiscard]] core::Place find(const core::Subject& subject) const;
 
   /// Whether both know the same places.
   friend bool operator==(const FieldPlaces& a, const FieldPlaces& b) {
@@ -61,7 +61,7 @@ class FieldPlaces {
   [[nodiscard]] std::size_t kind_of(std::string_view name);
   [[nodiscard]] std::size_t file_of(std::string_view name);
   [[nodiscard]] std::uint32_t label_of(std::string_view field, std::size_t file);
-  [[nodiscard]] Place find_exactly(const Kind& kind, std::size_t index, std::string_view field) const;
+  [[nodiscard]] core::Place find_exactly(const Kind& kind, std::size_t index, std::string_view field) const;
   [[nodiscard]] std::vector<std::uint32_t> labels_for(const FieldPlaces& later);
   void append_entries(const Kind& later, std::size_t objects_before, std::span<const std::uint32_t> labels,
                       double share);
@@ -83,4 +83,4 @@ void FieldPlaces::append(const FieldPlaces& later, const ObjectsBefore& objects_
   for (const Kind& kind : later.kinds_) append_entries(kind, objects_before(kind.name), labels, share);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim {
+namespace sarsim::scene {
 
 TEST(FieldPlaces, FindTheFieldThenItsObjectThenNothing) {
   FieldPlaces places;
   places.add({"radar", 3, ""}, {"a.scr", 10, 1});
   places.add({"radar", 3, "prf_hz"}, {"a.scr", 12, 5});
-  EXPECT_EQ(places.find({"radar", 3, "prf_hz"}), (Place{"a.scr", 12, 5}));
-  EXPECT_EQ(places.find({"radar", 3, "power_w"}), (Place{"a.scr", 10, 1}));
-  EXPECT_EQ(places.find({"radar", 2, "prf_hz"}), Place{});
-  EXPECT_EQ(places.find({"target", 3, "prf_hz"}), Place{});
+  EXPECT_EQ(places.find({"radar", 3, "prf_hz"}), (core::Place{"a.scr", 12, 5}));
+  EXPECT_EQ(places.find({"radar", 3, "power_w"}), (core::Place{"a.scr", 10, 1}));
+  EXPECT_EQ(places.find({"radar", 2, "prf_hz"}), core::Place{});
+  EXPECT_EQ(places.find({"target", 3, "prf_hz"}), core::Place{});
 }
 
 TEST(FieldPlaces, FindTheWholeMemberForAPartOfIt) {
@@ -34,13 +34,13 @@ TEST(FieldPlaces, KeepApartFilesAndTakeObjectsInAnyOrder) {
   for (const std::size_t index : {5U, 1U, 3U, 1U})
     places.add({"target", index, "rcs_m2"}, {"file" + std::to_string(index), index, 7});
   for (const std::size_t index : {1U, 3U, 5U})
-    EXPECT_EQ(places.find({"target", index, "rcs_m2"}), (Place{"file" + std::to_string(index), index, 7}));
+    EXPECT_EQ(places.find({"target", index, "rcs_m2"}), (core::Place{"file" + std::to_string(index), index, 7}));
 }
 
 TEST(FieldPlaces, ForgetColumnsBeyondAMillionButNotTheLine) {
   FieldPlaces places;
   places.add({"target", 0, "rcs_m2"}, {"a.scr", 1, 5'000'000});
-  EXPECT_EQ(places.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 0}));
+  EXPECT_EQ(places.find({"target", 0, "rcs_m2"}), (core::Place{"a.scr", 1, 0}));
 }
 
 TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
@@ -48,7 +48,7 @@ TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
   FieldPlaces first;
   FieldPlaces later;
   const auto add = [&](FieldPlaces& part, std::size_t before, const std::string& kind, std::size_t index,
-                       const std::string& field, const Place& place) {
+                       const std::string& field, const core::Place& place) {
     part.add({kind, index, field}, place);
     whole.add({kind, before + index, field}, place);
   };
@@ -60,12 +60,12 @@ TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
   add(later, 1, "target", 0, "rcs_m2", {"a.scr", 5, 1});
   first.append(
       later, [](std::string_view) { return 1U; }, 0.5);
-  EXPECT_EQ(first.find({"target", 1, "rcs_m2"}), (Place{"a.scr", 5, 1}));
-  EXPECT_EQ(first.find({"radar", 2, "power_w"}), (Place{"b.scr", 4, 0}));
-  EXPECT_EQ(first.find({"target", 0, "rcs_m2"}), (Place{"a.scr", 1, 9}));
+  EXPECT_EQ(first.find({"target", 1, "rcs_m2"}), (core::Place{"a.scr", 5, 1}));
+  EXPECT_EQ(first.find({"radar", 2, "power_w"}), (core::Place{"b.scr", 4, 0}));
+  EXPECT_EQ(first.find({"target", 0, "rcs_m2"}), (core::Place{"a.scr", 1, 9}));
   EXPECT_EQ(first, whole);
   first.add({"target", 2, "rcs_m2"}, {"a.scr", 6, 1});
   EXPECT_FALSE(first == whole);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -21,7 +21,7 @@ std::string listed(std::span<const std::string_view> words) {
 }
 
 std::string selection_hint(const Token& token, std::span<const std::string_view> words) {
-  const std::string near = nearest_word(token.text.substr(0, longest_shown), words);
+  const std::string near = core::nearest_word(token.text.substr(0, longest_shown), words);
   if (!near.empty()) return fmt::format("did you mean {}?", near);
   if (begins_like_number(token.text)) return "there may be a number too many before it";
   return {};
@@ -116,16 +116,16 @@ void FieldReader::number(const Field& field, double& value) {
   number_in(field, value);
 }
 
-void FieldReader::angle(const Field& field, Angle& value) {
+void FieldReader::angle(const Field& field, core::Angle& value) {
   double degrees = value.deg();
   number(field, degrees);
-  value = Angle::from_deg(degrees);
+  value = core::Angle::from_deg(degrees);
 }
 
-void FieldReader::decibels(const Field& field, PowerRatio& value) {
+void FieldReader::decibels(const Field& field, core::PowerRatio& value) {
   double db = value.db();
   number(field, db);
-  value = PowerRatio::from_db(db);
+  value = core::PowerRatio::from_db(db);
 }
 
 void FieldReader::integer(const Field& field, int& value) {
@@ -152,7 +152,7 @@ void FieldReader::seed(const Field& field, std::uint64_t& value) {
         {fmt::format("{} is not a seed", field.words), shown(token.text), "a whole number, 0 to 18446744073709551615"});
 }
 
-void FieldReader::vector(const Field& field, Vec3& value) {
+void FieldReader::vector(const Field& field, core::Vec3& value) {
   if (more()) note_place(field, peek());
   std::array<double*, 3> parts{&value.x, &value.y, &value.z};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -166,10 +166,10 @@ void FieldReader::vector(const Field& field, Vec3& value) {
   }
 }
 
-void FieldReader::angles(const Field& field, std::array<Angle, 3>& value) {
-  Vec3 degrees{value[0].deg(), value[1].deg(), value[2].deg()};
+void FieldReader::angles(const Field& field, std::array<core::Angle, 3>& value) {
+  core::Vec3 degrees{value[0].deg(), value[1].deg(), value[2].deg()};
   vector(field, degrees);
-  value = {Angle::from_deg(degrees.x), Angle::from_deg(degrees.y), Angle::from_deg(degrees.z)};
+  value = {core::Angle::from_deg(degrees.x), core::Angle::from_deg(degrees.y), core::Angle::from_deg(degrees.z)};
 }
 
 std::size_t FieldReader::select(const Field& field, std::span<const std::string_view> words) {
@@ -218,7 +218,7 @@ void FieldReader::finish() {
   reading_.tokens.skip_values();
 }
 
-void FieldReader::read_block(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts,
+void FieldReader::read_block(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
                              std::string& file) {
   enum class Source { data_file, in_script };
   constexpr Alternatives<Source, 2> sources{{{"FILE", Source::data_file, ""}, {"INLINE", Source::in_script, ""}}};
@@ -235,7 +235,7 @@ void FieldReader::read_block(const Field& field, const FunctionBlock& block, std
     read_inline(field, block, parts);
 }
 
-void FieldReader::read_inline(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts) {
+void FieldReader::read_inline(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts) {
   for (std::size_t i = 0; i < block.count && !failed_; ++i) {
     const FunctionText text{block, i, field.member, false};
     switch (read_points(reading_.tokens, text, reporter_, parts[i].knots)) {
@@ -246,7 +246,7 @@ void FieldReader::read_inline(const Field& field, const FunctionBlock& block, st
   }
 }
 
-void FieldReader::read_file(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts,
+void FieldReader::read_file(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
                             std::string& file) {
   if (!value_follows(field, "the name of a data file")) return;
   const Token token = take(field);
@@ -259,11 +259,11 @@ void FieldReader::read_file(const Field& field, const FunctionBlock& block, std:
     return reporter_.error(token, field.member, {why, shown(file), fmt::format("the data of: {}", block.words)});
   }
   DataFileReading read = read_data_file(data.text, data.path, block);
-  for (Problem& problem : read.problems) {
+  for (core::Problem& problem : read.problems) {
     Complaint complaint{fmt::format("data file {}:{}:{}: {}", problem.place.file, problem.place.line,
                                     problem.place.column, problem.message),
                         problem.found, problem.expected, problem.hint};
-    if (problem.severity == Severity::error)
+    if (problem.severity == core::Severity::error)
       reporter_.error(token, field.member, std::move(complaint));
     else
       reporter_.warning(token, field.member, std::move(complaint));
@@ -271,4 +271,4 @@ void FieldReader::read_file(const Field& field, const FunctionBlock& block, std:
   for (std::size_t i = 0; i < block.count; ++i) parts[i].knots = std::move(read.functions[i]);
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

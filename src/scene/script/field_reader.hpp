@@ -13,7 +13,7 @@
 #include "scene/script/problem_log.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// What all objects of one reading share.
 struct Reading {
@@ -45,12 +45,12 @@ class FieldReader {
   /// @{
   void text(const Field& field, std::string& text);
   void number(const Field& field, double& value);
-  void angle(const Field& field, Angle& value);
-  void decibels(const Field& field, PowerRatio& value);
+  void angle(const Field& field, core::Angle& value);
+  void decibels(const Field& field, core::PowerRatio& value);
   void integer(const Field& field, int& value);
   void seed(const Field& field, std::uint64_t& value);
-  void vector(const Field& field, Vec3& value);
-  void angles(const Field& field, std::array<Angle, 3>& value);
+  void vector(const Field& field, core::Vec3& value);
+  void angles(const Field& field, std::array<core::Angle, 3>& value);
   /// @}
 
   /// A keyword, as the value that it stands for.
@@ -96,9 +96,11 @@ class FieldReader {
   Token take(const Field& field);
   void note_place(const Field& field, const Token& token);
   [[nodiscard]] std::size_t select(const Field& field, std::span<const std::string_view> words);
-  void read_block(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts, std::string& file);
-  void read_inline(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts);
-  void read_file(const Field& field, const FunctionBlock& block, std::span<SampledFunction> parts, std::string& file);
+  void read_block(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
+                  std::string& file);
+  void read_inline(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts);
+  void read_file(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
+                 std::string& file);
 
   Reading& reading_;
   Reporter reporter_;
@@ -108,4 +110,4 @@ class FieldReader {
   bool numbers_missing_ = false;
 };
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

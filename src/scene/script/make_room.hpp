@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// Makes room for `more` elements at the end of a list that grows to a size known only by estimate: lists of millions
 /// are then neither moved again and again nor given twice the memory they need.
@@ -23,4 +23,4 @@ void make_room(std::vector<T>& list, std::size_t more, double share) {
   list.reserve(std::max(estimate, list.capacity() + list.capacity() / 2));
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::size_t count_of(char wanted, std::string_view text) {
 
 }  // namespace
 
-std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const WorkControl& control) {
+std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const core::WorkControl& control) {
   const std::string_view text = whole.text();
   std::vector<Piece> pieces(1);
   while (text.size() - pieces.back().begin > piece_bytes) {
@@ -42,7 +42,7 @@ std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const WorkC
   }
   pieces.back().end = text.size();
   std::vector<std::size_t> lines(pieces.size());
-  parallel_ranges(pieces.size(), 1, control, [&](std::size_t i, std::size_t) {
+  core::parallel_ranges(pieces.size(), 1, control, [&](std::size_t i, std::size_t) {
     lines[i] = count_of(whole.line_end(), text.substr(pieces[i].begin, pieces[i].end - pieces[i].begin));
   });
   for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -50,4 +50,4 @@ std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const WorkC
   return pieces;
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -6,7 +6,7 @@
 #include "core/task/parallel.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// A part of a script that means the same read by itself: whole lines, up to the next part, of which the first (but not
 /// that of the script) begins with a command.
@@ -22,6 +22,6 @@ struct Piece {
 /// through.
 /// @param whole        the tokens of the script, none of them taken
 /// @param piece_bytes  at least 1
-[[nodiscard]] std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const WorkControl& control);
+[[nodiscard]] std::vector<Piece> cut(const Tokens& whole, std::size_t piece_bytes, const core::WorkControl& control);
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

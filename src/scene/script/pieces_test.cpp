@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -66,4 +66,4 @@ TEST(Pieces, KnowTheirLinesForAnyNumberOfThreads) {
   }
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -14,7 +14,7 @@
 #include "scene/script/writer.hpp"
 #include "support/folders.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -28,8 +28,8 @@ DataFileText load(const std::string& name) {
 
 std::string printed(const ScriptReading& reading) {
   std::ostringstream text;
-  for (const Problem& p : reading.problems)
-    text << to_string(p) << " [" << p.subject.kind << " " << p.subject.index << " " << p.subject.field << "]\n";
+  for (const core::Problem& p : reading.problems)
+    text << core::to_string(p) << " [" << p.subject.kind << " " << p.subject.index << " " << p.subject.field << "]\n";
   return text.str();
 }
 
@@ -149,19 +149,19 @@ void change_line_ends(std::mt19937& random, std::string& text) {
 }  // namespace
 
 TEST(PiecewiseReading, IsTheSameForTheExamples) {
-  const std::vector<std::string> texts = scripts_in(test::source_folder() / "examples");
+  const std::vector<std::string> texts = scripts_in(sarsim::test::source_folder() / "examples");
   ASSERT_GE(texts.size(), 5U);
   for (const std::string& text : texts) expect_same(text);
 }
 
 TEST(PiecewiseReading, IsTheSameForTheSeedsOfTheFuzzer) {
-  const std::vector<std::string> texts = scripts_in(test::source_folder() / "fuzz/corpus/script");
+  const std::vector<std::string> texts = scripts_in(sarsim::test::source_folder() / "fuzz/corpus/script");
   ASSERT_GE(texts.size(), 5U);
   for (const std::string& text : texts) expect_same(text);
 }
 
 TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
-  const fs::path folder = test::reference_folder();
+  const fs::path folder = sarsim::test::reference_folder();
   if (!fs::is_directory(folder))
     GTEST_SKIP() << "no reference scripts at " << folder << "; SARSIM_REFERENCE may name their folder";
   const std::vector<std::string> texts = scripts_in(folder);
@@ -192,8 +192,9 @@ TEST(PiecewiseReading, IsTheSameForEachFragmentAndForPairsOfThem) {
 TEST(PiecewiseReading, IsTheSameForRandomConcatenationsAndMutations) {
   std::mt19937 random(1998);
   std::vector<std::string> texts = fragments();
-  for (const std::string& text : scripts_in(test::source_folder() / "fuzz/corpus/script")) texts.push_back(text);
-  for (const std::string& text : scripts_in(test::source_folder() / "examples"))
+  for (const std::string& text : scripts_in(sarsim::test::source_folder() / "fuzz/corpus/script"))
+    texts.push_back(text);
+  for (const std::string& text : scripts_in(sarsim::test::source_folder() / "examples"))
     if (text.size() < 3000) texts.push_back(text);
   static constexpr std::size_t sizes[] = {1, 1, 20, 100, 700};
   static constexpr unsigned threads[] = {1, 1, 2, 3, 8};
@@ -217,7 +218,7 @@ TEST(PiecewiseReading, StopsAfterTheSameErrors) {
       for (std::size_t i = 0; i < count; ++i) text += i % 7 == 0 ? "$TARGET E 1 2 3 0 0 0 1 0 ISO 9\n" + bad : bad;
       text += end + bad + "$OPTIONS SEED 3\n" + worse + end;
       const ScriptReading whole = read_whole(text);
-      EXPECT_TRUE(has_errors(whole.problems));
+      EXPECT_TRUE(core::has_errors(whole.problems));
       for (const Cutting& cutting : {Cutting{1, 1}, Cutting{60, 3}, Cutting{1000, 2}, Cutting{20000, 8}})
         expect_same(text, whole, cutting);
     }
@@ -254,11 +255,11 @@ TEST(PiecewiseReading, OfALongScriptIsTheSameByDefault) {
 }
 
 TEST(PiecewiseReading, EndsWhereItIsAskedTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const std::string text = "$TARGET E 1 2 3 0 0 0 1 0 ISO\n$TARGET E 1 2 3 0 0 0 1 0 ISO\n";
   for (const unsigned threads : {1U, 2U})
-    EXPECT_THROW(static_cast<void>(read_script(text, "t.scr", {}, {{threads, &stop}, 1})), Interrupted);
+    EXPECT_THROW(static_cast<void>(read_script(text, "t.scr", {}, {{threads, &stop}, 1})), core::Interrupted);
 }
 
 TEST(PiecewiseReading, PassesOnWhatALoaderThrows) {
@@ -268,4 +269,4 @@ TEST(PiecewiseReading, PassesOnWhatALoaderThrows) {
     EXPECT_THROW(static_cast<void>(read_script(target + target, "t.scr", failing, {{threads}, 1})), std::bad_alloc);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

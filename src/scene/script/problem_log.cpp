@@ -7,14 +7,14 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
 // Length of the longest beginning that is a number by itself.
 std::size_t numeric_prefix(std::string_view text) {
   for (std::size_t length = std::min(text.size(), longest_shown); length > 0; --length)
-    if (parse_number(text.substr(0, length))) return length;
+    if (core::parse_number(text.substr(0, length))) return length;
   return 0;
 }
 
@@ -32,7 +32,7 @@ bool is_literal_too_large(std::string_view text) {
     return text.find_first_not_of("+-.0123456789") == std::string_view::npos && text.size() > 300;
   const std::string_view exponent = text.substr(mark + 1);
   const bool digits = !exponent.empty() && exponent.find_first_not_of("+0123456789") == std::string_view::npos;
-  return digits && parse_number(text.substr(0, mark)).has_value();
+  return digits && core::parse_number(text.substr(0, mark)).has_value();
 }
 
 std::string hint_for(std::string_view text, const Field& field) {
@@ -95,29 +95,29 @@ std::string shown(std::string_view text) {
   return std::string(text.substr(0, longest_shown)) + "...";
 }
 
-void ProblemLog::add(Problem problem) {
-  std::size_t& count = problem.severity == Severity::error ? errors_ : warnings_;
+void ProblemLog::add(core::Problem problem) {
+  std::size_t& count = problem.severity == core::Severity::error ? errors_ : warnings_;
   if (count++ < limit_) problems_.push_back(std::move(problem));
 }
 
-Problems ProblemLog::take() {
+core::Problems ProblemLog::take() {
   if (errors_ >= limit_) {
-    Problem stopped;
+    core::Problem stopped;
     stopped.message = fmt::format("reading stopped after {} errors", limit_);
     if (!problems_.empty()) stopped.place = problems_.back().place;
     problems_.push_back(std::move(stopped));
   }
   if (warnings_ > limit_) {
-    Problem more;
-    more.severity = Severity::note;
+    core::Problem more;
+    more.severity = core::Severity::note;
     more.message = fmt::format("{} more warnings are not shown", warnings_ - limit_);
     problems_.push_back(std::move(more));
   }
   return std::move(problems_);
 }
 
-void Reporter::add(Severity severity, const Token& token, std::string_view member, Complaint complaint) {
-  Problem problem;
+void Reporter::add(core::Severity severity, const Token& token, std::string_view member, Complaint complaint) {
+  core::Problem problem;
   problem.severity = severity;
   problem.message = std::move(complaint.message);
   problem.found = std::move(complaint.found);
@@ -139,14 +139,14 @@ void Reporter::check_spelling(const Token& token, std::string_view member) {
 
 std::optional<double> plain_number(const Token& token, int shift) {
   if (token.comment_follows || token.open_quote) return std::nullopt;
-  const std::optional<double> number = parse_number(token.text, shift);
+  const std::optional<double> number = core::parse_number(token.text, shift);
   if (number && *number == 0.0 && holds_digit_above_zero(token.text)) return std::nullopt;
   if (number && !computable(*number)) return std::nullopt;
   return number;
 }
 
 bool read_number(const Token& token, const Field& field, Reporter& reporter, double& value) {
-  const std::optional<double> number = parse_number(token.text, field.shift);
+  const std::optional<double> number = core::parse_number(token.text, field.shift);
   if (!number) {
     report_not_a_number(token, field, reporter, "a number");
     return false;
@@ -161,9 +161,9 @@ bool read_number(const Token& token, const Field& field, Reporter& reporter, dou
 }
 
 bool read_integer(const Token& token, const Field& field, Reporter& reporter, std::int64_t& value) {
-  std::optional<std::int64_t> number = parse_integer(token.text);
+  std::optional<std::int64_t> number = core::parse_integer(token.text);
   if (!number) {
-    const std::optional<double> real = parse_number(token.text);
+    const std::optional<double> real = core::parse_number(token.text);
     if (real && *real == std::trunc(*real) && std::abs(*real) < 9e15) number = static_cast<std::int64_t>(*real);
     if (!number && real) {
       const char* what = *real == std::trunc(*real) ? "{} is too large" : "{} is not a whole number";
@@ -182,4 +182,4 @@ bool read_integer(const Token& token, const Field& field, Reporter& reporter, st
   return true;
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

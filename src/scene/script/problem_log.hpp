@@ -11,7 +11,7 @@
 #include "scene/schema/grammar.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// The problems of one reading, in the order of the text; keeps a limited number of errors and of warnings, so that a
 /// huge file of nonsense costs no more than a small one.
@@ -20,7 +20,7 @@ class ProblemLog {
   explicit ProblemLog(std::size_t limit) : limit_(limit) {}
 
   /// Keeps a problem, unless there are enough of its kind; those are counted.
-  void add(Problem problem);
+  void add(core::Problem problem);
 
   /// Whether as many errors as anyone will read have been found; reading should end.
   [[nodiscard]] bool full() const { return errors_ >= limit_; }
@@ -33,7 +33,7 @@ class ProblemLog {
   template <class ObjectsBefore>
   void append(ProblemLog&& later, const ObjectsBefore& objects_before) {
     const std::size_t unsaid = later.warnings_ - std::min(later.warnings_, limit_);
-    for (Problem& problem : later.problems_) {
+    for (core::Problem& problem : later.problems_) {
       problem.subject.index += objects_before(problem.subject.kind);
       add(std::move(problem));
     }
@@ -41,13 +41,13 @@ class ProblemLog {
   }
 
   /// The problems, closed by a note of what was left out.
-  [[nodiscard]] Problems take();
+  [[nodiscard]] core::Problems take();
 
  private:
   std::size_t limit_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
-  Problems problems_;
+  core::Problems problems_;
 };
 
 /// Words of a problem that a token gives rise to.
@@ -71,10 +71,10 @@ class Reporter {
   Reporter(ProblemLog& log, std::string_view file, ObjectId object) : log_(log), file_(file), object_(object) {}
 
   void error(const Token& token, std::string_view member, Complaint complaint) {
-    add(Severity::error, token, member, std::move(complaint));
+    add(core::Severity::error, token, member, std::move(complaint));
   }
   void warning(const Token& token, std::string_view member, Complaint complaint) {
-    add(Severity::warning, token, member, std::move(complaint));
+    add(core::Severity::warning, token, member, std::move(complaint));
   }
 
   /// Warns of a comment that touches the token and reports a quote that is not closed.
@@ -83,7 +83,7 @@ class Reporter {
   [[nodiscard]] bool full() const { return log_.full(); }
 
  private:
-  void add(Severity severity, const Token& token, std::string_view member, Complaint complaint);
+  void add(core::Severity severity, const Token& token, std::string_view member, Complaint complaint);
 
   ProblemLog& log_;
   std::string_view file_;
@@ -105,4 +105,4 @@ inline constexpr std::size_t longest_shown = 60;
 /// A text as problems show it: cut off there, and "..." behind it.
 [[nodiscard]] std::string shown(std::string_view text);
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

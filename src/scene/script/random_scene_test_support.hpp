@@ -7,7 +7,7 @@
 
 #include "scene/model/scene.hpp"
 
-namespace sarsim::test {
+namespace sarsim::scene::test {
 
 /// Scenes of random content for tests: every alternative of every field, numbers of all sizes and precisions, names
 /// that need quotes. Only what a script can say: members off the chosen path keep their initial values.
@@ -79,16 +79,16 @@ class RandomScenes {
     return text;
   }
 
-  Vec3 vector() { return {number(), number(), number()}; }
-  Vec3 magnitudes() { return {not_negative(), not_negative(), not_negative()}; }
-  Angle magnitude() { return Angle::from_deg(not_negative()); }
-  Angle angle() { return Angle::from_deg(number()); }
-  PowerRatio gain() { return coin() ? PowerRatio{} : PowerRatio::from_db(between(0.0, 300.0)); }
-  std::array<Angle, 3> angles() { return {angle(), angle(), angle()}; }
+  core::Vec3 vector() { return {number(), number(), number()}; }
+  core::Vec3 magnitudes() { return {not_negative(), not_negative(), not_negative()}; }
+  core::Angle magnitude() { return core::Angle::from_deg(not_negative()); }
+  core::Angle angle() { return core::Angle::from_deg(number()); }
+  core::PowerRatio gain() { return coin() ? core::PowerRatio{} : core::PowerRatio::from_db(between(0.0, 300.0)); }
+  std::array<core::Angle, 3> angles() { return {angle(), angle(), angle()}; }
 
-  SampledFunction sampled(bool ascending) {
-    SampledFunction function;
-    function.method = one_of<Interpolation>(3);
+  core::SampledFunction sampled(bool ascending) {
+    core::SampledFunction function;
+    function.method = one_of<core::Interpolation>(3);
     double x = std::ldexp(uniform() - 0.5, 10);
     for (std::uint64_t i = below(6); i > 0; --i) {
       function.knots.push_back({ascending ? x : number(), ascending ? number() : positive()});
@@ -100,7 +100,7 @@ class RandomScenes {
   template <std::size_t N>
   UserFunction<N> function(bool ascending = true) {
     UserFunction<N> block;
-    for (SampledFunction& part : block.part) part = sampled(ascending);
+    for (core::SampledFunction& part : block.part) part = sampled(ascending);
     return block;
   }
 
@@ -136,7 +136,7 @@ class RandomScenes {
   Surface surface() {
     Surface surface;
     surface.platform = name();
-    for (Vec3& corner : surface.corner_m) corner = vector();
+    for (core::Vec3& corner : surface.corner_m) corner = vector();
     return surface;
   }
 
@@ -228,7 +228,7 @@ class RandomScenes {
     radar.beam = one_of<Radar::Beam>(4);
     if (radar.beam == Radar::Beam::fixed || radar.beam == Radar::Beam::rotating) radar.beam_elevation = angle();
     if (radar.beam == Radar::Beam::fixed) radar.beam_azimuth = angle();
-    if (radar.beam == Radar::Beam::rotating) radar.beam_rate = Angle::from_deg(not_negative());
+    if (radar.beam == Radar::Beam::rotating) radar.beam_rate = core::Angle::from_deg(not_negative());
     if (radar.beam == Radar::Beam::spot) radar.spot_world_m = vector();
     if (radar.beam == Radar::Beam::user) radar.beam_target_world_m = function<3>();
   }
@@ -268,4 +268,4 @@ class RandomScenes {
   std::mt19937_64 engine_;
 };
 
-}  // namespace sarsim::test
+}  // namespace sarsim::scene::test

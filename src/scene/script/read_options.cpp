@@ -3,7 +3,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -41,4 +41,4 @@ void read_options(Reading& reading, const Token& command, Scene& scene) {
   reader.finish();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -1,7 +1,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -58,4 +58,4 @@ void read_platform(Reading& reading, const Token& command, Scene& scene) {
   reader.finish();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -3,7 +3,7 @@
 #include "scene/schema/radar_grammar.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -160,4 +160,4 @@ void read_radar(Reading& reading, const Token& command, Scene& scene) {
   reader.finish();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -1,7 +1,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 void read_simulation(Reading& reading, const Token& command, Scene& scene) {
   namespace grammar = simulation_grammar;
@@ -44,4 +44,4 @@ void read_geometry(Reading& reading, const Token& command, Scene& scene) {
   reader.finish();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -1,7 +1,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -39,10 +39,10 @@ void read_surface(Reading& reading, const Token& command, Scene& scene) {
   FieldReader reader(reading, command, "surface", scene.surfaces.size());
   Surface surface;
   if (reader.leading_name(grammar::platform, surface.platform)) {
-    for (Vec3& corner : surface.corner_m) reader.vector(grammar::corner, corner);
+    for (core::Vec3& corner : surface.corner_m) reader.vector(grammar::corner, corner);
     scene.surfaces.push_back(std::move(surface));
   }
   reader.finish();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

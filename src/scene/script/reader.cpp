@@ -11,7 +11,7 @@
 #include "scene/script/pieces.hpp"
 #include "scene/script/read_commands.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -34,7 +34,7 @@ void read_unknown(Reading& reading, const Token& command) {
   if (command.text.empty()) {
     reporter.warning(command, "", {"a '$' without a command is ignored"});
   } else {
-    const std::string near = nearest_word(command.text.substr(0, longest_shown), command_words);
+    const std::string near = core::nearest_word(command.text.substr(0, longest_shown), command_words);
     reporter.error(command, "",
                    {"unknown command", "$" + shown(command.text),
                     "$PLATFORM, $TARGET, $SURFACE, $RADAR, $SIMULATION, $GEOMETRY or $OPTIONS",
@@ -130,7 +130,7 @@ class PiecewiseReader {
     if (pieces_.size() == 1)
       join_in_place(pieces_.front());
     else
-      ordered_parallel<PieceReading>(
+      core::ordered_parallel<PieceReading>(
           pieces_.size(), control_.work.threads, [this] { return [this](std::size_t i) { return read_alone(i); }; },
           [this](std::size_t i, PieceReading&& piece) { join(i, std::move(piece)); }, control_.work.stop);
     return {std::move(scene_), joined_.log.take(), std::move(joined_.places)};
@@ -208,9 +208,9 @@ ScriptReading read_script(std::string_view text, const std::string& file_name, c
   return result;
 }
 
-void locate(Problems& problems, const FieldPlaces& places) {
-  for (Problem& problem : problems)
+void locate(core::Problems& problems, const FieldPlaces& places) {
+  for (core::Problem& problem : problems)
     if (problem.place.line == 0 && !problem.subject.kind.empty()) problem.place = places.find(problem.subject);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -11,18 +11,18 @@
 #include "scene/script/data_file.hpp"
 #include "scene/script/field_places.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// What a script says, what is wrong with it, and where everything stands.
 struct ScriptReading {
   Scene scene;  ///< Complete where `problems` holds no error; else what could be understood, faulty objects included.
-  Problems problems;
+  core::Problems problems;
   FieldPlaces places;
 };
 
 /// How a script is read; nothing here can change what is found.
 struct ReadControl {
-  WorkControl work;
+  core::WorkControl work;
   /// Scripts are read by all threads in pieces of about so many bytes; shorter ones of scripts that have few of them.
   std::size_t piece_bytes = std::size_t{1} << 18;
 };
@@ -52,6 +52,6 @@ struct ReadControl {
 inline constexpr std::size_t largest_script_bytes = std::size_t{1} << 30;
 
 /// Fills in the places of problems that a scene check found.
-void locate(Problems& problems, const FieldPlaces& places);
+void locate(core::Problems& problems, const FieldPlaces& places);
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

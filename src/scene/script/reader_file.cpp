@@ -17,7 +17,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -42,7 +42,7 @@ std::string refusal(const fs::path& path) {
   }
 }
 
-std::string too_large() { return fmt::format("is larger than {}", bytes_text(double{largest_script_bytes})); }
+std::string too_large() { return fmt::format("is larger than {}", core::bytes_text(double{largest_script_bytes})); }
 
 FileBytes read_bytes(const fs::path& path) {
   FileBytes bytes;
@@ -97,7 +97,7 @@ struct LargeText {
 };
 
 // The bytes of a large ordinary file, read by all threads; nothing for other files and for any that cannot be read so.
-std::optional<LargeText> read_large(const fs::path& path, const WorkControl& control) {
+std::optional<LargeText> read_large(const fs::path& path, const core::WorkControl& control) {
   constexpr std::uintmax_t large = std::uintmax_t{1} << 18;
   constexpr std::size_t range_bytes = std::size_t{1} << 19;
   std::error_code failure;
@@ -105,10 +105,10 @@ std::optional<LargeText> read_large(const fs::path& path, const WorkControl& con
   const std::uintmax_t size = fs::file_size(path, failure);
   if (failure || size < large || size > largest_script_bytes) return std::nullopt;
   LargeText text{std::make_unique_for_overwrite<char[]>(size), static_cast<std::size_t>(size)};  // NOLINT
-  prefer_large_pages(text.bytes.get(), text.size);
+  core::prefer_large_pages(text.bytes.get(), text.size);
   const SharedFile file(path);
   std::atomic<bool> complete{true};
-  parallel_ranges(text.size, range_bytes, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(text.size, range_bytes, control, [&](std::size_t begin, std::size_t end) {
     if (!file.read(begin, {text.bytes.get() + begin, end - begin})) complete = false;
   });
   if (!complete) return std::nullopt;
@@ -178,7 +178,7 @@ ScriptReading read_script_file(const fs::path& path, const ReadControl& control)
   const FileBytes bytes = read_bytes(path);
   if (bytes.failure.empty()) return read_script(bytes.text, path.string(), disk_loader(path.parent_path()), control);
   ScriptReading result;
-  Problem problem;
+  core::Problem problem;
   problem.message = fmt::format("cannot read the script: {}", bytes.failure);
   problem.place.file = path.string();
   problem.hint = remedy(path);
@@ -186,4 +186,4 @@ ScriptReading read_script_file(const fs::path& path, const ReadControl& control)
   return result;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

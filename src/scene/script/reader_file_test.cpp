@@ -8,7 +8,7 @@
 
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -32,10 +32,10 @@ class ScriptOnDisk : public testing::Test {
 
   static void write(const fs::path& path, std::string_view text) { std::ofstream(path, std::ios::binary) << text; }
 
-  Problem only_problem_of(const fs::path& path) {
-    const Problems problems = read_script_file(path).problems;
+  core::Problem only_problem_of(const fs::path& path) {
+    const core::Problems problems = read_script_file(path).problems;
     EXPECT_EQ(problems.size(), 1U);
-    return problems.empty() ? Problem{} : problems[0];
+    return problems.empty() ? core::Problem{} : problems[0];
   }
 
   fs::path folder_;
@@ -73,7 +73,7 @@ TEST_F(ScriptOnDisk, TakesBackslashesBetweenFolders) {
 
 TEST_F(ScriptOnDisk, SaysInWhichFoldersAMissingDataFileWasLookedFor) {
   write(folder_ / "a.scr", target_with_file);
-  const Problem problem = only_problem_of(folder_ / "a.scr");
+  const core::Problem problem = only_problem_of(folder_ / "a.scr");
   EXPECT_TRUE(holds(problem.message, (folder_ / "gain.dat").string() + " and gain.dat")) << problem.message;
   EXPECT_EQ(problem.place.line, 1U);
   EXPECT_EQ(problem.place.column, 54U);
@@ -126,4 +126,4 @@ TEST_F(ScriptOnDisk, RefusesAFileOfMoreThanTheLimitWithoutReadingIt) {
   EXPECT_TRUE(holds(only_problem_of(folder_ / "a.scr").message, "is larger than"));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

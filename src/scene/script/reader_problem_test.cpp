@@ -4,50 +4,50 @@
 
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 constexpr std::string_view radar_start = "$RADAR R P ";
 constexpr std::string_view radar_end = " ISO SAM FIX 0 0 RECT NO_STC";
 
-Problems problems_of(std::string_view text) { return read_script(text, "t.scr", {}).problems; }
+core::Problems problems_of(std::string_view text) { return read_script(text, "t.scr", {}).problems; }
 
 // The only problem of a text.
-Problem only_problem(std::string_view text) {
-  const Problems problems = problems_of(text);
+core::Problem only_problem(std::string_view text) {
+  const core::Problems problems = problems_of(text);
   EXPECT_EQ(problems.size(), 1U) << text;
-  for (std::size_t i = 1; i < problems.size(); ++i) ADD_FAILURE() << to_string(problems[i]);
-  return problems.empty() ? Problem{} : problems[0];
+  for (std::size_t i = 1; i < problems.size(); ++i) ADD_FAILURE() << core::to_string(problems[i]);
+  return problems.empty() ? core::Problem{} : problems[0];
 }
 
-Problem radar_problem(std::string_view middle) {
+core::Problem radar_problem(std::string_view middle) {
   return only_problem(std::string(radar_start) + std::string(middle) + std::string(radar_end));
 }
 
-Problem target_problem(std::string_view values) { return only_problem("$TARGET E " + std::string(values)); }
+core::Problem target_problem(std::string_view values) { return only_problem("$TARGET E " + std::string(values)); }
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 }  // namespace
 
 TEST(ReaderProblem, NamesPlaceTextFieldUnitAndRangeOfABadNumber) {
-  const Problem problem =
+  const core::Problem problem =
       only_problem("\n$RADAR R P CHIRP 0.1\n  12abc RECT CON 1 SIN 1 1 0 0 ISO SAM FIX 0 0 RECT NO_STC");
-  EXPECT_EQ(to_string(problem),
+  EXPECT_EQ(core::to_string(problem),
             "t.scr:3:3: error: pulse width is not a number; found '12abc', expected a number in ns, zero or more\n"
             "    the unit is fixed (ns): write 12");
-  EXPECT_EQ(problem.subject, (Subject{"radar", 0, "pulse_width_s"}));
+  EXPECT_EQ(problem.subject, (core::Subject{"radar", 0, "pulse_width_s"}));
 }
 
 TEST(ReaderProblem, NeverTakesATextForZero) {
   for (const char* text : {"12abc", "nan", "inf", "-inf", "abc", "1e999", "-1e999", "0x10", "1.2.3", "--1", "1e", ".",
                            "+", "1_000", "5GHz"}) {
-    const Problem problem = target_problem(std::string(text) + " 0 0 0 0 0 1 0 ISO");
-    EXPECT_EQ(problem.severity, Severity::error) << text;
+    const core::Problem problem = target_problem(std::string(text) + " 0 0 0 0 0 1 0 ISO");
+    EXPECT_EQ(problem.severity, core::Severity::error) << text;
     EXPECT_EQ(problem.found, text);
     EXPECT_TRUE(holds(problem.message, "position x")) << problem.message;
-    EXPECT_EQ(problem.place, (Place{"t.scr", 1, 11}));
+    EXPECT_EQ(problem.place, (core::Place{"t.scr", 1, 11}));
   }
 }
 
@@ -56,8 +56,8 @@ TEST(ReaderProblem, SaysThatANumberIsTooLarge) {
 }
 
 TEST(ReaderProblem, WarnsOfANumberTooSmallForADouble) {
-  const Problem problem = target_problem("1e-400 0 0 0 0 0 1 0 ISO");
-  EXPECT_EQ(problem.severity, Severity::warning);
+  const core::Problem problem = target_problem("1e-400 0 0 0 0 0 1 0 ISO");
+  EXPECT_EQ(problem.severity, core::Severity::warning);
   EXPECT_TRUE(holds(problem.message, "too small"));
 }
 
@@ -74,8 +74,8 @@ TEST(ReaderProblem, RejectsWhatIsOutsideTheLimitsOfTheLanguage) {
         "MONO 1 RECT CON 1 STE -1 1 1 1 1 0 0", "MONO 1 RECT CON 1 STE 1 -1 1 1 1 0 0",
         "MONO 1 RECT CON 1 STE 1 1 0 1 1 0 0", "MONO 1 RECT CON 1 STE 1 1 1001 1 1 0 0",
         "MONO 1 RECT CON 1 STE 1 1 1 0 1 0 0", "MONO 1 RECT CON 1 STE 1 1 1 101 1 0 0"}) {
-    const Problem problem = radar_problem(middle);
-    EXPECT_EQ(problem.severity, Severity::error) << middle;
+    const core::Problem problem = radar_problem(middle);
+    EXPECT_EQ(problem.severity, core::Severity::error) << middle;
     EXPECT_TRUE(holds(problem.message, "out of range")) << problem.message;
     EXPECT_FALSE(problem.expected.empty());
   }
@@ -85,7 +85,7 @@ TEST(ReaderProblem, RejectsRecordingsOutsideTheLimitsOfTheLanguage) {
   for (const char* text :
        {"0 1 0 ASC RAW f BEG", "65 1 0 ASC RAW f BEG", "8 0 0 ASC RAW f BEG", "8 -1 0 ASC RAW f BEG",
         "8 1 0 ASC RAW f BEG 0.9", "8 1 0 ASC RAW f BEG 101", "8 1 0 ASC RAW f BEG 1 0", "8 1 0 ASC RAW f BEG 1 101"}) {
-    const Problem problem = only_problem("$SIM R 1 2 3 4 " + std::string(text));
+    const core::Problem problem = only_problem("$SIM R 1 2 3 4 " + std::string(text));
     EXPECT_TRUE(holds(problem.message, "out of range")) << text << problem.message;
   }
   EXPECT_TRUE(holds(only_problem("$GEO R 1 2 3 4 SPA 256 f").message, "out of range"));
@@ -107,7 +107,7 @@ TEST(ReaderProblem, AcceptsTheEndsOfTheLimits) {
 }
 
 TEST(ReaderProblem, RejectsAFractionForAWholeNumber) {
-  const Problem problem = only_problem("$SIM R 1 2 3 4 8.5 1 0 ASC RAW f BEG");
+  const core::Problem problem = only_problem("$SIM R 1 2 3 4 8.5 1 0 ASC RAW f BEG");
   EXPECT_TRUE(holds(problem.message, "not a whole number"));
   EXPECT_EQ(problem.expected, "a whole number, 1 to 64");
   EXPECT_TRUE(holds(only_problem("$SIM R 1 2 3 4 99999999999999999999 1 0 ASC RAW f BEG").message, "bits"));
@@ -116,15 +116,15 @@ TEST(ReaderProblem, RejectsAFractionForAWholeNumber) {
 }
 
 TEST(ReaderProblem, SuggestsTheNearestKeyword) {
-  const Problem problem = only_problem("$RADAR R P MONO 1 RCET CON 1 SIN 1 1 0 0 ISO SAM FIX 0 0 RECT NO_STC");
+  const core::Problem problem = only_problem("$RADAR R P MONO 1 RCET CON 1 SIN 1 1 0 0 ISO SAM FIX 0 0 RECT NO_STC");
   EXPECT_EQ(problem.found, "RCET");
   EXPECT_EQ(problem.expected, "RECT, LINEAR or OTHER");
   EXPECT_EQ(problem.hint, "did you mean RECT?");
-  EXPECT_EQ(problem.place, (Place{"t.scr", 1, 19}));
+  EXPECT_EQ(problem.place, (core::Place{"t.scr", 1, 19}));
 }
 
 TEST(ReaderProblem, SuggestsTheNearestCommand) {
-  const Problem problem = only_problem("$RADER a b c");
+  const core::Problem problem = only_problem("$RADER a b c");
   EXPECT_TRUE(holds(problem.message, "unknown command"));
   EXPECT_EQ(problem.found, "$RADER");
   EXPECT_EQ(problem.hint, "did you mean $RADAR?");
@@ -132,7 +132,7 @@ TEST(ReaderProblem, SuggestsTheNearestCommand) {
 }
 
 TEST(ReaderProblem, ReportsAllBadNumbersOfAnObject) {
-  const Problems problems = problems_of("$TARGET E x1 0 y1 0 0 0 z1 0 ISO");
+  const core::Problems problems = problems_of("$TARGET E x1 0 y1 0 0 0 z1 0 ISO");
   ASSERT_EQ(problems.size(), 3U);
   EXPECT_EQ(problems[0].found, "x1");
   EXPECT_EQ(problems[1].found, "y1");
@@ -140,7 +140,7 @@ TEST(ReaderProblem, ReportsAllBadNumbersOfAnObject) {
 }
 
 TEST(ReaderProblem, ReportsMissingNumbersOnce) {
-  const Problem problem = target_problem("0 0 0 0 0 ISOTROPIC");
+  const core::Problem problem = target_problem("0 0 0 0 0 ISOTROPIC");
   EXPECT_TRUE(holds(problem.message, "is missing"));
   EXPECT_EQ(problem.found, "ISOTROPIC");
   EXPECT_TRUE(holds(radar_problem("CHIRP 0.1 RECT CON 1 SIN 1 1 0 0").message, "pulse width is missing"));
@@ -148,18 +148,18 @@ TEST(ReaderProblem, ReportsMissingNumbersOnce) {
 }
 
 TEST(ReaderProblem, ReportsAnEarlyEndOnce) {
-  const Problem problem = only_problem("$TARGET E 0 0 0\n$TARGET E 0 0 0 0 0 0 1 0 ISO");
+  const core::Problem problem = only_problem("$TARGET E 0 0 0\n$TARGET E 0 0 0 0 0 0 1 0 ISO");
   EXPECT_TRUE(holds(problem.message, "$TARGET ends before the standard deviation of position x")) << problem.message;
-  EXPECT_EQ(problem.place, (Place{"t.scr", 1, 15}));
+  EXPECT_EQ(problem.place, (core::Place{"t.scr", 1, 15}));
   EXPECT_TRUE(holds(only_problem("$RADAR").message, "ends before the name of the radar"));
   EXPECT_TRUE(holds(only_problem("$RADAR R").message, "ends before the name of its platform"));
   EXPECT_TRUE(holds(only_problem("$TARGET E 0 0 0 0 0 0 1 0").expected, "ISOTROPIC or DIRECTIONAL"));
 }
 
 TEST(ReaderProblem, ReportsAWrongNumberOfValuesBehindThePowerAndGoesOn) {
-  const Problem problem = radar_problem("MONO 1 RECT CON 1 SIN 1 1 0 0 0");
+  const core::Problem problem = radar_problem("MONO 1 RECT CON 1 SIN 1 1 0 0 0");
   EXPECT_TRUE(holds(problem.message, "3 values"));
-  const Problems two = problems_of("$RADAR R P MONO 1 RECT CON 1 SIN 1 1 0 0 0 0 0 ISO SAM FIX x 0 RECT NO_STC");
+  const core::Problems two = problems_of("$RADAR R P MONO 1 RECT CON 1 SIN 1 1 0 0 0 0 0 ISO SAM FIX x 0 RECT NO_STC");
   ASSERT_EQ(two.size(), 2U);
   EXPECT_EQ(two[1].subject.field, "beam_elevation");
 }
@@ -182,27 +182,27 @@ TEST(ReaderProblem, GoesOnWithTheNextCommandAfterAnUnknownKeyword) {
 }
 
 TEST(ReaderProblem, WarnsOfValuesThatNobodyAskedFor) {
-  const Problem problem = target_problem("0 0 0 0 0 0 1 0 ISO 7 8 9");
-  EXPECT_EQ(problem.severity, Severity::warning);
+  const core::Problem problem = target_problem("0 0 0 0 0 0 1 0 ISO 7 8 9");
+  EXPECT_EQ(problem.severity, core::Severity::warning);
   EXPECT_EQ(problem.found, "7");
   EXPECT_TRUE(holds(problem.hint, "decimal mark"));
 }
 
 TEST(ReaderProblem, WarnsOfTextBeforeTheFirstCommand) {
-  const Problem problem = only_problem("hello world $TARGET E 0 0 0 0 0 0 1 0 ISO");
-  EXPECT_EQ(problem.severity, Severity::warning);
-  EXPECT_EQ(problem.place, (Place{"t.scr", 1, 1}));
+  const core::Problem problem = only_problem("hello world $TARGET E 0 0 0 0 0 0 1 0 ISO");
+  EXPECT_EQ(problem.severity, core::Severity::warning);
+  EXPECT_EQ(problem.place, (core::Place{"t.scr", 1, 1}));
 }
 
 TEST(ReaderProblem, WarnsOfADollarWithoutACommand) {
-  EXPECT_EQ(only_problem("$TARGET E 0 0 0 0 0 0 1 0 ISO $\n").severity, Severity::warning);
+  EXPECT_EQ(only_problem("$TARGET E 0 0 0 0 0 0 1 0 ISO $\n").severity, core::Severity::warning);
 }
 
 TEST(ReaderProblem, WarnsOfACommentThatTouchesAValue) {
   const ScriptReading reading = read_script("$TARGET E 0 0 0 0 0 0 12!note\n0 ISO", "t.scr", {});
   ASSERT_EQ(reading.problems.size(), 1U);
-  EXPECT_EQ(reading.problems[0].severity, Severity::warning);
-  EXPECT_EQ(reading.problems[0].place, (Place{"t.scr", 1, 23}));
+  EXPECT_EQ(reading.problems[0].severity, core::Severity::warning);
+  EXPECT_EQ(reading.problems[0].place, (core::Place{"t.scr", 1, 23}));
   EXPECT_EQ(reading.scene.targets.at(0).rcs_m2, 12.0);
 }
 
@@ -212,7 +212,7 @@ TEST(ReaderProblem, WarnsOfAnEmptyScript) {
 }
 
 TEST(ReaderProblem, HintsAtADollarWithoutABlankBefore) {
-  const Problem problem = only_problem("$TARGET E 0 0 0 0 0 0 1 5$TARGET ISO");
+  const core::Problem problem = only_problem("$TARGET E 0 0 0 0 0 0 1 5$TARGET ISO");
   EXPECT_TRUE(holds(problem.hint, "blank"));
 }
 
@@ -226,22 +226,22 @@ TEST(ReaderProblem, ReportsEmptyNames) {
 }
 
 TEST(ReaderProblem, RefusesBytesThatAreNoTextWithOneError) {
-  const Problem problem = only_problem(std::string_view("$RADAR\nx\0 y z", 13));
-  EXPECT_EQ(to_string(problem), "t.scr:2:2: error: not a text file; expected a script as text");
+  const core::Problem problem = only_problem(std::string_view("$RADAR\nx\0 y z", 13));
+  EXPECT_EQ(core::to_string(problem), "t.scr:2:2: error: not a text file; expected a script as text");
 }
 
 TEST(ReaderProblem, ReportsAnUnknownOption) {
-  const Problem problem = only_problem("$OPTIONS SEDE 7");
+  const core::Problem problem = only_problem("$OPTIONS SEDE 7");
   EXPECT_TRUE(holds(problem.hint, "SEED")) << problem.hint;
   EXPECT_TRUE(holds(only_problem("$OPTIONS PROFILE FANCY").expected, "CLASSIC or PHYSICAL"));
   EXPECT_TRUE(holds(only_problem("$OPTIONS SEED").message, "ends before the seed"));
-  EXPECT_EQ(only_problem("$OPTIONS SEED 1 SEED 2").severity, Severity::warning);
+  EXPECT_EQ(only_problem("$OPTIONS SEED 1 SEED 2").severity, core::Severity::warning);
 }
 
 TEST(ReaderProblem, EndsAfterAThousandErrors) {
   std::string text;
   for (int i = 0; i < 5000; ++i) text += "$TARGET E x 0 0 0 0 0 1 0 ISO\n";
-  const Problems problems = problems_of(text);
+  const core::Problems problems = problems_of(text);
   EXPECT_EQ(problems.size(), 1001U);
   EXPECT_TRUE(holds(problems.back().message, "stopped after 1000 errors"));
 }
@@ -249,19 +249,19 @@ TEST(ReaderProblem, EndsAfterAThousandErrors) {
 TEST(ReaderProblem, CountsWarningsBeyondAThousand) {
   std::string text;
   for (int i = 0; i < 1500; ++i) text += "$TARGET E 0 0 0 0 0 0 1 0 ISO 5\n";
-  const Problems problems = problems_of(text);
+  const core::Problems problems = problems_of(text);
   EXPECT_EQ(problems.size(), 1001U);
   EXPECT_TRUE(holds(problems.back().message, "500 more warnings"));
 }
 
 TEST(ReaderProblem, ShowsOnlyTheBeginningOfAVeryLongText) {
-  const Problem problem = target_problem(std::string(10000, 'x') + " 0 0 0 0 0 1 0 ISO");
+  const core::Problem problem = target_problem(std::string(10000, 'x') + " 0 0 0 0 0 1 0 ISO");
   EXPECT_LT(problem.found.size(), 100U);
 }
 
 TEST(ReaderProblem, RefusesFiniteNumbersThatAreTooLargeToComputeWith) {
   EXPECT_EQ(
-      to_string(target_problem("0 -1e300 0 0 0 0 1 0 ISO")),
+      core::to_string(target_problem("0 -1e300 0 0 0 0 1 0 ISO")),
       "t.scr:1:13: error: position y is too large to compute with; found '-1e300', expected a magnitude up to 1e+18 "
       "m");
   EXPECT_TRUE(holds(radar_problem("CHIRP 1e10 100 RECT CON 1 SIN 1 1 0 0").expected, "up to 1e+09 GHz"));
@@ -269,7 +269,7 @@ TEST(ReaderProblem, RefusesFiniteNumbersThatAreTooLargeToComputeWith) {
 }
 
 TEST(ReaderProblem, PlacesANegativeDeviationAtItsOwnCoordinate) {
-  const Problem problem = target_problem("0 0 0 0 -1 0 1 0 ISO");
+  const core::Problem problem = target_problem("0 0 0 0 -1 0 1 0 ISO");
   EXPECT_EQ(problem.place.column, 19U);
   EXPECT_TRUE(holds(problem.message, "standard deviation of position y"));
 }
@@ -283,4 +283,4 @@ TEST(ReaderProblem, RecognizesUtf16) {
             "");
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

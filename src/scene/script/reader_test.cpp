@@ -6,13 +6,13 @@
 
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
-std::string printed(const Problems& problems) {
+std::string printed(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -63,8 +63,8 @@ TEST(ReadScript, ReadsAnExampleOfTheCurrentDialect) {
   const Platform& plane = scene.platforms[1];
   EXPECT_EQ(plane.name, "Plane");
   EXPECT_EQ(plane.path, Platform::Path::trajectory);
-  EXPECT_EQ(plane.trajectory_m.part[0].knots, (std::vector<Knot>{{-1, -100}, {1, 100}}));
-  EXPECT_EQ(plane.trajectory_m.part[2].knots, (std::vector<Knot>{{0, 3500}}));
+  EXPECT_EQ(plane.trajectory_m.part[0].knots, (std::vector<core::Knot>{{-1, -100}, {1, 100}}));
+  EXPECT_EQ(plane.trajectory_m.part[2].knots, (std::vector<core::Knot>{{0, 3500}}));
   const Radar& radar = scene.radars[0];
   EXPECT_EQ(radar.pulse, Radar::Pulse::chirp);
   EXPECT_EQ(radar.bandwidth_hz, 100e6);
@@ -115,10 +115,10 @@ TEST(ReadScript, TakesTheThesisSpellingOfTheSimpleAntenna) {
 TEST(ReadScript, ReadsThePlatformsOf1997WithoutKeywordAndRates) {
   const Platform platform =
       read_clean("$PLATFORM E STATIONARY 1 2 3 10 20 30 STDDEV 4 5 6 STDDEV 7 8 9").platforms.at(0);
-  EXPECT_EQ(platform.position_m, (Vec3{1, 2, 3}));
+  EXPECT_EQ(platform.position_m, (core::Vec3{1, 2, 3}));
   EXPECT_EQ(platform.rotation[2].deg(), 30.0);
   EXPECT_EQ(platform.rotation_rate[0].deg(), 0.0);
-  EXPECT_EQ(platform.position_stddev_m, (Vec3{4, 5, 6}));
+  EXPECT_EQ(platform.position_stddev_m, (core::Vec3{4, 5, 6}));
   EXPECT_EQ(platform.rotation_stddev[0].deg(), 7.0);
 }
 
@@ -129,7 +129,7 @@ TEST(ReadScript, GoesOnWithTheRotationErrorsAfterPositionErrorsOfItsOwn) {
                                 .platforms.at(0);
   EXPECT_EQ(platform.position_error, Platform::MotionError::envelope);
   EXPECT_EQ(platform.position_envelope.part[2].knots.at(0).y, 3.0);
-  EXPECT_EQ(platform.position_envelope.part[2].method, Interpolation::cubic);
+  EXPECT_EQ(platform.position_envelope.part[2].method, core::Interpolation::cubic);
   EXPECT_EQ(platform.rotation_stddev[2].deg(), 9.0);
 }
 
@@ -141,7 +141,7 @@ TEST(ReadScript, ReadsThreeFunctionsForTheBeamDirection) {
   EXPECT_EQ(radar.beam_target_world_m.part[1].knots.at(0).y, 2.0);
   EXPECT_EQ(radar.window, Radar::Window::bartlett);
   EXPECT_EQ(radar.stc, Radar::Stc::user);
-  EXPECT_EQ(radar.stc_gain.part[0].method, Interpolation::low_pass);
+  EXPECT_EQ(radar.stc_gain.part[0].method, core::Interpolation::low_pass);
   EXPECT_FALSE(radar.same_antenna);
 }
 
@@ -156,7 +156,7 @@ TEST(ReadScript, ReadsTheCarrierListInGigahertz) {
   const Radar radar = read_radar(
       "MONO 1 LIN 20 30 OTH LIN INLINE 2 0 0.001 0 0.002 OTH LIN INLINE 2 0 5.3 0 0.141 1 0 "
       "0 ISO SAM ROT 1 2 HAN 0.5 APP 1OV");
-  EXPECT_EQ(radar.carrier_list_hz.part[0].knots, (std::vector<Knot>{{0, 5.3e9}, {0, 0.141e9}}));
+  EXPECT_EQ(radar.carrier_list_hz.part[0].knots, (std::vector<core::Knot>{{0, 5.3e9}, {0, 0.141e9}}));
   EXPECT_EQ(radar.pri_s.part[0].knots.at(1).y, 0.002);
   EXPECT_EQ(radar.rise_s, 20e-9);
   EXPECT_EQ(radar.fall_s, 30e-9);
@@ -171,7 +171,7 @@ TEST(ReadScript, ReadsSteppedCarriersAndTheSpot) {
   EXPECT_EQ(radar.carrier_step_hz, 0.1e9);
   EXPECT_EQ(radar.carrier_steps, 3);
   EXPECT_EQ(radar.pulses_per_step, 2);
-  EXPECT_EQ(radar.spot_world_m, (Vec3{1, 2, 3}));
+  EXPECT_EQ(radar.spot_world_m, (core::Vec3{1, 2, 3}));
 }
 
 TEST(ReadScript, TakesWholeNumbersInAnyNotation) {
@@ -188,7 +188,7 @@ TEST(ReadScript, TakesShortenedCommandsInTheOriginalsOrder) {
   EXPECT_EQ(scene.targets.size(), 2U);
   EXPECT_EQ(scene.simulations.size(), 1U);
   ASSERT_EQ(scene.surfaces.size(), 1U);
-  EXPECT_EQ(scene.surfaces[0].corner_m[2], (Vec3{7, 8, 9}));
+  EXPECT_EQ(scene.surfaces[0].corner_m[2], (core::Vec3{7, 8, 9}));
   ASSERT_EQ(scene.geometries.size(), 1U);
   EXPECT_EQ(scene.geometries[0].separator, GeometryTable::Separator::comma);
   EXPECT_EQ(scene.options.profile, Profile::classic);
@@ -255,7 +255,7 @@ TEST(ReadScript, AllowsObjectsInAnyOrder) {
 TEST(ReadScript, NotesWhereEveryFieldStands) {
   const ScriptReading reading = read_script(example, "t.scr", {});
   const auto at = [&](const char* kind, std::size_t index, const char* field) {
-    const Place place = reading.places.find({kind, index, field});
+    const core::Place place = reading.places.find({kind, index, field});
     EXPECT_EQ(place.file, "t.scr");
     return std::pair(place.line, place.column);
   };
@@ -269,14 +269,14 @@ TEST(ReadScript, NotesWhereEveryFieldStands) {
 
 TEST(Locate, FillsInThePlacesOfSceneProblemsOnly) {
   const ScriptReading reading = read_script(example, "t.scr", {});
-  Problems problems(3);
+  core::Problems problems(3);
   problems[0].subject = {"radar", 0, "prf_hz"};
   problems[1].subject = {"radar", 0, "prf_hz"};
   problems[1].place = {"other", 7, 8};
   locate(problems, reading.places);
-  EXPECT_EQ(problems[0].place, (Place{"t.scr", 9, 43}));
-  EXPECT_EQ(problems[1].place, (Place{"other", 7, 8}));
-  EXPECT_EQ(problems[2].place, Place{});
+  EXPECT_EQ(problems[0].place, (core::Place{"t.scr", 9, 43}));
+  EXPECT_EQ(problems[1].place, (core::Place{"other", 7, 8}));
+  EXPECT_EQ(problems[2].place, core::Place{});
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

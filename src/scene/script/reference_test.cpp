@@ -11,13 +11,13 @@
 #include "scene/script/writer.hpp"
 #include "support/folders.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-using test::reference_folder;
+using sarsim::test::reference_folder;
 
 bool is_script(const fs::path& path) {
   std::string ending = path.extension().string();
@@ -33,9 +33,9 @@ std::vector<fs::path> scripts_in(const fs::path& folder) {
   return scripts;
 }
 
-std::string printed(const Problems& problems) {
+std::string printed(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -84,4 +84,4 @@ TEST_F(ReferenceScripts, GiveTheValuesThatTheyState) {
   EXPECT_EQ(reading.places.find({"simulation", 0, "lsb_v"}).line, 111U);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

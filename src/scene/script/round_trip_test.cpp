@@ -7,13 +7,13 @@
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
-std::string printed(const Problems& problems) {
+std::string printed(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -36,12 +36,14 @@ Scene small_scene() {
   return scene;
 }
 
-SampledFunction some_points(Interpolation method) { return {method, {{-1.5, 0.1}, {0.25, -7.0}, {3.0, 1e-30}}}; }
+core::SampledFunction some_points(core::Interpolation method) {
+  return {method, {{-1.5, 0.1}, {0.25, -7.0}, {3.0, 1e-30}}};
+}
 
 template <std::size_t N>
 UserFunction<N> some_function() {
   UserFunction<N> function;
-  constexpr std::array methods{Interpolation::cubic, Interpolation::low_pass, Interpolation::linear};
+  constexpr std::array methods{core::Interpolation::cubic, core::Interpolation::low_pass, core::Interpolation::linear};
   for (std::size_t i = 0; i < N; ++i) function.part[i] = some_points(methods[i]);
   return function;
 }
@@ -65,7 +67,7 @@ TEST(RoundTrip, KeepsAThousandRandomScenesBitForBit) {
     // Points that carry no data give a warning each, so only errors count here.
     const std::string text = write_script(scene);
     const ScriptReading reading = read_script(text, "written.scr", {});
-    EXPECT_FALSE(has_errors(reading.problems)) << printed(reading.problems) << text;
+    EXPECT_FALSE(core::has_errors(reading.problems)) << printed(reading.problems) << text;
     EXPECT_TRUE(reading.scene == scene) << text;
     platforms += scene.platforms.size();
   }
@@ -74,7 +76,7 @@ TEST(RoundTrip, KeepsAThousandRandomScenesBitForBit) {
 
 TEST(RoundTrip, KeepsAnEmptyScene) {
   const ScriptReading reading = read_script(write_script({}), "", {});
-  EXPECT_FALSE(has_errors(reading.problems));
+  EXPECT_FALSE(core::has_errors(reading.problems));
   EXPECT_TRUE(reading.scene == Scene{});
 }
 
@@ -133,7 +135,7 @@ TEST(RoundTrip, KeepsEveryKeywordOfTheRadar) {
     radar.window = static_cast<Radar::Window>(i);
     if (i < 3) radar.stc = static_cast<Radar::Stc>(i);
     const ScriptReading reading = read_script(write_script(scene), "", {});
-    EXPECT_FALSE(has_errors(reading.problems)) << printed(reading.problems);
+    EXPECT_FALSE(core::has_errors(reading.problems)) << printed(reading.problems);
     EXPECT_TRUE(reading.scene == scene) << write_script(scene);
   }
 }
@@ -196,4 +198,4 @@ TEST(RoundTrip, KeepsNamesThatNeedQuotes) {
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/script/tokens.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -57,18 +57,18 @@ void ScriptLines::name(const Field& field, std::string_view name) {
 }
 
 void ScriptLines::number(const Field& field, double number) {
-  value(format_number(number, -field.shift), comment_of(field));
+  value(core::format_number(number, -field.shift), comment_of(field));
 }
 
 void ScriptLines::integer(const Field& field, int number) { value(fmt::format("{}", number), comment_of(field)); }
 
-void ScriptLines::vector(const Field& field, const Vec3& vector) {
-  value(format_number(vector.x, -field.shift), comment_of(field, "x"));
-  value(format_number(vector.y, -field.shift), comment_of(field, "y"));
-  value(format_number(vector.z, -field.shift), comment_of(field, "z"));
+void ScriptLines::vector(const Field& field, const core::Vec3& vector) {
+  value(core::format_number(vector.x, -field.shift), comment_of(field, "x"));
+  value(core::format_number(vector.y, -field.shift), comment_of(field, "y"));
+  value(core::format_number(vector.z, -field.shift), comment_of(field, "z"));
 }
 
-void ScriptLines::angles(const Field& field, const std::array<Angle, 3>& angles) {
+void ScriptLines::angles(const Field& field, const std::array<core::Angle, 3>& angles) {
   vector(field, {angles[0].deg(), angles[1].deg(), angles[2].deg()});
 }
 
@@ -77,14 +77,14 @@ void ScriptLines::row(std::initializer_list<double> values, std::string_view com
   for (const double number : values) {
     if (!first) text_ += ", ";
     first = false;
-    append_number(text_, number);
+    core::append_number(text_, number);
   }
   text_ += "  ! ";
   text_ += comment;
   text_ += '\n';
 }
 
-void ScriptLines::write_block(const FunctionBlock& block, std::span<const SampledFunction> parts,
+void ScriptLines::write_block(const FunctionBlock& block, std::span<const core::SampledFunction> parts,
                               std::string_view file) {
   for (std::size_t i = 0; i < block.count; ++i)
     for (const auto& method : interpolations)
@@ -97,11 +97,11 @@ void ScriptLines::write_block(const FunctionBlock& block, std::span<const Sample
   value("INLINE", fmt::format("Data of: {}", block.words));
   for (std::size_t i = 0; i < block.count; ++i) {
     value(fmt::format("{}", parts[i].knots.size()), fmt::format("Points of {}", axes_text(block, i)));
-    for (const Knot& knot : parts[i].knots) {
+    for (const core::Knot& knot : parts[i].knots) {
       append_point(text_, block, knot);
       text_ += '\n';
     }
   }
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

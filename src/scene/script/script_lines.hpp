@@ -10,7 +10,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/data_file.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// Puts the lines of a script together: a value left-justified in 20 columns, a blank, a comment.
 class ScriptLines {
@@ -32,9 +32,9 @@ class ScriptLines {
   /// A whole number.
   void integer(const Field& field, int value);
   /// Three numbers on a line each, x, y and z.
-  void vector(const Field& field, const Vec3& value);
+  void vector(const Field& field, const core::Vec3& value);
   /// Three angles on a line each, in degrees as typed.
-  void angles(const Field& field, const std::array<Angle, 3>& value);
+  void angles(const Field& field, const std::array<core::Angle, 3>& value);
   /// Some numbers on one line, with a comment.
   void row(std::initializer_list<double> values, std::string_view comment);
 
@@ -52,7 +52,7 @@ class ScriptLines {
   [[nodiscard]] std::string take() { return std::move(text_); }
 
  private:
-  void write_block(const FunctionBlock& block, std::span<const SampledFunction> parts, std::string_view file);
+  void write_block(const FunctionBlock& block, std::span<const core::SampledFunction> parts, std::string_view file);
 
   std::string text_;
 };
@@ -60,4 +60,4 @@ class ScriptLines {
 /// "(GHz) Carrier frequency: detail", the comment beside a field's value.
 [[nodiscard]] std::string comment_of(const Field& field, std::string_view more = {});
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

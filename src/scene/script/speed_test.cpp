@@ -7,7 +7,7 @@
 
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -55,4 +55,4 @@ TEST(ReadingSpeed, IsLinearInNonsense) {
   EXPECT_LE(reading.problems.size(), 2010U);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -4,7 +4,7 @@
 #include <array>
 #include <atomic>
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -72,11 +72,11 @@ std::string quoted_where_needed(std::string_view name) {
   return quoted + '"';
 }
 
-std::size_t find_control_byte(std::string_view text, const WorkControl& control) {
+std::size_t find_control_byte(std::string_view text, const core::WorkControl& control) {
   constexpr std::size_t range_bytes = std::size_t{1} << 20;
   text = without_end_marks(text);
   std::atomic<std::size_t> first{std::string_view::npos};
-  parallel_ranges(text.size(), range_bytes, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(text.size(), range_bytes, control, [&](std::size_t begin, std::size_t end) {
     const std::size_t found = find_control_within(text, begin, end);
     std::size_t known = first.load();
     while (found < known && !first.compare_exchange_weak(known, found)) {
@@ -188,4 +188,4 @@ Token Tokens::scan_command() {
   return scan_word(TokenKind::command, start);
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -7,7 +7,7 @@
 
 #include "core/task/parallel.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 /// What a piece of script text is: a value, a value in quotes, `$` with its word, or the end of the text.
 enum class TokenKind : std::uint8_t { word, quoted, command, end };
@@ -38,7 +38,7 @@ struct Token {
 
 /// Position of the first byte that no text file has (controls other than tab and line ends); npos for none. One or more
 /// end-of-file marks (0x1A) at the very end are tolerated.
-[[nodiscard]] std::size_t find_control_byte(std::string_view text, const WorkControl& control = {});
+[[nodiscard]] std::size_t find_control_byte(std::string_view text, const core::WorkControl& control = {});
 
 /// Line and column, from 1, of a byte of the text.
 [[nodiscard]] Token token_at(std::string_view text, std::size_t offset);
@@ -92,4 +92,4 @@ class Tokens {
   Token ahead_;
 };
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -104,4 +104,4 @@ TEST(QuotedWhereNeeded, QuotesOnlyWhatWouldNotBeReadBack) {
   EXPECT_EQ(quoted_where_needed("$a"), "\"$a\"");
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -4,7 +4,7 @@
 #include "scene/script/script_lines.hpp"
 
 /// One function for each command of the language: adds its lines.
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 void write_platform(ScriptLines& lines, const Platform& platform);
 void write_surface(ScriptLines& lines, const Surface& surface);
@@ -15,4 +15,4 @@ void write_geometry(ScriptLines& lines, const GeometryTable& table);
 /// Only what differs from the initial values; nothing where nothing does.
 void write_options(ScriptLines& lines, const RunOptions& options);
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -4,7 +4,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -26,8 +26,8 @@ void write_options(ScriptLines& lines, const RunOptions& options) {
   if (options.seed != initial.seed) lines.value(fmt::format("SEED {}", options.seed), comment_of(grammar::seed));
   if (options.pulse != initial.pulse) write_choice(lines, "PULSE", grammar::pulses, options.pulse);
   if (options.tolerance != initial.tolerance)
-    lines.value("TOLERANCE " + format_number(options.tolerance), comment_of(grammar::tolerance));
+    lines.value("TOLERANCE " + core::format_number(options.tolerance), comment_of(grammar::tolerance));
   lines.blank();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -2,7 +2,7 @@
 #include "scene/script/tokens.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 void write_platform(ScriptLines& lines, const Platform& platform) {
   namespace grammar = platform_grammar;
@@ -33,4 +33,4 @@ void write_platform(ScriptLines& lines, const Platform& platform) {
   lines.blank();
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

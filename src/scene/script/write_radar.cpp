@@ -1,7 +1,7 @@
 #include "scene/schema/radar_grammar.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 namespace {
 
@@ -126,4 +126,4 @@ void write_radar(ScriptLines& lines, const Radar& radar) {
   lines.blank(2);
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

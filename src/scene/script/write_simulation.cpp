@@ -1,7 +1,7 @@
 #include "scene/schema/scene_grammar.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim::script {
+namespace sarsim::scene::script {
 
 void write_simulation(ScriptLines& lines, const Simulation& simulation) {
   namespace grammar = simulation_grammar;
@@ -37,4 +37,4 @@ void write_geometry(ScriptLines& lines, const GeometryTable& table) {
   lines.blank(2);
 }
 
-}  // namespace sarsim::script
+}  // namespace sarsim::scene::script

@@ -7,7 +7,7 @@
 #include "core/build/version.hpp"
 #include "scene/script/write_commands.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -20,7 +20,7 @@ void write_all(ScriptLines& lines, const std::vector<Object>& objects, void (*wr
 }
 
 // Targets can be very many: ranges of them are written on several threads and joined in their order.
-void write_targets(ScriptLines& lines, const std::vector<Target>& targets, const WorkControl& control) {
+void write_targets(ScriptLines& lines, const std::vector<Target>& targets, const core::WorkControl& control) {
   constexpr std::size_t range_targets = 4096;
   const std::size_t ranges = (targets.size() + range_targets - 1) / range_targets;
   if (control.threads <= 1 || ranges <= 1) return write_all(lines, targets, write_target);
@@ -36,15 +36,15 @@ void write_targets(ScriptLines& lines, const std::vector<Target>& targets, const
   const auto join = [&](std::size_t range, std::string&& part) {
     lines.append(part, (ranges - range) * (part.size() + part.size() / 8));
   };
-  ordered_parallel<std::string>(ranges, control.threads, make_worker, join, control.stop);
+  core::ordered_parallel<std::string>(ranges, control.threads, make_worker, join, control.stop);
   lines.blank();
 }
 
 }  // namespace
 
-std::string write_script(const Scene& scene, const WorkControl& control) {
+std::string write_script(const Scene& scene, const core::WorkControl& control) {
   ScriptLines lines;
-  lines.plain(fmt::format("! Radar scene, written by Sarsim {}", program_version));
+  lines.plain(fmt::format("! Radar scene, written by Sarsim {}", core::program_version));
   lines.plain("! Angles: azimuth from +y towards +x, elevation from the x-y plane upwards");
   lines.blank(2);
   write_all(lines, scene.platforms, write_platform);
@@ -57,4 +57,4 @@ std::string write_script(const Scene& scene, const WorkControl& control) {
   return lines.take();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 /// The script of a scene: the layout of the 1998 programs (a value in 20 columns, then a comment), commands in the
 /// order platforms, surfaces, targets, radars, simulations, geometry tables, options; docs/formats/script.md.
@@ -15,6 +15,6 @@ namespace sarsim {
 /// characters, and members that the chosen alternatives make meaningless have their initial values. A function with a
 /// `file` is written as that name; its data are `write_data_file`'s. The text is the same for any number of threads; a
 /// requested stop throws Interrupted.
-[[nodiscard]] std::string write_script(const Scene& scene, const WorkControl& control = {});
+[[nodiscard]] std::string write_script(const Scene& scene, const core::WorkControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

@@ -9,7 +9,7 @@
 #include "core/build/version.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::scene {
 
 namespace {
 
@@ -23,7 +23,7 @@ Scene scene_with_radar() {
 
 }  // namespace
 
-TEST(WriteScript, NamesTheProgramAndItsVersion) { EXPECT_TRUE(holds(write_script({}), program_version)); }
+TEST(WriteScript, NamesTheProgramAndItsVersion) { EXPECT_TRUE(holds(write_script({}), core::program_version)); }
 
 TEST(WriteScript, PutsTheCommentsOfShortValuesIntoColumn22) {
   std::istringstream lines(write_script(scene_with_radar()));
@@ -48,7 +48,7 @@ TEST(WriteScript, WritesNumbersAsTheyWouldBeTyped) {
 TEST(WriteScript, WritesGainsOnlyWhereThereAreSome) {
   Scene scene = scene_with_radar();
   EXPECT_FALSE(holds(write_script(scene), "Gain of the"));
-  scene.radars[0].receive_gain = PowerRatio::from_db(3.0);
+  scene.radars[0].receive_gain = core::PowerRatio::from_db(3.0);
   EXPECT_TRUE(holds(write_script(scene),
                     "0                    ! (dB) Gain of the transmitter\n"
                     "3                    ! (dB) Gain of the receiver\n"));
@@ -125,9 +125,9 @@ TEST(WriteScript, WritesTheSameOnAnyNumberOfThreads) {
 TEST(WriteScript, EndsWhenAskedTo) {
   Scene scene;
   scene.targets.resize(20'000);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW(static_cast<void>(write_script(scene, {2, &stop})), Interrupted);
+  EXPECT_THROW(static_cast<void>(write_script(scene, {2, &stop})), core::Interrupted);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::scene

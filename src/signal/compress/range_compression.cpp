@@ -5,7 +5,7 @@
 
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -14,21 +14,21 @@ constexpr double edge_tolerance = 1e-9;  // of a sampling interval
 // The classic replica at t after its own beginning, 0 <= t <= Tp: the conjugate pulse backwards, without its envelope.
 // Chips are counted from the replica's beginning by plain double arithmetic, as the 1998 program did: a sample on the
 // border of two chips falls to either side by rounding, and only the same rounding gives the same samples.
-std::complex<double> classic_replica(const Pulse& pulse, double t_s, double tolerance_s) {
-  if (pulse.kind == Pulse::Kind::code) {
+std::complex<double> classic_replica(const radar::Pulse& pulse, double t_s, double tolerance_s) {
+  if (pulse.kind == radar::Pulse::Kind::code) {
     const std::size_t length = pulse.code.size();
     const auto chip = static_cast<std::size_t>(t_s * static_cast<double>(length) / pulse.width_s);
     return pulse.code[length - 1 - std::min(chip, length - 1)];
   }
-  Pulse bare = pulse;
-  bare.envelope = Pulse::Envelope::rectangular;
+  radar::Pulse bare = pulse;
+  bare.envelope = radar::Pulse::Envelope::rectangular;
   return std::conj(bare.value(std::clamp(pulse.width_s - t_s, 0.0, pulse.width_s), tolerance_s));
 }
 
 }  // namespace
 
-CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* band_limited, const WindowFunction& window,
-                                 double sample_rate_hz) {
+CompressionFilter matched_filter(const radar::Pulse& pulse, const radar::BandLimitedPulse* band_limited,
+                                 const WindowFunction& window, double sample_rate_hz) {
   const auto count =
       static_cast<std::size_t>(std::max(1.0, std::ceil(pulse.width_s * sample_rate_hz - edge_tolerance)));
   CompressionFilter filter;
@@ -43,12 +43,13 @@ CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* ban
     energy += w * std::norm(p);
     magnitudes += std::abs(w) * std::norm(p);
   }
-  if (!weights_cancel(energy, magnitudes))
+  if (!core::weights_cancel(energy, magnitudes))
     for (auto& tap : filter.taps) tap /= energy;
   return filter;
 }
 
-CompressionFilter classic_matched_filter(const Pulse& pulse, const WindowFunction& window, double sample_rate_hz) {
+CompressionFilter classic_matched_filter(const radar::Pulse& pulse, const WindowFunction& window,
+                                         double sample_rate_hz) {
   const auto delay = static_cast<std::size_t>(std::floor(pulse.width_s * sample_rate_hz + edge_tolerance));
   CompressionFilter filter;
   filter.taps.resize(delay + 1);
@@ -66,7 +67,7 @@ RangeCompressor::RangeCompressor(CompressionFilter filter, std::size_t input_cou
     : filter_(std::move(filter)),
       input_count_(input_count),
       output_index_(std::move(output_index)),
-      fft_(good_fft_size(input_count + filter_.taps.size())),
+      fft_(core::good_fft_size(input_count + filter_.taps.size())),
       response_(fft_.size()) {
   // Correlation: multiply by the transform of the filter run backwards in time.
   const std::size_t size = fft_.size();
@@ -89,4 +90,4 @@ void RangeCompressor::compress(std::span<const std::complex<double>> raw, std::s
   for (std::size_t i = 0; i < output_index_.size(); ++i) out[i] = scratch[output_index_[i]];
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

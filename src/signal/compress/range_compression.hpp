@@ -9,7 +9,7 @@
 #include "radar/waveform/band_limited_pulse.hpp"
 #include "radar/waveform/pulse.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Weight against the fraction of the pulse width, 0 to 1.
 using WindowFunction = std::function<double(double)>;
@@ -23,13 +23,13 @@ struct CompressionFilter {
 /// times the window, divided by the sum of window |pulse|^2: the peak of a resting point target on the sampling grid
 /// keeps the amplitude and phase of its raw echo. Where that sum cancels, nothing is divided by.
 /// @param band_limited  the pulse as confined to a band, or null for the ideal one
-[[nodiscard]] CompressionFilter matched_filter(const Pulse& pulse, const BandLimitedPulse* band_limited,
+[[nodiscard]] CompressionFilter matched_filter(const radar::Pulse& pulse, const radar::BandLimitedPulse* band_limited,
                                                const WindowFunction& window, double sample_rate_hz);
 
 /// Filter of the classic profile (docs/theory/compression.md): both ends of the pulse included, envelope left out,
 /// divided by twice the sampling rate; a point target's peak is A Tp/2 times the window's mean. A user-defined pulse is
 /// matched as it is.
-[[nodiscard]] CompressionFilter classic_matched_filter(const Pulse& pulse, const WindowFunction& window,
+[[nodiscard]] CompressionFilter classic_matched_filter(const radar::Pulse& pulse, const WindowFunction& window,
                                                        double sample_rate_hz);
 
 /// Applies a filter to rows of one length by fast convolution.
@@ -56,8 +56,8 @@ class RangeCompressor {
   CompressionFilter filter_;
   std::size_t input_count_;
   std::vector<std::size_t> output_index_;
-  Fft fft_;
+  core::Fft fft_;
   std::vector<std::complex<double>> response_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -12,29 +12,32 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using Row = std::vector<std::complex<double>>;
 
 const WindowFunction rectangular = [](double) { return 1.0; };
-const WindowFunction hanning = [](double x) { return hanning_window(x, 0.1); };
-const WindowFunction windows[]{rectangular, hanning, bartlett_window, hamming_window,
+const WindowFunction hanning = [](double x) { return core::hanning_window(x, 0.1); };
+const WindowFunction windows[]{rectangular, hanning, core::bartlett_window, core::hamming_window,
                                [](double x) { return 0.2 + x * x; }};
 
-Pulse pulse_of(Pulse::Kind kind, double width_s) {
-  Pulse pulse;
+radar::Pulse pulse_of(radar::Pulse::Kind kind, double width_s) {
+  radar::Pulse pulse;
   pulse.kind = kind;
   pulse.width_s = width_s;
   pulse.sweep_hz = 8e6;
-  pulse.code = barker_code(5);
-  pulse.in_phase = Interpolator(SampledFunction{Interpolation::linear, {{0.0, 0.2}, {0.5, 1.0}, {1.0, -1.0}}});
-  pulse.quadrature = Interpolator(SampledFunction{Interpolation::cubic, {{0.0, 1.0}, {0.3, -1.0}, {1.0, 2.0}}});
+  pulse.code = radar::barker_code(5);
+  pulse.in_phase =
+      core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, 0.2}, {0.5, 1.0}, {1.0, -1.0}}});
+  pulse.quadrature =
+      core::Interpolator(core::SampledFunction{core::Interpolation::cubic, {{0.0, 1.0}, {0.3, -1.0}, {1.0, 2.0}}});
   return pulse;
 }
 
-constexpr std::array kinds{Pulse::Kind::mono, Pulse::Kind::chirp, Pulse::Kind::code, Pulse::Kind::user};
+constexpr std::array kinds{radar::Pulse::Kind::mono, radar::Pulse::Kind::chirp, radar::Pulse::Kind::code,
+                           radar::Pulse::Kind::user};
 
 Row compressed(const CompressionFilter& filter, const Row& raw) {
   std::vector<std::size_t> index(raw.size());
@@ -46,7 +49,8 @@ Row compressed(const CompressionFilter& filter, const Row& raw) {
 }
 
 // A raw row with the echo of a pulse whose leading edge stands on sample `at`.
-Row raw_echo(const Pulse& pulse, double rate_hz, std::size_t size, std::size_t at, std::complex<double> amplitude) {
+Row raw_echo(const radar::Pulse& pulse, double rate_hz, std::size_t size, std::size_t at,
+             std::complex<double> amplitude) {
   Row raw(size);
   for (std::size_t i = at; i < size; ++i) {
     const double t = static_cast<double>(i - at) / rate_hz;
@@ -58,11 +62,11 @@ Row raw_echo(const Pulse& pulse, double rate_hz, std::size_t size, std::size_t a
 TEST(MatchedFilter, KeepsTheAmplitudeAndPhaseOfATargetOnTheGrid) {
   constexpr double rate_hz = 10e6;
   const std::complex<double> amplitude = std::polar(3e-7, 2.1);
-  for (const Pulse::Kind kind : kinds)
+  for (const radar::Pulse::Kind kind : kinds)
     for (const WindowFunction& window : windows)
       for (const double width_s : {4e-6, 4.03e-6}) {
-        Pulse pulse = pulse_of(kind, width_s);
-        pulse.envelope = Pulse::Envelope::linear;
+        radar::Pulse pulse = pulse_of(kind, width_s);
+        pulse.envelope = radar::Pulse::Envelope::linear;
         pulse.rise_s = 0.7e-6;
         const CompressionFilter filter = matched_filter(pulse, nullptr, window, rate_hz);
         ASSERT_EQ(filter.taps.size(), width_s > 4e-6 ? 41u : 40u);
@@ -74,9 +78,9 @@ TEST(MatchedFilter, KeepsTheAmplitudeAndPhaseOfATargetOnTheGrid) {
 TEST(MatchedFilter, KeepsTheAmplitudeAndPhaseOfABandLimitedPulse) {
   constexpr double rate_hz = 10e6;
   const std::complex<double> amplitude = std::polar(3e-7, -0.4);
-  for (const Pulse::Kind kind : kinds) {
-    const Pulse pulse = pulse_of(kind, 4e-6);
-    const BandLimitedPulse limited(pulse, 0.5 * rate_hz, rate_hz, pulse.width_s);
+  for (const radar::Pulse::Kind kind : kinds) {
+    const radar::Pulse pulse = pulse_of(kind, 4e-6);
+    const radar::BandLimitedPulse limited(pulse, 0.5 * rate_hz, rate_hz, pulse.width_s);
     const CompressionFilter filter = matched_filter(pulse, &limited, hanning, rate_hz);
     Row raw(150);
     for (std::size_t i = 0; i < raw.size(); ++i)
@@ -86,7 +90,7 @@ TEST(MatchedFilter, KeepsTheAmplitudeAndPhaseOfABandLimitedPulse) {
 }
 
 TEST(MatchedFilter, WeighsTheReplicaByTheWindowFromTheLeadingEdgeOn) {
-  const Pulse pulse = pulse_of(Pulse::Kind::mono, 4e-6);
+  const radar::Pulse pulse = pulse_of(radar::Pulse::Kind::mono, 4e-6);
   const WindowFunction rising = [](double x) { return x; };
   const CompressionFilter filter = matched_filter(pulse, nullptr, rising, 1e6);  // weights 0, 1/4, 1/2, 3/4
   ASSERT_EQ(filter.taps.size(), 4u);
@@ -98,7 +102,7 @@ TEST(MatchedFilter, WeighsTheReplicaByTheWindowFromTheLeadingEdgeOn) {
 }
 
 TEST(MatchedFilter, KeepsThePeakWhateverTheSignOfTheWeights) {
-  const Pulse pulse = pulse_of(Pulse::Kind::chirp, 5e-6);
+  const radar::Pulse pulse = pulse_of(radar::Pulse::Kind::chirp, 5e-6);
   const double rate_hz = 8e6;
   const std::complex<double> amplitude = std::polar(3.0, 0.7);
   for (const WindowFunction& window :
@@ -110,7 +114,7 @@ TEST(MatchedFilter, KeepsThePeakWhateverTheSignOfTheWeights) {
 }
 
 TEST(MatchedFilter, WhoseWeightsCancelIsLeftAsItIs) {
-  const Pulse pulse = pulse_of(Pulse::Kind::mono, 4e-6);
+  const radar::Pulse pulse = pulse_of(radar::Pulse::Kind::mono, 4e-6);
   const WindowFunction tilted = [](double x) { return 0.3 - 0.8 * x; };  // at 0, 1/4, 1/2 and 3/4
   const CompressionFilter filter = matched_filter(pulse, nullptr, tilted, 1e6);
   for (std::size_t k = 0; k < 4; ++k)
@@ -118,7 +122,7 @@ TEST(MatchedFilter, WhoseWeightsCancelIsLeftAsItIs) {
 }
 
 TEST(MatchedFilter, OfAMonochromePulseMakesATriangle) {
-  const Pulse pulse = pulse_of(Pulse::Kind::mono, 5e-6);
+  const radar::Pulse pulse = pulse_of(radar::Pulse::Kind::mono, 5e-6);
   const Row out = compressed(matched_filter(pulse, nullptr, rectangular, 4e6), raw_echo(pulse, 4e6, 100, 40, 2.0));
   for (int i = 0; i < 100; ++i)
     EXPECT_LT(std::abs(out[static_cast<std::size_t>(i)] - 2.0 * std::max(0.0, 1.0 - std::abs(i - 40) / 20.0)),
@@ -126,8 +130,8 @@ TEST(MatchedFilter, OfAMonochromePulseMakesATriangle) {
 }
 
 TEST(MatchedFilter, OfABarkerCodeOfThirteenHasSideLobesOfOneThirteenth) {
-  Pulse pulse = pulse_of(Pulse::Kind::code, 13e-6);
-  pulse.code = barker_code(6);
+  radar::Pulse pulse = pulse_of(radar::Pulse::Kind::code, 13e-6);
+  pulse.code = radar::barker_code(6);
   const Row out = compressed(matched_filter(pulse, nullptr, rectangular, 8e6), raw_echo(pulse, 8e6, 400, 150, 1.0));
   double lobe = 0.0;
   for (int i = 0; i < 400; ++i)
@@ -163,7 +167,7 @@ TEST(MatchedFilter, OfAChirpHasTheSideLobesAndWidthOfItsTimeBandwidthProduct) {
   for (const auto& [product, pslr_db, width] :
        {Row4{25, -13.81, 0.8800}, Row4{50, -13.52, 0.8831}, Row4{100, -13.39, 0.8845}, Row4{200, -13.32, 0.8852},
         Row4{1000, -13.27, 0.8858}}) {
-    Pulse pulse = pulse_of(Pulse::Kind::chirp, product / bandwidth_hz);
+    radar::Pulse pulse = pulse_of(radar::Pulse::Kind::chirp, product / bandwidth_hz);
     pulse.sweep_hz = bandwidth_hz;
     constexpr double rate_hz = 64.0 * bandwidth_hz;
     const auto count = static_cast<std::size_t>(64.0 * product);
@@ -177,10 +181,11 @@ TEST(MatchedFilter, OfAChirpHasTheSideLobesAndWidthOfItsTimeBandwidthProduct) {
 // Weighted chirps: PSLR and width of the window's own transform, nearly, at a high time-bandwidth product.
 TEST(MatchedFilter, OfAHammingWindowedChirpHasLowSideLobesAndAWiderPeak) {
   constexpr double bandwidth_hz = 10e6, rate_hz = 32.0 * bandwidth_hz;
-  Pulse pulse = pulse_of(Pulse::Kind::chirp, 1000.0 / bandwidth_hz);
+  radar::Pulse pulse = pulse_of(radar::Pulse::Kind::chirp, 1000.0 / bandwidth_hz);
   pulse.sweep_hz = -bandwidth_hz;
   const Row raw = raw_echo(pulse, rate_hz, 70'000, 100, 1.0);
-  const Lobes lobes = lobes_of(compressed(matched_filter(pulse, nullptr, hamming_window, rate_hz), raw), 100, rate_hz);
+  const Lobes lobes =
+      lobes_of(compressed(matched_filter(pulse, nullptr, core::hamming_window, rate_hz), raw), 100, rate_hz);
   EXPECT_NEAR(lobes.width_s * bandwidth_hz, 1.303, 0.01);
   EXPECT_LT(lobes.pslr_db, -40.0);
 }
@@ -192,11 +197,11 @@ TEST(ClassicMatchedFilter, ScalesThePeakToHalfThePulseWidthTimesTheMeanOfTheWind
     WindowFunction window;
     double mean;
   };
-  for (const Pulse::Kind kind : {Pulse::Kind::mono, Pulse::Kind::chirp})
+  for (const radar::Pulse::Kind kind : {radar::Pulse::Kind::mono, radar::Pulse::Kind::chirp})
     // Over whole periods the mean of the samples is that of the curve.
-    for (const auto& [window, mean] :
-         {Case{rectangular, 1.0}, Case{hanning, 0.55}, Case{hamming_window, 0.54}, Case{bartlett_window, 0.5}}) {
-      const Pulse pulse = pulse_of(kind, width_s);
+    for (const auto& [window, mean] : {Case{rectangular, 1.0}, Case{hanning, 0.55}, Case{core::hamming_window, 0.54},
+                                       Case{core::bartlett_window, 0.5}}) {
+      const radar::Pulse pulse = pulse_of(kind, width_s);
       const Row out =
           compressed(classic_matched_filter(pulse, window, rate_hz), raw_echo(pulse, rate_hz, 150, 37, amplitude));
       const std::complex<double> expected = 0.5 * width_s * mean * amplitude;
@@ -205,23 +210,23 @@ TEST(ClassicMatchedFilter, ScalesThePeakToHalfThePulseWidthTimesTheMeanOfTheWind
 }
 
 TEST(ClassicMatchedFilter, HasBothEndsOfThePulseAndNoEnvelope) {
-  Pulse pulse = pulse_of(Pulse::Kind::chirp, 4e-6);
-  pulse.envelope = Pulse::Envelope::linear;
+  radar::Pulse pulse = pulse_of(radar::Pulse::Kind::chirp, 4e-6);
+  pulse.envelope = radar::Pulse::Envelope::linear;
   pulse.rise_s = 2e-6;
   const CompressionFilter filter = classic_matched_filter(pulse, rectangular, 10e6);
   ASSERT_EQ(filter.taps.size(), 41u);
   for (std::size_t k = 0; k < 41; ++k) {
     const double u = static_cast<double>(k) / 10e6 - 2e-6;
-    const std::complex<double> expected = std::polar(1.0 / 20e6, -pi * 8e6 / 4e-6 * u * u);
+    const std::complex<double> expected = std::polar(1.0 / 20e6, -core::pi * 8e6 / 4e-6 * u * u);
     EXPECT_LT(std::abs(filter.taps[k] - expected), 100.0 * epsilon / 20e6);
   }
-  EXPECT_EQ(classic_matched_filter(pulse_of(Pulse::Kind::mono, 4.03e-6), rectangular, 10e6).taps.size(), 41u);
+  EXPECT_EQ(classic_matched_filter(pulse_of(radar::Pulse::Kind::mono, 4.03e-6), rectangular, 10e6).taps.size(), 41u);
 }
 
 // Chips are counted from the end of the pulse, so that a sample on a border may fall to the other side: at most two
 // borders' worth of a sample each.
 TEST(ClassicMatchedFilter, RunsThroughTheCodeBackwards) {
-  Pulse pulse = pulse_of(Pulse::Kind::code, 4.4e-6);  // 11 chips of 0.4 us
+  radar::Pulse pulse = pulse_of(radar::Pulse::Kind::code, 4.4e-6);  // 11 chips of 0.4 us
   const Row out = compressed(classic_matched_filter(pulse, rectangular, 100e6), raw_echo(pulse, 100e6, 1500, 300, 1.0));
   EXPECT_NEAR(std::abs(out[300]), 2.2e-6, 2.2e-6 * 2.0 * 11.0 / 440.0);
   const auto peak = std::ranges::max_element(out, {}, [](const auto& v) { return std::abs(v); }) - out.begin();
@@ -256,4 +261,4 @@ TEST(RangeCompressor, TakesTheAskedSamplesAlsoRepeatedly) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -77,13 +77,13 @@ class Chip {
       std::array<Complex, 3> row{};
       for (std::size_t l = 0; l < size_; ++l) {
         const Complex term = spectrum_[k * size_ + l] * turns[l];
-        const Complex slope(0.0, 2.0 * pi * column_hz_[l]);
+        const Complex slope(0.0, 2.0 * core::pi * column_hz_[l]);
         row[0] += term;
         row[1] += slope * term;
         row[2] += slope * slope * term;
       }
-      const Complex turn = std::polar(1.0, 2.0 * pi * row_hz_[k] * u);
-      const Complex slope(0.0, 2.0 * pi * row_hz_[k]);
+      const Complex turn = std::polar(1.0, 2.0 * core::pi * row_hz_[k] * u);
+      const Complex slope(0.0, 2.0 * core::pi * row_hz_[k]);
       sums[0] += turn * row[0];
       sums[1] += turn * slope * row[0];
       sums[2] += turn * row[1];
@@ -137,7 +137,7 @@ class Chip {
   }
 
   void transform() {
-    const Fft fft(size_);
+    const core::Fft fft(size_);
     const double scale = 1.0 / (static_cast<double>(size_) * static_cast<double>(size_));
     std::vector<Complex> column(size_);
     for (std::size_t k = 0; k < size_; ++k) fft.forward(std::span(spectrum_).subspan(k * size_, size_));
@@ -163,14 +163,14 @@ class Chip {
 
   static std::vector<Complex> turns_at(const std::vector<double>& hz, double x) {
     std::vector<Complex> turns(hz.size());
-    for (std::size_t k = 0; k < hz.size(); ++k) turns[k] = std::polar(1.0, 2.0 * pi * hz[k] * x);
+    for (std::size_t k = 0; k < hz.size(); ++k) turns[k] = std::polar(1.0, 2.0 * core::pi * hz[k] * x);
     return turns;
   }
 
   static void add_tone(std::vector<Complex>& values, Complex tone, double hz, double x, double dx,
                        std::ptrdiff_t half) {
-    Complex term = tone * std::polar(1.0, 2.0 * pi * hz * (x - static_cast<double>(half) * dx));
-    const Complex step = std::polar(1.0, 2.0 * pi * hz * dx);
+    Complex term = tone * std::polar(1.0, 2.0 * core::pi * hz * (x - static_cast<double>(half) * dx));
+    const Complex step = std::polar(1.0, 2.0 * core::pi * hz * dx);
     for (Complex& value : values) {
       value += term;
       term *= step;
@@ -187,11 +187,11 @@ class Chip {
       const auto step = static_cast<double>((static_cast<std::ptrdiff_t>(i) - coarse_half) * fineness);
       coarse[i] = value(u + step * du, v + step * dv);
     }
-    Fft(count).forward(coarse);
+    core::Fft(count).forward(coarse);
     std::vector<Complex> fine(count * fineness);
     for (std::size_t k = 0; k < count; ++k)
       fine[2 * k < count ? k : fine.size() - count + k] = coarse[k] / static_cast<double>(count);
-    Fft(fine.size()).inverse(fine);
+    core::Fft(fine.size()).inverse(fine);
     const auto first = static_cast<std::size_t>(half - coarse_half * fineness);
     std::copy_n(fine.begin(), std::min(fine.size(), values.size() - first),
                 values.begin() + static_cast<std::ptrdiff_t>(first));
@@ -346,4 +346,4 @@ std::optional<PointResponse> measure_point(const FocusedImage& image, const Imag
   return std::nullopt;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

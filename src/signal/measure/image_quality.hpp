@@ -9,7 +9,7 @@
 #include "signal/measure/response.hpp"
 #include "signal/sar/sar_image.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Reads `out.size()` values of a row of an image, from a column on.
 using ImageReader = std::function<void(std::size_t row, std::size_t first_column, std::span<std::complex<float>> out)>;
@@ -52,4 +52,4 @@ struct PointCuts {
                                                          const ImagePlace& expected, double search_m,
                                                          PointCuts* cuts = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

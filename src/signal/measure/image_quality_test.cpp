@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/sinc.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 // A point whose spectrum fills the band that the samples have: null to null it is two samples wide.
@@ -16,10 +16,11 @@ FocusedImage point_at(double row, double column) {
   image.azimuth = {0.0, 0.5, 96};
   image.range = {100.0, 2.0, 96};
   image.carrier_hz = 5.3e9;
-  image.light_speed_mps = exact_light_speed_mps;
+  image.light_speed_mps = core::exact_light_speed_mps;
   for (int r = 0; r < 96; ++r)
     for (int c = 0; c < 96; ++c)
-      image.values.push_back(static_cast<float>(3.0 * sinc(r - row) * sinc(c - column)) * std::polar(1.0F, 0.7F));
+      image.values.push_back(static_cast<float>(3.0 * core::sinc(r - row) * core::sinc(c - column)) *
+                             std::polar(1.0F, 0.7F));
   return image;
 }
 
@@ -54,4 +55,4 @@ TEST(MeasurePoint, GivesTheCutsThatItMeasured) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -51,7 +51,7 @@ double signed_index(std::size_t i, std::size_t size) {
 double compressed(double delay, double time_bandwidth) {
   const double fraction = std::abs(delay) / time_bandwidth;
   if (fraction >= 1.0) return 0.0;
-  const double x = pi * delay * (1.0 - fraction);
+  const double x = core::pi * delay * (1.0 - fraction);
   return (1.0 - fraction) * (x == 0.0 ? 1.0 : std::sin(x) / x);
 }
 
@@ -62,10 +62,10 @@ void set_weighted_chirp(std::vector<std::complex<double>>& spectrum, double time
   const double samples = time_bandwidth * per_lag;
   for (std::size_t k = 0; k < spectrum.size() && static_cast<double>(k) < samples; ++k) {
     const double fraction = static_cast<double>(k) / samples;
-    spectrum[k] = std::polar(1.0, pi * time_bandwidth * (fraction - 0.5) * (fraction - 0.5));
+    spectrum[k] = std::polar(1.0, core::pi * time_bandwidth * (fraction - 0.5) * (fraction - 0.5));
     weighted[k] = filter(fraction) * spectrum[k];
   }
-  const Fft fft(spectrum.size());
+  const core::Fft fft(spectrum.size());
   fft.forward(spectrum);
   fft.forward(weighted);
   for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= std::conj(weighted[k]);
@@ -115,13 +115,13 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
   const bool chirp = time_bandwidth > 0.0;
   const double per_lag = chirp && sampling > 0.0 ? sampling : 16.0;  // samples to the inverse bandwidth
   const double lags = chirp ? std::max(2.0 * time_bandwidth, 256.0) : 4096.0;
-  const std::size_t size = good_fft_size(static_cast<std::size_t>(lags * per_lag));
+  const std::size_t size = core::good_fft_size(static_cast<std::size_t>(lags * per_lag));
   std::vector<std::complex<double>> spectrum(size);
   if (chirp && filter) {
     set_weighted_chirp(spectrum, time_bandwidth, per_lag, filter);
   } else if (chirp) {
     for (std::size_t i = 0; i < size; ++i) spectrum[i] = compressed(signed_index(i, size) / per_lag, time_bandwidth);
-    Fft(size).forward(spectrum);
+    core::Fft(size).forward(spectrum);
   } else {
     std::ranges::fill(spectrum, 1.0);
   }
@@ -129,7 +129,7 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
   const std::size_t fine = static_cast<std::size_t>(std::ceil(64.0 / per_lag)) * size;
   std::vector<std::complex<double>> response(fine);
   for (std::size_t k = 0; k < size; ++k) response[2 * k < size ? k : fine - size + k] = spectrum[k];
-  Fft(fine).inverse(response);
+  core::Fft(fine).inverse(response);
   std::ranges::rotate(response, response.begin() + static_cast<std::ptrdiff_t>(fine - fine / 2));
   ResponseFigures figures = figures_of(response, fine / 2).value();
   const double fine_per_lag = per_lag * static_cast<double>(fine / size);
@@ -138,4 +138,4 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
   return figures;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 
 #include "signal/sar/sar_window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Figures of a response along a line, in the unit of its samples' spacing.
 struct ResponseFigures {
@@ -37,4 +37,4 @@ inline constexpr double islr_null_widths = 10.0;
                                                   double sampling = 0.0,
                                                   const std::function<double(double)>& filter = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 struct Row {
@@ -107,11 +107,11 @@ TEST(TheoreticalFigures, TakeWeightsOfTheMatchedFilterLikeThoseOverTheBand) {
   const ResponseFigures same = theoretical_figures({}, 200.0, 2.0, even);
   EXPECT_NEAR(same.width, plain.width, 0.003 * plain.width);
   EXPECT_NEAR(same.pslr_db, plain.pslr_db, 0.1);
-  const auto hamming = [](double x) { return 0.54 - 0.46 * std::cos(2.0 * pi * x); };
+  const auto hamming = [](double x) { return 0.54 - 0.46 * std::cos(2.0 * core::pi * x); };
   const ResponseFigures tapered = theoretical_figures({}, 200.0, 2.0, hamming);
   EXPECT_NEAR(tapered.width, 1.303, 0.02);
   EXPECT_LT(tapered.pslr_db, -35.0);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

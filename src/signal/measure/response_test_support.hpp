@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sarsim::test {
+namespace sarsim::signal::test {
 
 /// What a straight cut through a point's response shows. Sidelobes count up to ten null distances from the peak.
 struct CutFigures {
@@ -58,4 +58,4 @@ inline CutFigures measure_cut(const std::vector<std::complex<double>>& cut, doub
   return f;
 }
 
-}  // namespace sarsim::test
+}  // namespace sarsim::signal::test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sarsim::cli {
+namespace sarsim::signal {
 
 void SampleStatistics::add(std::span<const std::complex<double>> values, std::size_t first_row, std::size_t columns) {
   double row_sum = 0.0;  // Summed row by row, so that a long file loses no digits.
@@ -37,4 +37,4 @@ double SampleStatistics::rms() const {
   return counted > 0 ? std::sqrt(sum_of_squares / static_cast<double>(counted)) : 0.0;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-namespace sarsim::cli {
+namespace sarsim::signal {
 
 /// What one pass over the samples of a file finds.
 struct SampleStatistics {
@@ -26,4 +26,4 @@ struct SampleStatistics {
   [[nodiscard]] double rms() const;
 };
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::signal

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim::cli {
+namespace sarsim::signal {
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
@@ -35,4 +35,4 @@ TEST(SampleStatistics, NanCountsNowhereElse) {
 TEST(SampleStatistics, NothingIsZero) { EXPECT_EQ(SampleStatistics{}.rms(), 0.0); }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::signal

@@ -10,7 +10,7 @@
 #include "core/report/expect.hpp"
 #include "signal/sar/phase_gradient.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -23,9 +23,9 @@ AzimuthColumns columns_of(const FocusedImage& image) {
 }
 
 void expect_sound(const FocusedImage& image) {
-  expect(image.values.size() == image.azimuth.count * image.range.count,
-         "autofocus: the number of values is not that of the axes");
-  expect(image.azimuth.step_m != 0.0, "autofocus: the rows are not apart");
+  core::expect(image.values.size() == image.azimuth.count * image.range.count,
+               "autofocus: the number of values is not that of the axes");
+  core::expect(image.azimuth.step_m != 0.0, "autofocus: the rows are not apart");
 }
 
 // Pieces of half overlap whose weights, squared sines, add up to 1 but for the first and the last half piece, which
@@ -37,7 +37,7 @@ struct Piece {
 
 double piece_weight(long offset, long length, bool is_first, bool is_last) {
   if ((is_first && offset < length / 2) || (is_last && offset >= length / 2)) return 1.0;
-  const double sine = std::sin(pi * (static_cast<double>(offset) + 0.5) / static_cast<double>(length));
+  const double sine = std::sin(core::pi * (static_cast<double>(offset) + 0.5) / static_cast<double>(length));
   return sine * sine;
 }
 
@@ -247,7 +247,8 @@ double image_entropy(const FocusedImage& image) {
   return entropy;
 }
 
-AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& options, const WorkControl& control) {
+AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& options,
+                          const core::WorkControl& control) {
   expect_sound(image);
   AutofocusResult result;
   result.image = image;
@@ -278,16 +279,16 @@ AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& opt
 }
 
 StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_m, const AutofocusOptions& options,
-                                        const WorkControl& control) {
+                                        const core::WorkControl& control) {
   expect_sound(image);
-  expect(image.frame.plane == ImagePlane::slant_range, "autofocus: a strip must be an image of slant range");
+  core::expect(image.frame.plane == ImagePlane::slant_range, "autofocus: a strip must be an image of slant range");
   const long length = 2 * static_cast<long>(0.5 * piece_m / std::abs(image.azimuth.step_m));
-  expect(length >= 4, "autofocus: a piece of the strip has fewer than four pixels");
+  core::expect(length >= 4, "autofocus: a piece of the strip has fewer than four pixels");
   StripmapAutofocusResult result;
   result.image = image;
   if (image.values.empty()) return result;
 
-  const std::size_t size = good_fft_size(2 * static_cast<std::size_t>(length));
+  const std::size_t size = core::good_fft_size(2 * static_cast<std::size_t>(length));
   const Sight sight(image, size);
   const SkewedImage skewed(image, sight);
   const std::vector<Piece> pieces = skewed.pieces(length);
@@ -341,4 +342,4 @@ StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_
   return result;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 #include "core/task/parallel.hpp"
 #include "signal/sar/sar_image.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// -sum of p ln p, p the share of each pixel in the energy of an image: the smaller, the sharper. 0 without energy.
 [[nodiscard]] double image_entropy(const FocusedImage& image);
@@ -41,7 +41,7 @@ struct AutofocusResult {
 /// stands out. The same bytes for any number of threads.
 /// @throw  std::invalid_argument where the image has not as many values as its axes say; Interrupted
 [[nodiscard]] AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& options,
-                                        const WorkControl& control);
+                                        const core::WorkControl& control);
 
 /// What autofocus found along the track.
 struct StripmapAutofocusResult {
@@ -60,6 +60,7 @@ struct StripmapAutofocusResult {
 /// @param image  of slant range
 /// @throw  std::invalid_argument for an image of another plane or with fewer than four pixels to a piece; Interrupted
 [[nodiscard]] StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_m,
-                                                      const AutofocusOptions& options, const WorkControl& control);
+                                                      const AutofocusOptions& options,
+                                                      const core::WorkControl& control);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

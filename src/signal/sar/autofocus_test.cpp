@@ -10,10 +10,10 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 
 // A scene of points in noise-like clutter whose spectrum in azimuth fills `share` of the band about `middle`, both in
 // parts of the sampling rate; each frequency turned by error(place), place from -1 to 1 over the aperture.
@@ -27,9 +27,9 @@ FocusedImage spotlight(double share, double middle, const Error& error, std::siz
   image.azimuth = {0.0, 0.7, rows};
   image.range = {9e3, 1.0, columns};
   image.carrier_hz = 5.3e9;
-  image.light_speed_mps = exact_light_speed_mps;
+  image.light_speed_mps = core::exact_light_speed_mps;
   image.values.resize(rows * columns);
-  const Fft fft(rows);
+  const core::Fft fft(rows);
   std::vector<std::complex<double>> column(rows);
   for (std::size_t c = 0; c < columns; ++c) {
     for (auto& v : column) v = std::complex(0.02 * normal(random), 0.02 * normal(random));
@@ -50,7 +50,7 @@ FocusedImage spotlight(double share, double middle, const Error& error, std::siz
 
 const auto no_error = [](double) { return 0.0; };
 // 10 rad of quadratic error, 3 rad of sine.
-const auto usual_error = [](double x) { return 10.0 * x * x + 3.0 * std::sin(2.5 * pi * x + 0.3); };
+const auto usual_error = [](double x) { return 10.0 * x * x + 3.0 * std::sin(2.5 * core::pi * x + 0.3); };
 
 // Root mean square of values, constant and straight line apart.
 double without_line_rad(const std::vector<double>& left) {
@@ -181,9 +181,9 @@ TEST(Autofocus, MakesNothingOfNothing) {
 
 TEST(Autofocus, RefusesWhatContradictsItselfAndStopsWhenAsked) {
   FocusedImage image = spotlight(0.8, 0.0, no_error, 64, 8);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)autofocus(image, {}, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)autofocus(image, {}, {1, &stop}), core::Interrupted);
   FocusedImage spoilt = image;
   spoilt.values.pop_back();
   EXPECT_THROW((void)autofocus(spoilt, {}, one), std::invalid_argument);
@@ -211,9 +211,9 @@ FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.
   image.azimuth = {0.0, 0.6, 2000};
   image.range = {10e3, column_m, 24};
   image.carrier_hz = 5.3e9;
-  image.light_speed_mps = exact_light_speed_mps;
+  image.light_speed_mps = core::exact_light_speed_mps;
   image.values.resize(2000 * 24);
-  const double wavelength_m = exact_light_speed_mps / 5.3e9;
+  const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   image.azimuth.spectrum_centre_per_m = 2.0 / wavelength_m * std::sin(squint_rad);
   std::vector<std::complex<double>> column(2000);
   for (std::size_t c = 0; c < 24; ++c) {
@@ -233,7 +233,7 @@ FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.
              row < static_cast<long>((place_m + reach_m) / 0.6); ++row)
           if (row >= 0 && row < 2000)
             column[static_cast<std::size_t>(row)] +=
-                turn * std::polar(1.0, 2.0 * pi * cycles_per_m * (static_cast<double>(row) * 0.6 - place_m));
+                turn * std::polar(1.0, 2.0 * core::pi * cycles_per_m * (static_cast<double>(row) * 0.6 - place_m));
       }
     }
     for (std::size_t r = 0; r < 2000; ++r) image.values[r * 24 + c] = std::complex<float>(column[r]);
@@ -242,7 +242,7 @@ FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.
 }
 
 TEST(AutofocusOfAStrip, SharpensWhatAWaveringTrackBlurred) {
-  const auto error = [](double s) { return 6.0 * std::sin(2.0 * pi * s / 700.0 + 0.5); };
+  const auto error = [](double s) { return 6.0 * std::sin(2.0 * core::pi * s / 700.0 + 0.5); };
   const FocusedImage sharp = strip(300.0, no_error);
   const FocusedImage blurred = strip(300.0, error);
   const StripmapAutofocusResult result = autofocus_strip(blurred, 120.0, {}, one);
@@ -260,9 +260,9 @@ TEST(AutofocusOfAStrip, SharpensWhatAWaveringTrackBlurred) {
 // At 3 degrees the spectrum stands about 1.1 times the sampling rate, at 10 degrees 3.7 times; and a place of the
 // antenna is seen 170 m farther along by the last column than by the first where columns are 40 m apart.
 TEST(AutofocusOfAStrip, FollowsTheLineOfSightOfABeamThatSquints) {
-  const auto error = [](double s) { return 6.0 * std::sin(2.0 * pi * s / 700.0 + 0.5); };
+  const auto error = [](double s) { return 6.0 * std::sin(2.0 * core::pi * s / 700.0 + 0.5); };
   for (const double degrees : {-3.0, 3.0, 10.0}) {
-    const double squint_rad = degrees * pi / 180.0;
+    const double squint_rad = degrees * core::pi / 180.0;
     const FocusedImage sharp = strip(300.0, no_error, squint_rad, 40.0);
     const FocusedImage blurred = strip(300.0, error, squint_rad, 40.0);
     const StripmapAutofocusResult result = autofocus_strip(blurred, 120.0, {}, one);
@@ -288,4 +288,4 @@ TEST(AutofocusOfAStrip, LeavesASharpStripAlone) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -12,7 +12,7 @@
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/reference_track.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -21,19 +21,20 @@ constexpr std::size_t block_bytes = std::size_t{4} << 20;
 constexpr std::size_t longest_block = 64;
 
 void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options) {
-  expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
-         "back-projection: the number of samples is not pulses times samples of a pulse");
-  expect(echoes.waveform.sample_rate_hz > 0.0, "back-projection: the sampling rate is not above 0");
-  expect(echoes.waveform.light_speed_mps > 0.0, "back-projection: the speed of light is not above 0");
-  expect(echoes.waveform.carrier_hz > 0.0, "back-projection: the carrier is not above 0");
-  expect(!options.range_window || echoes.waveform.bandwidth_hz != 0.0,
-         "back-projection: a range window needs a bandwidth");
+  core::expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
+               "back-projection: the number of samples is not pulses times samples of a pulse");
+  core::expect(echoes.waveform.sample_rate_hz > 0.0, "back-projection: the sampling rate is not above 0");
+  core::expect(echoes.waveform.light_speed_mps > 0.0, "back-projection: the speed of light is not above 0");
+  core::expect(echoes.waveform.carrier_hz > 0.0, "back-projection: the carrier is not above 0");
+  core::expect(!options.range_window || echoes.waveform.bandwidth_hz != 0.0,
+               "back-projection: a range window needs a bandwidth");
   using Aperture = BackProjectionOptions::Aperture;
-  expect(options.aperture != Aperture::beam || options.beam_rad > 0.0, "back-projection: the beam is not above 0");
-  expect(options.aperture != Aperture::time || options.time_s > 0.0, "back-projection: the time is not above 0");
-  const double heading = norm(options.heading);
-  expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
-  expect(std::abs(options.squint_rad) < 0.5 * pi, "back-projection: the squint is a right angle or more");
+  core::expect(options.aperture != Aperture::beam || options.beam_rad > 0.0,
+               "back-projection: the beam is not above 0");
+  core::expect(options.aperture != Aperture::time || options.time_s > 0.0, "back-projection: the time is not above 0");
+  const double heading = core::norm(options.heading);
+  core::expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
+  core::expect(std::abs(options.squint_rad) < 0.5 * core::pi, "back-projection: the squint is a right angle or more");
 }
 
 ProjectionConstants constants_of(const SarEchoes& echoes, const BackProjectionOptions& options) {
@@ -95,21 +96,22 @@ class Tiles {
 };
 
 // The stretches that the antenna's nearest approach to each tile allows.
-std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, const WorkControl& control) {
+std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, const core::WorkControl& control) {
   const double wavelength_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz;
   std::vector<Stretch> stretches(tiles.count());
-  parallel_ranges(tiles.count(), 16, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(tiles.count(), 16, control, [&](std::size_t begin, std::size_t end) {
     ProjectionTile tile;
     for (std::size_t index = begin; index < end; ++index) {
       tiles.place(index, tile);
       // Stretches reach to the end of the tile even where it is not used.
-      const Vec3 down = 0.5 * static_cast<double>(ProjectionTile::rows) * tile.row_step_m;
-      const Vec3 right = 0.5 * static_cast<double>(ProjectionTile::columns) * tile.column_step_m;
-      const Vec3 middle = tile.corner_m + down + right;
+      const core::Vec3 down = 0.5 * static_cast<double>(ProjectionTile::rows) * tile.row_step_m;
+      const core::Vec3 right = 0.5 * static_cast<double>(ProjectionTile::columns) * tile.column_step_m;
+      const core::Vec3 middle = tile.corner_m + down + right;
       double nearest_m = 1e300;
-      for (const TrackPoint& point : echoes.track) nearest_m = std::min(nearest_m, norm(middle - point.position_m));
-      nearest_m -= norm(down) + norm(right);
-      stretches[index] = stretch_for(nearest_m, norm(tile.column_step_m), wavelength_m);
+      for (const TrackPoint& point : echoes.track)
+        nearest_m = std::min(nearest_m, core::norm(middle - point.position_m));
+      nearest_m -= core::norm(down) + core::norm(right);
+      stretches[index] = stretch_for(nearest_m, core::norm(tile.column_step_m), wavelength_m);
     }
   });
   return stretches;
@@ -165,8 +167,8 @@ PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const Ima
 }
 
 std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const PointGrid& grid,
-                                              const BackProjectionOptions& options, const WorkControl& control,
-                                              const ProgressReport& progress) {
+                                              const BackProjectionOptions& options, const core::WorkControl& control,
+                                              const core::ProgressReport& progress) {
   expect_sound(echoes, options);
   Sums sums;
   sums.values.resize(grid.rows * grid.columns);
@@ -190,7 +192,7 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
     together.clear();
     for (std::size_t i = 0; i < count; ++i)
       together.push_back({echoes.track[first + i].position_m, echoes.track[first + i].velocity_mps, records.at(i)});
-    parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
       const auto tile = std::make_unique<ProjectionTile>();
       for (std::size_t index = begin; index < end; ++index) {
         tiles.place(index, *tile);
@@ -206,8 +208,8 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
 }
 
 FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
-                          const ImageAxis& range, const BackProjectionOptions& options, const WorkControl& control,
-                          const ProgressReport& progress) {
+                          const ImageAxis& range, const BackProjectionOptions& options,
+                          const core::WorkControl& control, const core::ProgressReport& progress) {
   const PointGrid grid = points_of(frame, azimuth, range);
   FocusedImage image;
   image.frame = frame;
@@ -219,16 +221,16 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   ReferenceTrack line = fitted_track(echoes.track);
   if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
   const double turns_per_m = 2.0 * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
-  parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
       for (std::size_t column = 0; column < grid.columns; ++column) {
-        const Vec3 point_m = grid.origin_m + static_cast<double>(row) * grid.row_step_m +
-                             static_cast<double>(column) * grid.column_step_m;
+        const core::Vec3 point_m = grid.origin_m + static_cast<double>(row) * grid.row_step_m +
+                                   static_cast<double>(column) * grid.column_step_m;
         const double turns = turns_per_m * distance_from(line, point_m);
-        image.values[row * grid.columns + column] *= std::complex<float>(turned_exactly(-turns));
+        image.values[row * grid.columns + column] *= std::complex<float>(core::turned_exactly(-turns));
       }
   });
   return image;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

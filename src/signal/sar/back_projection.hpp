@@ -10,13 +10,13 @@
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/sar/sar_image.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Points of the world in rows and columns: origin + row * row_step + column * column_step.
 struct PointGrid {
-  Vec3 origin_m;  ///< Of row 0, column 0.
-  Vec3 row_step_m;
-  Vec3 column_step_m;
+  core::Vec3 origin_m;  ///< Of row 0, column 0.
+  core::Vec3 row_step_m;
+  core::Vec3 column_step_m;
   std::size_t rows = 0;
   std::size_t columns = 0;
 };
@@ -33,7 +33,7 @@ struct BackProjectionOptions {
     time,  ///< Those within half of `time_s` of the moment when they see it at the squint angle.
   };
   Aperture aperture = Aperture::all;
-  Vec3 heading;                   ///< World, length 1: directions are counted from it; 0: from each pulse's velocity.
+  core::Vec3 heading;             ///< World, length 1: directions are counted from it; 0: from each pulse's velocity.
   double squint_rad = 0.0;        ///< Of the line of sight, ahead of the plane perpendicular to the heading.
   double beam_rad = 0.0;          ///< Full width, above 0.
   double time_s = 0.0;            ///< Full length, above 0, for a straight flight at the speed of the pulse.
@@ -56,13 +56,13 @@ struct BackProjectionOptions {
 /// @throw  std::invalid_argument where the echoes contradict themselves or an option is out of range; Interrupted
 [[nodiscard]] std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const PointGrid& grid,
                                                             const BackProjectionOptions& options,
-                                                            const WorkControl& control,
-                                                            const ProgressReport& progress = {});
+                                                            const core::WorkControl& control,
+                                                            const core::ProgressReport& progress = {});
 
 /// The same as an image in baseband, turned by -4 pi f R0/c: R0 the point's distance from the frame's line
 /// (slant_range), or from the line that fits the track (ground_grid).
 [[nodiscard]] FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
                                         const ImageAxis& range, const BackProjectionOptions& options,
-                                        const WorkControl& control, const ProgressReport& progress = {});
+                                        const core::WorkControl& control, const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

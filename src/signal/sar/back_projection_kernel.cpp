@@ -16,7 +16,7 @@
 
 #ifndef SARSIM_BACK_PROJECTION_STRETCHES
 #define SARSIM_BACK_PROJECTION_STRETCHES
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The polynomials of the stretches of a tile in one column of stretches, one per row, in j = column - middle.
 struct StretchRows {
@@ -30,17 +30,17 @@ struct StretchRows {
 };
 
 /// Where the aperture counts angles from.
-inline Vec3 heading_of(const ProjectionPulse& pulse, const ProjectionAperture& aperture) {
-  if (dot(aperture.heading, aperture.heading) > 0.0) return aperture.heading;
-  const double speed_mps = norm(pulse.velocity_mps);
-  return speed_mps > 0.0 ? (1.0 / speed_mps) * pulse.velocity_mps : Vec3{};
+inline core::Vec3 heading_of(const ProjectionPulse& pulse, const ProjectionAperture& aperture) {
+  if (core::dot(aperture.heading, aperture.heading) > 0.0) return aperture.heading;
+  const double speed_mps = core::norm(pulse.velocity_mps);
+  return speed_mps > 0.0 ? (1.0 / speed_mps) * pulse.velocity_mps : core::Vec3{};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace sarsim::HWY_NAMESPACE {
+namespace sarsim::signal::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -119,12 +119,12 @@ struct Vec3Lanes {
   DoubleVec x, y, z;
 };
 
-HWY_INLINE DoubleVec dot_lanes(const Vec3Lanes& a, const Vec3& b) {
+HWY_INLINE DoubleVec dot_lanes(const Vec3Lanes& a, const core::Vec3& b) {
   const DoubleTag d;
   return hn::MulAdd(a.x, hn::Set(d, b.x), hn::MulAdd(a.y, hn::Set(d, b.y), hn::Mul(a.z, hn::Set(d, b.z))));
 }
 
-HWY_INLINE Vec3Lanes moved(const Vec3Lanes& a, const Vec3& b) {
+HWY_INLINE Vec3Lanes moved(const Vec3Lanes& a, const core::Vec3& b) {
   const DoubleTag d;
   return {hn::Add(a.x, hn::Set(d, b.x)), hn::Add(a.y, hn::Set(d, b.y)), hn::Add(a.z, hn::Set(d, b.z))};
 }
@@ -141,7 +141,7 @@ HWY_INLINE DoubleVec without_turns(DoubleVec half_turns) {
 }
 
 // Where points stand in the aperture of a pulse that flies along `heading`.
-HWY_INLINE DoubleVec place_of_points(const Vec3Lanes& r, const Vec3& heading, double speed_mps,
+HWY_INLINE DoubleVec place_of_points(const Vec3Lanes& r, const core::Vec3& heading, double speed_mps,
                                      const ProjectionAperture& aperture) {
   const DoubleTag d;
   const DoubleVec ahead = dot_lanes(r, heading);
@@ -163,14 +163,14 @@ HWY_INLINE DoubleVec place_of_points(const Vec3Lanes& r, const Vec3& heading, do
 void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& constants, const ProjectionAperture& aperture,
                  const ProjectionTile& tile, double middle, double half, StretchRows& out) {
   const DoubleTag d;
-  const Vec3 b = tile.column_step_m;
-  const DoubleVec b2 = hn::Set(d, dot(b, b));
+  const core::Vec3 b = tile.column_step_m;
+  const DoubleVec b2 = hn::Set(d, core::dot(b, b));
   const DoubleVec c = hn::Set(d, constants.light_speed_mps);
   const DoubleVec f = hn::Set(d, constants.carrier_hz);
-  const double speed_mps = norm(pulse.velocity_mps);
-  const Vec3 heading = heading_of(pulse, aperture);
-  const Vec3 first = tile.corner_m + middle * b - pulse.position_m;
-  const Vec3 a = tile.row_step_m;
+  const double speed_mps = core::norm(pulse.velocity_mps);
+  const core::Vec3 heading = heading_of(pulse, aperture);
+  const core::Vec3 first = tile.corner_m + middle * b - pulse.position_m;
+  const core::Vec3 a = tile.row_step_m;
   for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
     const DoubleVec i = hn::Iota(d, static_cast<double>(row));
     const Vec3Lanes r{hn::MulAdd(i, hn::Set(d, a.x), hn::Set(d, first.x)),
@@ -185,7 +185,7 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     DoubleVec v1 = hn::Zero(d);
     if (constants.moving) {
       v = hn::Neg(hn::Mul(dot_lanes(r, pulse.velocity_mps), inverse));
-      v1 = hn::Neg(hn::Mul(hn::MulAdd(v, u, hn::Set(d, dot(pulse.velocity_mps, b))), inverse));
+      v1 = hn::Neg(hn::Mul(hn::MulAdd(v, u, hn::Set(d, core::dot(pulse.velocity_mps, b))), inverse));
     }
     const DoubleVec slowness = hn::Div(hn::Set(d, 2.0), hn::Sub(c, v));  // 2/(c - v)
     const DoubleVec delay = hn::Mul(distance, slowness);
@@ -347,12 +347,12 @@ void project_on_target(std::span<const ProjectionPulse> pulses, const Projection
     }
 }
 
-}  // namespace sarsim::HWY_NAMESPACE
+}  // namespace sarsim::signal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-namespace sarsim {
+namespace sarsim::signal {
 
 HWY_EXPORT(project_on_target);
 
@@ -360,14 +360,14 @@ namespace {
 
 // One point and one pulse in double precision, as the header defines them.
 void project_point(const ProjectionPulse& pulse, const ProjectionConstants& constants,
-                   const ProjectionAperture& aperture, const Vec3& point_m, float& re, float& im, float& weight) {
-  const Vec3 r = point_m - pulse.position_m;
-  const double d = norm(r);
-  const double speed_mps = norm(pulse.velocity_mps);
-  const double v = constants.moving && d > 0.0 ? -dot(r, pulse.velocity_mps) / d : 0.0;
+                   const ProjectionAperture& aperture, const core::Vec3& point_m, float& re, float& im, float& weight) {
+  const core::Vec3 r = point_m - pulse.position_m;
+  const double d = core::norm(r);
+  const double speed_mps = core::norm(pulse.velocity_mps);
+  const double v = constants.moving && d > 0.0 ? -core::dot(r, pulse.velocity_mps) / d : 0.0;
   double w = 1.0;
   if (aperture.kind != ProjectionAperture::Kind::all) {
-    const double ahead = dot(r, heading_of(pulse, aperture));
+    const double ahead = core::dot(r, heading_of(pulse, aperture));
     const double aside = std::sqrt(std::max(d * d - ahead * ahead, 0.0));
     const double place = aperture.kind == ProjectionAperture::Kind::angle
                              ? (std::atan2(ahead, aside) - aperture.squint_rad) / aperture.extent
@@ -393,7 +393,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
   const double x = static_cast<double>(at[0]) + fraction * static_cast<double>(at[2]);
   const double y = static_cast<double>(at[1]) + fraction * static_cast<double>(at[3]);
   const double turns = constants.carrier_hz * delay_s + 0.5 * fd * early_s;
-  const double angle = 2.0 * pi * (turns - std::round(turns));
+  const double angle = 2.0 * core::pi * (turns - std::round(turns));
   re += static_cast<float>(w * (x * std::cos(angle) - y * std::sin(angle)));
   im += static_cast<float>(w * (x * std::sin(angle) + y * std::cos(angle)));
 }
@@ -421,12 +421,12 @@ void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants&
     for (std::size_t row = 0; row < tile.used_rows; ++row)
       for (std::size_t column = 0; column < tile.used_columns; ++column) {
         const std::size_t at = row * ProjectionTile::columns + column;
-        const Vec3 point_m = tile.corner_m + static_cast<double>(row) * tile.row_step_m +
-                             static_cast<double>(column) * tile.column_step_m;
+        const core::Vec3 point_m = tile.corner_m + static_cast<double>(row) * tile.row_step_m +
+                                   static_cast<double>(column) * tile.column_step_m;
         project_point(pulse, constants, aperture, point_m, tile.re[at], tile.im[at], tile.weight[at]);
       }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal
 
 #endif

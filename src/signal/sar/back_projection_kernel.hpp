@@ -7,7 +7,7 @@
 
 #include "core/maths/vector.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// What all pulses of a back-projection have in common.
 struct ProjectionConstants {
@@ -22,8 +22,8 @@ struct ProjectionConstants {
 
 /// Where a pulse was sent and how fast the antenna flew.
 struct ProjectionPulse {
-  Vec3 position_m;
-  Vec3 velocity_mps;
+  core::Vec3 position_m;
+  core::Vec3 velocity_mps;
   const float* records = nullptr;  ///< signal/sar/echo_records.hpp.
 };
 
@@ -31,7 +31,7 @@ struct ProjectionPulse {
 struct ProjectionAperture {
   /// All pulses; those from whose heading the point lies at some angles; those sent at some times.
   enum class Kind { all, angle, time } kind = Kind::all;
-  Vec3 heading;             ///< Length 1; 0: that of each pulse's velocity.
+  core::Vec3 heading;       ///< Length 1; 0: that of each pulse's velocity.
   double squint_rad = 0.0;  ///< Of the middle: ahead of the plane perpendicular to the heading.
   double extent = 0.0;      ///< angle: rad, time: s.
   bool uniform = true;      ///< No weight but 0 and 1.
@@ -44,9 +44,9 @@ struct ProjectionTile {
   static constexpr std::size_t rows = 32;
   static constexpr std::size_t columns = 64;
 
-  Vec3 corner_m;
-  Vec3 row_step_m;
-  Vec3 column_step_m;
+  core::Vec3 corner_m;
+  core::Vec3 row_step_m;
+  core::Vec3 column_step_m;
   std::size_t used_rows = rows;        ///< The others are not computed.
   std::size_t used_columns = columns;  ///< The others are computed in part.
   alignas(64) std::array<float, rows * columns> re{};
@@ -73,4 +73,4 @@ enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 =
 void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
              const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

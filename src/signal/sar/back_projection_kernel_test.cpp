@@ -7,11 +7,11 @@
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 constexpr double carrier_hz = 5.3e9;
-constexpr double wavelength_m = exact_light_speed_mps / carrier_hz;
+constexpr double wavelength_m = core::exact_light_speed_mps / carrier_hz;
 
 // Records that change slowly, so that only phases matter: one broad echo with a slope, all pulses the same.
 struct Setting {
@@ -26,8 +26,8 @@ Setting setting_at(double distance_m) {
   s.echoes = test::thesis_echoes(7, 100.0);
   s.echoes.waveform.pulse_width_s = 1e-4;
   s.echoes.samples = 200;
-  s.echoes.first_delay_s = 2.0 * distance_m / exact_light_speed_mps - 100.0 / 60e6;
-  const Vec3 antenna{-0.6 * distance_m, -0.7 * distance_m, std::sqrt(0.15) * distance_m};
+  s.echoes.first_delay_s = 2.0 * distance_m / core::exact_light_speed_mps - 100.0 / 60e6;
+  const core::Vec3 antenna{-0.6 * distance_m, -0.7 * distance_m, std::sqrt(0.15) * distance_m};
   s.echoes.track = test::straight_flight(antenna, {150.0, -90.0, 5.0}, 100.0, 7);
   for (std::size_t p = 0; p < 7; ++p)
     for (std::size_t n = 0; n < 200; ++n) {
@@ -37,7 +37,7 @@ Setting setting_at(double distance_m) {
     }
   s.records = std::make_unique<EchoRecords>(s.echoes, WindowFunction{}, 7);
   s.records->fill(0, 7, {});
-  s.constants = {carrier_hz, exact_light_speed_mps, s.echoes.first_delay_s, 8.0 * 60e6, 1e-4 / 50e6,
+  s.constants = {carrier_hz, core::exact_light_speed_mps, s.echoes.first_delay_s, 8.0 * 60e6, 1e-4 / 50e6,
                  true,       s.records->count()};
   for (std::size_t p = 0; p < 7; ++p)
     s.pulses.push_back({s.echoes.track[p].position_m, s.echoes.track[p].velocity_mps, s.records->at(p)});
@@ -87,9 +87,9 @@ TEST(Project, WeighsByTheTableAsSinglePointsDoOnEveryInstructionSet) {
   for (const auto kind : {ProjectionAperture::Kind::angle, ProjectionAperture::Kind::time}) {
     ProjectionAperture aperture;
     aperture.kind = kind;
-    const Vec3& v = s.pulses[3].velocity_mps;
-    const Vec3 sight = -s.pulses[3].position_m;
-    aperture.squint_rad = std::asin(dot(sight, v) / (norm(sight) * norm(v)));
+    const core::Vec3& v = s.pulses[3].velocity_mps;
+    const core::Vec3 sight = -s.pulses[3].position_m;
+    aperture.squint_rad = std::asin(core::dot(sight, v) / (core::norm(sight) * core::norm(v)));
     // The points see the aperture from end to end, and beyond.
     aperture.extent = kind == ProjectionAperture::Kind::angle ? 0.006 : 0.3;
     aperture.uniform = false;
@@ -151,4 +151,4 @@ TEST(StretchFor, IsTheLongestWhoseNeglectedTermIsSmall) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -11,7 +11,7 @@
 #include "signal/sar/reference_track.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using Values = std::vector<std::complex<double>>;
@@ -19,7 +19,7 @@ using Aperture = BackProjectionOptions::Aperture;
 using test::CutFigures;
 using test::measure_cut;
 
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 
 Values widened(const std::vector<std::complex<float>>& values) { return {values.begin(), values.end()}; }
 
@@ -29,9 +29,9 @@ double largest_difference(const Values& a, const Values& b) {
   return largest;
 }
 
-Values cut_through(const SarEchoes& echoes, const Vec3& middle_m, const Vec3& direction, double step_m,
+Values cut_through(const SarEchoes& echoes, const core::Vec3& middle_m, const core::Vec3& direction, double step_m,
                    std::size_t half, const BackProjectionOptions& options = {}) {
-  const Vec3 step = step_m * direction;
+  const core::Vec3 step = step_m * direction;
   return widened(
       back_project(echoes, {middle_m - static_cast<double>(half) * step, {}, step, 1, 2 * half + 1}, options, one));
 }
@@ -39,27 +39,27 @@ Values cut_through(const SarEchoes& echoes, const Vec3& middle_m, const Vec3& di
 // Direction from the antenna to a point in the middle of the flight, and the one perpendicular to it in the plane of
 // the line of sight and the flight.
 struct ResponseAxes {
-  Vec3 range, azimuth;
+  core::Vec3 range, azimuth;
 };
 
-ResponseAxes response_axes(const SarEchoes& echoes, const Vec3& point_m) {
+ResponseAxes response_axes(const SarEchoes& echoes, const core::Vec3& point_m) {
   const ReferenceTrack line = fitted_track(echoes.track);
-  const Vec3 sight = point_m - line.position_m;
-  const Vec3 range = (1.0 / norm(sight)) * sight;
-  const Vec3 along = line.velocity_mps - dot(line.velocity_mps, range) * range;
-  return {range, (1.0 / norm(along)) * along};
+  const core::Vec3 sight = point_m - line.position_m;
+  const core::Vec3 range = (1.0 / core::norm(sight)) * sight;
+  const core::Vec3 along = line.velocity_mps - core::dot(line.velocity_mps, range) * range;
+  return {range, (1.0 / core::norm(along)) * along};
 }
 
 // Sum over the pulses of the phases alone: the response in azimuth that a signal without bandwidth would have.
-Values azimuth_theory(const SarEchoes& echoes, const Vec3& point_m, const Vec3& direction, double step_m,
+Values azimuth_theory(const SarEchoes& echoes, const core::Vec3& point_m, const core::Vec3& direction, double step_m,
                       std::size_t half) {
   Values cut;
   for (std::size_t i = 0; i <= 2 * half; ++i) {
-    const Vec3 x = point_m + (static_cast<double>(i) - static_cast<double>(half)) * step_m * direction;
+    const core::Vec3 x = point_m + (static_cast<double>(i) - static_cast<double>(half)) * step_m * direction;
     std::complex<double> sum;
     for (const TrackPoint& t : echoes.track)
-      sum += std::polar(1.0, 4.0 * pi * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps *
-                                 (norm(x - t.position_m) - norm(point_m - t.position_m)));
+      sum += std::polar(1.0, 4.0 * core::pi * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps *
+                                 (core::norm(x - t.position_m) - core::norm(point_m - t.position_m)));
     cut.push_back(sum / static_cast<double>(echoes.track.size()));
   }
   return cut;
@@ -89,7 +89,7 @@ void expect_a_point_as_theory_has_it(const PointCase& c) {
   echoes.waveform.sample_rate_hz = 180e6;
   echoes.first_delay_s -= 64.0 / 60e6;
   echoes.samples = 3 * 384;
-  const Vec3 point{3.21, 4.56, 0.0};
+  const core::Vec3 point{3.21, 4.56, 0.0};
   test::write_echoes(echoes, {{point, std::polar(2.5, 0.7)}}, echoes.track, c.start_stop);
   BackProjectionOptions options;
   options.start_stop = c.start_stop;
@@ -98,7 +98,8 @@ void expect_a_point_as_theory_has_it(const PointCase& c) {
   const double range_null_m = 0.5 * echoes.waveform.light_speed_mps / echoes.waveform.bandwidth_hz;
   const double range_step_m = range_null_m / 50.0;
   const Values range = cut_through(echoes, point, axes.range, range_step_m, 520, options);
-  const double doppler_hz = c.start_stop ? 0.0 : 2.0 * 200.0 * std::sin(c.squint_rad) / (exact_light_speed_mps / 5.3e9);
+  const double doppler_hz =
+      c.start_stop ? 0.0 : 2.0 * 200.0 * std::sin(c.squint_rad) / (core::exact_light_speed_mps / 5.3e9);
   const CutFigures got = measure_cut(range, 50.0);
   const CutFigures want = measure_cut(range_theory(echoes.waveform, range_step_m, 520, doppler_hz), 50.0);
   EXPECT_NEAR(got.peak, 520.0, 0.02 * 50.0);
@@ -107,8 +108,9 @@ void expect_a_point_as_theory_has_it(const PointCase& c) {
   EXPECT_NEAR(got.islr_db, want.islr_db, 0.3);
 
   // 2 s at 200 m/s: lambda R/(2 L cos^2 of the squint) to the first null across the line of sight.
-  const double distance_m = norm(point - fitted_track(echoes.track).position_m);
-  const double azimuth_null_m = exact_light_speed_mps / 5.3e9 * distance_m / (2.0 * 400.0 * std::cos(c.squint_rad));
+  const double distance_m = core::norm(point - fitted_track(echoes.track).position_m);
+  const double azimuth_null_m =
+      core::exact_light_speed_mps / 5.3e9 * distance_m / (2.0 * 400.0 * std::cos(c.squint_rad));
   const double azimuth_step_m = azimuth_null_m / 50.0;
   const Values azimuth = cut_through(echoes, point, axes.azimuth, azimuth_step_m, 520, options);
   const CutFigures got_azimuth = measure_cut(azimuth, 50.0);
@@ -140,18 +142,18 @@ TEST(BackProjection, FocusesAPointAtBroadsideToItsClosedForm) {
 }
 
 TEST(BackProjection, FocusesASquintedPointToItsClosedForm) {
-  expect_a_point_as_theory_has_it({20.0 * pi / 180.0, 0.0, true});
-  expect_a_point_as_theory_has_it({20.0 * pi / 180.0, 1.6e-6, false});
+  expect_a_point_as_theory_has_it({20.0 * core::pi / 180.0, 0.0, true});
+  expect_a_point_as_theory_has_it({20.0 * core::pi / 180.0, 1.6e-6, false});
 }
 
 // 100 us at 50 MHz: a Doppler of 2.4 kHz moves the compressed peak by a quarter of a range cell.
 TEST(BackProjection, TakesTheDopplerShiftWithinAPulseOut) {
-  const SarEchoes echoes = test::thesis_echoes(1, 600.0, 20.0 * pi / 180.0);
-  const Vec3 sight = -1.0 * echoes.track[0].position_m;
-  const double speed_mps = dot(sight, echoes.track[0].velocity_mps) / norm(sight);
+  const SarEchoes echoes = test::thesis_echoes(1, 600.0, 20.0 * core::pi / 180.0);
+  const core::Vec3 sight = -1.0 * echoes.track[0].position_m;
+  const double speed_mps = core::dot(sight, echoes.track[0].velocity_mps) / core::norm(sight);
   const double doppler_hz = 2.0 * speed_mps * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
   EXPECT_GT(doppler_hz * 100e-6, 0.2);
-  expect_a_point_as_theory_has_it({20.0 * pi / 180.0, 100e-6, false});
+  expect_a_point_as_theory_has_it({20.0 * core::pi / 180.0, 100e-6, false});
 }
 
 TEST(BackProjection, HasTheWidthsAndSidelobesOfItsWindows) {
@@ -160,13 +162,13 @@ TEST(BackProjection, HasTheWidthsAndSidelobesOfItsWindows) {
   test::write_echoes(echoes, {{{}}}, echoes.track, true);
   BackProjectionOptions options;
   options.start_stop = true;
-  options.range_window = hamming_window;
+  options.range_window = core::hamming_window;
   options.aperture = Aperture::beam;
   options.beam_rad = 2.0 * std::asin(150.0 / std::hypot(std::hypot(10e3, 2e3), 150.0));
-  options.azimuth_window = hamming_window;
+  options.azimuth_window = core::hamming_window;
   const ResponseAxes axes = response_axes(echoes, {});
-  const double range_null_m = 0.5 * exact_light_speed_mps / 50e6;
-  const double azimuth_null_m = exact_light_speed_mps / 5.3e9 * std::hypot(10e3, 2e3) / (2.0 * 300.0);
+  const double range_null_m = 0.5 * core::exact_light_speed_mps / 50e6;
+  const double azimuth_null_m = core::exact_light_speed_mps / 5.3e9 * std::hypot(10e3, 2e3) / (2.0 * 300.0);
   for (const auto& [direction, null_m] :
        {std::pair{axes.range, range_null_m}, std::pair{axes.azimuth, azimuth_null_m}}) {
     const Values cut = cut_through(echoes, {}, direction, null_m / 50.0, 520, options);
@@ -187,9 +189,9 @@ SarEchoes three_points(std::size_t pulses, double squint_rad = 0.0) {
 // Rows and columns that fill neither tiles nor vectors, oblique steps.
 const PointGrid oblique_grid{{-31.0, -15.0, -2.0}, {0.9, 0.2, 0.03}, {-0.1, 0.7, 0.05}, 45, 75};
 
-double angle_ahead(const Vec3& x, const TrackPoint& t) {
-  const Vec3 r = x - t.position_m;
-  return std::asin(dot(r, t.velocity_mps) / (norm(r) * norm(t.velocity_mps)));
+double angle_ahead(const core::Vec3& x, const TrackPoint& t) {
+  const core::Vec3 r = x - t.position_m;
+  return std::asin(core::dot(r, t.velocity_mps) / (core::norm(r) * core::norm(t.velocity_mps)));
 }
 
 TEST(BackProjection, IsTheDoublePrecisionSumOnEveryInstructionSet) {
@@ -214,7 +216,7 @@ TEST(BackProjection, WeighsThePulsesOfABeamByTheirAngleOnEveryInstructionSet) {
   options.beam_rad = 0.0008;
   for (const bool windowed : {false, true}) {
     if (windowed) options.azimuth_window = [](double x) { return 0.2 + x * (1.5 - x); };
-    const auto weight = [&](const Vec3& x, const TrackPoint& t) {
+    const auto weight = [&](const core::Vec3& x, const TrackPoint& t) {
       const double place = (angle_ahead(x, t) - options.squint_rad) / options.beam_rad;
       if (std::abs(place) > 0.5) return 0.0;
       return windowed ? options.azimuth_window(place + 0.5) : 1.0;
@@ -236,9 +238,9 @@ TEST(BackProjection, CountsAnglesFromTheHeadingItIsGivenNotFromThatOfASwayingPul
   options.heading = {1.0, 0.0, 0.0};
   options.squint_rad = 0.1;
   options.beam_rad = 0.0008;
-  const auto weight = [&](const Vec3& x, const TrackPoint& t) {
-    const Vec3 r = x - t.position_m;
-    return std::abs(std::asin(r.x / norm(r)) - options.squint_rad) > 0.5 * options.beam_rad ? 0.0 : 1.0;
+  const auto weight = [&](const core::Vec3& x, const TrackPoint& t) {
+    const core::Vec3 r = x - t.position_m;
+    return std::abs(std::asin(r.x / core::norm(r)) - options.squint_rad) > 0.5 * options.beam_rad ? 0.0 : 1.0;
   };
   const Values expected = test::reference_back_projection(echoes, oblique_grid, false, weight);
   test::on_every_instruction_set([&](std::int64_t target) {
@@ -254,12 +256,12 @@ TEST(BackProjection, TakesThePulsesOfATimeAboutTheSquintedView) {
   options.aperture = Aperture::time;
   options.squint_rad = 0.1;
   options.time_s = 0.05;
-  options.azimuth_window = hamming_window;
-  const auto weight = [&](const Vec3& x, const TrackPoint& t) {
-    const Vec3 r = x - t.position_m;
+  options.azimuth_window = core::hamming_window;
+  const auto weight = [&](const core::Vec3& x, const TrackPoint& t) {
+    const core::Vec3 r = x - t.position_m;
     const double ahead_m = r.x, aside_m = std::hypot(r.y, r.z);  // the flight is along x
     const double place = (ahead_m - std::tan(0.1) * aside_m) / 200.0 / options.time_s;
-    return std::abs(place) > 0.5 ? 0.0 : hamming_window(place + 0.5);
+    return std::abs(place) > 0.5 ? 0.0 : core::hamming_window(place + 0.5);
   };
   const Values expected = test::reference_back_projection(echoes, oblique_grid, false, weight);
   test::on_every_instruction_set([&](std::int64_t target) {
@@ -273,7 +275,7 @@ TEST(BackProjection, GivesTheSameBytesForAnyNumberOfThreads) {
   BackProjectionOptions options;
   options.aperture = Aperture::beam;
   options.beam_rad = 0.004;
-  options.azimuth_window = hamming_window;
+  options.azimuth_window = core::hamming_window;
   for (const BackProjectionOptions& o : {BackProjectionOptions{}, options}) {
     const auto expected = back_project(echoes, oblique_grid, o, one);
     for (const unsigned threads : {2u, 3u, 8u}) {
@@ -289,7 +291,7 @@ TEST(BackProjection, IsExactAtAnyDistance) {
     SarEchoes echoes = test::thesis_echoes(30, 600.0);
     echoes.waveform.pulse_width_s = 0.0;
     echoes.track = test::straight_flight({0.0, -distance_m, 0.0}, {200.0, 0.0, 0.0}, 600.0, 30);
-    echoes.first_delay_s = std::max(0.0, 2.0 * distance_m / exact_light_speed_mps - 1.5e-6);
+    echoes.first_delay_s = std::max(0.0, 2.0 * distance_m / core::exact_light_speed_mps - 1.5e-6);
     test::write_echoes(echoes, {{{}}, {{4.0, 9.0, 0.0}}}, echoes.track);
     const PointGrid grid{{-20.0, -2.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.9, 0.0}, 40, 30};
     const PointGrid turned{{-20.0, -2.0, 0.0}, {0.0, 0.9, 0.0}, {1.0, 0.0, 0.0}, 30, 40};
@@ -307,11 +309,11 @@ TEST(BackProjection, TakesNothingFromBeyondTheRecordedDelays) {
   SarEchoes echoes = test::thesis_echoes(20, 600.0);
   std::ranges::fill(echoes.volts, 0.0F);
   echoes.volts.assign(echoes.track.size() * echoes.samples, 1.0F);
-  const double spacing_m = 0.5 * exact_light_speed_mps / 60e6;
-  const double near_m = 0.5 * exact_light_speed_mps * echoes.first_delay_s;
+  const double spacing_m = 0.5 * core::exact_light_speed_mps / 60e6;
+  const double near_m = 0.5 * core::exact_light_speed_mps * echoes.first_delay_s;
   // Along the line of sight of the middle of the flight, from before the first sample to behind the last.
-  const Vec3 antenna = fitted_track(echoes.track).position_m;
-  const Vec3 sight = (-1.0 / norm(antenna)) * antenna;
+  const core::Vec3 antenna = fitted_track(echoes.track).position_m;
+  const core::Vec3 sight = (-1.0 / core::norm(antenna)) * antenna;
   const PointGrid grid{antenna + (near_m - 300.0) * sight, {}, spacing_m * sight, 1, 600};
   const auto got = back_project(echoes, grid, {}, one);
   const auto first = static_cast<std::size_t>(300.0 / spacing_m) + 1;
@@ -337,10 +339,10 @@ TEST(BackProjection, FocusesAlongADisturbedTrackAsAlongAnIdealOne) {
   SarEchoes ideal = test::thesis_echoes(1200, 600.0);
   SarEchoes disturbed = ideal;
   for (TrackPoint& t : disturbed.track) {
-    t.position_m = t.position_m + Vec3{0.1 * std::sin(7.0 * t.time_s), 0.3 * std::sin(3.0 * t.time_s + 0.4),
-                                       0.5 * std::cos(5.0 * t.time_s)};
-    t.velocity_mps = t.velocity_mps + Vec3{0.7 * std::cos(7.0 * t.time_s), 0.9 * std::cos(3.0 * t.time_s + 0.4),
-                                           -2.5 * std::sin(5.0 * t.time_s)};
+    t.position_m = t.position_m + core::Vec3{0.1 * std::sin(7.0 * t.time_s), 0.3 * std::sin(3.0 * t.time_s + 0.4),
+                                             0.5 * std::cos(5.0 * t.time_s)};
+    t.velocity_mps = t.velocity_mps + core::Vec3{0.7 * std::cos(7.0 * t.time_s), 0.9 * std::cos(3.0 * t.time_s + 0.4),
+                                                 -2.5 * std::sin(5.0 * t.time_s)};
   }
   test::write_echoes(ideal, {{{}}}, ideal.track);
   test::write_echoes(disturbed, {{{}}}, disturbed.track);
@@ -363,7 +365,7 @@ TEST(FocusedImageOfBackProjection, HasThePhaseOfTheClosestDistance) {
   const SarEchoes echoes = three_points(600);
   ImageFrame slant;
   slant.origin_m = {0.0, -10e3, 2e3};
-  slant.across = (1.0 / std::hypot(10e3, 2e3)) * Vec3{0.0, 10e3, -2e3};
+  slant.across = (1.0 / std::hypot(10e3, 2e3)) * core::Vec3{0.0, 10e3, -2e3};
   const double range_m = std::hypot(10e3, 2e3);
   ImageFrame ground;
   ground.plane = ImagePlane::ground_grid;
@@ -372,8 +374,9 @@ TEST(FocusedImageOfBackProjection, HasThePhaseOfTheClosestDistance) {
     const double middle_m = frame.plane == ImagePlane::slant_range ? range_m : 0.0;
     const FocusedImage image = back_project(echoes, frame, {-8.0, 0.5, 33}, {middle_m - 10.0, 1.0, 21}, {}, one);
     const std::complex<double> peak(image.values[16 * 21 + 10]);
-    const double turns = 2.0 * 5.3e9 * range_m / exact_light_speed_mps;
-    EXPECT_NEAR(std::remainder(std::arg(peak) + 2.0 * pi * (turns - std::round(turns)), 2.0 * pi), 0.0, 0.01);
+    const double turns = 2.0 * 5.3e9 * range_m / core::exact_light_speed_mps;
+    EXPECT_NEAR(std::remainder(std::arg(peak) + 2.0 * core::pi * (turns - std::round(turns)), 2.0 * core::pi), 0.0,
+                0.01);
     EXPECT_NEAR(std::abs(peak), 1.0, 0.01);
     EXPECT_EQ(image.carrier_hz, 5.3e9);
     EXPECT_EQ(image.azimuth.count, 33u);
@@ -386,7 +389,7 @@ TEST(FocusedImageOfBackProjection, HasThePhaseOfTheClosestDistance) {
 TEST(BackProjection, ReportsItsProgressAndStopsWhenAsked) {
   const SarEchoes echoes = three_points(150);
   std::vector<std::size_t> done;
-  const auto image = back_project(echoes, oblique_grid, {}, one, [&](const Progress& p) {
+  const auto image = back_project(echoes, oblique_grid, {}, one, [&](const core::Progress& p) {
     EXPECT_EQ(p.total, 150u);
     EXPECT_EQ(p.columns, 45u * 75u);
     done.push_back(p.done);
@@ -395,9 +398,9 @@ TEST(BackProjection, ReportsItsProgressAndStopsWhenAsked) {
   ASSERT_FALSE(done.empty());
   EXPECT_EQ(done.back(), 150u);
   EXPECT_TRUE(std::ranges::is_sorted(done));
-  StopFlag stop;
-  EXPECT_THROW((void)back_project(echoes, oblique_grid, {}, {2, &stop}, [&](const Progress&) { stop.request(); }),
-               Interrupted);
+  core::StopFlag stop;
+  EXPECT_THROW((void)back_project(echoes, oblique_grid, {}, {2, &stop}, [&](const core::Progress&) { stop.request(); }),
+               core::Interrupted);
 }
 
 TEST(BackProjection, OfNothingIsNothing) {
@@ -425,15 +428,15 @@ TEST(BackProjection, RefusesWhatContradictsItself) {
   options.aperture = Aperture::time;
   refuses([](SarEchoes&) {}, options);
   options.aperture = Aperture::all;
-  options.squint_rad = 0.5 * pi;
+  options.squint_rad = 0.5 * core::pi;
   refuses([](SarEchoes&) {}, options);
   options.squint_rad = 0.0;
   options.heading = {2.0, 0.0, 0.0};
   refuses([](SarEchoes&) {}, options);
   options.heading = {};
-  options.range_window = hamming_window;
+  options.range_window = core::hamming_window;
   refuses([](SarEchoes& e) { e.waveform.bandwidth_hz = 0.0; }, options);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -3,7 +3,7 @@
 #include "core/maths/turns.hpp"
 #include "signal/sar/focus_frame.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -39,7 +39,8 @@ class ChirpScaling : public RowFocuser {
   void disperse(std::span<std::complex<float>> row, double sine, double cosine) const {
     for (std::size_t k = 0; k < row.size(); ++k) {
       const double hz = frame_.range_hz(k);
-      row[k] = product(row[k], turned(secondary_turns(frame_, hz, sine, cosine) - 0.5 * hz * hz / rate_hzps_));
+      row[k] =
+          core::product(row[k], core::turned(secondary_turns(frame_, hz, sine, cosine) - 0.5 * hz * hz / rate_hzps_));
     }
   }
 
@@ -53,7 +54,7 @@ class ChirpScaling : public RowFocuser {
     for (std::size_t n = 0; n < row.size(); ++n) {
       const double index = static_cast<double>(n) - (n >= wrapped ? static_cast<double>(row.size()) : 0.0);
       const double time_s = frame_.first_delay_s + index / fs - centre_s;
-      row[n] = product(row[n], turned(half_rate * time_s * time_s));
+      row[n] = core::product(row[n], core::turned(half_rate * time_s * time_s));
     }
   }
 
@@ -66,12 +67,12 @@ class ChirpScaling : public RowFocuser {
     const auto size = static_cast<float>(std::sqrt(to_centroid) / static_cast<double>(row.size()));
     for (std::size_t k = 0; k < row.size(); ++k) {
       const double hz = frame_.range_hz(k);
-      row[k] = size * product(row[k], turned(half_inverse_rate * hz * hz + shift_s * hz));
+      row[k] = size * core::product(row[k], core::turned(half_inverse_rate * hz * hz + shift_s * hz));
     }
   }
 
   FocusFrame frame_;
-  BasicFft<float> fft_;
+  core::BasicFft<float> fft_;
   double rate_hzps_;
 };
 
@@ -81,4 +82,4 @@ std::unique_ptr<RowFocuser> make_chirp_scaling(const FocusFrame& frame) {
   return std::make_unique<ChirpScaling>(frame);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

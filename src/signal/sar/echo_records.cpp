@@ -6,7 +6,7 @@
 
 #include "core/maths/sinc.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -27,7 +27,7 @@ std::vector<float> frequency_weights(const SarWaveform& waveform, const WindowFu
   for (std::size_t k = 0; k < size; ++k) {
     const double cycles = (static_cast<double>(k) - (2 * k >= size ? static_cast<double>(size) : 0.0)) /
                           static_cast<double>(size);  // per sample
-    const double triangle = sinc(cycles / static_cast<double>(EchoRecords::factor));
+    const double triangle = core::sinc(cycles / static_cast<double>(EchoRecords::factor));
     double weight = 1.0 / (triangle * triangle * static_cast<double>(size));
     if (window) {
       const double place = 0.5 + cycles * waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
@@ -45,15 +45,15 @@ EchoRecords::EchoRecords(const SarEchoes& echoes, const WindowFunction& window, 
     : echoes_(&echoes),
       slots_(pulses),
       count_(factor * (std::max<std::size_t>(echoes.samples, 1) - 1) + 2),
-      forward_(good_fft_size(echoes.samples + guard_samples)),
+      forward_(core::good_fft_size(echoes.samples + guard_samples)),
       inverse_(factor * forward_.size()),
       weights_(frequency_weights(echoes.waveform, window, forward_.size())),
       records_(pulses * count_ * floats) {}
 
-void EchoRecords::fill(std::size_t first, std::size_t count, const WorkControl& control) {
+void EchoRecords::fill(std::size_t first, std::size_t count, const core::WorkControl& control) {
   const std::size_t size = forward_.size();
   const std::size_t half = size / 2;
-  parallel_ranges(count, 4, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(count, 4, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<float>> row(size), fine(inverse_.size());
     for (std::size_t slot = begin; slot < end; ++slot) {
       const auto* samples = echoes_->volts.data() + (first + slot) * echoes_->samples;
@@ -81,4 +81,4 @@ void EchoRecords::fill(std::size_t first, std::size_t count, const WorkControl& 
   });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 #include "signal/compress/range_compression.hpp"
 #include "signal/sar/sar_echoes.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Compressed echoes of a few pulses, ready to be read between samples (of which there are two or more): `factor`
 /// records for each sample, each the value at its place and what has to be added to reach the next one.
@@ -29,7 +29,7 @@ class EchoRecords {
   EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses);
 
   /// Makes the records of the pulses `first` ... `first + count - 1`, count at most the room.
-  void fill(std::size_t first, std::size_t count, const WorkControl& control);
+  void fill(std::size_t first, std::size_t count, const core::WorkControl& control);
 
   /// Record k of the pulse in slot p: `at(p)[floats * k]`. Record 0 and the last one are 0; record 1 stands at the
   /// first sample.
@@ -41,10 +41,10 @@ class EchoRecords {
   const SarEchoes* echoes_;
   std::size_t slots_;
   std::size_t count_;
-  BasicFft<float> forward_;
-  BasicFft<float> inverse_;
+  core::BasicFft<float> forward_;
+  core::BasicFft<float> inverse_;
   std::vector<float> weights_;  // of the frequencies of the short transform
   std::vector<float> records_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -5,7 +5,7 @@
 
 #include "core/maths/sinc_table.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -13,12 +13,13 @@ namespace {
 std::size_t padded_samples(const FocusFrame& frame) {
   const double samples = static_cast<double>(frame.samples);
   switch (frame.options.method) {
-    case FocusMethod::omega_k: return static_cast<std::size_t>(std::ceil(samples * 4.0 / 3.0)) + SincTable::taps;
+    case FocusMethod::omega_k: return static_cast<std::size_t>(std::ceil(samples * 4.0 / 3.0)) + core::SincTable::taps;
     case FocusMethod::chirp_scaling:
-      return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) + SincTable::taps;
+      return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) +
+             core::SincTable::taps;
     case FocusMethod::range_doppler: break;
   }
-  return frame.samples + 2 * SincTable::taps;
+  return frame.samples + 2 * core::SincTable::taps;
 }
 
 void set_range_axis(FocusFrame& frame) {
@@ -59,7 +60,7 @@ void set_azimuth_axis(FocusFrame& frame) {
   frame.azimuth.step_m = frame.track.speed_mps * frame.track.interval_s;
   frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_pulse));
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
-  frame.azimuth_size = good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
+  frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.centroid_cosine = std::sqrt(1.0 - sine * sine);
   set_range_axis(frame);
   set_azimuth_axis(frame);
-  frame.range_size = good_fft_size(padded_samples(frame));
+  frame.range_size = core::good_fft_size(padded_samples(frame));
   return frame;
 }
 
@@ -110,4 +111,4 @@ double secondary_turns(const FocusFrame& frame, double range_hz, double sine, do
   return 2.0 * frame.reference_range_m / frame.waveform.light_speed_mps * beyond;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

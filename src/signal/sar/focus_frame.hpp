@@ -9,7 +9,7 @@
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_track.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// What the three methods have in common: sizes, axes and the hyperbola in numbers.
 struct FocusFrame {
@@ -76,4 +76,4 @@ inline constexpr double dispersed_time_bandwidth = 256.0;
 /// spectrum's phase beyond its first order in f. Where no wave has both frequencies the root counts as 0.
 [[nodiscard]] double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

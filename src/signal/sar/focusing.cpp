@@ -15,7 +15,7 @@
 #include "signal/sar/focus_frame.hpp"
 #include "signal/sar/work_matrix.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -106,7 +106,8 @@ FocusedImage empty_image(const FocusFrame& frame) {
 
 class Focuser {
  public:
-  Focuser(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control, ProgressReport progress)
+  Focuser(const EchoRows& echoes, const FocusOptions& options, const core::WorkControl& control,
+          core::ProgressReport progress)
       : echoes_(echoes),
         frame_(focus_frame(echoes, options)),
         control_(control),
@@ -131,7 +132,7 @@ class Focuser {
 
   // Range spectra of the pulses; the rows beyond them are 0.
   void load() {
-    const BasicFft<float> fft(frame_.range_size);
+    const core::BasicFft<float> fft(frame_.range_size);
     const std::vector<float> pulses = pulse_weights(frame_);
     const std::vector<float> bins = range_weights(frame_);
     const auto load_row = [&](std::size_t p, std::span<std::complex<float>> row) {
@@ -163,7 +164,7 @@ class Focuser {
     const double delay_s = doppler_hz * frame_.waveform.pulse_width_s / frame_.waveform.bandwidth_hz;
     if (std::abs(delay_s * frame_.waveform.bandwidth_hz) < least_turns) return;
     for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = product(row[k], turned((0.5 * doppler_hz - frame_.range_hz(k)) * delay_s));
+      row[k] = core::product(row[k], core::turned((0.5 * doppler_hz - frame_.range_hz(k)) * delay_s));
   }
 
   void focus_all_columns() {
@@ -184,7 +185,7 @@ class Focuser {
       for (std::size_t k = 0; k < column.size(); ++k) {
         if (rows[k].weight == 0.0F) continue;
         const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns;
-        column[k] = size * rows[k].weight * product(column[k], turned(turns));
+        column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
       }
       azimuth_fft_.inverse(column);
     };
@@ -207,14 +208,14 @@ class Focuser {
 
   const EchoRows& echoes_;
   FocusFrame frame_;
-  WorkControl control_;
+  core::WorkControl control_;
   WorkMatrix matrix_;
   WorkCounter counter_;
-  BasicFft<float> azimuth_fft_;
+  core::BasicFft<float> azimuth_fft_;
 };
 
-Problem error(std::string message, double found, std::string expected, std::string hint = {}) {
-  Problem problem;
+core::Problem error(std::string message, double found, std::string expected, std::string hint = {}) {
+  core::Problem problem;
   problem.message = std::move(message);
   problem.found = fmt::format("{:.6g}", found);
   problem.expected = std::move(expected);
@@ -223,7 +224,7 @@ Problem error(std::string message, double found, std::string expected, std::stri
 }
 
 void check_options(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
-                   Problems& problems) {
+                   core::Problems& problems) {
   const double prf_hz = 1.0 / track.interval_s;
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
@@ -237,7 +238,7 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
 
 // What only the methods in the frequency domain mind.
 void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
-                    Problems& problems) {
+                    core::Problems& problems) {
   const SarWaveform& waveform = echoes.waveform;
   const double most_hz = most_sine * 2.0 * track.speed_mps * waveform.carrier_hz / waveform.light_speed_mps;
   const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
@@ -259,7 +260,7 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
             "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 
-void check_waveform(const SarWaveform& waveform, Problems& problems) {
+void check_waveform(const SarWaveform& waveform, core::Problems& problems) {
   if (!(waveform.carrier_hz > 0.0 && waveform.light_speed_mps > 0.0 && waveform.sample_rate_hz > 0.0))
     problems.push_back(error("carrier, sampling rate and speed of light must be above 0", waveform.carrier_hz, {}));
   if (const double band_hz = std::abs(waveform.bandwidth_hz); !(band_hz > 0.0 && band_hz <= waveform.sample_rate_hz))
@@ -268,7 +269,7 @@ void check_waveform(const SarWaveform& waveform, Problems& problems) {
                              "sample faster, or use a pulse of a smaller bandwidth"));
 }
 
-void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& problems) {
+void check_track(const EchoRows& echoes, const StraightTrack& track, core::Problems& problems) {
   if (track.worst_interval_s > 0.01 * track.interval_s) {
     problems.push_back(error("the pulses are not evenly spaced, as methods in the frequency domain need them",
                              track.worst_interval_s, fmt::format("within {:.3g} s", 0.01 * track.interval_s),
@@ -277,18 +278,19 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, Problems& p
   }
   const double limit_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz / 16.0;
   if (track.worst_position_m <= limit_m) return;
-  Problem problem =
+  core::Problem problem =
       error("the antenna leaves the straight line at constant speed that is assumed", track.worst_position_m,
             fmt::format("within {:.3g} m, a sixteenth of the wavelength", limit_m),
             "compensate its motion, or use back projection");
-  problem.severity = Severity::warning;
+  problem.severity = core::Severity::warning;
   problem.subject.field = track_field;
   problems.push_back(problem);
 }
 
 // What stands against any method; the track where there is a line to fit to it.
-std::pair<Problems, std::optional<StraightTrack>> common_problems(const EchoRows& echoes, const FocusOptions& options) {
-  Problems problems;
+std::pair<core::Problems, std::optional<StraightTrack>> common_problems(const EchoRows& echoes,
+                                                                        const FocusOptions& options) {
+  core::Problems problems;
   check_waveform(echoes.waveform, problems);
   if (echoes.samples < 1) problems.push_back(error("there are no samples to focus", 0.0, "at least 1"));
   if (echoes.track.size() < 2) {
@@ -301,23 +303,23 @@ std::pair<Problems, std::optional<StraightTrack>> common_problems(const EchoRows
                              "put the radar on a platform that follows a trajectory"));
     return {std::move(problems), std::nullopt};
   }
-  if (!has_errors(problems)) check_options(echoes, options, track, problems);
+  if (!core::has_errors(problems)) check_options(echoes, options, track, problems);
   return {std::move(problems), track};
 }
 
 }  // namespace
 
-Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
+core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
   auto [problems, track] = common_problems(echoes, options);
   if (!track) return problems;
-  const bool sound = !has_errors(problems);
+  const bool sound = !core::has_errors(problems);
   check_track(echoes, *track, problems);
   if (sound) check_spectrum(echoes, options, *track, problems);
   return problems;
 }
 
-Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
-  Problems problems = common_problems(echoes, options).first;
+core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
+  core::Problems problems = common_problems(echoes, options).first;
   if (echoes.samples == 1)
     problems.push_back(error("back projection interpolates between samples", 1.0, "at least 2 in a row"));
   return problems;
@@ -327,14 +329,14 @@ FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
   return empty_image(focus_frame(echoes, options));
 }
 
-FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control,
-                       const ProgressReport& progress) {
-  for (const Problem& problem : problems_of_focusing(echoes, options))
-    if (problem.severity == Severity::error) throw std::invalid_argument(to_string(problem));
+FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const core::WorkControl& control,
+                       const core::ProgressReport& progress) {
+  for (const core::Problem& problem : problems_of_focusing(echoes, options))
+    if (problem.severity == core::Severity::error) throw std::invalid_argument(core::to_string(problem));
   return Focuser(echoes, options, control, progress).carry_out();
 }
 
-FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const WorkControl& control) {
+FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const core::WorkControl& control) {
   const FocusedRows focused = focus_rows(rows_of(echoes), options, control);
   FocusedImage image = focused.image;
   image.values.resize(image.azimuth.count * image.range.count);
@@ -343,11 +345,11 @@ FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const W
   return image;
 }
 
-double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const WorkControl& control) {
+double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const core::WorkControl& control) {
   constexpr std::size_t grain = 16;
   const std::size_t steps = echoes.track.size() - 1;
   std::vector<std::complex<double>> sums((steps + grain - 1) / grain);
-  parallel_ranges(steps, grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(steps, grain, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<float>> earlier(echoes.samples);
     std::vector<std::complex<float>> later(echoes.samples);
     echoes.read(begin, earlier);
@@ -360,7 +362,7 @@ double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, cons
   });
   const std::complex<double> sum = std::accumulate(sums.begin(), sums.end(), std::complex<double>());
   const double prf_hz = 1.0 / fit_straight(echoes.track).interval_s;
-  const double base_hz = std::arg(sum) / (2.0 * pi) * prf_hz;
+  const double base_hz = std::arg(sum) / (2.0 * core::pi) * prf_hz;
   return base_hz + std::round((near_hz - base_hz) / prf_hz) * prf_hz;
 }
 
@@ -368,4 +370,4 @@ double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double
   return 2.0 * speed_mps * std::sin(squint_rad) * waveform.carrier_hz / waveform.light_speed_mps;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

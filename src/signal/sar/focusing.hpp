@@ -15,7 +15,7 @@
 #include "signal/sar/sar_window.hpp"
 
 /// Focusing in the frequency domain: straight track, constant speed, evenly spaced pulses (docs/theory/focusing.md).
-namespace sarsim {
+namespace sarsim::signal {
 
 enum class FocusMethod {
   range_doppler,  ///< Interpolates in range; secondary range compression as at the middle of the swath.
@@ -48,11 +48,11 @@ inline constexpr const char* track_field = "track";
 /// spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a track
 /// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape
 /// have the field `track_field`.
-[[nodiscard]] Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
+[[nodiscard]] core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
 
 /// What stands against focusing them by back projection: of these the errors that concern neither the track's shape nor
 /// the Fourier transforms, and rows of a single sample.
-[[nodiscard]] Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
+[[nodiscard]] core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
 
 /// The axes and the frame of the image that `focus_rows` makes, without values; also of tracks that it refuses, if only
 /// they have two pulses and a speed.
@@ -63,18 +63,19 @@ inline constexpr const char* track_field = "track";
 ///
 /// @throws std::invalid_argument  where `problems_of_focusing` finds an error
 /// @throws Interrupted
-[[nodiscard]] FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const WorkControl& control,
-                                     const ProgressReport& progress = {});
+[[nodiscard]] FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options,
+                                     const core::WorkControl& control, const core::ProgressReport& progress = {});
 
 /// The same in memory.
-[[nodiscard]] FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const WorkControl& control = {});
+[[nodiscard]] FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options,
+                                 const core::WorkControl& control = {});
 
 /// Doppler centroid of the data, from the mean phase step between pulses (Madsen, IEEE Trans. AES-25, 1989), of all
 /// that differ from `near_hz` by whole pulse repetition frequencies the nearest to it.
 [[nodiscard]] double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz,
-                                                  const WorkControl& control = {});
+                                                  const core::WorkControl& control = {});
 
 /// 2 V sin(squint)/wavelength: the Doppler frequency of a beam that looks `squint_rad` ahead of the plane across track.
 [[nodiscard]] double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double squint_rad);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

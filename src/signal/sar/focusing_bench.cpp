@@ -5,7 +5,7 @@
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 // 4096 pulses of 4096 samples at the thesis' geometry, the pulses close enough to sample what their track spans.
@@ -41,4 +41,4 @@ BENCHMARK(chirp_scaling)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseReal
 BENCHMARK(omega_k)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -9,18 +9,18 @@
 #include "signal/measure/image_quality.hpp"
 #include "signal/sar/sar_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using namespace sar_test;
 
-double phase_difference(double a, double b) { return std::remainder(a - b, 2.0 * pi); }
+double phase_difference(double a, double b) { return std::remainder(a - b, 2.0 * core::pi); }
 
 double expected_phase(const Setting& setting, double closest_m) {
-  return -4.0 * pi * setting.waveform.carrier_hz * closest_m / setting.waveform.light_speed_mps;
+  return -4.0 * core::pi * setting.waveform.carrier_hz * closest_m / setting.waveform.light_speed_mps;
 }
 
-PointResponse measured(const FocusedImage& image, const Vec3& point, double search_m = 3.0) {
+PointResponse measured(const FocusedImage& image, const core::Vec3& point, double search_m = 3.0) {
   const auto response = measure_point(image, reader_of(image), place_of(image.frame, point), search_m);
   if (!response) throw std::runtime_error("no response found");
   return *response;
@@ -66,7 +66,7 @@ void expect_figures(const ResponseFigures& found, const ResponseFigures& theory,
 }
 
 // Position within 0.02 cell, widths within 1 %, sidelobes within 0.2 and 0.3 dB of theory, phase within 0.01 rad.
-void expect_as_theory(const PointResponse& response, const Vec3& point, const FocusedImage& image,
+void expect_as_theory(const PointResponse& response, const core::Vec3& point, const FocusedImage& image,
                       const Setting& setting, double amplitude) {
   const ImagePlace place = place_of(image.frame, point);
   const double sampling = setting.waveform.sample_rate_hz / setting.waveform.bandwidth_hz;
@@ -80,7 +80,7 @@ void expect_as_theory(const PointResponse& response, const Vec3& point, const Fo
 TEST_P(EveryMethod, FocusesPointsOfTheThesisGeometryAsTheorySays) {
   const Setting setting;
   for (const auto& [along, offset] : {std::pair(0.0, 0.0), std::pair(31.37, 120.3), std::pair(-47.11, -131.9)}) {
-    const Vec3 point = point_at(setting, along, setting.closest_m() + offset);
+    const core::Vec3 point = point_at(setting, along, setting.closest_m() + offset);
     const FocusedImage image = focus(make_echoes(setting, {{point, 2.0, {}}}), {.method = GetParam()});
     expect_as_theory(measured(image, point), point, image, setting, 2.0);
   }
@@ -90,7 +90,7 @@ TEST_P(EveryMethod, KeepsPointsAtTheEdgesOfTheRecordInPlace) {
   // Seen by all pulses, 200 m from the middle: Doppler frequencies up to 277 Hz, of 300.
   const Setting setting;
   for (const double along : {-199.7, 199.2}) {
-    const Vec3 point = point_at(setting, along, setting.closest_m() + 11.3);
+    const core::Vec3 point = point_at(setting, along, setting.closest_m() + 11.3);
     const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam()});
     const PointResponse response = measured(image, point);
     expect_in_place(response, place_of(image.frame, point), setting, 0.02);
@@ -101,18 +101,18 @@ TEST_P(EveryMethod, KeepsPointsAtTheEdgesOfTheRecordInPlace) {
 TEST_P(EveryMethod, AllowsForTheAntennasMotionBetweenSendingAndReceiving) {
   // It moves V R/c = 6.8 mm meanwhile.
   const Setting setting;
-  const Vec3 point = point_at(setting, 7.1, setting.closest_m());
+  const core::Vec3 point = point_at(setting, 7.1, setting.closest_m());
   const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam()});
   EXPECT_NEAR(measured(image, point).place.azimuth_m, 7.1, 0.002);
 }
 
 TEST_P(EveryMethod, FocusesAtASquintOfEightDegrees) {
   Setting setting;
-  setting.squint_rad = 8.0 * pi / 180.0;
+  setting.squint_rad = 8.0 * core::pi / 180.0;
   setting.waveform.sample_rate_hz = 300e6;
   const double centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
   for (const double offset : {0.0, 30.3}) {
-    const Vec3 point = point_at(setting, 3.0, setting.closest_m() + offset);
+    const core::Vec3 point = point_at(setting, 3.0, setting.closest_m() + offset);
     const FocusedImage image =
         focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam(), .doppler_centroid_hz = centroid_hz});
     expect_as_theory(measured(image, point), point, image, setting, 1.0);
@@ -123,12 +123,12 @@ TEST_P(EveryMethod, AllowsForDopplerInsideALongPulseOfEitherSweep) {
   // 40 us at 10 degrees of squint: 1227 Hz move the peak by 0.49 ns, or 7.4 cm.
   for (const double sweep : {1.0, -1.0}) {
     Setting setting;
-    setting.squint_rad = 10.0 * pi / 180.0;
+    setting.squint_rad = 10.0 * core::pi / 180.0;
     setting.waveform.sample_rate_hz = 200e6;
     setting.waveform.pulse_width_s = 40e-6;
     setting.waveform.bandwidth_hz *= sweep;
     const double centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
-    const Vec3 point = point_at(setting, 3.0, setting.closest_m());
+    const core::Vec3 point = point_at(setting, 3.0, setting.closest_m());
     const FocusedImage image =
         focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = GetParam(), .doppler_centroid_hz = centroid_hz});
     const PointResponse response = measured(image, point);
@@ -141,7 +141,7 @@ TEST_P(EveryMethod, AllowsForDopplerInsideALongPulseOfEitherSweep) {
 TEST_P(EveryMethod, LowersSidelobesByItsWindows) {
   const Setting setting;
   const SarWindow taylor{.kind = SarWindow::Kind::taylor};
-  const Vec3 point = point_at(setting, 13.1, setting.closest_m() - 40.2);
+  const core::Vec3 point = point_at(setting, 13.1, setting.closest_m() - 40.2);
   const FocusedImage image =
       focus(make_echoes(setting, {{point, 1.0, {}}}),
             {.method = GetParam(), .range_window = taylor, .azimuth_window = {.kind = SarWindow::Kind::hamming}});
@@ -160,7 +160,7 @@ TEST_P(EveryMethod, GivesTheMeanOfTheEchoesInAChosenDopplerBand) {
   // 800 pulses of 0.4 s worth of Doppler band: most pulses see the point outside it.
   Setting setting;
   setting.pulses = 1600;
-  const Vec3 point = point_at(setting, 5.0, setting.closest_m());
+  const core::Vec3 point = point_at(setting, 5.0, setting.closest_m());
   const double band_hz = 120.0;
   const FocusedImage image =
       focus(make_echoes(setting, {{point, 3.0, {}}}), {.method = GetParam(), .doppler_bandwidth_hz = band_hz});
@@ -176,11 +176,11 @@ TEST_P(EveryMethod, PutsAMovingTargetRTimesUOverVAway) {
   const Setting setting;
   const double recession_mps = 3.0;
   const double closest = setting.closest_m();
-  const Vec3 point = point_at(setting, 20.0, closest);
-  const Vec3 velocity{recession_mps * closest / point.x, 0.0, 0.0};
+  const core::Vec3 point = point_at(setting, 20.0, closest);
+  const core::Vec3 velocity{recession_mps * closest / point.x, 0.0, 0.0};
   const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, velocity}}), {.method = GetParam()});
   const double shift_m = closest * recession_mps / setting.speed_mps;
-  const Vec3 seen{point.x, point.y - shift_m, 0.0};
+  const core::Vec3 seen{point.x, point.y - shift_m, 0.0};
   const PointResponse response = measured(image, seen, 10.0);
   EXPECT_NEAR(response.place.azimuth_m, 20.0 - shift_m, 0.1 * azimuth_cell_m(setting, closest));
 }
@@ -210,7 +210,7 @@ Setting slow_setting() {
 
 TEST_P(EveryMethod, FocusesEchoesOfASlowPlatformThatSendsManyPulses) {
   const Setting setting = slow_setting();
-  const Vec3 point = point_at(setting, 0.31, setting.closest_m() + 4.2);
+  const core::Vec3 point = point_at(setting, 0.31, setting.closest_m() + 4.2);
   const SarEchoes echoes = make_echoes(setting, {{point, 3.0, {}}});
   for (const double band_hz : {0.0, 12.0}) {
     const FocusedImage image = focus(echoes, {.method = GetParam(), .doppler_bandwidth_hz = band_hz});
@@ -237,13 +237,13 @@ TEST_P(EveryMethod, IsFiniteWhereTheWindowBeginsAtTheAntenna) {
 
 TEST(OmegaK, FocusesAtASquintOfTwentyDegrees) {
   Setting setting;
-  setting.squint_rad = 20.0 * pi / 180.0;
+  setting.squint_rad = 20.0 * core::pi / 180.0;
   // At 150 MHz a hundredth of the chirp's energy folds back into the band, and out of its Doppler frequency it is lost
   // to the peak instead of adding to it.
   setting.waveform.sample_rate_hz = 300e6;
   const double centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
   for (const auto& [along, offset] : {std::pair(0.0, 0.0), std::pair(21.3, -60.7)}) {
-    const Vec3 point = point_at(setting, along, setting.closest_m() + offset);
+    const core::Vec3 point = point_at(setting, along, setting.closest_m() + offset);
     const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, {}}}),
                                      {.method = FocusMethod::omega_k, .doppler_centroid_hz = centroid_hz});
     expect_as_theory(measured(image, point), point, image, setting, 1.0);
@@ -260,7 +260,7 @@ TEST(OmegaK, FocusesAnApertureOfThirtyDegrees) {
   setting.pulses = 2600;
   setting.swath_m = 200.0;
   setting.waveform.carrier_hz = 0.6e9;
-  const Vec3 point = point_at(setting, 0.0, setting.closest_m() + 3.7);
+  const core::Vec3 point = point_at(setting, 0.0, setting.closest_m() + 3.7);
   const FocusedImage image = focus(make_echoes(setting, {{point, 1.0, {}}}), {.method = FocusMethod::omega_k});
   const PointResponse response = measured(image, point);
   expect_in_place(response, place_of(image.frame, point), setting, 0.02);
@@ -269,7 +269,7 @@ TEST(OmegaK, FocusesAnApertureOfThirtyDegrees) {
 
 TEST(DopplerCentroid, IsMeasuredFromTheData) {
   Setting setting;
-  setting.squint_rad = 4.0 * pi / 180.0;
+  setting.squint_rad = 4.0 * core::pi / 180.0;
   setting.pulses = 200;
   const SarEchoes echoes = make_echoes(setting, {{point_at(setting, 0.0, setting.closest_m()), 1.0, {}}});
   const double truth = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
@@ -286,7 +286,7 @@ SarEchoes small_echoes() {
 }
 
 std::string first_error(const SarEchoes& echoes, const FocusOptions& options = {}) {
-  const Problems problems = problems_of_focusing(rows_of(echoes), options);
+  const core::Problems problems = problems_of_focusing(rows_of(echoes), options);
   return problems.empty() ? std::string() : problems.front().message;
 }
 
@@ -325,7 +325,7 @@ TEST(ProblemsOfFocusing, NameAllThatIsWrongAtOnce) {
   SarEchoes uneven = small_echoes();
   for (std::size_t p = 32; p < 64; ++p) uneven.track[p].time_s += 0.001;
   std::string text;
-  for (const Problem& problem : problems_of_focusing(rows_of(uneven), {.doppler_bandwidth_hz = 601.0}))
+  for (const core::Problem& problem : problems_of_focusing(rows_of(uneven), {.doppler_bandwidth_hz = 601.0}))
     text += problem.message + "\n";
   EXPECT_NE(text.find("Doppler bandwidth"), std::string::npos);
   EXPECT_NE(text.find("not evenly spaced"), std::string::npos);
@@ -363,9 +363,9 @@ TEST(ProblemsOfFocusingInTime, MindNeitherTheTracksShapeNorTheBandButTheOptions)
 TEST(ProblemsOfFocusing, WarnOfATrackThatIsNotStraight) {
   SarEchoes bent = small_echoes();
   for (TrackPoint& point : bent.track) point.position_m.z += 10.0 * point.time_s * point.time_s * 100.0;
-  const Problems problems = problems_of_focusing(rows_of(bent), {});
+  const core::Problems problems = problems_of_focusing(rows_of(bent), {});
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems.front().severity, Severity::warning);
+  EXPECT_EQ(problems.front().severity, core::Severity::warning);
   EXPECT_NE(problems.front().message.find("straight"), std::string::npos);
 }
 
@@ -374,15 +374,15 @@ TEST(Focus, RefusesWhatHasProblems) {
 }
 
 TEST(Focus, EndsWhenAskedTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)focus(small_echoes(), {}, {.threads = 2, .stop = &stop}), Interrupted);
+  EXPECT_THROW((void)focus(small_echoes(), {}, {.threads = 2, .stop = &stop}), core::Interrupted);
 }
 
 TEST(Focus, TellsHowFarItHasCome) {
   const SarEchoes echoes = small_echoes();
-  Progress last;
-  (void)focus_rows(rows_of(echoes), {}, {}, [&](const Progress& progress) {
+  core::Progress last;
+  (void)focus_rows(rows_of(echoes), {}, {}, [&](const core::Progress& progress) {
     EXPECT_GE(progress.done, last.done);
     last = progress;
   });
@@ -397,4 +397,4 @@ TEST(MeasurePoint, FindsNothingOutsideTheImageOrWhereItIsZero) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

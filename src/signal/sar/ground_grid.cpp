@@ -6,7 +6,7 @@
 
 #include "signal/sar/ground_sight.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -15,10 +15,10 @@ ReferenceTrack line_of(const ImageFrame& slant) { return {0.0, slant.origin_m, s
 // The ground at the places of an image of slant range.
 class SeenGround {
  public:
-  SeenGround(const FocusedImage& slant, const Vec3& scene_m)
+  SeenGround(const FocusedImage& slant, const core::Vec3& scene_m)
       : slant_(slant), sight_(line_of(slant.frame), scene_m, 0.0), ground_m_(scene_m.z) {}
 
-  [[nodiscard]] Vec3 antenna_m(double azimuth_m) const {
+  [[nodiscard]] core::Vec3 antenna_m(double azimuth_m) const {
     return slant_.frame.origin_m + azimuth_m * slant_.frame.along;
   }
   /// Distance from the line at an azimuth, across it: more than the height where the line climbs.
@@ -26,7 +26,7 @@ class SeenGround {
     return std::abs(antenna_m(azimuth_m).z - ground_m_) / std::hypot(slant_.frame.along.x, slant_.frame.along.y);
   }
   /// The point at a distance, or the nearest one where the ground is farther away.
-  [[nodiscard]] Vec3 at(double azimuth_m, double range_m) const {
+  [[nodiscard]] core::Vec3 at(double azimuth_m, double range_m) const {
     return sight_.point_at(antenna_m(azimuth_m), std::max(range_m, nearest_m(azimuth_m)));
   }
 
@@ -47,26 +47,26 @@ void place_axis(ImageAxis& axis, double first_m, double last_m) {
 void centre_spectra(FocusedImage& grid, const FocusedImage& slant, const SeenGround& ground) {
   const auto middle = [](const ImageAxis& axis) { return axis.at(0.5 * (static_cast<double>(axis.count) - 1.0)); };
   const double azimuth_m = middle(slant.azimuth);
-  const Vec3 sight = ground.at(azimuth_m, middle(slant.range)) - ground.antenna_m(azimuth_m);
-  const Vec3 centre_per_m =
-      slant.azimuth.spectrum_centre_per_m * slant.frame.along + slant.range.spectrum_centre_per_m / norm(sight) * sight;
-  grid.azimuth.spectrum_centre_per_m = dot(centre_per_m, grid.frame.along);
-  grid.range.spectrum_centre_per_m = dot(centre_per_m, grid.frame.across);
+  const core::Vec3 sight = ground.at(azimuth_m, middle(slant.range)) - ground.antenna_m(azimuth_m);
+  const core::Vec3 centre_per_m = slant.azimuth.spectrum_centre_per_m * slant.frame.along +
+                                  slant.range.spectrum_centre_per_m / core::norm(sight) * sight;
+  grid.azimuth.spectrum_centre_per_m = core::dot(centre_per_m, grid.frame.along);
+  grid.range.spectrum_centre_per_m = core::dot(centre_per_m, grid.frame.across);
 }
 
 }  // namespace
 
-FocusedImage on_ground(const FocusedImage& slant, const Vec3& scene_m) {
+FocusedImage on_ground(const FocusedImage& slant, const core::Vec3& scene_m) {
   FocusedImage grid = slant;
   grid.values.clear();
   ImageFrame& frame = grid.frame;
   frame.plane = ImagePlane::ground_grid;
   frame.origin_m.z = scene_m.z;
   frame.along.z = 0.0;
-  if (!(norm(frame.along) > 1e-6)) throw std::invalid_argument("ground grid: the antenna's line is vertical");
-  frame.along = (1.0 / norm(frame.along)) * frame.along;
-  frame.across = cross(frame.along, {0.0, 0.0, 1.0});
-  if (dot(frame.across, scene_m - slant.frame.origin_m) < 0.0) frame.across = -frame.across;
+  if (!(core::norm(frame.along) > 1e-6)) throw std::invalid_argument("ground grid: the antenna's line is vertical");
+  frame.along = (1.0 / core::norm(frame.along)) * frame.along;
+  frame.across = core::cross(frame.along, {0.0, 0.0, 1.0});
+  if (core::dot(frame.across, scene_m - slant.frame.origin_m) < 0.0) frame.across = -frame.across;
   const SeenGround ground(slant, scene_m);
   const double first_m = slant.azimuth.at(0.0);
   const double last_m = slant.azimuth.at(static_cast<double>(slant.azimuth.count) - 1.0);
@@ -89,4 +89,4 @@ ImagePlace place_on_ground(const ImageFrame& grid, const ImageFrame& slant, cons
   return place_of(grid, sight.point_at(slant.origin_m + place.azimuth_m * slant.along, place.range_m));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 
 #include "signal/sar/ground_sight.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 constexpr double height_m = 3000.0;
@@ -16,7 +16,7 @@ constexpr double height_m = 3000.0;
 FocusedImage slant_image(double slope) {
   FocusedImage image;
   image.frame.origin_m = {0.0, -8000.0, height_m};
-  image.frame.along = (1.0 / std::hypot(1.0, slope)) * Vec3{1.0, 0.0, slope};
+  image.frame.along = (1.0 / std::hypot(1.0, slope)) * core::Vec3{1.0, 0.0, slope};
   image.frame.speed_mps = 150.0;
   image.azimuth = {-300.0, 0.3, 2001};
   image.range = {8400.0, 1.0, 301};
@@ -64,13 +64,14 @@ TEST(GroundGrid, KeepsTheSpectrumAboutTheMiddleOfASquintedBeam) {
     slant.range.spectrum_centre_per_m = 64.0 * (std::cos(0.349) - 1.0);
     const FocusedImage grid = on_ground(slant, {0.0, 0.0, 0.0});
     // The phase that the two centres mean, in turns, of a point of the ground, and its change along the grid's axes.
-    const auto turns = [&](const Vec3& point_m) {
+    const auto turns = [&](const core::Vec3& point_m) {
       const ImagePlace place = place_of(slant.frame, point_m);
       return slant.azimuth.spectrum_centre_per_m * place.azimuth_m + slant.range.spectrum_centre_per_m * place.range_m;
     };
     const ImagePlace middle = place_on_ground(grid.frame, slant.frame, {0.0, 8550.0});
-    const Vec3 point_m = grid.frame.origin_m + middle.azimuth_m * grid.frame.along + middle.range_m * grid.frame.across;
-    const auto change = [&](const Vec3& axis) {
+    const core::Vec3 point_m =
+        grid.frame.origin_m + middle.azimuth_m * grid.frame.along + middle.range_m * grid.frame.across;
+    const auto change = [&](const core::Vec3& axis) {
       return 0.5 * (turns(point_m + axis) - turns(point_m - axis));  // curved by 1e-8 over a metre
     };
     EXPECT_NEAR(grid.azimuth.spectrum_centre_per_m, change(grid.frame.along), 1e-5) << slope;
@@ -90,11 +91,12 @@ TEST(GroundSight, LiesOnTheGroundUnderItsAngleWhereverTheLineClimbs) {
       const GroundSight sight(line, {0.0, 0.0, 20.0}, squint_rad);
       for (const double time_s : {-1.0, 2.0})
         for (const double range_m : {6000.0, 9000.0}) {
-          const Vec3 from_m = line.at(time_s);
-          const Vec3 to_m = sight.point_at(from_m, range_m) - from_m;
+          const core::Vec3 from_m = line.at(time_s);
+          const core::Vec3 to_m = sight.point_at(from_m, range_m) - from_m;
           EXPECT_NEAR(from_m.z + to_m.z, 20.0, 1e-6) << slope << " " << squint_rad;
-          EXPECT_NEAR(norm(to_m), range_m, 1e-6) << slope << " " << squint_rad;
-          EXPECT_NEAR(dot(to_m, sight.ahead()), range_m * std::sin(squint_rad), 1e-6) << slope << " " << squint_rad;
+          EXPECT_NEAR(core::norm(to_m), range_m, 1e-6) << slope << " " << squint_rad;
+          EXPECT_NEAR(core::dot(to_m, sight.ahead()), range_m * std::sin(squint_rad), 1e-6)
+              << slope << " " << squint_rad;
           EXPECT_GT(to_m.y, 0.0);
         }
     }
@@ -111,4 +113,4 @@ TEST(GroundGrid, RefusesGroundOutOfReachAndVerticalLines) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -2,7 +2,7 @@
 
 #include "signal/sar/reference_track.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Level ground as an antenna on a straight line sees it, to one side.
 class GroundSight {
@@ -10,27 +10,27 @@ class GroundSight {
   /// @param scene_m     world; a point that says on which side, how far away, and how high the ground is
   /// @param squint_rad  of the line of sight, ahead of the plane perpendicular to the line; less than a right angle
   /// @throw  std::invalid_argument where the reference rests, or the scene lies on its line
-  GroundSight(const ReferenceTrack& reference, const Vec3& scene_m, double squint_rad);
+  GroundSight(const ReferenceTrack& reference, const core::Vec3& scene_m, double squint_rad);
 
   /// Direction of flight, length 1.
-  [[nodiscard]] const Vec3& ahead() const { return ahead_; }
+  [[nodiscard]] const core::Vec3& ahead() const { return ahead_; }
   /// Distance of the scene under the squint angle.
   [[nodiscard]] double range_m() const { return range_m_; }
   /// The point of the line that is nearest to a point.
-  [[nodiscard]] Vec3 foot_of(const Vec3& point_m) const { return point_m - from_line(point_m); }
+  [[nodiscard]] core::Vec3 foot_of(const core::Vec3& point_m) const { return point_m - from_line(point_m); }
   /// The point of the ground at a distance from a point of the line; straight below where the ground is farther away
   /// than that.
-  [[nodiscard]] Vec3 point_at(const Vec3& from_m, double range_m) const;
+  [[nodiscard]] core::Vec3 point_at(const core::Vec3& from_m, double range_m) const;
 
  private:
-  [[nodiscard]] Vec3 from_line(const Vec3& point_m) const;
+  [[nodiscard]] core::Vec3 from_line(const core::Vec3& point_m) const;
 
   double squint_sine_;
   double squint_cosine_;
   double ground_m_;  // height
   ReferenceTrack reference_;
-  Vec3 ahead_, side_, down_;
+  core::Vec3 ahead_, side_, down_;
   double range_m_ = 0.0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -13,7 +13,7 @@
 #include "core/report/expect.hpp"
 #include "signal/sar/ground_sight.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -21,10 +21,11 @@ constexpr std::size_t shift_guard_samples =
     32;  // zeros beyond the largest shift, between the end of a pulse and its beginning
 
 // 2 d/(c - v), v the speed at which the point recedes.
-double delay_of(const Vec3& point_m, const Vec3& antenna_m, const Vec3& velocity_mps, double light_speed_mps) {
-  const Vec3 r = point_m - antenna_m;
-  const double d = norm(r);
-  return 2.0 * d * d / (light_speed_mps * d + dot(r, velocity_mps));
+double delay_of(const core::Vec3& point_m, const core::Vec3& antenna_m, const core::Vec3& velocity_mps,
+                double light_speed_mps) {
+  const core::Vec3 r = point_m - antenna_m;
+  const double d = core::norm(r);
+  return 2.0 * d * d / (light_speed_mps * d + core::dot(r, velocity_mps));
 }
 
 // One pulse's way from its antenna to the reference track.
@@ -37,10 +38,10 @@ class PulseShift {
         velocity_mps_(reference.velocity_mps),
         light_speed_mps_(light_speed_mps) {}
 
-  [[nodiscard]] const Vec3& foot_m() const { return foot_m_; }
+  [[nodiscard]] const core::Vec3& foot_m() const { return foot_m_; }
   /// By how much the echo from the ground at a distance from the foot comes later than it would there.
   [[nodiscard]] double late_s(double range_m) const {
-    const Vec3 point = sight_->point_at(foot_m_, range_m);
+    const core::Vec3 point = sight_->point_at(foot_m_, range_m);
     return delay_of(point, from_->position_m, from_->velocity_mps, light_speed_mps_) -
            delay_of(point, foot_m_, velocity_mps_, light_speed_mps_);
   }
@@ -48,19 +49,19 @@ class PulseShift {
  private:
   const GroundSight* sight_;
   const TrackPoint* from_;
-  Vec3 foot_m_;
-  Vec3 velocity_mps_;
+  core::Vec3 foot_m_;
+  core::Vec3 velocity_mps_;
   double light_speed_mps_;
 };
 
 // Moves a pulse towards earlier times: y(t) = x(t + late), by the shift theorem; a circular one, but the zeros beyond
 // the pulse are at least as many as the shift.
-void advance(std::span<std::complex<double>> row, const Fft& fft, double late_samples) {
+void advance(std::span<std::complex<double>> row, const core::Fft& fft, double late_samples) {
   const auto size = static_cast<double>(row.size());
   fft.forward(row);
   for (std::size_t k = 0; k < row.size(); ++k) {
     const double cycles = static_cast<double>(k) - (2 * k > row.size() ? size : 0.0);
-    const std::complex<double> turn = turned_exactly(cycles / size * late_samples);
+    const std::complex<double> turn = core::turned_exactly(cycles / size * late_samples);
     // The highest frequency of an even length stands for both of its signs.
     row[k] *= (2 * k == row.size() ? std::complex<double>(turn.real()) : turn) / size;
   }
@@ -68,13 +69,13 @@ void advance(std::span<std::complex<double>> row, const Fft& fft, double late_sa
 }
 
 void expect_complete(const SarEchoes& echoes) {
-  expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
-         "motion compensation: the number of samples is not pulses times samples of a pulse");
+  core::expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
+               "motion compensation: the number of samples is not pulses times samples of a pulse");
 }
 
 void expect_sound(const EchoRows& echoes) {
-  expect(echoes.waveform.sample_rate_hz > 0.0 && echoes.waveform.light_speed_mps > 0.0,
-         "motion compensation: sampling rate and speed of light must be above 0");
+  core::expect(echoes.waveform.sample_rate_hz > 0.0 && echoes.waveform.light_speed_mps > 0.0,
+               "motion compensation: sampling rate and speed of light must be above 0");
 }
 
 // The range-dependent turn is smooth: it is computed at every so many samples, and by parabolas between.
@@ -97,16 +98,16 @@ void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift,
     const double c = turns_at(begin + span);
     for (std::size_t i = first; i < std::min(first + knot_spacing, echoes.samples); ++i) {
       const double x = (static_cast<double>(i) - begin) / span;
-      row[i] *= turned_exactly(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
+      row[i] *= core::turned_exactly(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
     }
   }
 }
 
 // Where pulses are along a reference track, from its `position_m`.
 std::vector<double> places_along_m(const std::vector<TrackPoint>& track, const ReferenceTrack& reference) {
-  const Vec3 ahead = (1.0 / norm(reference.velocity_mps)) * reference.velocity_mps;
+  const core::Vec3 ahead = (1.0 / core::norm(reference.velocity_mps)) * reference.velocity_mps;
   std::vector<double> places_m;
-  for (const TrackPoint& point : track) places_m.push_back(dot(point.position_m - reference.position_m, ahead));
+  for (const TrackPoint& point : track) places_m.push_back(core::dot(point.position_m - reference.position_m, ahead));
   return places_m;
 }
 
@@ -125,7 +126,7 @@ std::array<double, taps> sinc_weights(double pulse, long first) {
   std::array<double, taps> weights{};
   for (long k = 0; k < taps; ++k) {
     const double x = pulse - static_cast<double>(first + k);
-    weights[static_cast<std::size_t>(k)] = sinc(x) * kaiser_window(x / (0.5 * taps), 4.7);
+    weights[static_cast<std::size_t>(k)] = core::sinc(x) * core::kaiser_window(x / (0.5 * taps), 4.7);
   }
   return weights;
 }
@@ -137,7 +138,7 @@ class Compensator {
       : echoes_(echoes),
         how_(how),
         sight_(how.reference, how.scene_m, how.squint_rad),
-        fft_(good_fft_size(echoes.samples + largest_shift() + shift_guard_samples)) {}
+        fft_(core::good_fft_size(echoes.samples + largest_shift() + shift_guard_samples)) {}
 
   /// In place.
   void compensate(std::size_t pulse, std::span<std::complex<float>> samples) const {
@@ -150,7 +151,7 @@ class Compensator {
       std::ranges::copy(samples, row.begin());
       advance(row, fft_, common_s * wave.sample_rate_hz);
     }
-    const std::complex<double> turn = turned_exactly(wave.carrier_hz * common_s);
+    const std::complex<double> turn = core::turned_exactly(wave.carrier_hz * common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
     if (how_.second_order) turn_by_range(row, shift, echoes_, common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::complex<float>(row[i]);
@@ -159,9 +160,9 @@ class Compensator {
   /// Where the reference antenna is when it takes the place of the true one.
   [[nodiscard]] TrackPoint place_of(std::size_t pulse) const {
     const ReferenceTrack& reference = how_.reference;
-    const Vec3 foot_m = shift_of(pulse).foot_m();
-    const double speed2 = dot(reference.velocity_mps, reference.velocity_mps);
-    const double after_s = dot(foot_m - reference.position_m, reference.velocity_mps) / speed2;
+    const core::Vec3 foot_m = shift_of(pulse).foot_m();
+    const double speed2 = core::dot(reference.velocity_mps, reference.velocity_mps);
+    const double after_s = core::dot(foot_m - reference.position_m, reference.velocity_mps) / speed2;
     return {reference.time_s + after_s, foot_m, reference.velocity_mps};
   }
 
@@ -181,13 +182,13 @@ class Compensator {
   const EchoRows& echoes_;
   const MotionCompensation& how_;
   GroundSight sight_;
-  Fft fft_;
+  core::Fft fft_;
 };
 
 }  // namespace
 
 EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how, const WorkSpace& space,
-                           const WorkControl& control, const ProgressReport& progress) {
+                           const core::WorkControl& control, const core::ProgressReport& progress) {
   expect_sound(echoes);
   const Compensator compensator(echoes, how);
   const std::size_t pulses = echoes.track.size();
@@ -203,20 +204,20 @@ EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how
   return how.resample ? resample_azimuth(out, how.reference, how.squint_rad) : out;
 }
 
-SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& how, const WorkControl& control) {
+SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& how, const core::WorkControl& control) {
   expect_complete(echoes);
   return sar_echoes(compensate_motion(rows_of(echoes), how, {}, control), control);
 }
 
 EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& reference, double squint_rad) {
   expect_sound(echoes);
-  const double speed = norm(reference.velocity_mps);
-  expect(speed > 0.0, "azimuth resampling: the reference track is at rest");
+  const double speed = core::norm(reference.velocity_mps);
+  core::expect(speed > 0.0, "azimuth resampling: the reference track is at rest");
   const std::size_t pulses = echoes.track.size();
   if (pulses < 2) return echoes;
   std::vector<double> places_m = places_along_m(echoes.track, reference);
   for (std::size_t p = 1; p < pulses; ++p)
-    expect(places_m[p] > places_m[p - 1], "azimuth resampling: the pulses do not ascend along the track");
+    core::expect(places_m[p] > places_m[p - 1], "azimuth resampling: the pulses do not ascend along the track");
   const double first_m = places_m.front();
   const double step_m = (places_m.back() - first_m) / static_cast<double>(pulses - 1);
   const double turns_per_m = 2.0 * std::sin(squint_rad) * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
@@ -240,7 +241,7 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
       // The spectrum is interpolated about its middle: turned back there, and forth at the new place.
       const std::complex<double> weight =
           weights[static_cast<std::size_t>(k)] *
-          turned_exactly(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
+          core::turned_exactly(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
       read(static_cast<std::size_t>(from), source);
       for (std::size_t i = 0; i < row.size(); ++i) sum[i] += weight * std::complex<double>(source[i]);
     }
@@ -250,7 +251,7 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
 }
 
 SarEchoes resample_azimuth(const SarEchoes& echoes, const ReferenceTrack& reference, double squint_rad,
-                           const WorkControl& control) {
+                           const core::WorkControl& control) {
   expect_complete(echoes);
   return sar_echoes(resample_azimuth(rows_of(echoes), reference, squint_rad), control);
 }
@@ -268,4 +269,4 @@ double unevenness(const std::vector<TrackPoint>& track, const ReferenceTrack& re
   return worst_m / mean_m;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -5,12 +5,12 @@
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/sar/work_matrix.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// What echoes are compensated to.
 struct MotionCompensation {
   ReferenceTrack reference;  ///< Speed above 0.
-  Vec3 scene_m;  ///< A point in the middle of the scene: on which side, how far away, how high the ground is.
+  core::Vec3 scene_m;  ///< A point in the middle of the scene: on which side, how far away, how high the ground is.
   double squint_rad = 0.0;   ///< Of the middle of the beam, ahead of the plane perpendicular to the reference track.
   bool second_order = true;  ///< Also what depends on range.
   bool resample = true;      ///< To pulses evenly spaced along the track.
@@ -34,11 +34,11 @@ struct MotionCompensation {
 /// @throw  std::invalid_argument where the echoes contradict themselves, the reference rests or the scene lies on its
 ///         line; Interrupted
 [[nodiscard]] EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how, const WorkSpace& space,
-                                         const WorkControl& control, const ProgressReport& progress = {});
+                                         const core::WorkControl& control, const core::ProgressReport& progress = {});
 
 /// The same in memory.
 [[nodiscard]] SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& how,
-                                          const WorkControl& control);
+                                          const core::WorkControl& control);
 
 /// Echoes of pulses on the reference track, but unevenly spaced, at even spacing: as many pulses, from the first place
 /// to the last, by a windowed sinc of 16 pulses (Kaiser, beta 4.7: -50 dB for signals within 80 % of the repetition
@@ -50,7 +50,7 @@ struct MotionCompensation {
 
 /// The same in memory. May throw Interrupted, too.
 [[nodiscard]] SarEchoes resample_azimuth(const SarEchoes& echoes, const ReferenceTrack& reference, double squint_rad,
-                                         const WorkControl& control);
+                                         const core::WorkControl& control);
 
 /// By how much the distance along the line of a reference track between two pulses differs from that between the next
 /// two, at the worst, in parts of the mean distance; infinite where the places do not ascend. An interpolation between
@@ -58,4 +58,4 @@ struct MotionCompensation {
 /// should not be used.
 [[nodiscard]] double unevenness(const std::vector<TrackPoint>& track, const ReferenceTrack& reference);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

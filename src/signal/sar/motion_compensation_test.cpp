@@ -8,13 +8,13 @@
 #include "signal/measure/response_test_support.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using test::CutFigures;
 using Values = std::vector<std::complex<double>>;
 
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 constexpr double prf_hz = 600.0;
 
 // How an aircraft strays from its line: across, up and along, metres, and the speeds that go with it.
@@ -25,11 +25,11 @@ struct Wandering {
 std::vector<TrackPoint> wandering(std::vector<TrackPoint> track, const Wandering& w) {
   for (TrackPoint& t : track) {
     const double x = t.time_s;
-    t.position_m = t.position_m + Vec3{w.along_m * std::sin(2.0 * x), w.across_m * std::sin(4.0 * x + 0.4),
-                                       w.up_m * std::cos(3.0 * x)};
+    t.position_m = t.position_m + core::Vec3{w.along_m * std::sin(2.0 * x), w.across_m * std::sin(4.0 * x + 0.4),
+                                             w.up_m * std::cos(3.0 * x)};
     t.velocity_mps =
-        t.velocity_mps + Vec3{2.0 * w.along_m * std::cos(2.0 * x), 4.0 * w.across_m * std::cos(4.0 * x + 0.4),
-                              -3.0 * w.up_m * std::sin(3.0 * x)};
+        t.velocity_mps + core::Vec3{2.0 * w.along_m * std::cos(2.0 * x), 4.0 * w.across_m * std::cos(4.0 * x + 0.4),
+                                    -3.0 * w.up_m * std::sin(3.0 * x)};
   }
   return track;
 }
@@ -56,22 +56,22 @@ Pass make_pass(const std::vector<test::PointTarget>& targets, const Wandering& w
 }
 
 // Compression of one range gate in azimuth: correlation with the phases of a point at each place along x.
-Values azimuth_compressed(const SarEchoes& echoes, const Vec3& point_m, double step_m, std::size_t half) {
+Values azimuth_compressed(const SarEchoes& echoes, const core::Vec3& point_m, double step_m, std::size_t half) {
   Values cut;
   const double spacing_m = 0.5 * echoes.waveform.light_speed_mps / echoes.waveform.sample_rate_hz;
   const ReferenceTrack line = fitted_track(echoes.track);
-  const double range_m = norm(point_m - line.position_m);
+  const double range_m = core::norm(point_m - line.position_m);
   const auto gate = static_cast<std::size_t>(
       std::lround((range_m - 0.5 * echoes.waveform.light_speed_mps * echoes.first_delay_s) / spacing_m));
   for (std::size_t i = 0; i <= 2 * half; ++i) {
-    const Vec3 x = point_m + Vec3{(static_cast<double>(i) - static_cast<double>(half)) * step_m, 0.0, 0.0};
+    const core::Vec3 x = point_m + core::Vec3{(static_cast<double>(i) - static_cast<double>(half)) * step_m, 0.0, 0.0};
     std::complex<double> sum;
     for (std::size_t p = 0; p < echoes.track.size(); ++p) {
-      const Vec3 r = x - echoes.track[p].position_m;
-      const double v = -dot(r, echoes.track[p].velocity_mps) / norm(r);
-      const double turns = echoes.waveform.carrier_hz * 2.0 * norm(r) / (echoes.waveform.light_speed_mps - v);
+      const core::Vec3 r = x - echoes.track[p].position_m;
+      const double v = -core::dot(r, echoes.track[p].velocity_mps) / core::norm(r);
+      const double turns = echoes.waveform.carrier_hz * 2.0 * core::norm(r) / (echoes.waveform.light_speed_mps - v);
       sum += std::complex<double>(echoes.volts[p * echoes.samples + gate]) *
-             std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
+             std::polar(1.0, 2.0 * core::pi * (turns - std::round(turns)));
     }
     cut.push_back(sum / static_cast<double>(echoes.track.size()));
   }
@@ -80,7 +80,7 @@ Values azimuth_compressed(const SarEchoes& echoes, const Vec3& point_m, double s
 
 constexpr double azimuth_null_m = 0.05657 * 10198.0 / (2.0 * 200.0);  // one second of flight
 
-CutFigures figures(const SarEchoes& echoes, const Vec3& point_m = {}) {
+CutFigures figures(const SarEchoes& echoes, const core::Vec3& point_m = {}) {
   return test::measure_cut(azimuth_compressed(echoes, point_m, azimuth_null_m / 50.0, 520), 50.0);
 }
 
@@ -137,8 +137,8 @@ TEST(CompensateMotion, RestoresEverySampleOfAPointInTheMiddleOfTheBeam) {
 
 // 500 m farther away the line of sight is half a degree flatter: 4 m up count 4 cm less, 8 rad.
 TEST(CompensateMotion, OfSecondOrderRestoresOtherRanges) {
-  const double range_m = std::hypot(10e3, 2e3) + 200.0 * 0.5 * exact_light_speed_mps / 60e6;
-  const Vec3 far{0.0, std::sqrt(range_m * range_m - 4e6) - 10e3, 0.0};  // in the middle of a range gate
+  const double range_m = std::hypot(10e3, 2e3) + 200.0 * 0.5 * core::exact_light_speed_mps / 60e6;
+  const core::Vec3 far{0.0, std::sqrt(range_m * range_m - 4e6) - 10e3, 0.0};  // in the middle of a range gate
   const Pass pass = make_pass({{far}}, {0.0, 4.0, 0.0});
   const CutFigures want = figures(pass.ideal, far);
   MotionCompensation how = pass.how;
@@ -167,7 +167,7 @@ TEST(CompensateMotion, ResamplesPulsesToEvenSpacing) {
 }
 
 TEST(CompensateMotion, WorksUnderASquint) {
-  const double squint_rad = 20.0 * pi / 180.0;
+  const double squint_rad = 20.0 * core::pi / 180.0;
   const Pass pass = make_pass({{{}}}, {0.2, 0.1, 1.0}, squint_rad);
   const SarEchoes got = compensate_motion(pass.strayed, pass.how, one);
   const PointGrid grid{{-520.0 * 0.03, 0.0, 0.0}, {}, {0.03, 0.0, 0.0}, 1, 1041};
@@ -215,11 +215,11 @@ TEST(CompensateMotion, RefusesWhatContradictsItself) {
   refuses([](SarEchoes& e, MotionCompensation&) { e.waveform.sample_rate_hz = 0.0; });
   refuses([](SarEchoes&, MotionCompensation& h) { h.reference.velocity_mps = {}; });
   refuses([](SarEchoes&, MotionCompensation& h) { h.scene_m = h.reference.at(3.0); });
-  refuses([](SarEchoes&, MotionCompensation& h) { h.squint_rad = 0.5 * pi; });
+  refuses([](SarEchoes&, MotionCompensation& h) { h.squint_rad = 0.5 * core::pi; });
   refuses([](SarEchoes& e, MotionCompensation&) { std::swap(e.track[3], e.track[4]); });
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)compensate_motion(pass.ideal, pass.how, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)compensate_motion(pass.ideal, pass.how, {1, &stop}), core::Interrupted);
 }
 
 TEST(ResampleAzimuth, LeavesASinglePulseAlone) {
@@ -233,8 +233,8 @@ TEST(ResampleAzimuth, LeavesASinglePulseAlone) {
 TEST(FittedTrack, IsTheLineOfAStraightFlight) {
   const auto track = test::straight_flight({1e6, 2e5, 3e4}, {200.0, -10.0, 3.0}, 600.0, 101);
   const ReferenceTrack line = fitted_track(track);
-  for (const TrackPoint& t : track) EXPECT_LT(norm(line.at(t.time_s) - t.position_m), 1e-8);
-  EXPECT_LT(norm(line.velocity_mps - Vec3{200.0, -10.0, 3.0}), 1e-8);
+  for (const TrackPoint& t : track) EXPECT_LT(core::norm(line.at(t.time_s) - t.position_m), 1e-8);
+  EXPECT_LT(core::norm(line.velocity_mps - core::Vec3{200.0, -10.0, 3.0}), 1e-8);
 }
 
 TEST(FittedTrack, IsTheLeastSquaresLineOfThreePoints) {
@@ -248,9 +248,9 @@ TEST(FittedTrack, IsTheLeastSquaresLineOfThreePoints) {
 
 TEST(FittedTrack, OfOnePulseFliesAsThePulseDoes) {
   const ReferenceTrack line = fitted_track(std::vector<TrackPoint>{{4.0, {1.0, 2.0, 3.0}, {5.0, 6.0, 7.0}}});
-  EXPECT_EQ(line.velocity_mps, (Vec3{5.0, 6.0, 7.0}));
-  EXPECT_EQ(line.position_m, (Vec3{1.0, 2.0, 3.0}));
-  EXPECT_EQ(fitted_track({}).velocity_mps, Vec3{});
+  EXPECT_EQ(line.velocity_mps, (core::Vec3{5.0, 6.0, 7.0}));
+  EXPECT_EQ(line.position_m, (core::Vec3{1.0, 2.0, 3.0}));
+  EXPECT_EQ(fitted_track({}).velocity_mps, core::Vec3{});
 }
 
 TEST(DistanceFrom, IsThatOfTheWholeLine) {
@@ -259,4 +259,4 @@ TEST(DistanceFrom, IsThatOfTheWholeLine) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

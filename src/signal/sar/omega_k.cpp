@@ -5,7 +5,7 @@
 #include "core/maths/turns.hpp"
 #include "signal/sar/focus_frame.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -28,8 +28,8 @@ class OmegaK : public RowFocuser {
     fft_.inverse(row);
     // The image's band lies about f0 (Dc - 1), not about 0.
     for (std::size_t n = 0; n < frame_.range.count; ++n)
-      row[n] =
-          product(row[n], turned(frame_.range.spectrum_centre_per_m * frame_.range.step_m * static_cast<double>(n)));
+      row[n] = core::product(
+          row[n], core::turned(frame_.range.spectrum_centre_per_m * frame_.range.step_m * static_cast<double>(n)));
   }
 
   double azimuth_turns(double /*range_m*/, double /*cosine*/) const override { return 0.0; }
@@ -48,7 +48,7 @@ class OmegaK : public RowFocuser {
       const double across = a + motion() * (f0 + hz);
       const double square = (f0 + hz) * (f0 + hz) - across * across;
       const double turns = reference_delay_s() * std::sqrt(std::max(square, 0.0)) - hz * frame_.first_delay_s;
-      row[k] = product(row[k], turned(turns));
+      row[k] = core::product(row[k], core::turned(turns));
     }
   }
 
@@ -72,17 +72,17 @@ class OmegaK : public RowFocuser {
       if (!(std::abs(hz) < 0.5 * fs)) continue;
       const double turns = image_hz * first_s - f0 * reference_delay_s();
       const auto slope = static_cast<float>(across / true_hz);
-      row[k] = slope * product(table_.circular(spectrum, hz * bins_per_hz), turned(turns));
+      row[k] = slope * core::product(table_.circular(spectrum, hz * bins_per_hz), core::turned(turns));
     }
   }
 
   FocusFrame frame_;
-  BasicFft<float> fft_;
-  SincTable table_;
+  core::BasicFft<float> fft_;
+  core::SincTable table_;
 };
 
 }  // namespace
 
 std::unique_ptr<RowFocuser> make_omega_k(const FocusFrame& frame) { return std::make_unique<OmegaK>(frame); }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

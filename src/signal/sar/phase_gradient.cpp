@@ -6,7 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -14,10 +14,11 @@ constexpr std::size_t grain = 16;  // columns of a partial sum
 
 // Sums over columns that do not depend on how many threads share them: one for every `grain` columns, added in order.
 template <class Value, class AddColumn>
-std::vector<Value> sum_over_columns(const AzimuthColumns& columns, const WorkControl& control, const AddColumn& add) {
+std::vector<Value> sum_over_columns(const AzimuthColumns& columns, const core::WorkControl& control,
+                                    const AddColumn& add) {
   const std::size_t size = columns.size();
   std::vector<std::vector<Value>> parts((columns.count() + grain - 1) / grain);
-  parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
     std::vector<Value>& part = parts[begin / grain];
     part.resize(size);
     std::vector<std::complex<double>> scratch(size);
@@ -91,10 +92,10 @@ Support support_of(const std::vector<double>& power, const SpectrumBand& band, d
 }
 
 // Takes out what lies beyond the aperture.
-void keep(AzimuthColumns& columns, const Support& support, const Fft& fft, const WorkControl& control) {
+void keep(AzimuthColumns& columns, const Support& support, const core::Fft& fft, const core::WorkControl& control) {
   const auto size = static_cast<long>(columns.size());
   if (support.count == columns.size()) return;
-  parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto column = columns.column(i);
       fft.forward(column);
@@ -160,12 +161,12 @@ void remove_line(std::span<double> values) {
     values[i] -= mean + slope * (static_cast<double>(i) - 0.5 * (count - 1.0));
 }
 
-void turn_spectra(AzimuthColumns& columns, const WorkControl& control,
+void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
                   const std::function<double(std::size_t, long)>& phase_rad) {
   const std::size_t size = columns.size();
-  const Fft fft(size);
+  const core::Fft fft(size);
   const auto half = static_cast<long>(size / 2);
-  parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(columns.count(), grain, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto column = columns.column(i);
       fft.forward(column);
@@ -178,11 +179,11 @@ void turn_spectra(AzimuthColumns& columns, const WorkControl& control,
 }
 
 GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band, const AutofocusOptions& options,
-                              const WorkControl& control) {
+                              const core::WorkControl& control) {
   GradientResult result;
   const std::size_t size = columns.size();
   if (columns.count() == 0) return result;
-  const Fft fft(size);
+  const core::Fft fft(size);
   const auto power = sum_over_columns<double>(columns, control, [&](std::size_t i, auto& sum, auto& scratch) {
     std::ranges::copy(columns.column(i), scratch.begin());
     fft.forward(scratch);
@@ -227,4 +228,4 @@ GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band,
   return result;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/task/parallel.hpp"
 #include "signal/sar/autofocus.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Columns of an image, each with its azimuth in one piece.
 class AzimuthColumns {
@@ -47,13 +47,13 @@ struct GradientResult {
 /// Phase gradient autofocus of columns; signal/sar/autofocus.hpp says how.
 /// @param[in,out] columns  corrected, and without what lies beyond the aperture
 GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band, const AutofocusOptions& options,
-                              const WorkControl& control);
+                              const core::WorkControl& control);
 
 /// Turns every frequency of every column by `phase_rad(column, frequency)`; frequencies from -size/2 on.
-void turn_spectra(AzimuthColumns& columns, const WorkControl& control,
+void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
                   const std::function<double(std::size_t, long)>& phase_rad);
 
 /// Takes the straight line that fits best out of evenly spaced values.
 void remove_line(std::span<double> values);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

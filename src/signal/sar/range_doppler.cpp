@@ -5,7 +5,7 @@
 #include "core/maths/turns.hpp"
 #include "signal/sar/focus_frame.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -22,7 +22,7 @@ class RangeDoppler : public RowFocuser {
     const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
     const double cosine = std::sqrt(1.0 - sine * sine);
     for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = product(row[k], turned(secondary_turns(frame_, frame_.range_hz(k), sine, cosine)));
+      row[k] = core::product(row[k], core::turned(secondary_turns(frame_, frame_.range_hz(k), sine, cosine)));
     fft_.inverse(row);
     straighten(row, cosine);
   }
@@ -44,8 +44,8 @@ class RangeDoppler : public RowFocuser {
   }
 
   FocusFrame frame_;
-  BasicFft<float> fft_;
-  SincTable table_;
+  core::BasicFft<float> fft_;
+  core::SincTable table_;
 };
 
 }  // namespace
@@ -54,4 +54,4 @@ std::unique_ptr<RowFocuser> make_range_doppler(const FocusFrame& frame) {
   return std::make_unique<RangeDoppler>(frame);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

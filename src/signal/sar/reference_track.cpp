@@ -1,6 +1,6 @@
 #include "signal/sar/reference_track.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
   ReferenceTrack line;
@@ -9,13 +9,13 @@ ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
   // Against the first pulse: sums of small numbers keep their digits.
   const TrackPoint& first = track.front();
   double time = 0.0;
-  Vec3 place;
+  core::Vec3 place;
   for (const TrackPoint& point : track) {
     time += share * (point.time_s - first.time_s);
     place = place + share * (point.position_m - first.position_m);
   }
   double spread = 0.0;
-  Vec3 moment;
+  core::Vec3 moment;
   for (const TrackPoint& point : track) {
     const double t = point.time_s - first.time_s - time;
     spread += t * t;
@@ -27,11 +27,11 @@ ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
   return line;
 }
 
-double distance_from(const ReferenceTrack& track, const Vec3& point_m) {
-  const Vec3 r = point_m - track.position_m;
-  const double speed2 = dot(track.velocity_mps, track.velocity_mps);
-  if (speed2 == 0.0) return norm(r);
-  return norm(r - (dot(r, track.velocity_mps) / speed2) * track.velocity_mps);
+double distance_from(const ReferenceTrack& track, const core::Vec3& point_m) {
+  const core::Vec3 r = point_m - track.position_m;
+  const double speed2 = core::dot(track.velocity_mps, track.velocity_mps);
+  if (speed2 == 0.0) return core::norm(r);
+  return core::norm(r - (core::dot(r, track.velocity_mps) / speed2) * track.velocity_mps);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

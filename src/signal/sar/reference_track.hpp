@@ -4,15 +4,15 @@
 
 #include "signal/sar/sar_echoes.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// A straight line flown at constant speed.
 struct ReferenceTrack {
-  double time_s = 0.0;  ///< When the antenna is at `position_m`.
-  Vec3 position_m;      ///< World.
-  Vec3 velocity_mps;    ///< World.
+  double time_s = 0.0;      ///< When the antenna is at `position_m`.
+  core::Vec3 position_m;    ///< World.
+  core::Vec3 velocity_mps;  ///< World.
 
-  [[nodiscard]] Vec3 at(double time) const { return position_m + (time - time_s) * velocity_mps; }
+  [[nodiscard]] core::Vec3 at(double time) const { return position_m + (time - time_s) * velocity_mps; }
 };
 
 /// The line that fits the positions of a track best in the sense of least squares; `time_s` is the mean time. One
@@ -20,6 +20,6 @@ struct ReferenceTrack {
 [[nodiscard]] ReferenceTrack fitted_track(std::span<const TrackPoint> track);
 
 /// Distance of a point from the whole line; from `position_m` where the velocity is 0.
-[[nodiscard]] double distance_from(const ReferenceTrack& track, const Vec3& point_m);
+[[nodiscard]] double distance_from(const ReferenceTrack& track, const core::Vec3& point_m);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

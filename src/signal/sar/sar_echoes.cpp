@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 EchoRows rows_of(const SarEchoes& echoes) {
   const auto read = [&echoes](std::size_t pulse, std::span<std::complex<float>> out) {
@@ -13,13 +13,13 @@ EchoRows rows_of(const SarEchoes& echoes) {
   return {echoes.waveform, echoes.track, echoes.samples, echoes.first_delay_s, read, false};
 }
 
-SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control, const ProgressReport& progress) {
+SarEchoes sar_echoes(const EchoRows& rows, const core::WorkControl& control, const core::ProgressReport& progress) {
   constexpr std::size_t grain = 8;
   SarEchoes echoes{rows.waveform, rows.track, rows.samples, rows.first_delay_s, {}};
   echoes.volts.resize(rows.track.size() * rows.samples);
   const std::thread::id owner = std::this_thread::get_id();
   std::atomic<std::size_t> done{0};
-  parallel_ranges(rows.track.size(), grain, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(rows.track.size(), grain, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
       rows.read(p, std::span(echoes.volts).subspan(p * rows.samples, rows.samples));
     const std::size_t sum = done.fetch_add(end - begin) + end - begin;
@@ -28,4 +28,4 @@ SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control, const Pro
   return echoes;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

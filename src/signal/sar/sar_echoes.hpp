@@ -10,13 +10,13 @@
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Where the antenna was when one pulse left it.
 struct TrackPoint {
   double time_s = 0.0;
-  Vec3 position_m;    ///< World.
-  Vec3 velocity_mps;  ///< World.
+  core::Vec3 position_m;    ///< World.
+  core::Vec3 velocity_mps;  ///< World.
 };
 
 /// The waveform and the receiver, as far as focusing needs to know them.
@@ -57,7 +57,7 @@ struct EchoRows {
 
 /// All rows in memory.
 /// @throw  Interrupted
-[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const WorkControl& control = {},
-                                   const ProgressReport& progress = {});
+[[nodiscard]] SarEchoes sar_echoes(const EchoRows& rows, const core::WorkControl& control = {},
+                                   const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 
 #include "core/maths/vector.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// What the two coordinates of a focused image mean.
 enum class ImagePlane {
@@ -20,10 +20,10 @@ enum class ImagePlane {
 ///     range   = |p - origin - azimuth along|   (slant_range)   or   (p - origin) . across   (ground_grid).
 struct ImageFrame {
   ImagePlane plane = ImagePlane::slant_range;
-  Vec3 origin_m;           ///< World. slant_range: the antenna of the reference track at azimuth 0.
-  Vec3 along{1, 0, 0};     ///< World, length 1. slant_range: the direction of the reference track.
-  Vec3 across{0, 1, 0};    ///< World, length 1, perpendicular to `along`; slant_range has no use for it.
-  double speed_mps = 0.0;  ///< Of the reference track.
+  core::Vec3 origin_m;         ///< World. slant_range: the antenna of the reference track at azimuth 0.
+  core::Vec3 along{1, 0, 0};   ///< World, length 1. slant_range: the direction of the reference track.
+  core::Vec3 across{0, 1, 0};  ///< World, length 1, perpendicular to `along`; slant_range has no use for it.
+  double speed_mps = 0.0;      ///< Of the reference track.
 };
 
 /// Evenly spaced coordinates first, first + step ... of rows or columns. What lies between samples follows from the
@@ -58,11 +58,11 @@ struct FocusedImage {
 };
 
 /// Where a point of the world lies in an image of this frame; its height above a ground grid does not count.
-[[nodiscard]] inline ImagePlace place_of(const ImageFrame& frame, const Vec3& point_m) {
-  const Vec3 from_origin = point_m - frame.origin_m;
-  const double azimuth_m = dot(from_origin, frame.along);
-  if (frame.plane == ImagePlane::ground_grid) return {azimuth_m, dot(from_origin, frame.across)};
-  return {azimuth_m, norm(from_origin - azimuth_m * frame.along)};
+[[nodiscard]] inline ImagePlace place_of(const ImageFrame& frame, const core::Vec3& point_m) {
+  const core::Vec3 from_origin = point_m - frame.origin_m;
+  const double azimuth_m = core::dot(from_origin, frame.along);
+  if (frame.plane == ImagePlane::ground_grid) return {azimuth_m, core::dot(from_origin, frame.across)};
+  return {azimuth_m, core::norm(from_origin - azimuth_m * frame.along)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

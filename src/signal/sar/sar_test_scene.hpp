@@ -8,12 +8,12 @@
 #include "signal/sar/sar_echoes.hpp"
 
 /// Compressed echoes in closed form, for tests: nothing of the simulator in them.
-namespace sarsim::sar_test {
+namespace sarsim::signal::sar_test {
 
 struct PointTarget {
-  Vec3 position_m;
+  core::Vec3 position_m;
   double amplitude = 1.0;
-  Vec3 velocity_mps;
+  core::Vec3 velocity_mps;
 };
 
 /// The setting of thesis 7.1: 200 m/s along y at 2000 m, the scene 10 km away along x.
@@ -39,22 +39,22 @@ struct Setting {
 inline double compressed_chirp(double delay_s, const SarWaveform& waveform) {
   const double fraction = std::abs(delay_s) / waveform.pulse_width_s;
   if (fraction >= 1.0) return 0.0;
-  const double x = pi * std::abs(waveform.bandwidth_hz) * delay_s * (1.0 - fraction);
+  const double x = core::pi * std::abs(waveform.bandwidth_hz) * delay_s * (1.0 - fraction);
   return (1.0 - fraction) * (std::abs(x) < 1e-9 ? 1.0 : std::sin(x) / x);
 }
 
 inline void add_echo(std::complex<float>* row, const SarEchoes& echoes, const TrackPoint& antenna,
                      const PointTarget& target) {
   const SarWaveform& waveform = echoes.waveform;
-  const Vec3 sight = target.position_m + antenna.time_s * target.velocity_mps - antenna.position_m;
-  const double distance = norm(sight);
-  const double recession = dot(sight, target.velocity_mps - antenna.velocity_mps) / distance;
+  const core::Vec3 sight = target.position_m + antenna.time_s * target.velocity_mps - antenna.position_m;
+  const double distance = core::norm(sight);
+  const double recession = core::dot(sight, target.velocity_mps - antenna.velocity_mps) / distance;
   const double delay_s = 2.0 * distance / (waveform.light_speed_mps - recession);
   // Doppler inside the pulse moves a compressed chirp.
   const double doppler_hz = -2.0 * recession * waveform.carrier_hz / waveform.light_speed_mps;
   const double early_s = doppler_hz * waveform.pulse_width_s / waveform.bandwidth_hz;
   const double turns = -waveform.carrier_hz * delay_s - 0.5 * doppler_hz * early_s;
-  const std::complex<double> turn = std::polar(target.amplitude, 2.0 * pi * turns);
+  const std::complex<double> turn = std::polar(target.amplitude, 2.0 * core::pi * turns);
   for (std::size_t n = 0; n < echoes.samples; ++n) {
     const double time_s = echoes.first_delay_s + static_cast<double>(n) / waveform.sample_rate_hz;
     row[n] += std::complex<float>(turn * compressed_chirp(time_s - delay_s + early_s, waveform));
@@ -82,8 +82,8 @@ inline SarEchoes make_echoes(const Setting& setting, const std::vector<PointTarg
 }
 
 /// A point at a closest distance from the track, on the ground.
-inline Vec3 point_at(const Setting& setting, double along_m, double closest_m) {
+inline core::Vec3 point_at(const Setting& setting, double along_m, double closest_m) {
   return {std::sqrt(closest_m * closest_m - setting.height_m * setting.height_m), along_m, 0.0};
 }
 
-}  // namespace sarsim::sar_test
+}  // namespace sarsim::signal::sar_test

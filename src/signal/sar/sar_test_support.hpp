@@ -15,12 +15,12 @@
 #include "signal/sar/back_projection.hpp"
 #include "signal/sar/sar_echoes.hpp"
 
-namespace sarsim::test {
+namespace sarsim::signal::test {
 
-using sarsim::sinc;
+using sarsim::core::sinc;
 
 struct PointTarget {
-  Vec3 position_m;
+  core::Vec3 position_m;
   std::complex<double> strength{1.0, 0.0};
 };
 
@@ -29,12 +29,12 @@ struct PointTarget {
 ///
 ///     exp(j pi fd x) (1 - |x|/Tp) sinc((K x + fd)(Tp - |x|));        without a width sinc(B x).
 inline std::complex<double> compressed_pulse(const SarWaveform& wave, double lag_s, double doppler_hz) {
-  if (wave.pulse_width_s == 0.0) return sinc(wave.bandwidth_hz * lag_s);
+  if (wave.pulse_width_s == 0.0) return core::sinc(wave.bandwidth_hz * lag_s);
   const double overlap_s = wave.pulse_width_s - std::abs(lag_s);
   if (overlap_s <= 0.0) return 0.0;
   const double rate = wave.bandwidth_hz / wave.pulse_width_s;
-  return overlap_s / wave.pulse_width_s * sinc((rate * lag_s + doppler_hz) * overlap_s) *
-         std::polar(1.0, pi * doppler_hz * lag_s);
+  return overlap_s / wave.pulse_width_s * core::sinc((rate * lag_s + doppler_hz) * overlap_s) *
+         std::polar(1.0, core::pi * doppler_hz * lag_s);
 }
 
 /// Writes the echoes of points as the echo model has them (docs/theory/echo-model.md), ideally compressed.
@@ -47,13 +47,13 @@ inline void write_echoes(SarEchoes& echoes, const std::vector<PointTarget>& targ
   for (std::size_t p = 0; p < where.size(); ++p) {
     row.assign(echoes.samples, {});
     for (const PointTarget& target : targets) {
-      const Vec3 r = target.position_m - where[p].position_m;
-      const double d = norm(r);
-      const double v = start_stop ? 0.0 : -dot(r, where[p].velocity_mps) / d;
+      const core::Vec3 r = target.position_m - where[p].position_m;
+      const double d = core::norm(r);
+      const double v = start_stop ? 0.0 : -core::dot(r, where[p].velocity_mps) / d;
       const double delay_s = 2.0 * d / (wave.light_speed_mps - v);
       const double doppler_hz = -2.0 * v * wave.carrier_hz / wave.light_speed_mps;
       const double turns = wave.carrier_hz * delay_s;
-      const std::complex<double> echo = target.strength * turned_exactly(-turns);
+      const std::complex<double> echo = target.strength * core::turned_exactly(-turns);
       for (std::size_t n = 0; n < echoes.samples; ++n) {
         const double t = echoes.first_delay_s + static_cast<double>(n) / wave.sample_rate_hz;
         row[n] += echo * compressed_pulse(wave, t - delay_s, doppler_hz);
@@ -64,8 +64,8 @@ inline void write_echoes(SarEchoes& echoes, const std::vector<PointTarget>& targ
 }
 
 /// A straight flight: pulse p at time (p - (pulses - 1)/2)/prf.
-inline std::vector<TrackPoint> straight_flight(const Vec3& middle_m, const Vec3& velocity_mps, double prf_hz,
-                                               std::size_t pulses) {
+inline std::vector<TrackPoint> straight_flight(const core::Vec3& middle_m, const core::Vec3& velocity_mps,
+                                               double prf_hz, std::size_t pulses) {
   std::vector<TrackPoint> track;
   for (std::size_t p = 0; p < pulses; ++p) {
     const double t = (static_cast<double>(p) - 0.5 * static_cast<double>(pulses - 1)) / prf_hz;
@@ -78,12 +78,12 @@ inline std::vector<TrackPoint> straight_flight(const Vec3& middle_m, const Vec3&
 /// along +y at the origin, 10.198 km away; with a repetition frequency that takes in the Doppler of its surroundings.
 inline SarEchoes thesis_echoes(std::size_t pulses, double prf_hz, double squint_rad = 0.0) {
   SarEchoes echoes;
-  echoes.waveform = {5.3e9, 50e6, 1.6e-6, 60e6, exact_light_speed_mps};
+  echoes.waveform = {5.3e9, 50e6, 1.6e-6, 60e6, core::exact_light_speed_mps};
   const double range_m = std::hypot(10e3, 2e3);
   echoes.track = straight_flight({-range_m * std::tan(squint_rad), -10e3, 2e3}, {200.0, 0.0, 0.0}, prf_hz, pulses);
   echoes.samples = 256;
   echoes.first_delay_s =
-      2.0 * range_m / std::cos(squint_rad) / exact_light_speed_mps - 128.0 / echoes.waveform.sample_rate_hz;
+      2.0 * range_m / std::cos(squint_rad) / core::exact_light_speed_mps - 128.0 / echoes.waveform.sample_rate_hz;
   return echoes;
 }
 
@@ -92,10 +92,10 @@ inline SarEchoes thesis_echoes(std::size_t pulses, double prf_hz, double squint_
 /// @param weight  of a pulse for a point; pulses without one count as 1
 inline std::vector<std::complex<double>> reference_back_projection(
     const SarEchoes& echoes, const PointGrid& grid, bool start_stop = false,
-    const std::function<double(const Vec3&, const TrackPoint&)>& weight = {}) {
+    const std::function<double(const core::Vec3&, const TrackPoint&)>& weight = {}) {
   const SarWaveform& wave = echoes.waveform;
-  const std::size_t size = good_fft_size(echoes.samples + 32);
-  const Fft fft(size);
+  const std::size_t size = core::good_fft_size(echoes.samples + 32);
+  const core::Fft fft(size);
   const long half = static_cast<long>(size / 2);
   std::vector<std::complex<double>> sums(grid.rows * grid.columns), row(size);
   std::vector<double> weights(sums.size());
@@ -105,25 +105,25 @@ inline std::vector<std::complex<double>> reference_back_projection(
       row[n] = std::complex<double>(echoes.volts[p * echoes.samples + n]);
     fft.forward(row);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      const Vec3 point = grid.origin_m + static_cast<double>(i / grid.columns) * grid.row_step_m +
-                         static_cast<double>(i % grid.columns) * grid.column_step_m;
+      const core::Vec3 point = grid.origin_m + static_cast<double>(i / grid.columns) * grid.row_step_m +
+                               static_cast<double>(i % grid.columns) * grid.column_step_m;
       const double w = weight ? weight(point, echoes.track[p]) : 1.0;
       weights[i] += w;
-      const Vec3 r = point - echoes.track[p].position_m;
-      const double d = norm(r);
-      const double v = start_stop ? 0.0 : -dot(r, echoes.track[p].velocity_mps) / d;
+      const core::Vec3 r = point - echoes.track[p].position_m;
+      const double d = core::norm(r);
+      const double v = start_stop ? 0.0 : -core::dot(r, echoes.track[p].velocity_mps) / d;
       const double delay_s = 2.0 * d / (wave.light_speed_mps - v);
       const double fd = -2.0 * v * wave.carrier_hz / wave.light_speed_mps;
       const double early_s = fd * wave.pulse_width_s / wave.bandwidth_hz;
       const double place = (delay_s - early_s - echoes.first_delay_s) * wave.sample_rate_hz;
       if (w == 0.0 || place < 0.0 || place > static_cast<double>(echoes.samples - 1)) continue;
       std::complex<double> value;
-      const std::complex<double> step = std::polar(1.0, 2.0 * pi * place / static_cast<double>(size));
+      const std::complex<double> step = std::polar(1.0, 2.0 * core::pi * place / static_cast<double>(size));
       std::complex<double> turn = std::pow(std::conj(step), static_cast<double>(half));
       for (long k = -half; k < static_cast<long>(size) - half; ++k, turn *= step)
         value += row[static_cast<std::size_t>(k < 0 ? k + static_cast<long>(size) : k)] * turn;
       const double turns = wave.carrier_hz * delay_s + 0.5 * fd * early_s;
-      sums[i] += w / static_cast<double>(size) * value * turned_exactly(turns);
+      sums[i] += w / static_cast<double>(size) * value * core::turned_exactly(turns);
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = weights[i] != 0.0 ? sums[i] / weights[i] : 0.0;
@@ -141,4 +141,4 @@ inline void on_every_instruction_set(const std::function<void(std::int64_t)>& bo
   hwy::SetSupportedTargetsForTest(0);
 }
 
-}  // namespace sarsim::test
+}  // namespace sarsim::signal::test

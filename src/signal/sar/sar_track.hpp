@@ -5,13 +5,13 @@
 #include "core/maths/vector.hpp"
 #include "signal/sar/sar_echoes.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The straight line, flown at constant speed, that comes closest to a track in the least squares of its positions, and
 /// how far the track departs from it.
 struct StraightTrack {
-  Vec3 origin_m;  ///< World, at the time of pulse number `middle_pulse`.
-  Vec3 along;     ///< Direction of flight, length 1.
+  core::Vec3 origin_m;  ///< World, at the time of pulse number `middle_pulse`.
+  core::Vec3 along;     ///< Direction of flight, length 1.
   double speed_mps = 0.0;
   double interval_s = 0.0;  ///< Mean time between pulses.
   std::size_t middle_pulse = 0;
@@ -25,4 +25,4 @@ struct StraightTrack {
 /// @param track  at least two points, in ascending time; otherwise std::invalid_argument
 [[nodiscard]] StraightTrack fit_straight(std::span<const TrackPoint> track);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

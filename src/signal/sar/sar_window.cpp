@@ -9,13 +9,13 @@
 #include "core/maths/window.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
 // F[1] ... F[nbar - 1] of Taylor's weights; F[0] = 1.
 std::vector<double> taylor_coefficients(double sidelobes_db, int equal_sidelobes) {
-  const double a = std::acosh(std::pow(10.0, sidelobes_db / 20.0)) / pi;
+  const double a = std::acosh(std::pow(10.0, sidelobes_db / 20.0)) / core::pi;
   const double n = equal_sidelobes;
   const double dilation = n * n / (a * a + (n - 0.5) * (n - 0.5));
   std::vector<double> coefficients{1.0};
@@ -34,7 +34,7 @@ std::vector<double> taylor_coefficients(double sidelobes_db, int equal_sidelobes
 double taylor_weight(const std::vector<double>& coefficients, double u) {
   double sum = 1.0;
   for (std::size_t m = 1; m < coefficients.size(); ++m)
-    sum += 2.0 * coefficients[m] * std::cos(2.0 * pi * static_cast<double>(m) * u);
+    sum += 2.0 * coefficients[m] * std::cos(2.0 * core::pi * static_cast<double>(m) * u);
   return sum;
 }
 
@@ -49,7 +49,7 @@ std::string_view next_word(std::string_view& text) {
 std::optional<SarWindow> kaiser_from_text(std::string_view rest) {
   SarWindow window{.kind = SarWindow::Kind::kaiser};
   if (!rest.empty()) {
-    const auto beta = parse_number(rest);
+    const auto beta = core::parse_number(rest);
     if (!beta || !(*beta >= 0.0 && *beta <= 20.0)) return std::nullopt;
     window.beta = *beta;
   }
@@ -59,8 +59,8 @@ std::optional<SarWindow> kaiser_from_text(std::string_view rest) {
 std::optional<SarWindow> taylor_from_text(std::string_view rest) {
   SarWindow window{.kind = SarWindow::Kind::taylor};
   if (!rest.empty()) {
-    const auto sidelobes = parse_number(next_word(rest));
-    const auto count = parse_integer(rest);
+    const auto sidelobes = core::parse_number(next_word(rest));
+    const auto count = core::parse_integer(rest);
     if (!sidelobes || !count || !(*sidelobes >= 10.0 && *sidelobes <= 100.0) || *count < 1 || *count > 30)
       return std::nullopt;
     window.sidelobes_db = *sidelobes;
@@ -74,9 +74,9 @@ std::optional<SarWindow> taylor_from_text(std::string_view rest) {
 std::function<double(double)> weight_of(const SarWindow& window) {
   const auto inside = [](auto weight) { return [weight](double u) { return std::abs(u) <= 0.5 ? weight(u) : 0.0; }; };
   switch (window.kind) {
-    case SarWindow::Kind::hamming: return inside([](double u) { return hamming_window(u + 0.5); });
-    case SarWindow::Kind::hann: return inside([](double u) { return hanning_window(u + 0.5, 0.0); });
-    case SarWindow::Kind::kaiser: return [beta = window.beta](double u) { return kaiser_window(2.0 * u, beta); };
+    case SarWindow::Kind::hamming: return inside([](double u) { return core::hamming_window(u + 0.5); });
+    case SarWindow::Kind::hann: return inside([](double u) { return core::hanning_window(u + 0.5, 0.0); });
+    case SarWindow::Kind::kaiser: return [beta = window.beta](double u) { return core::kaiser_window(2.0 * u, beta); };
     case SarWindow::Kind::taylor:
       return inside([c = taylor_coefficients(window.sidelobes_db, window.equal_sidelobes)](double u) {
         return taylor_weight(c, u);
@@ -98,12 +98,12 @@ double mean_weight(const SarWindow& window) {
 std::optional<SarWindow> window_from_text(std::string_view text) {
   std::string_view rest = text;
   const std::string_view word = next_word(rest);
-  if (equal_ignoring_case(word, "kaiser")) return kaiser_from_text(rest);
-  if (equal_ignoring_case(word, "taylor")) return taylor_from_text(rest);
+  if (core::equal_ignoring_case(word, "kaiser")) return kaiser_from_text(rest);
+  if (core::equal_ignoring_case(word, "taylor")) return taylor_from_text(rest);
   if (text.find(':') != std::string_view::npos) return std::nullopt;
-  if (equal_ignoring_case(word, "rectangular")) return SarWindow{};
-  if (equal_ignoring_case(word, "hamming")) return SarWindow{.kind = SarWindow::Kind::hamming};
-  if (equal_ignoring_case(word, "hann")) return SarWindow{.kind = SarWindow::Kind::hann};
+  if (core::equal_ignoring_case(word, "rectangular")) return SarWindow{};
+  if (core::equal_ignoring_case(word, "hamming")) return SarWindow{.kind = SarWindow::Kind::hamming};
+  if (core::equal_ignoring_case(word, "hann")) return SarWindow{.kind = SarWindow::Kind::hann};
   return std::nullopt;
 }
 
@@ -118,4 +118,4 @@ std::string to_string(const SarWindow& window) {
   return "rectangular";
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

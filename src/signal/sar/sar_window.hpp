@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// A weight over a band or an aperture: what trades the width of a response for its sidelobes.
 struct SarWindow {
@@ -35,4 +35,4 @@ struct SarWindow {
 /// The text that `window_from_text` reads.
 [[nodiscard]] std::string to_string(const SarWindow& window);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

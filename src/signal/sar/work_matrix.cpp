@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <system_error>
 
-namespace sarsim {
+namespace sarsim::signal {
 
-WorkCounter::WorkCounter(ProgressReport report, std::size_t total, std::size_t columns)
+WorkCounter::WorkCounter(core::ProgressReport report, std::size_t total, std::size_t columns)
     : report_(std::move(report)), total_(total), columns_(columns), owner_(std::this_thread::get_id()) {}
 
 void WorkCounter::add(std::size_t done) {
@@ -156,4 +156,4 @@ void WorkMatrix::read_row(std::size_t row, std::size_t first, std::span<Value> o
   std::copy_n(values_.data() + row * stride_ + first, out.size(), out.data());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -12,18 +12,18 @@
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Counts units of work that several threads do and tells about them on the thread that made the counter.
 class WorkCounter {
  public:
   /// @param total  in samples; told as rows of `columns` of them
-  WorkCounter(ProgressReport report, std::size_t total, std::size_t columns);
+  WorkCounter(core::ProgressReport report, std::size_t total, std::size_t columns);
   /// From any thread.
   void add(std::size_t done);
 
  private:
-  ProgressReport report_;
+  core::ProgressReport report_;
   std::size_t total_;
   std::size_t columns_;
   std::atomic<std::size_t> done_{0};
@@ -58,12 +58,12 @@ class WorkMatrix {
 
   /// Calls body(row number, row) for the rows [first, last), on several threads. Rows begin at multiples of 16 bytes.
   template <class Body>
-  void each_row(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+  void each_row(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
                 const Body& body);
   /// Calls body(column number, column) for the columns [first, last); columns are copies that are written back, of up
   /// to 16 at once on each thread.
   template <class Body>
-  void each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+  void each_column(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
                    const Body& body);
 
   /// Columns that each of some threads copies at once: as many as fit their part of the memory, but one at least.
@@ -98,11 +98,11 @@ class WorkMatrix {
 // Implementation of the templates.
 
 template <class Body>
-void WorkMatrix::each_row(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
+void WorkMatrix::each_row(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
                           const Body& body) {
   for (Piece& piece : row_pieces(first, last)) {
     load(piece);
-    parallel_ranges(piece.rows, 4, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(piece.rows, 4, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r)
         body(piece.first_row + r, std::span(piece.values + r * piece.stride, columns_));
       counter.add((end - begin) * columns_);
@@ -112,13 +112,13 @@ void WorkMatrix::each_row(std::size_t first, std::size_t last, const WorkControl
 }
 
 template <class Body>
-void WorkMatrix::each_column(std::size_t first, std::size_t last, const WorkControl& control, WorkCounter& counter,
-                             const Body& body) {
+void WorkMatrix::each_column(std::size_t first, std::size_t last, const core::WorkControl& control,
+                             WorkCounter& counter, const Body& body) {
   const std::size_t group = columns_at_once(control.threads);
   const std::size_t length = rows_ + rows_ % 2;
   for (Piece& piece : column_pieces(first, last)) {
     load(piece);
-    parallel_ranges(piece.columns, group, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(piece.columns, group, control, [&](std::size_t begin, std::size_t end) {
       std::vector<Value> copies((end - begin) * length);
       for (std::size_t r = 0; r < rows_; ++r)
         for (std::size_t c = begin; c < end; ++c) copies[(c - begin) * length + r] = piece.values[r * piece.stride + c];
@@ -132,4 +132,4 @@ void WorkMatrix::each_column(std::size_t first, std::size_t last, const WorkCont
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

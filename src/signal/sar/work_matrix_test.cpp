@@ -4,12 +4,12 @@
 
 #include <system_error>
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using Value = WorkMatrix::Value;
 
-void number(WorkMatrix& matrix, const WorkControl& control) {
+void number(WorkMatrix& matrix, const core::WorkControl& control) {
   WorkCounter counter({}, 1, 1);
   matrix.each_row(0, matrix.rows(), control, counter, [](std::size_t r, std::span<Value> row) {
     for (std::size_t c = 0; c < row.size(); ++c) row[c] = {static_cast<float>(r), static_cast<float>(c)};
@@ -81,7 +81,7 @@ TEST(WorkMatrix, ReadsPartsOfRows) {
 
 TEST(WorkCounter, TellsInRowsAndNeverMoreThanAll) {
   std::vector<std::size_t> told;
-  WorkCounter counter([&](const Progress& progress) { told.push_back(progress.done); }, 100, 10);
+  WorkCounter counter([&](const core::Progress& progress) { told.push_back(progress.done); }, 100, 10);
   counter.add(15);
   counter.add(80);
   counter.add(80);
@@ -89,4 +89,4 @@ TEST(WorkCounter, TellsInRowsAndNeverMoreThanAll) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -5,7 +5,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 std::vector<double> canceller_weights(std::size_t order) {
   std::vector<double> weights{1.0};
@@ -34,7 +34,7 @@ std::vector<std::complex<float>> cancelled(std::span<const std::complex<float>> 
 }
 
 double canceller_gain(std::size_t order, double doppler_hz, double prf_hz) {
-  return std::pow(2.0 * std::sin(pi * doppler_hz / prf_hz), 2.0 * static_cast<double>(order));
+  return std::pow(2.0 * std::sin(core::pi * doppler_hz / prf_hz), 2.0 * static_cast<double>(order));
 }
 
 double canceller_noise_gain(std::size_t order) {
@@ -43,4 +43,4 @@ double canceller_noise_gain(std::size_t order) {
   return sum;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

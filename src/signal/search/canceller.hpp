@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Moving-target indication by differences from pulse to pulse: order 1 is the two-pulse canceller x[p + 1] - x[p],
 /// order 2 the three-pulse canceller x[p + 2] - 2 x[p + 1] + x[p], and so on with binomial weights (Skolnik, Radar
@@ -26,4 +26,4 @@ namespace sarsim {
 /// Power gain for noise that is white from pulse to pulse, the sum of the squared weights: 2, 6, 20 ...
 [[nodiscard]] double canceller_noise_gain(std::size_t order);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

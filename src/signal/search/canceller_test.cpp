@@ -8,7 +8,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using Volts = std::vector<std::complex<float>>;
@@ -27,7 +27,7 @@ TEST(Canceller, SilencesWhatRestsAndHasTheGainOfItsFormulaForWhatMoves) {
     for (const double doppler_hz : {0.0, 30.0, 250.0, 500.0, 700.0, 1000.0}) {
       Volts volts;
       for (int p = 0; p < 12; ++p)
-        volts.push_back(std::complex<float>(std::polar(2.0, 0.3 + 2.0 * pi * doppler_hz * p / prf_hz)));
+        volts.push_back(std::complex<float>(std::polar(2.0, 0.3 + 2.0 * core::pi * doppler_hz * p / prf_hz)));
       const double gain = canceller_gain(order, doppler_hz, prf_hz);
       for (const auto& v : cancelled(volts, 1, order))
         EXPECT_NEAR(std::norm(std::complex<double>(v)), 4.0 * gain, 1e-4) << order << " " << doppler_hz;
@@ -59,4 +59,4 @@ TEST(Canceller, RefusesPartsOfPulses) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

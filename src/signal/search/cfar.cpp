@@ -10,7 +10,7 @@
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -87,7 +87,7 @@ double log_gamma(double x) {
   while (x < 12.0) product *= x++;
   const double square = 1.0 / (x * x);
   const double series = (1.0 / 12.0 - square * (1.0 / 360.0 - square * (1.0 / 1260.0 - square / 1680.0))) / x;
-  return (x - 0.5) * std::log(x) - x + 0.5 * std::log(2.0 * pi) + series - std::log(product);
+  return (x - 0.5) * std::log(x) - x + 0.5 * std::log(2.0 * core::pi) + series - std::log(product);
 }
 
 double averaging_factor(double cells, double false_alarm) { return cells * std::expm1(-std::log(false_alarm) / cells); }
@@ -147,7 +147,7 @@ std::vector<double> power_correlation(std::span<const std::complex<double>> filt
   double energy = 0.0;
   for (const std::complex<double>& tap : filter) energy += std::norm(tap);
   if (!(energy > 0.0)) return {1.0};
-  const Fft fft(good_fft_size(2 * filter.size()));
+  const core::Fft fft(core::good_fft_size(2 * filter.size()));
   std::vector<std::complex<double>> values(filter.begin(), filter.end());
   values.resize(fft.size());
   fft.forward(values);
@@ -231,19 +231,19 @@ double ordered_statistic_factor(std::size_t cells, std::size_t rank, double fals
 }
 
 std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t columns, const CfarOptions& options,
-                                       const WorkControl& control) {
-  expect(columns > 0 && power.size() % columns == 0, "detection: the map is not a whole number of rows");
-  expect(options.false_alarm > 0.0 && options.false_alarm < 1.0,
-         "detection: the probability of false alarm is not between 0 and 1");
-  expect(options.rank_share > 0.0 && options.rank_share <= 1.0,
-         "detection: the rank is not within the reference cells");
-  expect(options.independence > 0.0 && options.independence <= 1.0,
-         "detection: a reference cell is worth more than one, or nothing");
+                                       const core::WorkControl& control) {
+  core::expect(columns > 0 && power.size() % columns == 0, "detection: the map is not a whole number of rows");
+  core::expect(options.false_alarm > 0.0 && options.false_alarm < 1.0,
+               "detection: the probability of false alarm is not between 0 and 1");
+  core::expect(options.rank_share > 0.0 && options.rank_share <= 1.0,
+               "detection: the rank is not within the reference cells");
+  core::expect(options.independence > 0.0 && options.independence <= 1.0,
+               "detection: a reference cell is worth more than one, or nothing");
   const std::size_t rows = power.size() / columns;
   if (rows == 0) return {};
   const std::vector<double> factors = factors_of(rows, columns, options);
   std::vector<std::vector<CfarDetection>> found(rows);
-  parallel_ranges(rows, 4, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(rows, 4, control, [&](std::size_t begin, std::size_t end) {
     std::vector<float> cells;
     for (std::size_t row = begin; row < end; ++row)
       for (std::size_t column = 0; column < columns; ++column) {
@@ -260,4 +260,4 @@ std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t
   return all;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 
 #include "core/task/parallel.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Detection with a constant rate of false alarms: a cell is reported where its power exceeds a factor times what the
 /// cells around it say about the noise. Factors are exact for independent cells of exponentially distributed power: a
@@ -81,7 +81,7 @@ struct CfarDetection {
 /// @return       in the order of the cells, the same for any number of threads
 /// @throw        std::invalid_argument where sizes or options make no sense; Interrupted
 [[nodiscard]] std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t columns,
-                                                     const CfarOptions& options, const WorkControl& control);
+                                                     const CfarOptions& options, const core::WorkControl& control);
 
 /// Factor on the mean of `cells` cells: N (P^(-1/N) - 1).
 [[nodiscard]] double cell_averaging_factor(std::size_t cells, double false_alarm);
@@ -94,4 +94,4 @@ struct CfarDetection {
 /// The same for the statistic: product over i = 0 ... rank - 1 of (N - i)/(N - i + factor/(1 + snr)).
 [[nodiscard]] double ordered_statistic_probability(std::size_t cells, std::size_t rank, double factor, double snr);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -6,11 +6,11 @@
 #include <random>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using Kind = CfarOptions::Kind;
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 
 std::vector<float> noise_map(std::size_t cells, std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -341,4 +341,4 @@ TEST(DetectCfar, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

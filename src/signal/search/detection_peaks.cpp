@@ -7,7 +7,7 @@
 #include "core/maths/sinc.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -67,7 +67,7 @@ std::complex<double> interpolated(std::span<const std::complex<float>> line, dou
   std::complex<double> sum;
   for (std::size_t n = first; n <= last; ++n) {
     const double d = place - static_cast<double>(n);
-    sum += sinc(d) * kaiser_window(d / half, beta) * std::complex<double>(line[n]);
+    sum += core::sinc(d) * core::kaiser_window(d / half, beta) * std::complex<double>(line[n]);
   }
   return sum;
 }
@@ -84,7 +84,7 @@ std::vector<CfarDetection> peaks_of(std::span<const CfarDetection> found, std::s
 
 double peak_frequency(std::span<const std::complex<double>> values, double near, double reach) {
   const auto power = [values](double frequency) {
-    const std::complex<double> turn = std::polar(1.0, -2.0 * pi * frequency);
+    const std::complex<double> turn = std::polar(1.0, -2.0 * core::pi * frequency);
     std::complex<double> sum;
     // Horner's rule: the last value first.
     for (std::size_t p = values.size(); p-- > 0;) sum = sum * turn + values[p];
@@ -101,4 +101,4 @@ double peak_place(std::span<const std::complex<float>> line, std::size_t near) {
   return maximum_place([line](double place) { return std::norm(interpolated(line, place)); }, low, high);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 
 #include "signal/search/cfar.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Of the detections in a map, those that no neighbour of their cell exceeds, the eight around it: one for each
 /// response, however many cells it fills. Rows are Doppler frequencies: the first is a neighbour of the last.
@@ -25,4 +25,4 @@ namespace sarsim {
 /// sampled band.
 [[nodiscard]] double peak_place(std::span<const std::complex<float>> line, std::size_t near);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

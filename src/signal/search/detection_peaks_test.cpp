@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 std::vector<CfarDetection> all_cells_of(std::span<const float> power, std::size_t columns, float above) {
@@ -54,7 +54,8 @@ TEST(PeakFrequency, IsThatOfAToneWhateverItsWindow) {
     for (const bool windowed : {false, true}) {
       std::vector<std::complex<double>> values;
       for (int p = 0; p < 32; ++p)
-        values.push_back(std::polar(windowed ? hamming_window(p / 31.0) : 1.0, 0.7 + 2.0 * pi * frequency * p));
+        values.push_back(
+            std::polar(windowed ? core::hamming_window(p / 31.0) : 1.0, 0.7 + 2.0 * core::pi * frequency * p));
       EXPECT_NEAR(peak_frequency(values, std::round(frequency * 32.0) / 32.0, 0.6 / 32.0), frequency, 1e-6);
     }
 }
@@ -64,7 +65,7 @@ TEST(PeakPlace, IsThatOfABandLimitedResponse) {
     for (const double place : {20.0, 20.3, 20.5, 19.75}) {
       std::vector<std::complex<float>> line;
       for (int n = 0; n < 41; ++n) {
-        const double x = pi * band * (n - place);
+        const double x = core::pi * band * (n - place);
         line.push_back(std::complex<float>((x == 0.0 ? 1.0 : std::sin(x) / x) * std::polar(1.0, 0.4)));
       }
       EXPECT_NEAR(peak_place(line, static_cast<std::size_t>(std::lround(place))), place, 0.01) << band;
@@ -79,4 +80,4 @@ TEST(PeakPlace, StaysWithinTheLine) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -50,9 +50,9 @@ struct PpiPicture::Sector {
   Sector(double begin_rad, double end_rad)
       : begin(towards(begin_rad)), end(towards(end_rad)), middle(towards(0.5 * (begin_rad + end_rad))) {
     // Where an arc crosses an axis it reaches farthest.
-    const double axis = std::ceil(begin_rad / (0.5 * pi));
-    crosses = axis * 0.5 * pi < end_rad;
-    if (crosses) crossing = towards(axis * 0.5 * pi);
+    const double axis = std::ceil(begin_rad / (0.5 * core::pi));
+    crosses = axis * 0.5 * core::pi < end_rad;
+    if (crosses) crossing = towards(axis * 0.5 * core::pi);
   }
   Direction begin, end, middle;
   Direction crossing{};
@@ -76,8 +76,8 @@ void PpiPicture::paint(const PpiLine& line) {
   if (line.edges_m.size() != line.strengths.size() + 1)
     throw std::invalid_argument("picture: a line needs one more edge than cells");
   const double turn = line.end_rad - line.begin_rad;
-  if (!(turn > 0.0) || turn > 2.0 * pi + 1e-9) throw std::invalid_argument("picture: no sector to paint");
-  const auto parts = static_cast<std::size_t>(std::ceil(turn / (0.5 * pi) - 1e-9));
+  if (!(turn > 0.0) || turn > 2.0 * core::pi + 1e-9) throw std::invalid_argument("picture: no sector to paint");
+  const auto parts = static_cast<std::size_t>(std::ceil(turn / (0.5 * core::pi) - 1e-9));
   for (std::size_t part = 0; part < parts; ++part) {
     const auto edge = [&](std::size_t i) {
       return i == parts ? line.end_rad : line.begin_rad + turn * static_cast<double>(i) / static_cast<double>(parts);
@@ -126,4 +126,4 @@ void PpiPicture::paint_middle(double x_m, double y_m, float strength) {
   pixel = std::max(pixel, strength);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

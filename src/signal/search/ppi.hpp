@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The pixels of a plan position indicator: squares on the ground, north (+y) up, east (+x) to the right. Row 0 is the
 /// northernmost.
@@ -58,4 +58,4 @@ class PpiPicture {
   std::vector<float> values_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

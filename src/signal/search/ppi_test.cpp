@@ -8,10 +8,10 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
-constexpr double degree = pi / 180.0;
+constexpr double degree = core::pi / 180.0;
 
 std::vector<double> edges(std::size_t cells, double first_m, double step_m) {
   std::vector<double> list;
@@ -52,7 +52,7 @@ TEST(PpiPicture, PutsACellWhereItsBearingAndRangeAre) {
     const Pixel pixel = brightest(picture);
     const double range = std::hypot(pixel.x_m - 20.0, pixel.y_m + 30.0);
     EXPECT_NEAR(range, 722.5, 7.5 + 5.0) << azimuth_deg;
-    const double bearing = std::remainder(std::atan2(pixel.x_m - 20.0, pixel.y_m + 30.0) - azimuth, 2.0 * pi);
+    const double bearing = std::remainder(std::atan2(pixel.x_m - 20.0, pixel.y_m + 30.0) - azimuth, 2.0 * core::pi);
     EXPECT_NEAR(bearing, 0.0, degree + 5.0 / range) << azimuth_deg;
   }
 }
@@ -77,7 +77,7 @@ TEST(PpiPicture, OfAWholeTurnHasNeitherGapNorOverlap) {
   constexpr int sectors = 73;
   for (int s = 0; s < sectors; ++s) {
     const std::vector<float> strengths(9, static_cast<float>(s + 1));
-    picture.paint({0.0, 0.0, 2.0 * pi * s / sectors, 2.0 * pi * (s + 1) / sectors, ends, strengths});
+    picture.paint({0.0, 0.0, 2.0 * core::pi * s / sectors, 2.0 * core::pi * (s + 1) / sectors, ends, strengths});
   }
   std::size_t wrong = 0, inside = 0;
   for (std::size_t row = 0; row < picture.grid().rows; ++row)
@@ -91,7 +91,7 @@ TEST(PpiPicture, OfAWholeTurnHasNeitherGapNorOverlap) {
       }
       if (range < 10.0 || range >= 100.0) continue;
       ++inside;
-      double turns = std::atan2(x, y) / (2.0 * pi);
+      double turns = std::atan2(x, y) / (2.0 * core::pi);
       if (turns < 0.0) turns += 1.0;
       if (static_cast<double>(value) != std::floor(turns * sectors + 1e-9) + 1.0) ++wrong;
       EXPECT_GT(value, 0.0F) << x << " " << y;
@@ -103,7 +103,7 @@ TEST(PpiPicture, OfAWholeTurnHasNeitherGapNorOverlap) {
 TEST(PpiPicture, PaintsSectorsOfAnyWidth) {
   const auto ends = edges(1, 0.0, 50.0);
   const std::vector<float> strengths{1.0F};
-  for (const double turn : {0.1, 0.5 * pi, 2.0, pi, 5.0, 2.0 * pi}) {
+  for (const double turn : {0.1, 0.5 * core::pi, 2.0, core::pi, 5.0, 2.0 * core::pi}) {
     PpiPicture picture(ppi_grid(0.0, 0.0, 60.0, 0.5));
     picture.paint({0.0, 0.0, -0.3, -0.3 + turn, ends, strengths});
     const auto painted = static_cast<double>(std::ranges::count(picture.values(), 1.0F)) * 0.25;
@@ -128,7 +128,7 @@ TEST(PpiPicture, LeavesOutWhatIsBeyondItsEdges) {
   PpiPicture picture(ppi_grid(1e6, 0.0, 50.0, 1.0));
   const auto ends = edges(1, 0.0, 500.0);
   const std::vector<float> strengths{1.0F};
-  picture.paint({0.0, 0.0, 0.0, 2.0 * pi, ends, strengths});
+  picture.paint({0.0, 0.0, 0.0, 2.0 * core::pi, ends, strengths});
   EXPECT_EQ(*std::ranges::max_element(picture.values()), 0.0F);
 }
 
@@ -142,4 +142,4 @@ TEST(PpiPicture, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,7 +7,7 @@
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {}  // namespace
 
@@ -18,24 +18,25 @@ std::vector<double> pulse_weights(const CoherentInterval& interval) {
       weights[p] = interval.window(static_cast<double>(p) / static_cast<double>(interval.pulses - 1));
   double sum = 0.0;
   for (const double w : weights) sum += w;
-  expect(std::abs(sum) > 1e-12, "range-Doppler map: the weights of the window cancel");
+  core::expect(std::abs(sum) > 1e-12, "range-Doppler map: the weights of the window cancel");
   for (double& w : weights) w /= sum;
   return weights;
 }
 
 std::vector<RangeDopplerMap> range_doppler_maps(std::span<const std::complex<float>> volts, std::size_t samples,
                                                 double prf_hz, const CoherentInterval& interval,
-                                                const WorkControl& control) {
-  expect(samples > 0 && volts.size() % samples == 0, "range-Doppler map: the samples are not a whole number of pulses");
-  expect(prf_hz > 0.0, "range-Doppler map: the repetition frequency is not above 0");
-  expect(interval.pulses > 0, "range-Doppler map: an interval has no pulses");
-  expect(interval.frequencies == 0 || interval.frequencies >= interval.pulses,
-         "range-Doppler map: fewer frequencies than pulses");
+                                                const core::WorkControl& control) {
+  core::expect(samples > 0 && volts.size() % samples == 0,
+               "range-Doppler map: the samples are not a whole number of pulses");
+  core::expect(prf_hz > 0.0, "range-Doppler map: the repetition frequency is not above 0");
+  core::expect(interval.pulses > 0, "range-Doppler map: an interval has no pulses");
+  core::expect(interval.frequencies == 0 || interval.frequencies >= interval.pulses,
+               "range-Doppler map: fewer frequencies than pulses");
   const std::size_t pulses = volts.size() / samples;
   const std::size_t step = interval.step > 0 ? interval.step : interval.pulses;
   const std::size_t size = interval.frequencies > 0 ? interval.frequencies : interval.pulses;
   const std::vector<double> weights = pulse_weights(interval);
-  const Fft fft(size);
+  const core::Fft fft(size);
   std::vector<RangeDopplerMap> maps;
   for (std::size_t first = 0; first + interval.pulses <= pulses; first += step) {
     RangeDopplerMap map;
@@ -45,7 +46,7 @@ std::vector<RangeDopplerMap> range_doppler_maps(std::span<const std::complex<flo
     map.frequencies = size;
     map.samples = samples;
     map.values.resize(size * samples);
-    parallel_ranges(samples, 64, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(samples, 64, control, [&](std::size_t begin, std::size_t end) {
       std::vector<std::complex<double>> column(size);
       for (std::size_t n = begin; n < end; ++n) {
         std::ranges::fill(column, 0.0);
@@ -68,4 +69,4 @@ std::vector<float> power_of(const RangeDopplerMap& map) {
   return power;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

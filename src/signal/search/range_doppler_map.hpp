@@ -8,7 +8,7 @@
 #include "core/task/parallel.hpp"
 #include "signal/compress/range_compression.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// How pulses are gathered into maps of range and Doppler.
 struct CoherentInterval {
@@ -48,9 +48,9 @@ struct RangeDopplerMap {
 [[nodiscard]] std::vector<RangeDopplerMap> range_doppler_maps(std::span<const std::complex<float>> volts,
                                                               std::size_t samples, double prf_hz,
                                                               const CoherentInterval& interval,
-                                                              const WorkControl& control);
+                                                              const core::WorkControl& control);
 
 /// Power of each cell of a map, for detection.
 [[nodiscard]] std::vector<float> power_of(const RangeDopplerMap& map);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -13,12 +13,12 @@
 #include "signal/search/canceller.hpp"
 #include "signal/search/cfar.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using Volts = std::vector<std::complex<float>>;
 
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 constexpr double prf_hz = 2000.0;
 
 // One tone in one gate of five.
@@ -26,7 +26,7 @@ Volts tone(std::size_t pulses, double doppler_hz, std::complex<double> amplitude
   Volts volts(pulses * 5);
   for (std::size_t p = 0; p < pulses; ++p)
     volts[p * 5 + 3] =
-        std::complex<float>(amplitude * std::polar(1.0, 2.0 * pi * doppler_hz * static_cast<double>(p) / prf_hz));
+        std::complex<float>(amplitude * std::polar(1.0, 2.0 * core::pi * doppler_hz * static_cast<double>(p) / prf_hz));
   return volts;
 }
 
@@ -34,7 +34,7 @@ TEST(RangeDopplerMaps, ShowAToneWithItsAmplitudeAtItsFrequency) {
   for (const std::size_t size : {64u, 65u, 100u})
     for (const bool windowed : {false, true}) {
       CoherentInterval interval{64, 0, size, {}};
-      if (windowed) interval.window = hamming_window;
+      if (windowed) interval.window = core::hamming_window;
       const long bin = -11;
       const double doppler_hz = static_cast<double>(bin) * prf_hz / static_cast<double>(size);
       const auto maps = range_doppler_maps(tone(64, doppler_hz, {0.0, 3.0}), 5, prf_hz, interval, one);
@@ -62,7 +62,7 @@ TEST(RangeDopplerMaps, HaveTheSidelobesOfTheirWindow) {
     return 20.0 * std::log10(highest);
   };
   EXPECT_NEAR(highest_sidelobe_db({}, 1.0), -13.26, 0.02);
-  EXPECT_NEAR(highest_sidelobe_db(hamming_window, 2.1), -42.7, 0.5);
+  EXPECT_NEAR(highest_sidelobe_db(core::hamming_window, 2.1), -42.7, 0.5);
 }
 
 TEST(RangeDopplerMaps, OfOverlappingIntervalsBeginWhereTheyShould) {
@@ -72,7 +72,7 @@ TEST(RangeDopplerMaps, OfOverlappingIntervalsBeginWhereTheyShould) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(maps[i].first_pulse, 20 * i);
     // 250 Hz is bin 4 of 62.5 Hz; the phase is that of the interval's first pulse.
-    const std::complex<double> want = std::polar(1.0, 2.0 * pi * 250.0 * 20.0 * static_cast<double>(i) / prf_hz);
+    const std::complex<double> want = std::polar(1.0, 2.0 * core::pi * 250.0 * 20.0 * static_cast<double>(i) / prf_hz);
     EXPECT_LT(std::abs(std::complex<double>(maps[i].values[20 * 5 + 3]) - want), 1e-5);
   }
   EXPECT_EQ(range_doppler_maps(volts, 5, prf_hz, {50, 0, 0, {}}, one).size(), 2u);
@@ -103,7 +103,7 @@ TEST(RangeDopplerMaps, ShowAMovingTargetInClutterAfterCancelling) {
   for (std::size_t p = 0; p < pulses; ++p)
     for (std::size_t n = 0; n < samples; ++n) {
       std::complex<double> v = clutter[n] + std::complex(normal(random), normal(random));
-      if (n == 47) v += std::polar(10.0, 2.0 * pi * doppler_hz * static_cast<double>(p) / prf_hz);
+      if (n == 47) v += std::polar(10.0, 2.0 * core::pi * doppler_hz * static_cast<double>(p) / prf_hz);
       volts[p * samples + n] = std::complex<float>(v);
     }
   const auto map = range_doppler_maps(cancelled(volts, samples, 2), samples, prf_hz, {64, 0, 0, {}}, one).at(0);
@@ -123,10 +123,10 @@ TEST(RangeDopplerMaps, RefuseWhatMakesNoSense) {
   EXPECT_THROW((void)range_doppler_maps(volts, 5, prf_hz, {4, 0, 3, {}}, one), std::invalid_argument);
   EXPECT_THROW((void)range_doppler_maps(volts, 5, prf_hz, {4, 0, 0, [](double x) { return x - 0.5; }}, one),
                std::invalid_argument);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)range_doppler_maps(volts, 5, prf_hz, {4, 0, 0, {}}, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)range_doppler_maps(volts, 5, prf_hz, {4, 0, 0, {}}, {1, &stop}), core::Interrupted);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

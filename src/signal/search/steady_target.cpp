@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -85,4 +85,4 @@ double ordered_statistic_steady_probability(std::size_t cells, std::size_t rank,
   return steady_probability(failures, signal);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

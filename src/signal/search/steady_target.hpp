@@ -12,7 +12,7 @@
 /// most k, and failures before several thresholds add up. So the probability is that of a sum of geometric numbers to
 /// be at most a Poisson number of mean s, a sum of positive terms. It is the mean of Marcum's Q(sqrt(2 s), sqrt(2 T))
 /// over the threshold T.
-namespace sarsim {
+namespace sarsim::signal {
 
 /// With the mean of `cells` cells, one square-law detected cell. Ratios beyond 50 dB count as 50 dB.
 [[nodiscard]] double cell_averaging_steady_probability(std::size_t cells, double factor, double snr);
@@ -21,4 +21,4 @@ namespace sarsim {
 [[nodiscard]] double ordered_statistic_steady_probability(std::size_t cells, std::size_t rank, double factor,
                                                           double snr);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

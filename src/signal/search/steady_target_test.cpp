@@ -8,7 +8,7 @@
 #include "core/maths/window.hpp"
 #include "signal/search/cfar.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 // Marcum's Q(a, b) by its definition, the integral of x exp(-(x^2 + a^2)/2) I0(a x) from b on.
@@ -19,7 +19,7 @@ double marcum_q(double a, double b) {
   double sum = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const double x = b + i * step;
-    const double value = x * std::exp(-0.5 * (x * x + a * a)) * bessel_i0(a * x);
+    const double value = x * std::exp(-0.5 * (x * x + a * a)) * core::bessel_i0(a * x);
     sum += value * (i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0);
   }
   return sum * step / 3.0;
@@ -137,4 +137,4 @@ TEST(SteadyTarget, IsFoundByTheDetectorsAsOftenAsTheFormulasSay) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

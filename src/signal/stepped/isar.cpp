@@ -9,25 +9,25 @@
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
 // Delay of the target's centre, at the origin of its frame.
 double centre_delay_s(const TrackPoint& from, double light_speed_mps) {
-  const double d = norm(from.position_m);
-  const double v = dot(from.position_m, from.velocity_mps) / d;
+  const double d = core::norm(from.position_m);
+  const double v = core::dot(from.position_m, from.velocity_mps) / d;
   return 2.0 * d / (light_speed_mps - v);
 }
 
 double repetition_hz(const std::vector<TrackPoint>& track) {
   const double span_s = track.back().time_s - track.front().time_s;
-  expect(span_s > 0.0, "range-Doppler map: the times of the pulses do not ascend");
+  core::expect(span_s > 0.0, "range-Doppler map: the times of the pulses do not ascend");
   return static_cast<double>(track.size() - 1) / span_s;
 }
 
 std::size_t step_of(const CoherentInterval& interval) {
-  expect(interval.pulses > 0, "images of a turning target: a burst has no pulses");
+  core::expect(interval.pulses > 0, "images of a turning target: a burst has no pulses");
   return interval.step > 0 ? interval.step : interval.pulses;
 }
 
@@ -47,7 +47,7 @@ std::size_t largest_shift(const SarEchoes& seen, std::size_t pulses, std::size_t
 }
 
 // Moves a pulse by a shift and a turn: y(t) = x(t + late) exp(2 pi j turns). What is moved out of the window is lost.
-void move_pulse(std::span<const std::complex<float>> from, std::span<std::complex<float>> to, const Fft& fft,
+void move_pulse(std::span<const std::complex<float>> from, std::span<std::complex<float>> to, const core::Fft& fft,
                 double late_samples, double turns) {
   if (!(std::abs(late_samples) < static_cast<double>(from.size() + guard_samples))) {
     std::ranges::fill(to, std::complex<float>());
@@ -60,7 +60,7 @@ void move_pulse(std::span<const std::complex<float>> from, std::span<std::comple
   for (std::size_t k = 0; k < row.size(); ++k) {
     const double cycles = static_cast<double>(k) - (2 * k > row.size() ? size : 0.0);
     const double here = cycles / size * late_samples + turns;
-    row[k] *= std::polar(1.0 / size, 2.0 * pi * (here - std::round(here)));
+    row[k] *= std::polar(1.0 / size, 2.0 * core::pi * (here - std::round(here)));
   }
   fft.inverse(row);
   for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(row[n]);
@@ -69,14 +69,14 @@ void move_pulse(std::span<const std::complex<float>> from, std::span<std::comple
 }  // namespace
 
 std::vector<TrackPoint> track_from_target(const std::vector<TrackPoint>& track, const std::vector<TargetPose>& poses) {
-  expect(poses.size() == track.size(), "images of a turning target: not one pose for each pulse");
+  core::expect(poses.size() == track.size(), "images of a turning target: not one pose for each pulse");
   std::vector<TrackPoint> seen = track;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     const TargetPose& pose = poses[p];
-    const Vec3 r = track[p].position_m - pose.centre_m;
+    const core::Vec3 r = track[p].position_m - pose.centre_m;
     // The frame turns: what rests in the world moves in it, against the turning.
-    const Vec3 v = track[p].velocity_mps - pose.velocity_mps - cross(pose.turn_rate_radps, r);
-    const Mat3 target_from_world = transposed(pose.world_from_target);
+    const core::Vec3 v = track[p].velocity_mps - pose.velocity_mps - core::cross(pose.turn_rate_radps, r);
+    const core::Mat3 target_from_world = core::transposed(pose.world_from_target);
     seen[p].position_m = target_from_world * r;
     seen[p].velocity_mps = target_from_world * v;
   }
@@ -90,8 +90,9 @@ SarEchoes seen_from_target(const SarEchoes& echoes, const std::vector<TargetPose
 }
 
 std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector<TargetPose>& poses,
-                                      const Vec3& cross_range, const Vec3& range, const ImageAxis& cross_range_m,
-                                      const ImageAxis& range_m, const IsarBursts& bursts, const WorkControl& control) {
+                                      const core::Vec3& cross_range, const core::Vec3& range,
+                                      const ImageAxis& cross_range_m, const ImageAxis& range_m,
+                                      const IsarBursts& bursts, const core::WorkControl& control) {
   const std::vector<TrackPoint> track = track_from_target(echoes.track, poses);
   const std::size_t length = bursts.interval.pulses;
   const std::size_t step = step_of(bursts.interval);
@@ -115,7 +116,7 @@ std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector
         sum += w;
         for (std::size_t n = 0; n < echoes.samples; ++n) burst.volts[p * echoes.samples + n] *= static_cast<float>(w);
       }
-      expect(std::abs(sum) > 1e-12, "images of a turning target: the weights of the window cancel");
+      core::expect(std::abs(sum) > 1e-12, "images of a turning target: the weights of the window cancel");
       for (auto& v : burst.volts) v *= static_cast<float>(count / sum);
     }
     BackProjectionOptions options;
@@ -126,20 +127,21 @@ std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector
 }
 
 std::vector<RangeDopplerMap> isar_range_doppler_maps(const SarEchoes& echoes, const std::vector<TargetPose>& poses,
-                                                     const CoherentInterval& interval, const WorkControl& control) {
+                                                     const CoherentInterval& interval,
+                                                     const core::WorkControl& control) {
   const SarEchoes seen = seen_from_target(echoes, poses);
   const SarWaveform& wave = seen.waveform;
   const std::size_t step = step_of(interval);
-  expect(seen.samples > 0 && seen.volts.size() == seen.track.size() * seen.samples,
-         "range-Doppler map: the number of samples is not pulses times samples of a pulse");
+  core::expect(seen.samples > 0 && seen.volts.size() == seen.track.size() * seen.samples,
+               "range-Doppler map: the number of samples is not pulses times samples of a pulse");
   std::vector<RangeDopplerMap> maps;
   if (seen.track.size() < interval.pulses) return maps;
   const double prf_hz = seen.track.size() > 1 ? repetition_hz(seen.track) : 1.0;
-  const Fft fft(good_fft_size(seen.samples + largest_shift(seen, interval.pulses, step) + guard_samples));
+  const core::Fft fft(core::good_fft_size(seen.samples + largest_shift(seen, interval.pulses, step) + guard_samples));
   std::vector<std::complex<float>> burst(interval.pulses * seen.samples);
   for (std::size_t first = 0; first + interval.pulses <= seen.track.size(); first += step) {
     const double middle_s = centre_delay_s(seen.track[first + interval.pulses / 2], wave.light_speed_mps);
-    parallel_ranges(interval.pulses, 8, control, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(interval.pulses, 8, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) {
         const double delay_s = centre_delay_s(seen.track[first + p], wave.light_speed_mps);
         move_pulse(std::span(seen.volts).subspan((first + p) * seen.samples, seen.samples),
@@ -158,11 +160,11 @@ std::vector<RangeDopplerMap> isar_range_doppler_maps(const SarEchoes& echoes, co
 double cross_range_m_per_hz(const SarEchoes& echoes, const std::vector<TargetPose>& poses) {
   const std::vector<TrackPoint> track = track_from_target(echoes.track, poses);
   if (track.size() < 2) return std::numeric_limits<double>::infinity();
-  const Vec3 first = track.front().position_m;
-  const Vec3 last = track.back().position_m;
-  const double angle_rad = std::atan2(norm(cross(first, last)), dot(first, last));
+  const core::Vec3 first = track.front().position_m;
+  const core::Vec3 last = track.back().position_m;
+  const double angle_rad = std::atan2(core::norm(core::cross(first, last)), core::dot(first, last));
   const double span_s = track.back().time_s - track.front().time_s;
   return 0.5 * echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz * span_s / angle_rad;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

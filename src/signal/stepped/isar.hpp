@@ -9,14 +9,14 @@
 #include "signal/sar/sar_image.hpp"
 #include "signal/search/range_doppler_map.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Where a target is and how it is turned when a pulse is sent.
 struct TargetPose {
-  Vec3 centre_m;      ///< World: the origin of the target's own frame.
-  Vec3 velocity_mps;  ///< World, of the centre.
-  Mat3 world_from_target;
-  Vec3 turn_rate_radps;  ///< World: axis times rate, right-handed.
+  core::Vec3 centre_m;      ///< World: the origin of the target's own frame.
+  core::Vec3 velocity_mps;  ///< World, of the centre.
+  core::Mat3 world_from_target;
+  core::Vec3 turn_rate_radps;  ///< World: axis times rate, right-handed.
 };
 
 /// The track of an antenna in the target's own frame.
@@ -41,9 +41,9 @@ struct IsarBursts {
 /// turning, the reason why long bursts blur in a plain range-Doppler map, do not occur.
 /// @throw  std::invalid_argument as seen_from_target, back_project and range_doppler_maps; Interrupted
 [[nodiscard]] std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector<TargetPose>& poses,
-                                                    const Vec3& cross_range, const Vec3& range,
+                                                    const core::Vec3& cross_range, const core::Vec3& range,
                                                     const ImageAxis& cross_range_m, const ImageAxis& range_m,
-                                                    const IsarBursts& bursts, const WorkControl& control);
+                                                    const IsarBursts& bursts, const core::WorkControl& control);
 
 /// Maps of range and Doppler of the bursts with the target's travelling taken out: the centre rests at the range it has
 /// in the middle of its burst, at Doppler 0, with its amplitude. Turning is not compensated: a point x metres aside of
@@ -53,10 +53,10 @@ struct IsarBursts {
 [[nodiscard]] std::vector<RangeDopplerMap> isar_range_doppler_maps(const SarEchoes& echoes,
                                                                    const std::vector<TargetPose>& poses,
                                                                    const CoherentInterval& interval,
-                                                                   const WorkControl& control);
+                                                                   const core::WorkControl& control);
 
 /// Metres across the line of sight for each hertz of Doppler: lambda/(2 w), w the rate at which the line of sight turns
 /// in the target's frame, perpendicular to it, from the first pose to the last. Infinite without turning.
 [[nodiscard]] double cross_range_m_per_hz(const SarEchoes& echoes, const std::vector<TargetPose>& poses);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -9,12 +9,12 @@
 #include "signal/measure/response_test_support.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 constexpr double prf_hz = 500.0;
-constexpr double wavelength_m = exact_light_speed_mps / 10e9;
+constexpr double wavelength_m = core::exact_light_speed_mps / 10e9;
 
 // A target that flies past at 80 m/s, 5 km away, and turns by `rate_radps` about the vertical.
 struct Turning {
@@ -22,18 +22,18 @@ struct Turning {
   std::vector<TargetPose> poses;
 };
 
-Mat3 turned_about_z(double angle_rad) {
+core::Mat3 turned_about_z(double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return {{Vec3{c, -s, 0.0}, Vec3{s, c, 0.0}, Vec3{0.0, 0.0, 1.0}}};
+  return {{core::Vec3{c, -s, 0.0}, core::Vec3{s, c, 0.0}, core::Vec3{0.0, 0.0, 1.0}}};
 }
 
 // Points of the target in its own frame; they are where their poses put them when a pulse leaves.
 Turning turning_target(const std::vector<test::PointTarget>& points, std::size_t pulses, double rate_radps,
-                       const Vec3& velocity_mps = {80.0, 30.0, 0.0}) {
+                       const core::Vec3& velocity_mps = {80.0, 30.0, 0.0}) {
   Turning t;
-  t.echoes.waveform = {10e9, 150e6, 0.0, 200e6, exact_light_speed_mps};
+  t.echoes.waveform = {10e9, 150e6, 0.0, 200e6, core::exact_light_speed_mps};
   t.echoes.samples = 256;
-  t.echoes.first_delay_s = 2.0 * 5000.0 / exact_light_speed_mps - 128.0 / 200e6;
+  t.echoes.first_delay_s = 2.0 * 5000.0 / core::exact_light_speed_mps - 128.0 / 200e6;
   t.echoes.volts.resize(pulses * 256);
   for (std::size_t p = 0; p < pulses; ++p) {
     const double time_s = (static_cast<double>(p) - 0.5 * static_cast<double>(pulses)) / prf_hz;
@@ -44,15 +44,16 @@ Turning turning_target(const std::vector<test::PointTarget>& points, std::size_t
   for (std::size_t p = 0; p < pulses; ++p)
     for (const test::PointTarget& point : points) {
       const TargetPose& pose = t.poses[p];
-      const Vec3 offset = pose.world_from_target * point.position_m;
-      const Vec3 r = pose.centre_m + offset - t.echoes.track[p].position_m;
-      const double v = dot(r, pose.velocity_mps + cross(pose.turn_rate_radps, offset)) / norm(r);
-      const double delay_s = 2.0 * norm(r) / (exact_light_speed_mps - v);
+      const core::Vec3 offset = pose.world_from_target * point.position_m;
+      const core::Vec3 r = pose.centre_m + offset - t.echoes.track[p].position_m;
+      const double v = core::dot(r, pose.velocity_mps + core::cross(pose.turn_rate_radps, offset)) / core::norm(r);
+      const double delay_s = 2.0 * core::norm(r) / (core::exact_light_speed_mps - v);
       const double turns = 10e9 * delay_s;
       for (std::size_t n = 0; n < 256; ++n) {
         const double lag_s = t.echoes.first_delay_s + static_cast<double>(n) / 200e6 - delay_s;
-        t.echoes.volts[p * 256 + n] += std::complex<float>(point.strength * test::sinc(150e6 * lag_s) *
-                                                           std::polar(1.0, -2.0 * pi * (turns - std::round(turns))));
+        t.echoes.volts[p * 256 + n] +=
+            std::complex<float>(point.strength * test::sinc(150e6 * lag_s) *
+                                std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns))));
       }
     }
   return t;
@@ -61,15 +62,15 @@ Turning turning_target(const std::vector<test::PointTarget>& points, std::size_t
 TEST(SeenFromTarget, KeepsDistancesAndRangeRatesOfItsPoints) {
   const Turning t = turning_target({}, 40, 0.3);
   const SarEchoes seen = seen_from_target(t.echoes, t.poses);
-  for (const Vec3& point : {Vec3{}, Vec3{7.0, -3.0, 2.0}})
+  for (const core::Vec3& point : {core::Vec3{}, core::Vec3{7.0, -3.0, 2.0}})
     for (std::size_t p = 0; p < 40; p += 13) {
       const TargetPose& pose = t.poses[p];
-      const Vec3 offset = pose.world_from_target * point;
-      const Vec3 r = pose.centre_m + offset - t.echoes.track[p].position_m;
-      const double v = dot(r, pose.velocity_mps + cross(pose.turn_rate_radps, offset)) / norm(r);
-      const Vec3 own = point - seen.track[p].position_m;
-      EXPECT_NEAR(norm(own), norm(r), 1e-9);
-      EXPECT_NEAR(-dot(own, seen.track[p].velocity_mps) / norm(own), v, 1e-9);
+      const core::Vec3 offset = pose.world_from_target * point;
+      const core::Vec3 r = pose.centre_m + offset - t.echoes.track[p].position_m;
+      const double v = core::dot(r, pose.velocity_mps + core::cross(pose.turn_rate_radps, offset)) / core::norm(r);
+      const core::Vec3 own = point - seen.track[p].position_m;
+      EXPECT_NEAR(core::norm(own), core::norm(r), 1e-9);
+      EXPECT_NEAR(-core::dot(own, seen.track[p].velocity_mps) / core::norm(own), v, 1e-9);
     }
 }
 
@@ -96,7 +97,7 @@ TEST(IsarImages, AreMadeBurstByBurstWithTheirWindow) {
   const Turning t = turning_target({{{}}}, 300, 0.1);
   const ImageAxis axis{-1.0, 1.0, 3}, across{0.0, 1.0, 1};
   const auto images = isar_images(t.echoes, t.poses, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, axis, across,
-                                  {{100, 50, 0, hamming_window}, hamming_window}, one);
+                                  {{100, 50, 0, core::hamming_window}, core::hamming_window}, one);
   ASSERT_EQ(images.size(), 5u);
   for (const FocusedImage& image : images) EXPECT_NEAR(std::abs(image.values[1]), 1.0F, 0.01F);
 }
@@ -112,9 +113,9 @@ TEST(IsarRangeDopplerMaps, PutTheCentreAtRestAndPointsAsideAtTheirDoppler) {
     const RangeDopplerMap& map = maps[i];
     EXPECT_EQ(map.first_pulse, 128 * i);
     // The centre's range in the middle of its burst.
-    const double centre_m = norm(t.poses[map.first_pulse + 64].centre_m - Vec3{0.0, -5000.0, 0.0});
+    const double centre_m = core::norm(t.poses[map.first_pulse + 64].centre_m - core::Vec3{0.0, -5000.0, 0.0});
     const auto gate = static_cast<std::size_t>(
-        std::lround((2.0 * centre_m / (exact_light_speed_mps - 30.0) - t.echoes.first_delay_s) * 200e6));
+        std::lround((2.0 * centre_m / (core::exact_light_speed_mps - 30.0) - t.echoes.first_delay_s) * 200e6));
     EXPECT_GT(std::abs(map.values[512 * 256 + gate]), 0.85F);
     // The point aside turns with x towards +y: it recedes, half a hertz of Doppler for each millimetre per second.
     const double doppler_hz = -2.0 * 6.0 * rate_radps / wavelength_m;
@@ -171,4 +172,4 @@ TEST(CrossRange, IsInfiniteWithoutTurning) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

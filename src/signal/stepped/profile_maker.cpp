@@ -7,7 +7,7 @@
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -23,7 +23,7 @@ ProfileAxis axis_of(const SteppedBand& band, double from_m, double to_m, std::si
 
 std::size_t transform_size(const SteppedBand& band, std::size_t oversampling) {
   if (oversampling < 1) throw std::invalid_argument("range profile: no bins");
-  return good_fft_size(band.cells() * oversampling);
+  return core::good_fft_size(band.cells() * oversampling);
 }
 
 // Where the parabola through three values, the middle one not below the others, has its top: -1/2 to 1/2.
@@ -83,7 +83,7 @@ ProfileMaker::ProfileMaker(const SteppedBand& band, const WindowFunction& window
     sum += weights_[k];
     magnitudes += std::abs(weights_[k]);
   }
-  if (!weights_cancel(sum, magnitudes))
+  if (!core::weights_cancel(sum, magnitudes))
     for (double& w : weights_) w /= sum;
   gate_.resize(axis_.count);
   for (std::size_t i = 0; i < gate_.size(); ++i)
@@ -131,7 +131,7 @@ void ProfileMaker::transform_gate(std::span<const std::complex<double>> joined, 
   work.assign(fft_.size(), {});
   for (std::size_t k = 0; k < band_.cells(); ++k)
     work[k] = weights_[k] * joined[gate * band_.cells() + k] *
-              turned_exactly(static_cast<double>(k) * band_.cell_hz() * first_s);
+              core::turned_exactly(static_cast<double>(k) * band_.cell_hz() * first_s);
   fft_.inverse(work);
 }
 
@@ -148,7 +148,7 @@ void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::
       held = gate_[i];
       transform_gate(joined, held, work);
     }
-    out[i] = work[i % fft_.size()] * turned_exactly(from_centre_hz * (first_s + static_cast<double>(i) * step_s));
+    out[i] = work[i % fft_.size()] * core::turned_exactly(from_centre_hz * (first_s + static_cast<double>(i) * step_s));
   }
 }
 
@@ -192,4 +192,4 @@ double entropy_of(std::span<const double> power) {
   return squares > 0.0 ? 2.0 * std::log(energy) - std::log(squares) : 0.0;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

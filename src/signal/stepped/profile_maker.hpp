@@ -10,7 +10,7 @@
 #include "signal/compress/range_compression.hpp"
 #include "signal/stepped/stepped_band.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The ranges of a profile: first_m + k step_m, one way.
 struct ProfileAxis {
@@ -67,7 +67,7 @@ class ProfileMaker {
   ProfileAxis axis_;
   std::vector<double> weights_;
   std::vector<std::size_t> gate_;  // of each bin
-  Fft fft_;
+  core::Fft fft_;
 };
 
 /// A peak of a profile, between its bins.
@@ -92,4 +92,4 @@ struct ProfilePeak {
 /// the sharper. Strong peaks decide, so that noise in many bins hides little. 0 without energy.
 [[nodiscard]] double entropy_of(std::span<const double> power);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

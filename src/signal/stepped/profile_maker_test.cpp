@@ -9,13 +9,13 @@
 #include "signal/stepped/stepped_limits.hpp"
 #include "signal/stepped/stepped_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using test::burst_echoes;
 using test::moving_point;
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 constexpr double interval_s = 250e-6;
 constexpr double cell_m = c / (2.0 * 64 * 5e6);
 using Row = std::vector<std::complex<double>>;
@@ -30,7 +30,7 @@ ProfilePeak peak_of(const ProfileMaker& maker, const Row& row, double near_m, do
   return peak_near(row, maker.axis(), near_m, search_m).value();
 }
 
-double phase_at(double hz, double range_m) { return -2.0 * pi * std::remainder(2.0 * hz * range_m / c, 1.0); }
+double phase_at(double hz, double range_m) { return -2.0 * core::pi * std::remainder(2.0 * hz * range_m / c, 1.0); }
 
 TEST(ProfileMaker, ShowsARestingTargetAtItsRangeWithItsAmplitudeAndItsPhaseAtTheMiddleOfTheBand) {
   const SteppedBand band(test::sampled_waveform(2970.0, 8));
@@ -42,7 +42,7 @@ TEST(ProfileMaker, ShowsARestingTargetAtItsRangeWithItsAmplitudeAndItsPhaseAtThe
     const ProfilePeak peak = peak_of(maker, row, range_m, 2.0 * cell_m);
     EXPECT_NEAR(peak.range_m, range_m, 0.002 * cell_m);
     EXPECT_NEAR(peak.amplitude, 3.0, 1e-3);
-    EXPECT_NEAR(std::remainder(peak.phase_rad - phase_at(band.centre_hz(), range_m), 2.0 * pi), 0.0, 1e-6);
+    EXPECT_NEAR(std::remainder(peak.phase_rad - phase_at(band.centre_hz(), range_m), 2.0 * core::pi), 0.0, 1e-6);
     // The -3 dB width of an evenly filled band: 0.886 c/(2 B).
     EXPECT_NEAR(peak.width_m, 0.886 * cell_m, 0.003 * cell_m);
   }
@@ -50,10 +50,10 @@ TEST(ProfileMaker, ShowsARestingTargetAtItsRangeWithItsAmplitudeAndItsPhaseAtThe
 
 TEST(ProfileMaker, IsTheProfileOfASingleGateThere) {
   const SteppedBand band(test::sampled_waveform(3000.0, 1));
-  const ProfileMaker maker(band, hamming_window, 3000.0, 3005.0, 1);
+  const ProfileMaker maker(band, core::hamming_window, 3000.0, 3005.0, 1);
   const BurstEchoes echoes = burst_echoes(band, nullptr, {moving_point(3002.0, 0.0)}, 0.0, interval_s);
   const Row row = profile_of(maker, echoes);
-  const RangeProfiler profiler({3000.0}, 64, 5e6, hamming_window, c);
+  const RangeProfiler profiler({3000.0}, 64, 5e6, core::hamming_window, c);
   Row bins(64);
   profiler.profile(echoes.values, bins);
   for (std::size_t k = 0; k < row.size(); ++k) EXPECT_NEAR(std::abs(row[k]), std::abs(bins[k]), 1e-9) << k;
@@ -61,7 +61,7 @@ TEST(ProfileMaker, IsTheProfileOfASingleGateThere) {
 
 TEST(ProfileMaker, KeepsTargetsApartThatLieAWholeAmbiguityFromEachOther) {
   const SteppedBand band(test::sampled_waveform(2970.0, 12));
-  const ProfileMaker maker(band, hamming_window, 2980.0, 3100.0, 8);
+  const ProfileMaker maker(band, core::hamming_window, 2980.0, 3100.0, 8);
   const double away_m = c / (2.0 * 5e6);
   const Row row = profile_of(
       maker, burst_echoes(band, nullptr, {moving_point(3000.0, 0.0), moving_point(3000.0 + 2.0 * away_m, 0.0, 0.5)},
@@ -177,4 +177,4 @@ TEST(ProfileMaker, RefusesWhatMakesNoProfile) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

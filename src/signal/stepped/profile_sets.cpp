@@ -6,7 +6,7 @@
 
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_share) {
   std::vector<ProfileSet> scans;
@@ -36,7 +36,7 @@ std::vector<std::complex<double>> mean_profile(std::span<const std::complex<doub
 std::ptrdiff_t shift_onto(std::span<const std::complex<double>> profile, std::span<const std::complex<double>> other) {
   if (profile.size() != other.size()) throw std::invalid_argument("profiles of different lengths cannot be aligned");
   if (profile.empty()) return 0;
-  const Fft fft(good_fft_size(2 * profile.size()));
+  const core::Fft fft(core::good_fft_size(2 * profile.size()));
   std::vector<std::complex<double>> a(fft.size());
   std::vector<std::complex<double>> b(fft.size());
   for (std::size_t k = 0; k < profile.size(); ++k) a[k] = std::norm(profile[k]);
@@ -51,4 +51,4 @@ std::ptrdiff_t shift_onto(std::span<const std::complex<double>> profile, std::sp
   return 2 * shift > size ? shift - size : shift;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Profiles that belong together: bursts first ... last, both included.
 struct ProfileSet {
@@ -32,4 +32,4 @@ struct ProfileSet {
 [[nodiscard]] std::ptrdiff_t shift_onto(std::span<const std::complex<double>> profile,
                                         std::span<const std::complex<double>> other);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

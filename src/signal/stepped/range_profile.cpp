@@ -5,7 +5,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step_hz, const WindowFunction& window,
                              double light_speed_mps)
@@ -20,7 +20,7 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
     sum += weights_[n];
     magnitudes += std::abs(weights_[n]);
   }
-  if (!weights_cancel(sum, magnitudes))
+  if (!core::weights_cancel(sum, magnitudes))
     for (double& w : weights_) w /= sum;
 }
 
@@ -29,10 +29,10 @@ void RangeProfiler::profile(std::span<const std::complex<double>> sums, std::spa
     const auto bins = out.subspan(g * steps(), steps());
     for (std::size_t n = 0; n < steps(); ++n) {
       const double cycles = gate_turns_[g] * static_cast<double>(n);
-      bins[n] = sums[n * gates() + g] * (weights_[n] * std::polar(1.0, 2.0 * pi * (cycles - std::round(cycles))));
+      bins[n] = sums[n * gates() + g] * (weights_[n] * std::polar(1.0, 2.0 * core::pi * (cycles - std::round(cycles))));
     }
     fft_.inverse(bins);
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

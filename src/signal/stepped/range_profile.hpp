@@ -7,7 +7,7 @@
 #include "core/maths/fft.hpp"
 #include "signal/compress/range_compression.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// Synthetic range profiles from bursts of stepped frequencies (decision 22; thesis abstract; Wehner 1995, ch. 5).
 ///
@@ -35,7 +35,7 @@ class RangeProfiler {
  private:
   std::vector<double> gate_turns_;  // step 2 R/c, in cycles, of each gate
   std::vector<double> weights_;     // window over the steps, sum 1
-  Fft fft_;
+  core::Fft fft_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -8,11 +8,11 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 constexpr int steps = 32;
 constexpr double start_hz = 3e9, step_hz = 2e6;
 constexpr double bin_m = c / (2.0 * steps * step_hz);
@@ -21,14 +21,14 @@ using Row = std::vector<std::complex<double>>;
 const WindowFunction rectangular = [](double) { return 1.0; };
 
 // Cycles of the two-way phase are up to 2e5; their rounding times 2 pi is the error of all phases below.
-constexpr double phase_error = 2.0 * pi * 2e5 * 4.0 * epsilon;
+constexpr double phase_error = 2.0 * core::pi * 2e5 * 4.0 * epsilon;
 
 // The echo of a target at the carriers of a burst, the same at every gate.
 void add_target(Row& sums, std::size_t gates, double range_m, double amplitude) {
   for (std::size_t n = 0; n < sums.size() / gates; ++n) {
     const double cycles = (start_hz + step_hz * static_cast<double>(n)) * 2.0 * range_m / c;
     for (std::size_t g = 0; g < gates; ++g)
-      sums[n * gates + g] += std::polar(amplitude, -2.0 * pi * std::remainder(cycles, 1.0));
+      sums[n * gates + g] += std::polar(amplitude, -2.0 * core::pi * std::remainder(cycles, 1.0));
   }
 }
 
@@ -42,7 +42,7 @@ Row profile(const std::vector<double>& gates_m, const Row& sums, const WindowFun
 }
 
 std::complex<double> carrier_phase(double range_m) {
-  return std::polar(1.0, -2.0 * pi * std::remainder(start_hz * 2.0 * range_m / c, 1.0));
+  return std::polar(1.0, -2.0 * core::pi * std::remainder(start_hz * 2.0 * range_m / c, 1.0));
 }
 
 TEST(RangeProfiler, PutsATargetIntoItsBinWithItsAmplitudeAndItsPhaseAtTheFirstCarrier) {
@@ -66,7 +66,7 @@ TEST(RangeProfiler, HasTheResponseOfDirichletsKernelBetweenBins) {
   for (int k = 0; k < steps; ++k) {
     const double d = k - 9.3;
     EXPECT_NEAR(std::abs(out[static_cast<std::size_t>(k)]),
-                std::abs(std::sin(pi * d) / (steps * std::sin(pi * d / steps))), 4.0 * phase_error);
+                std::abs(std::sin(core::pi * d) / (steps * std::sin(core::pi * d / steps))), 4.0 * phase_error);
   }
 }
 
@@ -105,20 +105,21 @@ TEST(RangeProfiler, WindowKeepsThePeakAndLowersTheSideLobes) {
   Row sums(steps), between(steps);
   add_target(sums, 1, range_m, 2.0);
   add_target(between, 1, 5000.0 + 9.5 * bin_m, 2.0);
-  EXPECT_LT(std::abs(profile({5000.0}, sums, hamming_window)[9] - 2.0 * carrier_phase(range_m)), 16.0 * phase_error);
-  const Row out = profile({5000.0}, between, hamming_window);
+  EXPECT_LT(std::abs(profile({5000.0}, sums, core::hamming_window)[9] - 2.0 * carrier_phase(range_m)),
+            16.0 * phase_error);
+  const Row out = profile({5000.0}, between, core::hamming_window);
   for (std::size_t k = 13; k < steps; ++k) EXPECT_LT(std::abs(out[k]), 2.0 * 0.01);  // -40 dB
 }
 
 TEST(RangeProfiler, IsSilentWhereTheWindowLeavesNothing) {
-  const RangeProfiler profiler({5000.0}, 2, step_hz, bartlett_window, c);  // 0 at both ends
+  const RangeProfiler profiler({5000.0}, 2, step_hz, core::bartlett_window, c);  // 0 at both ends
   Row out(2);
   profiler.profile(Row{1.0, 1.0}, out);
   EXPECT_EQ(out, Row(2));
 }
 
 TEST(RangeProfiler, OfOneStepIsTheSampleItself) {
-  const RangeProfiler profiler({5000.0, 6000.0}, 1, step_hz, bartlett_window, c);
+  const RangeProfiler profiler({5000.0, 6000.0}, 1, step_hz, core::bartlett_window, c);
   const Row sums{{1.0, 2.0}, {-3.0, 0.5}};
   Row out(2);
   profiler.profile(sums, out);
@@ -126,4 +127,4 @@ TEST(RangeProfiler, OfOneStepIsTheSampleItself) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 
 #include "core/maths/turns.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double least_share = 0.02;
 
 std::size_t transform_size(const SteppedWaveform& w) {
-  return w.subband_hz > 0.0 ? good_fft_size(w.samples + std::max(w.response.size(), w.filter.size())) : 1;
+  return w.subband_hz > 0.0 ? core::good_fft_size(w.samples + std::max(w.response.size(), w.filter.size())) : 1;
 }
 
 void expect_sound(const SteppedWaveform& w) {
@@ -34,7 +34,7 @@ void expect_sound(const SteppedWaveform& w) {
 
 SteppedBand::SteppedBand(SteppedWaveform waveform)
     : waveform_((expect_sound(waveform), std::move(waveform))),
-      fft_(std::make_shared<const Fft>(transform_size(waveform_))) {
+      fft_(std::make_shared<const core::Fft>(transform_size(waveform_))) {
   if (waveform_.subband_hz > 0.0)
     lay_out_subbands();
   else
@@ -122,10 +122,10 @@ void SteppedBand::transform(std::span<const std::complex<double>> row, double fi
                             std::span<std::complex<double>> out) const {
   std::vector<std::complex<double>> work(fft_->size());
   for (std::size_t i = 0; i < row.size(); ++i)
-    work[i] = row[i] * turned_exactly(-first_hz * static_cast<double>(i) / waveform_.sample_rate_hz);
+    work[i] = row[i] * core::turned_exactly(-first_hz * static_cast<double>(i) / waveform_.sample_rate_hz);
   fft_->forward(work);
   for (std::size_t k = 0; k < out.size(); ++k)
-    out[k] = work[k] * turned_exactly(-(first_hz + static_cast<double>(k) * cell_hz_) * first_s);
+    out[k] = work[k] * core::turned_exactly(-(first_hz + static_cast<double>(k) * cell_hz_) * first_s);
 }
 
 void SteppedBand::place(std::size_t pulse, std::span<const std::complex<double>> row,
@@ -158,13 +158,13 @@ void SteppedBand::join(std::span<const std::complex<double>> values, std::span<c
     for (std::size_t k = 0; k < pulse_cells_; ++k) {
       const double hz = frequency_hz(first + k);
       const double turns = hz * moved.delay_s - (hz - carrier_hz) * early_s + 0.5 * doppler_hz * early_s;
-      const std::complex<double> factor = weight(first + k) * turned_exactly(turns);
+      const std::complex<double> factor = weight(first + k) * core::turned_exactly(turns);
       for (std::size_t g = 0; g < gates_; ++g) {
         const std::complex<double> value = values[p * values_per_pulse() + g * pulse_cells_ + k];
-        out[g * cells_ + first + k] += product(factor, value);
+        out[g * cells_ + first + k] += core::product(factor, value);
       }
     }
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -8,7 +8,7 @@
 
 #include "core/maths/fft.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The waveform of a burst, the set of all pulses that make one synthetic range profile (thesis, nomenclature), and how
 /// its echoes are recorded. With one step a burst is a train of pulses on one carrier.
@@ -126,7 +126,7 @@ class SteppedBand {
   std::vector<std::size_t> first_cell_;       // of each step
   std::vector<std::complex<double>> share_;   // 1/(sum of X) of each cell, 0 where there is none; empty: 1
   std::vector<std::complex<double>> filter_;  // of each step, its spectrum at the step's cells; empty: 1
-  std::shared_ptr<const Fft> fft_;
+  std::shared_ptr<const core::Fft> fft_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -8,19 +8,19 @@
 #include "signal/stepped/profile_maker.hpp"
 #include "signal/stepped/stepped_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using test::burst_echoes;
 using test::moving_point;
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 constexpr double interval_s = 200e-6;
 using Row = std::vector<std::complex<double>>;
 
 Row profile_of(const SteppedBand& band, const BurstEchoes& echoes, const std::vector<PulseMotion>& motion,
                double from_m, double to_m, ProfileAxis& axis) {
-  const ProfileMaker maker(band, hamming_window, from_m, to_m, 8);
+  const ProfileMaker maker(band, core::hamming_window, from_m, to_m, 8);
   axis = maker.axis();
   Row row(axis.count);
   maker.make(echoes.values, motion, row);
@@ -29,7 +29,7 @@ Row profile_of(const SteppedBand& band, const BurstEchoes& echoes, const std::ve
 
 // Eight chirps of 12 MHz, 10 MHz apart: 82 MHz about 9.035 GHz.
 struct Stitched {
-  Pulse pulse = test::chirp_of(12e6, 10e-6);
+  radar::Pulse pulse = test::chirp_of(12e6, 10e-6);
   SteppedBand band{test::chirped_waveform(pulse, 9e9, 10e6, 8, 20e6, 2900.0, 64)};
 };
 
@@ -58,7 +58,7 @@ TEST(SteppedBand, OfChirpsHoldsTheSameSpectrumAtEveryCell) {
 
 TEST(SteppedBand, StitchesTheProfileOfAChirpOfTheWholeBand) {
   const Stitched s;
-  const Pulse wide_pulse = test::chirp_of(82e6, 10e-6);
+  const radar::Pulse wide_pulse = test::chirp_of(82e6, 10e-6);
   const SteppedBand wide(test::chirped_waveform(wide_pulse, 9.035e9, 0.0, 1, 120e6, 2900.0, 384));
   const std::vector<test::SteppedPoint> points{moving_point(2940.0, 0.0), moving_point(2945.5, 0.0, 0.6),
                                                moving_point(2961.2, 0.0, 0.3)};
@@ -76,8 +76,8 @@ TEST(SteppedBand, StitchesTheProfileOfAChirpOfTheWholeBand) {
     EXPECT_NEAR(peak->width_m, wide_peak->width_m, 0.02 * cell_m);
     // Each has the phase of the middle of its own band, whose cells are its own.
     const double between_hz = s.band.centre_hz() - wide.centre_hz();
-    const double phase = -4.0 * pi * between_hz * point.range_m(0.0) / c;
-    EXPECT_NEAR(std::remainder(peak->phase_rad - wide_peak->phase_rad - phase, 2.0 * pi), 0.0, 0.02);
+    const double phase = -4.0 * core::pi * between_hz * point.range_m(0.0) / c;
+    EXPECT_NEAR(std::remainder(peak->phase_rad - wide_peak->phase_rad - phase, 2.0 * core::pi), 0.0, 0.02);
     EXPECT_NEAR(peak->range_m, point.range_m(0.0), 0.02 * cell_m);
   }
   // Between the targets, 40 dB down: both profiles have the sidelobes of the window and no others.
@@ -100,8 +100,8 @@ TEST(SteppedBand, TakesTheSpeedOutOfChirps) {
     EXPECT_NEAR(peak->range_m, expected_m, 0.02 * cell_m) << v;
     EXPECT_NEAR(peak->amplitude, 1.0, 0.02);
     EXPECT_NEAR(peak->width_m, 1.303 * cell_m, 0.03 * cell_m);
-    const double phase = -2.0 * pi * std::remainder(s.band.centre_hz() * 2.0 * expected_m / c, 1.0);
-    EXPECT_NEAR(std::remainder(peak->phase_rad - phase, 2.0 * pi), 0.0, 0.1);
+    const double phase = -2.0 * core::pi * std::remainder(s.band.centre_hz() * 2.0 * expected_m / c, 1.0);
+    EXPECT_NEAR(std::remainder(peak->phase_rad - phase, 2.0 * core::pi), 0.0, 0.1);
   }
 }
 
@@ -116,12 +116,12 @@ TEST(SteppedBand, TakesTheTurnOfTheDopplerShiftOut) {
   const double expected_m = (2950.0 + v * middle_s) / (1.0 - v / c);
   const auto peak = peak_near(row, axis, expected_m, 1.0);
   ASSERT_TRUE(peak);
-  const double phase = -2.0 * pi * std::remainder(s.band.centre_hz() * 2.0 * expected_m / c, 1.0);
-  EXPECT_NEAR(std::remainder(peak->phase_rad - phase, 2.0 * pi), 0.0, 0.1);
+  const double phase = -2.0 * core::pi * std::remainder(s.band.centre_hz() * 2.0 * expected_m / c, 1.0);
+  EXPECT_NEAR(std::remainder(peak->phase_rad - phase, 2.0 * core::pi), 0.0, 0.1);
 }
 
 TEST(SteppedBand, HasGapsWhereStepsAreWiderThanTheChirps) {
-  const Pulse pulse = test::chirp_of(8e6, 10e-6);
+  const radar::Pulse pulse = test::chirp_of(8e6, 10e-6);
   const SteppedBand band(test::chirped_waveform(pulse, 9e9, 10e6, 8, 20e6, 2900.0, 64));
   EXPECT_NEAR(band.gap_share(), 14.0 / 78.0, 0.02);
   const BurstEchoes echoes = burst_echoes(band, &pulse, {moving_point(2950.0, 0.0)}, 0.0, interval_s);
@@ -145,7 +145,7 @@ TEST(SteppedBand, ShowsADelayByTheSampleInTheMiddleOfItsEcho) {
 }
 
 TEST(SteppedBand, SeesTheDelaysThatHaveAGate) {
-  const Pulse pulse = test::chirp_of(8e6, 10e-6);
+  const radar::Pulse pulse = test::chirp_of(8e6, 10e-6);
   SteppedWaveform compressed = test::chirped_waveform(pulse, 9e9, 8e6, 8, 20e6, 2900.0, 64);
   compressed.filter.clear();
   SteppedWaveform begin = test::sampled_waveform(3000.0, 4);  // Echoes begin at the delay, not half a pulse before it.
@@ -179,4 +179,4 @@ TEST(SteppedBand, RefusesWaveformsThatMakeNoBand) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -7,19 +7,19 @@
 #include "core/maths/turns.hpp"
 #include "signal/sar/work_matrix.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
-Vec3 unit(const Vec3& v) { return (1.0 / norm(v)) * v; }
+core::Vec3 unit(const core::Vec3& v) { return (1.0 / core::norm(v)) * v; }
 
-Vec3 sight(const TrackPoint& antenna) { return unit(-antenna.position_m); }
+core::Vec3 sight(const TrackPoint& antenna) { return unit(-antenna.position_m); }
 
 // Delay of a point of the target's frame, and how fast it recedes.
-PulseMotion echo_of(const TrackPoint& antenna, const Vec3& point_m, double light_speed_mps) {
-  const Vec3 r = antenna.position_m - point_m;
-  const double distance_m = norm(r);
-  const double speed_mps = dot(r, antenna.velocity_mps) / distance_m;
+PulseMotion echo_of(const TrackPoint& antenna, const core::Vec3& point_m, double light_speed_mps) {
+  const core::Vec3 r = antenna.position_m - point_m;
+  const double distance_m = core::norm(r);
+  const double speed_mps = core::dot(r, antenna.velocity_mps) / distance_m;
   return {2.0 * distance_m / (light_speed_mps - speed_mps), speed_mps};
 }
 
@@ -59,13 +59,13 @@ FocusedImage empty_image(const ProfileMaker& maker, const IsarPlane& plane, cons
 void add_turned(const SteppedBand& band, std::size_t pulse, std::span<const std::complex<double>> values,
                 double delay_s, double turns, std::complex<double> factor, std::span<std::complex<double>> joined) {
   const std::size_t first = band.first_cell(pulse);
-  std::complex<double> turn = factor * turned_exactly(band.frequency_hz(first) * delay_s + turns);
-  const std::complex<double> next = turned_exactly(band.cell_hz() * delay_s);
+  std::complex<double> turn = factor * core::turned_exactly(band.frequency_hz(first) * delay_s + turns);
+  const std::complex<double> next = core::turned_exactly(band.cell_hz() * delay_s);
   for (std::size_t k = 0; k < band.pulse_cells(); ++k) {
-    const std::complex<double> here = product(turn, band.weight(first + k));
+    const std::complex<double> here = core::product(turn, band.weight(first + k));
     for (std::size_t g = 0; g < band.gates(); ++g)
-      joined[g * band.cells() + first + k] += product(here, values[g * band.pulse_cells() + k]);
-    turn = product(turn, next);
+      joined[g * band.cells() + first + k] += core::product(here, values[g * band.pulse_cells() + k]);
+    turn = core::product(turn, next);
   }
 }
 
@@ -87,7 +87,7 @@ Coupling coupling_of(const SteppedWaveform& w, double carrier_hz, double speed_m
 class PulseTable {
  public:
   explicit PulseTable(const ProfileMaker& maker)
-      : maker_(maker), fft_(good_fft_size(table_oversampling * maker.band().pulse_cells())) {}
+      : maker_(maker), fft_(core::good_fft_size(table_oversampling * maker.band().pulse_cells())) {}
 
   void load(std::size_t pulse, std::span<const std::complex<double>> values) {
     const SteppedBand& band = maker_.band();
@@ -113,20 +113,20 @@ class PulseTable {
     const SteppedBand& band = maker_.band();
     const std::size_t gate = band.gate_of(delay_s);
     if (gate == band.gates()) return 0.0;
-    const auto turn = std::complex<double>(turned(turns + middle_hz_ * delay_s));
-    if (band.pulse_cells() == 1) return product(product(single_, values_[gate]), turn);
+    const auto turn = std::complex<double>(core::turned(turns + middle_hz_ * delay_s));
+    if (band.pulse_cells() == 1) return core::product(core::product(single_, values_[gate]), turn);
     const double periods = delay_s * band.cell_hz();
     const double index = (periods - std::floor(periods)) * static_cast<double>(table_.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(index), table_.size() - 2);
     const double share = index - static_cast<double>(i);
-    return product((1.0 - share) * table_[i] + share * table_[i + 1], turn);
+    return core::product((1.0 - share) * table_[i] + share * table_[i + 1], turn);
   }
 
  private:
   static constexpr std::size_t table_oversampling = 16;  // Straight lines between entries: error (pi/16)^2/8.
 
   const ProfileMaker& maker_;
-  Fft fft_;
+  core::Fft fft_;
   std::span<const std::complex<double>> values_;
   std::vector<std::complex<double>> table_;
   std::complex<double> single_;  // What weighs the only cell of a pulse.
@@ -138,20 +138,20 @@ class PulseTable {
 IsarPlane plane_of(std::span<const TrackPoint> seen) {
   if (seen.size() < 2) throw std::invalid_argument("images of a turning target: fewer than two pulses");
   const TrackPoint& middle = seen[seen.size() / 2];
-  const Vec3 first = sight(seen.front());
-  const Vec3 last = sight(seen.back());
+  const core::Vec3 first = sight(seen.front());
+  const core::Vec3 last = sight(seen.back());
   IsarPlane plane;
   plane.range = sight(middle);
-  plane.range_m = norm(middle.position_m);
-  plane.turn_rad = std::atan2(norm(cross(first, last)), dot(first, last));
+  plane.range_m = core::norm(middle.position_m);
+  plane.turn_rad = std::atan2(core::norm(core::cross(first, last)), core::dot(first, last));
   const double span_s = seen.back().time_s - seen.front().time_s;
   if (span_s > 0.0) plane.rate_radps = plane.turn_rad / span_s;
-  const Vec3 swept = last - first - dot(last - first, plane.range) * plane.range;
+  const core::Vec3 swept = last - first - core::dot(last - first, plane.range) * plane.range;
   // Without turning any direction will do.
-  const Vec3 aside = std::abs(plane.range.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};
-  plane.cross_range = norm(swept) > 0.0 ? unit(swept) : unit(cross(plane.range, aside));
+  const core::Vec3 aside = std::abs(plane.range.z) < 0.9 ? core::Vec3{0.0, 0.0, 1.0} : core::Vec3{1.0, 0.0, 0.0};
+  plane.cross_range = core::norm(swept) > 0.0 ? unit(swept) : unit(core::cross(plane.range, aside));
   plane.lever.reserve(seen.size());
-  for (const TrackPoint& antenna : seen) plane.lever.push_back(dot(plane.cross_range, sight(antenna)));
+  for (const TrackPoint& antenna : seen) plane.lever.push_back(core::dot(plane.cross_range, sight(antenna)));
   return plane;
 }
 
@@ -160,7 +160,7 @@ std::vector<PulseMotion> motion_of_origin(std::span<const TrackPoint> seen, doub
   motion.reserve(seen.size());
   if (seen.empty()) return motion;
   // The middle one is where the image is to be: at the range, not at the delay, of the origin.
-  const double middle_s = 2.0 * norm(seen[seen.size() / 2].position_m) / light_speed_mps;
+  const double middle_s = 2.0 * core::norm(seen[seen.size() / 2].position_m) / light_speed_mps;
   for (const TrackPoint& antenna : seen) {
     motion.push_back(echo_of(antenna, {}, light_speed_mps));
     motion.back().delay_s -= middle_s;
@@ -169,8 +169,8 @@ std::vector<PulseMotion> motion_of_origin(std::span<const TrackPoint> seen, doub
 }
 
 FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& echoes, const IsarPlane& plane,
-                                const ImageAxis& cross_range, const WorkControl& control,
-                                const ProgressReport& progress) {
+                                const ImageAxis& cross_range, const core::WorkControl& control,
+                                const core::ProgressReport& progress) {
   const SteppedBand& band = maker.band();
   const SteppedWaveform& w = band.waveform();
   const std::size_t bursts = bursts_of(band, echoes, plane.lever.size());
@@ -179,7 +179,7 @@ FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& ech
   const std::vector<double> weights = burst_weights(echoes.window, bursts);
   FocusedImage image = empty_image(maker, plane, cross_range);
   WorkCounter counter(progress, image.values.size(), image.range.count);
-  parallel_ranges(cross_range.count, 1, control, [&](std::size_t row, std::size_t) {
+  core::parallel_ranges(cross_range.count, 1, control, [&](std::size_t row, std::size_t) {
     std::vector<std::complex<double>> joined(band.gates() * band.cells());
     const double x_m = cross_range.at(static_cast<double>(row));
     for (std::size_t p = 0; p < plane.lever.size(); ++p) {
@@ -200,8 +200,8 @@ FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& ech
 }
 
 FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& echoes, std::span<const TrackPoint> seen,
-                                  const IsarPlane& plane, const ImageAxis& cross_range, const WorkControl& control,
-                                  const ProgressReport& progress) {
+                                  const IsarPlane& plane, const ImageAxis& cross_range,
+                                  const core::WorkControl& control, const core::ProgressReport& progress) {
   const SteppedBand& band = maker.band();
   const SteppedWaveform& w = band.waveform();
   const std::size_t bursts = bursts_of(band, echoes, seen.size());
@@ -211,9 +211,9 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
   WorkCounter counter(progress, image.values.size(), columns);
   const TrackPoint& middle = seen[seen.size() / 2];
   constexpr std::size_t rows_at_once = 32;  // A pulse's table is made for each of them.
-  parallel_ranges(cross_range.count, rows_at_once, control, [&](std::size_t begin, std::size_t end) {
+  core::parallel_ranges(cross_range.count, rows_at_once, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<double>> sums((end - begin) * columns);
-    std::vector<Vec3> points(sums.size());
+    std::vector<core::Vec3> points(sums.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t row = begin + i / columns;
       const std::size_t column = i % columns;
@@ -222,7 +222,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
     }
     PulseTable table(maker);
     for (std::size_t p = 0; p < seen.size(); ++p) {
-      if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+      if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
       const std::size_t in_burst = p % w.burst_pulses();
       const double carrier_hz = w.carrier_hz(in_burst / w.pulses_per_step);
       table.load(in_burst, echoes.values.subspan(p * band.values_per_pulse(), band.values_per_pulse()));
@@ -233,8 +233,8 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
       }
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      const double path_m = norm(middle.position_m - points[i]);
-      sums[i] *= turned_exactly(-2.0 * image.carrier_hz * path_m / w.light_speed_mps);
+      const double path_m = core::norm(middle.position_m - points[i]);
+      sums[i] *= core::turned_exactly(-2.0 * image.carrier_hz * path_m / w.light_speed_mps);
       image.values[begin * columns + i] = std::complex<float>(sums[i]);
     }
     counter.add(sums.size());
@@ -242,4 +242,4 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
   return image;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -13,14 +13,14 @@
 
 /// Images of a turning target from bursts of stepped frequencies, or from a train of chirps, each of which is a burst
 /// of one step (docs/theory/stepped-frequency.md).
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The plane in which a turning target is imaged, in the target's own frame: what the line of sight sweeps over.
 struct IsarPlane {
-  Vec3 range;             ///< Line of sight, away from the antenna, in the middle of the time. Length 1.
-  Vec3 cross_range;       ///< Where it moves to, perpendicular to `range`: points there recede. Length 1.
-  double range_m = 0.0;   ///< Of the target's origin then.
-  double turn_rad = 0.0;  ///< Angle between the first line of sight and the last.
+  core::Vec3 range;        ///< Line of sight, away from the antenna, in the middle of the time. Length 1.
+  core::Vec3 cross_range;  ///< Where it moves to, perpendicular to `range`: points there recede. Length 1.
+  double range_m = 0.0;    ///< Of the target's origin then.
+  double turn_rad = 0.0;   ///< Angle between the first line of sight and the last.
   double rate_radps = 0.0;
   /// Of each pulse: by how many metres a point one metre along `cross_range` is farther away than the origin.
   std::vector<double> lever;
@@ -51,14 +51,15 @@ struct IsarEchoes {
 /// @throw  std::invalid_argument where the sizes contradict each other; Interrupted
 [[nodiscard]] FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& echoes,
                                               const IsarPlane& plane, const ImageAxis& cross_range,
-                                              const WorkControl& control, const ProgressReport& progress = {});
+                                              const core::WorkControl& control,
+                                              const core::ProgressReport& progress = {});
 
 /// The same points by the sum over all pulses with their exact delays, for any turning and any size of the target:
 /// echoes.motion does not matter. Costs a pulse and a pixel each, where isar_range_doppler costs a pulse and a row.
 /// @param seen  the antenna in the target's frame, one for each pulse
 [[nodiscard]] FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& echoes,
                                                 std::span<const TrackPoint> seen, const IsarPlane& plane,
-                                                const ImageAxis& cross_range, const WorkControl& control,
-                                                const ProgressReport& progress = {});
+                                                const ImageAxis& cross_range, const core::WorkControl& control,
+                                                const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

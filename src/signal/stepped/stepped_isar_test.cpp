@@ -8,34 +8,36 @@
 #include "signal/stepped/isar.hpp"
 #include "signal/stepped/stepped_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using test::burst_echoes;
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 constexpr double interval_s = 125e-6;
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 
 // A point of a target that travels and turns in the horizontal plane, seen from the origin.
 struct Turning {
   double range_m = 5000.0;
-  Vec3 velocity_mps{6.0, 8.0, 0.0};
+  core::Vec3 velocity_mps{6.0, 8.0, 0.0};
   double rate_radps = 0.05;
 
   [[nodiscard]] TargetPose pose(double t) const {
     const double a = rate_radps * t;
-    return {Vec3{0.0, range_m, 0.0} + t * velocity_mps,
+    return {core::Vec3{0.0, range_m, 0.0} + t * velocity_mps,
             velocity_mps,
-            {{Vec3{std::cos(a), -std::sin(a), 0.0}, Vec3{std::sin(a), std::cos(a), 0.0}, Vec3{0.0, 0.0, 1.0}}},
+            {{core::Vec3{std::cos(a), -std::sin(a), 0.0}, core::Vec3{std::sin(a), std::cos(a), 0.0},
+              core::Vec3{0.0, 0.0, 1.0}}},
             {0.0, 0.0, rate_radps}};
   }
-  [[nodiscard]] test::SteppedPoint point(const Vec3& place_m, double amplitude) const {
+  [[nodiscard]] test::SteppedPoint point(const core::Vec3& place_m, double amplitude) const {
     const auto sight = [*this, place_m](double t) {
       const TargetPose p = pose(t);
-      const Vec3 offset = p.world_from_target * place_m;
-      const Vec3 r = p.centre_m + offset;
-      return std::pair(norm(r), dot(r, p.velocity_mps + cross(p.turn_rate_radps, offset)) / norm(r));
+      const core::Vec3 offset = p.world_from_target * place_m;
+      const core::Vec3 r = p.centre_m + offset;
+      return std::pair(core::norm(r),
+                       core::dot(r, p.velocity_mps + core::cross(p.turn_rate_radps, offset)) / core::norm(r));
     };
     return {[sight](double t) { return sight(t).first; }, [sight](double t) { return sight(t).second; }, amplitude};
   }
@@ -43,12 +45,12 @@ struct Turning {
 
 struct Scene {
   Turning target;
-  std::vector<std::pair<Vec3, double>> points{
+  std::vector<std::pair<core::Vec3, double>> points{
       {{0.0, 0.0, 0.0}, 1.0}, {{14.0, 6.0, 0.0}, 0.8}, {{-11.0, -7.0, 0.0}, 0.7}, {{5.0, -9.0, 0.0}, 0.9}};
   BurstEchoes echoes;
   std::vector<TrackPoint> seen;
 
-  Scene(const SteppedBand& band, const Pulse* pulse, std::size_t bursts, const Turning& turning = {})
+  Scene(const SteppedBand& band, const radar::Pulse* pulse, std::size_t bursts, const Turning& turning = {})
       : target(turning) {
     std::vector<test::SteppedPoint> moving;
     for (const auto& [place, amplitude] : points) moving.push_back(target.point(place, amplitude));
@@ -79,8 +81,8 @@ void expect_points(const FocusedImage& image, const Scene& scene, const IsarPlan
                    double least_amplitude) {
   for (const auto& [place, amplitude] : scene.points) {
     // A spherical wave: a point aside is farther than its projection on the line of sight by x^2/(2 R).
-    const double x = dot(place, plane.cross_range);
-    const ImagePlace expected{x, dot(place, plane.range)};
+    const double x = core::dot(place, plane.cross_range);
+    const ImagePlace expected{x, core::dot(place, plane.range)};
     const PointResponse found = measured(image, expected);
     EXPECT_NEAR(found.place.azimuth_m, expected.azimuth_m, place_error_m);
     EXPECT_NEAR(found.place.range_m, expected.range_m, place_error_m);
@@ -140,7 +142,7 @@ TEST(IsarRangeDoppler, TakesTheTurningWithinABurstOut) {
 }
 
 TEST(IsarRangeDoppler, ImagesWithStepsOfChirps) {
-  const Pulse pulse = test::chirp_of(12e6, 5e-6);
+  const radar::Pulse pulse = test::chirp_of(12e6, 5e-6);
   const SteppedBand band(test::chirped_waveform(pulse, 9.4e9, 10e6, 16, 20e6, 4950.0, 16));
   const Scene scene(band, &pulse, 120);
   const IsarPlane plane = plane_of(scene.seen);
@@ -162,22 +164,22 @@ TEST(IsarBackProjection, IsExactForLargeAngles) {
   EXPECT_GT(plane.turn_rad, 0.2);
   const double cell_m = c / band.centre_hz() / (2.0 * plane.turn_rad);
   for (const auto& [place, amplitude] : scene.points) {
-    const double x = dot(place, plane.cross_range);
-    const double range_m = plane.range_m + dot(place, plane.range);
+    const double x = core::dot(place, plane.cross_range);
+    const double range_m = plane.range_m + core::dot(place, plane.range);
     const ProfileMaker maker(band, {}, range_m - 5.0, range_m + 5.0, 2);
     const ImageAxis across{x - 0.8, cell_m / 2.0, static_cast<std::size_t>(1.6 / cell_m * 2.0) + 1};
     const FocusedImage image =
         isar_back_projection(maker, {scene.echoes.values, {}, {}}, scene.seen, plane, across, {2, nullptr});
-    const PointResponse found = measured(image, {x, dot(place, plane.range)});
+    const PointResponse found = measured(image, {x, core::dot(place, plane.range)});
     EXPECT_NEAR(found.place.azimuth_m, x, 0.1 * cell_m);
-    EXPECT_NEAR(found.place.range_m, dot(place, plane.range), 0.03);
+    EXPECT_NEAR(found.place.range_m, core::dot(place, plane.range), 0.03);
     EXPECT_NEAR(found.amplitude, amplitude, 0.1 * amplitude);
     EXPECT_NEAR(found.azimuth.width, 0.886 * cell_m, 0.12 * cell_m);
   }
 }
 
 TEST(IsarBackProjection, AgreesWithRangeAndDopplerForSmallAnglesAndChirps) {
-  const Pulse pulse = test::chirp_of(12e6, 5e-6);
+  const radar::Pulse pulse = test::chirp_of(12e6, 5e-6);
   const SteppedBand band(test::chirped_waveform(pulse, 9.4e9, 10e6, 8, 20e6, 4950.0, 16));
   // 200 m/s: the Doppler shift moves compressed chirps by 0.8 m.
   Turning fast;
@@ -199,13 +201,13 @@ TEST(StoppedIsar, EndsWhenAskedTo) {
   const IsarPlane plane = plane_of(scene.seen);
   const ProfileMaker maker(band, {}, 4990.0, 5010.0, 1);
   const auto motion = motion_of_origin(scene.seen, c);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const ImageAxis across{0.0, 1.0, 3};
   EXPECT_THROW((void)isar_range_doppler(maker, {scene.echoes.values, motion, {}}, plane, across, {1, &stop}),
-               Interrupted);
+               core::Interrupted);
   EXPECT_THROW((void)isar_back_projection(maker, {scene.echoes.values, {}, {}}, scene.seen, plane, across, {2, &stop}),
-               Interrupted);
+               core::Interrupted);
 }
 
 TEST(IsarEchoes, ThatContradictThemselvesAreRefused) {
@@ -225,4 +227,4 @@ TEST(IsarEchoes, ThatContradictThemselvesAreRefused) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 double SteppedLimits::smear_cells(double speed_mps) const {
   return std::abs(smear_m_per_mps * speed_mps) / resolution_m;
@@ -27,4 +27,4 @@ SteppedLimits limits_of(const SteppedBand& band, double pulse_interval_s) {
   return limits;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

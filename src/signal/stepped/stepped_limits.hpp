@@ -2,7 +2,7 @@
 
 #include "signal/stepped/stepped_band.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// What a burst can tell apart, and what a target's speed does to its profile (docs/theory/stepped-frequency.md). T is
 /// the time between steps, f the middle of the band, df the step, B the band, v the radial speed.
@@ -26,4 +26,4 @@ struct SteppedLimits {
 /// @param pulse_interval_s  mean time between pulses
 [[nodiscard]] SteppedLimits limits_of(const SteppedBand& band, double pulse_interval_s);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

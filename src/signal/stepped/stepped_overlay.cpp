@@ -8,7 +8,7 @@
 
 #include "signal/measure/image_quality.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::optional<ImagePlace> shift_upon_image(const FocusedImage& image, std::span<
   return refined(image, strongest, best, cell);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -5,7 +5,7 @@
 
 #include "signal/sar/sar_image.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// A point that an image should show, somewhere: only its place relative to other points is known.
 struct OverlayPoint {
@@ -28,4 +28,4 @@ struct OverlayPoint {
 [[nodiscard]] std::optional<ImagePlace> shift_upon_image(const FocusedImage& image,
                                                          std::span<const OverlayPoint> points, const ImagePlace& cell);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

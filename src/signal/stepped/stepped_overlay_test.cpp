@@ -8,7 +8,7 @@
 
 #include "core/maths/sinc.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 constexpr ImagePlace cell{1.0, 1.0};
@@ -28,8 +28,8 @@ FocusedImage image_of(const std::vector<OverlayPoint>& points, const ImagePlace&
       double sum = 0.0;
       for (const OverlayPoint& point : points)
         sum += point.amplitude *
-               sinc(image.azimuth.at(static_cast<double>(r)) - point.place.azimuth_m - shift.azimuth_m) *
-               sinc(image.range.at(static_cast<double>(c)) - point.place.range_m - shift.range_m);
+               core::sinc(image.azimuth.at(static_cast<double>(r)) - point.place.azimuth_m - shift.azimuth_m) *
+               core::sinc(image.range.at(static_cast<double>(c)) - point.place.range_m - shift.range_m);
       image.values.emplace_back(static_cast<float>(sum), 0.0F);
     }
   return image;
@@ -89,4 +89,4 @@ TEST(ShiftUponImage, IsNoneOfAnEmptyImageOrWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -13,9 +13,9 @@
 #include "signal/stepped/velocity_search.hpp"
 
 /// Bursts of stepped frequencies of moving points, made by formula.
-namespace sarsim::test {
+namespace sarsim::signal::test {
 
-inline constexpr double stepped_c = exact_light_speed_mps;
+inline constexpr double stepped_c = core::exact_light_speed_mps;
 
 /// A point that reflects with an amplitude.
 struct SteppedPoint {
@@ -45,21 +45,21 @@ inline SteppedWaveform sampled_waveform(double first_m, std::size_t gates, std::
   return w;
 }
 
-inline Pulse chirp_of(double bandwidth_hz, double width_s) {
-  Pulse pulse;
-  pulse.kind = Pulse::Kind::chirp;
+inline radar::Pulse chirp_of(double bandwidth_hz, double width_s) {
+  radar::Pulse pulse;
+  pulse.kind = radar::Pulse::Kind::chirp;
   pulse.width_s = width_s;
   pulse.sweep_hz = bandwidth_hz;
   return pulse;
 }
 
-inline CompressionFilter filter_of(const Pulse& pulse, double sample_rate_hz) {
+inline CompressionFilter filter_of(const radar::Pulse& pulse, double sample_rate_hz) {
   return matched_filter(
       pulse, nullptr, [](double) { return 1.0; }, sample_rate_hz);
 }
 
 /// Steps of chirps; `response` is their autocorrelation. Rows reach over `ranges` samples and a pulse more.
-inline SteppedWaveform chirped_waveform(const Pulse& pulse, double first_hz, double step_hz, std::size_t steps,
+inline SteppedWaveform chirped_waveform(const radar::Pulse& pulse, double first_hz, double step_hz, std::size_t steps,
                                         double sample_rate_hz, double first_m, std::size_t ranges) {
   SteppedWaveform w;
   w.first_carrier_hz = first_hz;
@@ -89,14 +89,15 @@ inline SteppedWaveform chirped_waveform(const Pulse& pulse, double first_hz, dou
 }
 
 inline std::complex<double> carrier_turn(double cycles) {
-  return std::polar(1.0, -2.0 * pi * std::remainder(cycles, 1.0));
+  return std::polar(1.0, -2.0 * core::pi * std::remainder(cycles, 1.0));
 }
 
 /// Rows of a burst whose pulses leave `interval_s` apart from `start_s` on, placed in the band; as the signal model
 /// says (docs/theory/echo-model.md, 3): delay 2 d/(c - v), Doppler within the pulse counted from its middle.
 /// @param pulse  of chirps, else null
-inline BurstEchoes burst_echoes(const SteppedBand& band, const Pulse* pulse, const std::vector<SteppedPoint>& points,
-                                double start_s, double interval_s, std::size_t bursts = 1) {
+inline BurstEchoes burst_echoes(const SteppedBand& band, const radar::Pulse* pulse,
+                                const std::vector<SteppedPoint>& points, double start_s, double interval_s,
+                                std::size_t bursts = 1) {
   const SteppedWaveform& w = band.waveform();
   BurstEchoes echoes;
   for (std::size_t p = 0; p < bursts * w.burst_pulses(); ++p) {
@@ -126,4 +127,4 @@ inline BurstEchoes burst_echoes(const SteppedBand& band, const Pulse* pulse, con
   return echoes;
 }
 
-}  // namespace sarsim::test
+}  // namespace sarsim::signal::test

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace sarsim {
+namespace sarsim::signal {
 
 namespace {
 
@@ -61,9 +61,10 @@ std::vector<double> speeds_about(double middle_mps, double step_mps, int to_eith
   return speeds;
 }
 
-std::vector<Candidate> judged(const Sharpness& cost, const std::vector<double>& speeds, const WorkControl& control) {
+std::vector<Candidate> judged(const Sharpness& cost, const std::vector<double>& speeds,
+                              const core::WorkControl& control) {
   std::vector<Candidate> candidates(speeds.size());
-  parallel_ranges(speeds.size(), 1, control, [&](std::size_t i, std::size_t) {
+  core::parallel_ranges(speeds.size(), 1, control, [&](std::size_t i, std::size_t) {
     candidates[i] = {speeds[i], cost.entropy(speeds[i], most_bursts)};
   });
   return candidates;
@@ -82,7 +83,7 @@ std::vector<Candidate> sharpest(std::vector<Candidate> all, double apart_mps) {
 }
 
 // The sharpest speed within a step of another one, to a sixty-fourth of the step.
-Candidate refined(const Sharpness& cost, Candidate best, double step_mps, const WorkControl& control) {
+Candidate refined(const Sharpness& cost, Candidate best, double step_mps, const core::WorkControl& control) {
   for (int round = 0; round < 3; ++round) {
     step_mps *= 0.25;
     best = sharpest(judged(cost, speeds_about(best.speed_mps, step_mps, 4), control), 0.0).front();
@@ -109,7 +110,7 @@ double first_speed_step_mps(const SteppedBand& band, double span_s) {
 }
 
 VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps, double to_mps,
-                                   const WorkControl& control) {
+                                   const core::WorkControl& control) {
   const SteppedBand& band = maker.band();
   const std::size_t bursts = echoes.bursts(band);
   if (bursts == 0 || echoes.values.size() != bursts * band.values_per_burst())
@@ -141,4 +142,4 @@ VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes&
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -8,7 +8,7 @@
 #include "core/task/parallel.hpp"
 #include "signal/stepped/profile_maker.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 
 /// The pulses of some bursts.
 struct BurstEchoes {
@@ -53,6 +53,6 @@ inline constexpr double most_searched_speeds = 20000.0;
 /// try
 ///         more than `most_searched_speeds`; Interrupted
 [[nodiscard]] VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps,
-                                                 double to_mps, const WorkControl& control);
+                                                 double to_mps, const core::WorkControl& control);
 
-}  // namespace sarsim
+}  // namespace sarsim::signal

@@ -10,14 +10,14 @@
 #include "signal/stepped/stepped_limits.hpp"
 #include "signal/stepped/stepped_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 using test::burst_echoes;
 using test::moving_point;
 
 constexpr double interval_s = 250e-6;
-const WorkControl one{1, nullptr};
+const core::WorkControl one{1, nullptr};
 
 std::vector<test::SteppedPoint> aircraft(double range_m, double speed_mps) {
   return {moving_point(range_m, speed_mps), moving_point(range_m + 4.1, speed_mps, 0.6),
@@ -26,7 +26,7 @@ std::vector<test::SteppedPoint> aircraft(double range_m, double speed_mps) {
 
 TEST(EstimateVelocity, FindsTheSpeedOfOneBurstByItsSmear) {
   const SteppedBand band(test::sampled_waveform(2940.0, 12));
-  const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
+  const ProfileMaker maker(band, core::hamming_window, 2950.0, 3100.0, 4);
   const double tolerable = limits_of(band, interval_s).tolerable_mps;
   for (const double v : {0.0, 212.3, -97.0}) {
     const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s);
@@ -39,7 +39,7 @@ TEST(EstimateVelocity, FindsTheSpeedOfOneBurstByItsSmear) {
 
 TEST(EstimateVelocity, FindsTheSpeedOfManyBurstsByTheirWalk) {
   const SteppedBand band(test::sampled_waveform(2940.0, 12));
-  const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
+  const ProfileMaker maker(band, core::hamming_window, 2950.0, 3100.0, 4);
   const double v = -153.7;
   const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 12);
   const VelocityEstimate estimate = estimate_velocity(maker, echoes, -400.0, 400.0, one);
@@ -56,7 +56,7 @@ TEST(EstimateVelocity, FindsTheSpeedWhereOneBurstDoesNotTellIt) {
   SteppedWaveform w = test::sampled_waveform(2940.0, 12);
   w.steps = 12;
   const SteppedBand band(w);
-  const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
+  const ProfileMaker maker(band, core::hamming_window, 2950.0, 3100.0, 4);
   for (const double v : {-153.7, 12.0, 333.0, 421.0}) {
     const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 40);
     EXPECT_NEAR(estimate_velocity(maker, echoes, -500.0, 500.0, one).speed_mps, v, 2.0) << v;
@@ -66,7 +66,7 @@ TEST(EstimateVelocity, FindsTheSpeedWhereOneBurstDoesNotTellIt) {
 // Noise as strong as the weakest part in every sample of every gate, also of those that hold nothing else.
 TEST(EstimateVelocity, WorksInNoise) {
   const SteppedBand band(test::sampled_waveform(2500.0, 60));
-  const ProfileMaker maker(band, hamming_window, 2510.0, 3390.0, 4);
+  const ProfileMaker maker(band, core::hamming_window, 2510.0, 3390.0, 4);
   const double v = -153.7;
   BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, v), 0.0, interval_s, 12);
   std::mt19937 random(7);
@@ -77,7 +77,7 @@ TEST(EstimateVelocity, WorksInNoise) {
 
 TEST(EstimateVelocity, EndsAtTheEdgeOfItsInterval) {
   const SteppedBand band(test::sampled_waveform(2940.0, 12));
-  const ProfileMaker maker(band, hamming_window, 2950.0, 3100.0, 4);
+  const ProfileMaker maker(band, core::hamming_window, 2950.0, 3100.0, 4);
   const BurstEchoes echoes = burst_echoes(band, nullptr, aircraft(3020.0, 60.0), 0.0, interval_s);
   EXPECT_LE(estimate_velocity(maker, echoes, -40.0, 40.0, one).speed_mps, 40.0);
 }
@@ -99,7 +99,7 @@ TEST(EstimateVelocity, RefusesIntervalsOfTooManySpeeds) {
   // c/(8 B) over the burst.
   const double span_s = echoes.time_s.back() - echoes.time_s.front();
   const double step_mps = first_speed_step_mps(band, span_s);
-  EXPECT_NEAR(step_mps, exact_light_speed_mps / (8.0 * band.band_hz()) / span_s, 1e-9);
+  EXPECT_NEAR(step_mps, core::exact_light_speed_mps / (8.0 * band.band_hz()) / span_s, 1e-9);
   const double most_mps = 0.5 * most_searched_speeds * step_mps;
   EXPECT_THROW((void)estimate_velocity(maker, echoes, -1.01 * most_mps, 1.01 * most_mps, one), std::invalid_argument);
 }
@@ -108,9 +108,9 @@ TEST(EstimateVelocity, EndsWhenAskedTo) {
   const SteppedBand band(test::sampled_waveform(3000.0, 2));
   const ProfileMaker maker(band, {}, 3000.0, 3010.0, 2);
   const BurstEchoes echoes = burst_echoes(band, nullptr, {moving_point(3005.0, 0.0)}, 0.0, interval_s);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)estimate_velocity(maker, echoes, -5.0, 5.0, {2, &stop}), Interrupted);
+  EXPECT_THROW((void)estimate_velocity(maker, echoes, -5.0, 5.0, {2, &stop}), core::Interrupted);
 }
 
 TEST(ScansOf, AreRunsOfIlluminatedBursts) {
@@ -148,4 +148,4 @@ TEST(ShiftOnto, IsByHowManyBinsAProfileIsEarlier) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

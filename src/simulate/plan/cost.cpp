@@ -4,7 +4,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -31,7 +31,7 @@ double share_in_sight(const Plan& plan) {
   double seen = static_cast<double>(scene.scatterers.size()) * std::size(shares);
   for (const double share : shares) {
     geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
-    const Pointing pointing = geometry.pointing();
+    const radar::Pointing pointing = geometry.pointing();
     for (std::size_t i = 0; i < scene.sheets.size(); ++i)
       if (!scene.sheets[i].points_m.empty() && geometry.sheet_view(i, 0, pointing))
         seen += static_cast<double>(scene.sheets[i].points_m.size());
@@ -81,4 +81,4 @@ Cost estimated_cost(const Plan& plan, unsigned threads) {
   return cost;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

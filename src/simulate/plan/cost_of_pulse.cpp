@@ -6,7 +6,7 @@
 #include "radar/echo/shape_table.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -31,14 +31,14 @@ struct DopplerRange {
 };
 
 // The widest range of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
-DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses) {
+DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses) {
   constexpr std::size_t most = 1000;
   PulseGeometry geometry(scene, radar);
   const std::size_t stride = scene.scatterers.size() / most + 1;
   DopplerRange widest;
   for (const double share : {0.0, 0.5, 1.0}) {
     geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
-    const Pointing pointing = geometry.pointing();
+    const radar::Pointing pointing = geometry.pointing();
     DopplerRange here{1.0, -1.0};
     for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
       const double d = 2.0 * geometry.view(i, pointing).speed_mps / scene.conventions.light_speed_mps;
@@ -55,10 +55,12 @@ double scatterer_count(const ResolvedScene& scene) {
   return count;
 }
 
-double direct_ns_per_sample(const EchoPulse& pulse, const SampleGrid& grid, double samples, double tolerance) {
-  const bool user = pulse.pulse.kind == Pulse::Kind::user;
-  if (!pulse.band_limited && !user && pulse.pulse.envelope == Pulse::Envelope::rectangular) return direct_sample_ns;
-  if (!ShapeTable::is_worth_making(pulse, grid, tolerance >= 1e-6)) return untabled_ns;
+double direct_ns_per_sample(const radar::EchoPulse& pulse, const radar::SampleGrid& grid, double samples,
+                            double tolerance) {
+  const bool user = pulse.pulse.kind == radar::Pulse::Kind::user;
+  if (!pulse.band_limited && !user && pulse.pulse.envelope == radar::Pulse::Envelope::rectangular)
+    return direct_sample_ns;
+  if (!radar::ShapeTable::is_worth_making(pulse, grid, tolerance >= 1e-6)) return untabled_ns;
   if (pulse.band_limited) return band_limited_sample_ns;
   const double knots = std::min(static_cast<double>(pulse.pulse.breaks_s().size()), samples);
   return (user ? user_sample_ns : envelope_sample_ns) + knot_ns * knots / std::max(samples, 1.0);
@@ -66,8 +68,8 @@ double direct_ns_per_sample(const EchoPulse& pulse, const SampleGrid& grid, doub
 
 }  // namespace
 
-PulseCost::PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const EchoPulse& pulse,
-                     const SampleGrid& grid, double tolerance)
+PulseCost::PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
+                     const radar::SampleGrid& grid, double tolerance)
     : scene_(scene),
       radar_(radar),
       pulse_(pulse),
@@ -82,11 +84,11 @@ double PulseCost::direct_ns() const {
   return echoes_ * (direct_echo_ns + samples_ * direct_ns_per_sample(pulse_, grid_, samples_, tolerance_));
 }
 
-SpectralEstimate PulseCost::spectral(const PulseRange& pulses) const {
+SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
   const DopplerRange doppler = widest_doppler(scene_, radar_, pulses);
   SpectralEstimate estimate;
-  estimate.cost =
-      SpectralKernel::cost(pulse_, grid_, tolerance_, radar_.carrier.highest_hz(), doppler.lowest, doppler.highest);
+  estimate.cost = radar::SpectralKernel::cost(pulse_, grid_, tolerance_, radar_.carrier.highest_hz(), doppler.lowest,
+                                              doppler.highest);
   const auto terms = static_cast<double>(estimate.cost.doppler_terms);
   estimate.ns = echoes_ * (4.0 + (terms > 1.0 ? doppler_term_ns * terms : spread_ns) +
                            edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
@@ -94,4 +96,4 @@ SpectralEstimate PulseCost::spectral(const PulseRange& pulses) const {
   return estimate;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

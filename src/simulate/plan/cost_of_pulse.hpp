@@ -4,11 +4,11 @@
 #include "radar/echo/spectral_kernel.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What the spectral engine needs for one pulse.
 struct SpectralEstimate {
-  SpectralCost cost;
+  radar::SpectralCost cost;
   double ns = 0.0;
 };
 
@@ -18,8 +18,8 @@ class PulseCost {
  public:
   /// @param grid       of the raw samples
   /// @param tolerance  promised relative error, which decides between single and double precision
-  PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const EchoPulse& pulse, const SampleGrid& grid,
-            double tolerance);
+  PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
+            const radar::SampleGrid& grid, double tolerance);
 
   /// Scatterers of the scene, whether the radar sees them or not.
   [[nodiscard]] double echoes() const { return echoes_; }
@@ -32,16 +32,16 @@ class PulseCost {
   [[nodiscard]] double direct_ns() const;
   /// Of the spectral engine, with what decides its cost.
   /// @param pulses  of the simulation; three of them are looked at for the span of Doppler
-  [[nodiscard]] SpectralEstimate spectral(const PulseRange& pulses) const;
+  [[nodiscard]] SpectralEstimate spectral(const radar::PulseRange& pulses) const;
 
  private:
   const ResolvedScene& scene_;
   const ResolvedRadar& radar_;
-  const EchoPulse& pulse_;
-  const SampleGrid& grid_;
+  const radar::EchoPulse& pulse_;
+  const radar::SampleGrid& grid_;
   double tolerance_;
   double echoes_;
   double samples_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

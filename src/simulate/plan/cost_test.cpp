@@ -5,15 +5,15 @@
 
 // Estimates are held against each other: how long a machine takes is another matter on each, and on a busy one.
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 // Chirps of 300 samples, 20 pulses, `count` targets around 1 km.
-Scene scene_of(int count) {
-  Scene scene = one_target_scene();
+scene::Scene scene_of(int count) {
+  scene::Scene scene = one_target_scene();
   scene.targets.clear();
   for (int i = 0; i < count; ++i) scene.targets.push_back(target_on("Earth", {1000.0 + 0.01 * i, 0.0, 0.0}));
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 50e6;
   scene.radars[0].pulse_width_s = 5e-6;
   scene.simulations[0].sample_rate_hz = 60e6;
@@ -21,13 +21,13 @@ Scene scene_of(int count) {
   return scene;
 }
 
-double seconds(const Scene& scene, Engine engine) {
+double seconds(const scene::Scene& scene, Engine engine) {
   return estimated_cost(make_plan(scene, 0, nullptr, engine), 1).seconds_one_thread;
 }
 
 // docs/developer/performance.md: 15 to 35 ns against 0.13 to 0.5 ns for an echo and sample, 10 to 30 ns for an echo.
 TEST(Cost, IsThatOfTheEngineThatWasChosen) {
-  const Scene scene = scene_of(20000);
+  const scene::Scene scene = scene_of(20000);
   const double reference_s = seconds(scene, Engine::reference);
   const double direct_s = seconds(scene, Engine::direct);
   const double spectral_s = seconds(scene, Engine::spectral);
@@ -42,7 +42,7 @@ TEST(Cost, IsThatOfTheEngineThatWasChosen) {
 
 TEST(Cost, OfTheAutomaticChoiceIsTheLeast) {
   for (const int targets : {1, 10, 100, 1000, 10000}) {
-    const Scene scene = scene_of(targets);
+    const scene::Scene scene = scene_of(targets);
     const double least_s = std::min(seconds(scene, Engine::direct), seconds(scene, Engine::spectral));
     const double chosen_s = seconds(scene, Engine::automatic);
     if (make_plan(scene, 0, nullptr, Engine::automatic).engine.engine == Engine::reference) continue;  // no SIMD
@@ -52,14 +52,14 @@ TEST(Cost, OfTheAutomaticChoiceIsTheLeast) {
 }
 
 TEST(Cost, GrowsWithPulsesTargetsAndNoise) {
-  const Scene scene = scene_of(1000);
-  Scene longer = scene;
+  const scene::Scene scene = scene_of(1000);
+  scene::Scene longer = scene;
   longer.simulations[0].time_end_s = 0.1995;
-  Scene more = scene_of(10000);
-  Scene noisy = scene;
+  scene::Scene more = scene_of(10000);
+  scene::Scene noisy = scene;
   noisy.radars[0].noise_temperature_k = 290.0;
-  Scene compressed = scene;
-  compressed.simulations[0].processing = Processing::matched_filter;
+  scene::Scene compressed = scene;
+  compressed.simulations[0].processing = scene::Processing::matched_filter;
   for (const Engine engine : {Engine::direct, Engine::spectral}) {
     const double once_s = seconds(scene, engine);
     EXPECT_NEAR(seconds(longer, engine), 10.0 * once_s, 1e-6 * once_s);
@@ -72,10 +72,10 @@ TEST(Cost, GrowsWithPulsesTargetsAndNoise) {
 
 // A surface is looked at from the front, from behind, or from both sides in turn.
 TEST(Cost, LeavesOutBacksOfSurfaces) {
-  Scene scene = scene_of(0);
-  Surface& surface = scene.surfaces.emplace_back();
+  scene::Scene scene = scene_of(0);
+  scene::Surface& surface = scene.surfaces.emplace_back();
   surface.platform = "Earth";
-  surface.corner_m = {Vec3{1000.0, -50.0, 0.0}, Vec3{1000.0, 50.0, 0.0}, Vec3{1000.0, -50.0, 100.0}};
+  surface.corner_m = {core::Vec3{1000.0, -50.0, 0.0}, core::Vec3{1000.0, 50.0, 0.0}, core::Vec3{1000.0, -50.0, 100.0}};
   const double one_s = seconds(scene, Engine::direct);
   std::swap(surface.corner_m[1], surface.corner_m[2]);
   const double other_s = seconds(scene, Engine::direct);
@@ -83,4 +83,4 @@ TEST(Cost, LeavesOutBacksOfSurfaces) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

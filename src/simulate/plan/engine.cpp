@@ -8,7 +8,7 @@
 #include "simulate/plan/cost_of_pulse.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -30,7 +30,8 @@ std::optional<Engine> engine_from_name(std::string_view name) {
 }
 
 EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
-                           const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses, double tolerance) {
+                           const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
+                           const radar::PulseRange& pulses, double tolerance) {
   if (wanted != Engine::automatic) return {wanted, "asked for"};
   if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
   const PulseCost cost(scene, radar, pulse, grid, tolerance);
@@ -50,4 +51,4 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
                   spectral.cost.doppler_terms)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

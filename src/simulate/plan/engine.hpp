@@ -8,7 +8,7 @@
 #include "radar/echo/reference_kernel.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// How echoes are added up. All compute the same definition of a row; the choice is a matter of speed.
 enum class Engine {
@@ -34,7 +34,7 @@ struct EngineChoice {
 /// @param wanted   Engine::automatic, or an engine, which is then taken as it is
 /// @param pulses   of the simulation; a few of them are looked at for the span of Doppler
 [[nodiscard]] EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
-                                         const EchoPulse& pulse, const SampleGrid& grid, const PulseRange& pulses,
-                                         double tolerance);
+                                         const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
+                                         const radar::PulseRange& pulses, double tolerance);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

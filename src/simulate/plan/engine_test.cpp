@@ -7,12 +7,12 @@
 #include "simulate/resolve/simd_level.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 // A chirp of 20 us at 30 MHz, 3 km of window, 10 pulses, and `count` targets in a row.
-Scene scene_with(int count, Radar::Pulse pulse = Radar::Pulse::chirp) {
-  Scene scene = one_target_scene();
+scene::Scene scene_with(int count, scene::Radar::Pulse pulse = scene::Radar::Pulse::chirp) {
+  scene::Scene scene = one_target_scene();
   scene.targets.clear();
   for (int i = 0; i < count; ++i) scene.targets.push_back(target_on("Earth", {1000.0 + 2000.0 * i / count, 0.0, 0.0}));
   scene.radars[0].pulse = pulse;
@@ -25,7 +25,7 @@ Scene scene_with(int count, Radar::Pulse pulse = Radar::Pulse::chirp) {
   return scene;
 }
 
-EngineChoice choice(const Scene& scene, Engine wanted = Engine::automatic) {
+EngineChoice choice(const scene::Scene& scene, Engine wanted = Engine::automatic) {
   return make_plan(scene, 0, nullptr, wanted).engine;
 }
 
@@ -57,27 +57,27 @@ TEST_F(AutomaticEngine, IsSpectralForManyEchoesOfALongPulse) {
 }
 
 TEST_F(AutomaticEngine, IsDirectForManyEchoesOfAPulseTooShortForABody) {
-  Scene scene = scene_with(20000, Radar::Pulse::mono);
+  scene::Scene scene = scene_with(20000, scene::Radar::Pulse::mono);
   scene.radars[0].pulse_width_s = 10.0 / 30e6;
   EXPECT_EQ(choice(scene).engine, Engine::direct) << choice(scene).reason;
 }
 
 TEST_F(AutomaticEngine, IsDirectForABarkerCodeWithAnEdgeForEveryFewSamples) {
-  Scene scene = scene_with(20000, Radar::Pulse::barker);
+  scene::Scene scene = scene_with(20000, scene::Radar::Pulse::barker);
   scene.radars[0].pulse_width_s = 13.0 * 10.0 / 30e6;
   EXPECT_EQ(choice(scene).engine, Engine::direct) << choice(scene).reason;
 }
 
 TEST_F(AutomaticEngine, IsSpectralForABandLimitedPulseWithFewerEchoes) {
-  Scene scene = scene_with(180);
-  scene.options.pulse = PulseDefinition::band_limited;
+  scene::Scene scene = scene_with(180);
+  scene.options.pulse = scene::PulseDefinition::band_limited;
   EXPECT_EQ(choice(scene).engine, Engine::spectral) << choice(scene).reason;
-  scene.options.pulse = PulseDefinition::ideal;
+  scene.options.pulse = scene::PulseDefinition::ideal;
   EXPECT_EQ(choice(scene).engine, Engine::direct) << choice(scene).reason;
 }
 
 TEST_F(AutomaticEngine, IsDirectWhereTargetsMoveTooDifferently) {
-  Scene scene = scene_with(20000);
+  scene::Scene scene = scene_with(20000);
   scene.platforms.push_back(moving("Missile", {2000.0, 0.0, 0.0}, {-60e3, 0.0, 0.0}));
   scene.radars[0].carrier_hz = 35e9;
   scene.radars[0].pulse_width_s = 150e-6;
@@ -123,4 +123,4 @@ TEST(SimdLevel, ChosenIsTheOneThatComputesHoweverOftenItIsLookedAt) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -3,54 +3,56 @@
 #include "scene/model/scene.hpp"
 
 /// A flight that tests of recordings and of simulation windows share.
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// A side-looking radar on a jittering aircraft over jittering targets, a moving and a directional one among them:
 /// chirp of 20 MHz and 1 us, 1 kHz, noise.
-inline Scene flight_scene() {
-  const auto line = [](double a, double b) { return SampledFunction{Interpolation::linear, {{0.0, a}, {1.0, b}}}; };
-  Scene scene;
+inline scene::Scene flight_scene() {
+  const auto line = [](double a, double b) {
+    return core::SampledFunction{core::Interpolation::linear, {{0.0, a}, {1.0, b}}};
+  };
+  scene::Scene scene;
   scene.platforms.push_back({});
-  Platform plane;
+  scene::Platform plane;
   plane.name = "Plane";
-  plane.path = Platform::Path::trajectory;
+  plane.path = scene::Platform::Path::trajectory;
   plane.trajectory_m.part = {line(0.0, 120.0), line(-2000.0, -2000.0), line(1000.0, 1010.0)};
   plane.position_stddev_m = {0.01, 0.02, 0.01};
-  plane.rotation_stddev[1] = Angle::from_deg(0.2);
+  plane.rotation_stddev[1] = core::Angle::from_deg(0.2);
   scene.platforms.push_back(plane);
-  Platform car;
+  scene::Platform car;
   car.name = "Car";
-  car.path = Platform::Path::trajectory;
+  car.path = scene::Platform::Path::trajectory;
   car.trajectory_m.part = {line(10.0, 0.0), line(50.0, 75.0), line(0.0, 0.0)};
   scene.platforms.push_back(car);
   for (int i = 0; i < 6; ++i) {
-    Target target;
+    scene::Target target;
     target.position_m = {15.0 * i - 40.0, 12.0 * i, 1.0};
     target.rcs_m2 = 1.0 + i;
     if (i == 1) target.position_stddev_m = {0.02, 0.03, 0.01};
     if (i == 2) target.rcs_stddev_m2 = 0.5;
     if (i == 3) target.platform = "Car";
     if (i == 4) {
-      target.reflectivity = Target::Reflectivity::directional;
-      target.azimuth = Angle::from_deg(-90.0);
-      target.elevation = Angle::from_deg(20.0);
-      target.azimuth_stddev = Angle::from_deg(2.0);
+      target.reflectivity = scene::Target::Reflectivity::directional;
+      target.azimuth = core::Angle::from_deg(-90.0);
+      target.elevation = core::Angle::from_deg(20.0);
+      target.azimuth_stddev = core::Angle::from_deg(2.0);
     }
     scene.targets.push_back(target);
   }
-  Radar radar;
+  scene::Radar radar;
   radar.platform = "Plane";
-  radar.pulse = Radar::Pulse::chirp;
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 20e6;
   radar.pulse_width_s = 1e-6;
   radar.carrier_hz = 5e9;
   radar.noise_temperature_k = 300.0;
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(40.0);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(60.0);
-  radar.beam_elevation = Angle::from_deg(-26.0);
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(40.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(60.0);
+  radar.beam_elevation = core::Angle::from_deg(-26.0);
   scene.radars.push_back(radar);
   return scene;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

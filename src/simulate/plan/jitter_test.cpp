@@ -7,14 +7,14 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int pulses = 20'000;
 
 // Views of target `index` by the first `pulses` pulses.
-std::vector<ScattererView> views_of(const Scene& scene, std::size_t index = 0, int count = pulses) {
+std::vector<ScattererView> views_of(const scene::Scene& scene, std::size_t index = 0, int count = pulses) {
   const ResolvedScene resolved = resolve(scene);
   const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
@@ -46,10 +46,10 @@ Moments moments(const std::vector<ScattererView>& views, const Value& value) {
 }
 
 TEST(Jitter, RcsIsDrawnAnewForEveryPulseWithTheGivenDeviation) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets[0].rcs_m2 = 10.0;
   scene.targets[0].rcs_stddev_m2 = 1.5;
-  const double unit = equation_amplitude(1000.0, 1.0, exact_light_speed_mps / 1e9);
+  const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   const Moments rcs =
       moments(views_of(scene), [&](const ScattererView& v) { return std::pow(v.amplitude_sqrt_w / unit, 2.0); });
   EXPECT_NEAR(rcs.mean, 10.0, 5.0 * 1.5 / std::sqrt(pulses));
@@ -59,10 +59,10 @@ TEST(Jitter, RcsIsDrawnAnewForEveryPulseWithTheGivenDeviation) {
 
 // Half of the draws are below 0; the others have the mean of half a normal distribution.
 TEST(Jitter, NegativeRcsIsClippedToNothing) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets[0].rcs_m2 = 0.0;
   scene.targets[0].rcs_stddev_m2 = 2.0;
-  const double unit = equation_amplitude(1000.0, 1.0, exact_light_speed_mps / 1e9);
+  const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   int silent = 0;
   double mean = 0.0;
   for (const ScattererView& v : views_of(scene)) {
@@ -70,12 +70,12 @@ TEST(Jitter, NegativeRcsIsClippedToNothing) {
     mean += std::pow(v.amplitude_sqrt_w / unit, 2.0) / pulses;
   }
   EXPECT_NEAR(silent, 0.5 * pulses, 5.0 * 0.5 * std::sqrt(pulses));
-  EXPECT_NEAR(mean, 2.0 / std::sqrt(2.0 * pi), 5.0 * 2.0 / std::sqrt(pulses));
+  EXPECT_NEAR(mean, 2.0 / std::sqrt(2.0 * core::pi), 5.0 * 2.0 / std::sqrt(pulses));
 }
 
 TEST(Jitter, MovesPositionsAlongEachAxisByItsOwnDeviation) {
-  for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-    Scene scene = one_target_scene();
+  for (const core::Vec3& axis : {core::Vec3{1, 0, 0}, core::Vec3{0, 1, 0}, core::Vec3{0, 0, 1}}) {
+    scene::Scene scene = one_target_scene();
     scene.targets[0].position_m = 1000.0 * axis;
     scene.targets[0].position_stddev_m = 0.3 * axis;
     const Moments distance = moments(views_of(scene), [](const ScattererView& v) { return v.distance_m; });
@@ -87,7 +87,7 @@ TEST(Jitter, MovesPositionsAlongEachAxisByItsOwnDeviation) {
 
 // Across the line of sight by 0.3 m at 1 km the radial part of a sideways speed changes by 0.3/1000, no more.
 TEST(Jitter, LeavesSpeedsAlone) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(moving("Car", {1000, 0, 0}, {70, 0, 0}));
   scene.platforms.back().position_stddev_m = {0.3, 0.0, 0.0};
   scene.targets[0] = target_on("Car", {});
@@ -97,30 +97,30 @@ TEST(Jitter, LeavesSpeedsAlone) {
 
 // A plate facing the radar whose azimuth jitters by s: the mean cosine is exp(-s^2/2), its variance s^4/2, nearly.
 TEST(Jitter, TurnsTheNormalsOfDirectionalTargets) {
-  Scene scene = one_target_scene();
-  Target& plate = scene.targets[0];
-  plate.reflectivity = Target::Reflectivity::directional;
-  plate.azimuth = Angle::from_deg(-90.0);
-  const double unit = equation_amplitude(1000.0, 1.0, exact_light_speed_mps / 1e9);
+  scene::Scene scene = one_target_scene();
+  scene::Target& plate = scene.targets[0];
+  plate.reflectivity = scene::Target::Reflectivity::directional;
+  plate.azimuth = core::Angle::from_deg(-90.0);
+  const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   constexpr double s = 0.2;
   const double sigma = s * s / std::sqrt(2.0);
   const auto cosine = [&](const ScattererView& v) { return std::pow(v.amplitude_sqrt_w / unit, 2.0); };
-  plate.azimuth_stddev = Angle::from_rad(s);
+  plate.azimuth_stddev = core::Angle::from_rad(s);
   EXPECT_NEAR(moments(views_of(scene), cosine).mean, std::exp(-0.5 * s * s), 5.0 * sigma / std::sqrt(pulses));
-  plate.elevation_stddev = Angle::from_rad(s);
+  plate.elevation_stddev = core::Angle::from_rad(s);
   EXPECT_NEAR(moments(views_of(scene), cosine).mean, std::exp(-s * s), 5.0 * 1.5 * sigma / std::sqrt(pulses));
 }
 
 TEST(Jitter, OfOneTargetDoesNotChangeWhenOthersAreAdded) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets[0].position_stddev_m = {1, 1, 1};
   scene.targets[0].rcs_stddev_m2 = 0.1;
   const auto before = views_of(scene, 0, 50);
-  Target other = target_on("Earth", {300, 400, 0}, 5.0);
+  scene::Target other = target_on("Earth", {300, 400, 0}, 5.0);
   other.position_stddev_m = {2, 2, 2};
   scene.targets.push_back(other);
   scene.surfaces.push_back({});
-  Platform extra = resting("Extra", {1, 2, 3});
+  scene::Platform extra = resting("Extra", {1, 2, 3});
   extra.position_stddev_m = {1, 1, 1};
   scene.platforms.insert(scene.platforms.begin(), extra);
   const auto after = views_of(scene, 0, 50);
@@ -131,7 +131,7 @@ TEST(Jitter, OfOneTargetDoesNotChangeWhenOthersAreAdded) {
 }
 
 TEST(Jitter, OfTwoTargetsIsIndependentAndFollowsTheSeed) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets[0].position_stddev_m = {1, 0, 0};
   scene.targets.push_back(scene.targets[0]);
   const auto first = views_of(scene, 0), second = views_of(scene, 1);
@@ -144,4 +144,4 @@ TEST(Jitter, OfTwoTargetsIsIndependentAndFollowsTheSeed) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -9,15 +9,15 @@
 #include "core/maths/constants.hpp"
 #include "radar/receiver/noise.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
 constexpr double index_tolerance = 1e-9;
 
 // Two-way time between raw samples; a row of `count` of them fills the window (decision 2).
-double raw_interval_s(const Simulation& simulation, const Conventions& conventions, std::size_t count) {
-  if (simulation.processing == Processing::matched_filter ||
+double raw_interval_s(const scene::Simulation& simulation, const Conventions& conventions, std::size_t count) {
+  if (simulation.processing == scene::Processing::matched_filter ||
       conventions.spacing == Conventions::SampleSpacing::sampling_rate)
     return 1.0 / simulation.sample_rate_hz;
   const double window_s = 2.0 * (simulation.range_end_m - simulation.range_start_m) / conventions.light_speed_mps;
@@ -25,16 +25,17 @@ double raw_interval_s(const Simulation& simulation, const Conventions& conventio
 }
 
 // What the pulse of a simulation is (decision 7), for samples `interval_s` apart.
-EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, const ResolvedScene& scene,
-                     double interval_s) {
-  EchoPulse pulse;
+radar::EchoPulse echo_pulse(const ResolvedRadar& radar, const scene::Simulation& simulation, const ResolvedScene& scene,
+                            double interval_s) {
+  radar::EchoPulse pulse;
   pulse.pulse = radar.pulse;
   pulse.light_speed_mps = scene.conventions.light_speed_mps;
-  pulse.lead_s = simulation.pulse_position == Simulation::PulsePosition::centre ? 0.5 * radar.pulse.width_s : 0.0;
-  if (scene.options.pulse == PulseDefinition::band_limited) {
+  pulse.lead_s =
+      simulation.pulse_position == scene::Simulation::PulsePosition::centre ? 0.5 * radar.pulse.width_s : 0.0;
+  if (scene.options.pulse == scene::PulseDefinition::band_limited) {
     const bool nominal = simulation.oversampling > 1.0;
     // A chirp of less than a cycle is no narrower than a pulse without one.
-    const double own_band_hz = std::max(bandwidth_hz(radar.pulse), 1.0 / radar.pulse.width_s);
+    const double own_band_hz = std::max(radar::bandwidth_hz(radar.pulse), 1.0 / radar.pulse.width_s);
     const double half_band_hz = 0.5 * (nominal ? own_band_hz : simulation.sample_rate_hz);
     const double kept_s = nominal ? simulation.width_factor * radar.pulse.width_s : 0.0;
     pulse.band_limited.emplace(radar.pulse, half_band_hz, 1.0 / interval_s, kept_s);
@@ -42,21 +43,22 @@ EchoPulse echo_pulse(const ResolvedRadar& radar, const Simulation& simulation, c
   return pulse;
 }
 
-double noise_stddev(const ResolvedRadar& radar, const Simulation& simulation, const Conventions& conventions) {
+double noise_stddev(const ResolvedRadar& radar, const scene::Simulation& simulation, const Conventions& conventions) {
   const double density = conventions.boltzmann_j_per_k * radar.noise_temperature_k;
   if (conventions.noise == Conventions::Noise::per_sample) return std::sqrt(0.5 * density * simulation.sample_rate_hz);
-  const bool chirp = radar.pulse.kind == Pulse::Kind::chirp;
-  return std::sqrt(density * (chirp ? bandwidth_hz(radar.pulse) : 1.0 / radar.pulse.width_s));
+  const bool chirp = radar.pulse.kind == radar::Pulse::Kind::chirp;
+  return std::sqrt(density * (chirp ? radar::bandwidth_hz(radar.pulse) : 1.0 / radar.pulse.width_s));
 }
 
 // Gain at the range of each raw sample, not shifted by the pulse position (decision 14).
 std::vector<double> stc_gains(const Plan& plan) {
   std::vector<double> gain;
-  if (plan.radar.stc == Radar::Stc::none || plan.scene->conventions.stc != Conventions::Stc::receiver_gain) return gain;
+  if (plan.radar.stc == scene::Radar::Stc::none || plan.scene->conventions.stc != Conventions::Stc::receiver_gain)
+    return gain;
   gain.resize(plan.raw_grid.count);
   for (std::size_t i = 0; i < gain.size(); ++i) {
     const double range_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.time_s(i);
-    gain[i] = plan.radar.stc == Radar::Stc::user ? plan.radar.stc_gain.value(range_m) : range_m * range_m;
+    gain[i] = plan.radar.stc == scene::Radar::Stc::user ? plan.radar.stc_gain.value(range_m) : range_m * range_m;
   }
   return gain;
 }
@@ -78,30 +80,30 @@ std::vector<double> ranges_m(const Plan& plan, const std::vector<std::size_t>& i
 
 // Number of the first raw sample, in intervals after the send time: what its noise is keyed by. Rounding must not put
 // windows that begin halfway between two numbers (CENTRE, an odd number of half samples) on different sides.
-std::int64_t first_sample_number(const SampleGrid& grid) {
+std::int64_t first_sample_number(const radar::SampleGrid& grid) {
   constexpr double rounding = 1e-6;
   return static_cast<std::int64_t>(std::floor(grid.first_s / grid.interval_s + 0.5 + rounding));
 }
 
 // Sets the raw grid, the ranges of the columns (of the gates, for profiles) and, for compressed data, the compressor.
 void plan_samples(Plan& plan, std::size_t count) {
-  const Simulation& s = plan.simulation;
+  const scene::Simulation& s = plan.simulation;
   const Conventions& conventions = plan.scene->conventions;
   const double two_way_start_s = 2.0 * s.range_start_m / conventions.light_speed_mps;
   const double interval_s = raw_interval_s(s, conventions, count);
-  if (s.processing != Processing::matched_filter) {
+  if (s.processing != scene::Processing::matched_filter) {
     plan.raw_grid = {two_way_start_s, interval_s, count};
     plan.column_range_m = ranges_m(plan, identity_indices(count));
     return;
   }
   const double first_s = two_way_start_s - plan.pulse.lead_s;
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
   std::vector<std::size_t> index = identity_indices(count);
-  CompressionFilter filter;
+  signal::CompressionFilter filter;
   if (conventions.compression == Conventions::Compression::keeps_peak) {
-    filter = matched_filter(plan.radar.pulse, band_limited, plan.radar.window, s.sample_rate_hz);
+    filter = signal::matched_filter(plan.radar.pulse, band_limited, plan.radar.window, s.sample_rate_hz);
   } else {
-    filter = classic_matched_filter(plan.radar.pulse, plan.radar.window, s.sample_rate_hz);
+    filter = signal::classic_matched_filter(plan.radar.pulse, plan.radar.window, s.sample_rate_hz);
     const double ratio = 2.0 * s.sample_rate_hz * (s.range_end_m - s.range_start_m) /
                          (conventions.light_speed_mps * static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i)
@@ -110,18 +112,19 @@ void plan_samples(Plan& plan, std::size_t count) {
   const std::size_t raw_count = index.back() + filter.taps.size();
   plan.raw_grid = {first_s, interval_s, raw_count};
   plan.column_range_m = ranges_m(plan, index);
-  plan.compressor = std::make_shared<RangeCompressor>(std::move(filter), raw_count, std::move(index));
+  plan.compressor = std::make_shared<signal::RangeCompressor>(std::move(filter), raw_count, std::move(index));
 }
 
 void plan_rows(Plan& plan, std::size_t count) {
-  if (plan.simulation.processing != Processing::srp) {
+  if (plan.simulation.processing != scene::Processing::srp) {
     plan.rows = static_cast<std::size_t>(plan.pulses.count());
     plan.columns = count;
     return;
   }
   const std::int64_t burst = plan.burst_pulses();
-  plan.first_burst = floor_divide(plan.pulses.first + burst - 1, burst);
-  const std::int64_t bursts = std::max<std::int64_t>(0, floor_divide(plan.pulses.last + 1, burst) - plan.first_burst);
+  plan.first_burst = radar::floor_divide(plan.pulses.first + burst - 1, burst);
+  const std::int64_t bursts =
+      std::max<std::int64_t>(0, radar::floor_divide(plan.pulses.last + 1, burst) - plan.first_burst);
   plan.dropped_pulses = plan.pulses.count() - bursts * burst;
   plan.rows = static_cast<std::size_t>(bursts);
   const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
@@ -132,32 +135,33 @@ void plan_rows(Plan& plan, std::size_t count) {
   plan.column_range_m.assign(plan.columns, 0.0);
   for (std::size_t c = 0; c < plan.columns; ++c)
     plan.column_range_m[c] = gates_m[c / steps] + static_cast<double>(c % steps) * bin_m;
-  plan.profiler =
-      std::make_shared<RangeProfiler>(std::move(gates_m), plan.radar.carrier.steps(), plan.radar.carrier.step_hz(),
-                                      plan.radar.window, plan.scene->conventions.light_speed_mps);
+  plan.profiler = std::make_shared<signal::RangeProfiler>(std::move(gates_m), plan.radar.carrier.steps(),
+                                                          plan.radar.carrier.step_hz(), plan.radar.window,
+                                                          plan.scene->conventions.light_speed_mps);
 }
 
 }  // namespace
 
 std::int64_t Plan::first_pulse_of_row(std::size_t row) const {
-  if (simulation.processing == Processing::srp) return (first_burst + static_cast<std::int64_t>(row)) * burst_pulses();
+  if (simulation.processing == scene::Processing::srp)
+    return (first_burst + static_cast<std::int64_t>(row)) * burst_pulses();
   return pulses.first + static_cast<std::int64_t>(row);
 }
 
-double sample_count(const Simulation& simulation, double light_speed_mps) {
+double sample_count(const scene::Simulation& simulation, double light_speed_mps) {
   // The guard keeps a window that was computed to hold a half sample from losing it to rounding.
   return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
                         light_speed_mps +
                     0.5 + index_tolerance);
 }
 
-Plan make_plan(const Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved, Engine engine,
-               const StopFlag* stop) {
+Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved,
+               Engine engine, const core::StopFlag* stop) {
   Plan plan;
   plan.simulation = scene.simulations.at(index);
   plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene, {1, stop}));
-  const std::size_t radar = find_radar(scene, plan.simulation.radar);
-  if (radar == not_found) throw std::invalid_argument("radar '" + plan.simulation.radar + "' is not defined");
+  const std::size_t radar = scene::find_radar(scene, plan.simulation.radar);
+  if (radar == scene::not_found) throw std::invalid_argument("radar '" + plan.simulation.radar + "' is not defined");
   plan.radar = resolve_radar(scene, *plan.scene, radar);
   plan.pulses = plan.radar.repetition.pulses_in(plan.simulation.time_start_s, plan.simulation.time_end_s);
   const double count = sample_count(plan.simulation, plan.scene->conventions.light_speed_mps);
@@ -185,7 +189,7 @@ Product product_of(const Plan& plan, std::string script) {
   product.rows = plan.rows;
   product.columns = plan.columns;
   // The axes are functions so that a long recording costs no memory; they keep the plan's schedule, not the plan.
-  const bool srp = plan.simulation.processing == Processing::srp;
+  const bool srp = plan.simulation.processing == scene::Processing::srp;
   const std::int64_t first = plan.first_pulse_of_row(0);
   const std::int64_t step = srp ? plan.burst_pulses() : 1;
   const auto pulse_of = [first, step](std::size_t row) { return first + static_cast<std::int64_t>(row) * step; };
@@ -211,7 +215,7 @@ RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan
   const double tolerance = plan.scene->options.tolerance;
   if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
   if (plan.engine.engine != Engine::spectral) return;
-  RowFilter filter;
+  radar::RowFilter filter;
   if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
   spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
 }
@@ -219,9 +223,9 @@ RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan
 void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
   const Plan& plan = *plan_;
   switch (plan.simulation.processing) {
-    case Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
-    case Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
-    case Processing::srp: make_profile(row, out); return;
+    case scene::Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
+    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
+    case scene::Processing::srp: make_profile(row, out); return;
   }
 }
 
@@ -255,8 +259,9 @@ void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw)
 
 void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
   const Plan& plan = *plan_;
-  const RandomStream stream(plan.scene->options.seed, RandomKind::receiver_noise, name_key(plan.radar.name));
-  add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
+  const core::RandomStream stream(plan.scene->options.seed, core::RandomKind::receiver_noise,
+                                  core::name_key(plan.radar.name));
+  radar::add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
 }
 
 // The echoes of the current pulse.
@@ -264,7 +269,7 @@ void RowMaker::add_row(std::span<std::complex<double>> raw) {
   const Plan& plan = *plan_;
   if (plan.engine.engine == Engine::reference) {
     geometry_.echoes(echoes_);
-    add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+    radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
     return;
   }
   fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
@@ -290,4 +295,4 @@ void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out
   plan.profiler->profile(scratch_, out);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

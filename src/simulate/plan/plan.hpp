@@ -22,28 +22,28 @@
 #include "simulate/plan/sink.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What comes of one `$SIMULATION`: everything decided before the first pulse. A value shared by all threads; made by
 /// `make_plan` from a scene that has passed `check`.
 struct Plan {
   std::shared_ptr<const ResolvedScene> scene;
   ResolvedRadar radar;
-  Simulation simulation;
-  EchoPulse pulse;
+  scene::Simulation simulation;
+  radar::EchoPulse pulse;
   EngineChoice engine;
   std::shared_ptr<const PointGroups> points;  ///< For the fast engines.
 
-  PulseRange pulses;                ///< All pulses of the window.
+  radar::PulseRange pulses;         ///< All pulses of the window.
   std::int64_t first_burst = 0;     ///< Synthetic range profiles: bursts [first_burst, first_burst + rows).
   std::int64_t dropped_pulses = 0;  ///< Pulses of incomplete bursts at either end.
 
-  SampleGrid raw_grid;  ///< Times of the samples that are simulated.
+  radar::SampleGrid raw_grid;  ///< Times of the samples that are simulated.
   std::int64_t noise_first_sample = 0;
-  double noise_stddev_v = 0.0;                        ///< In I and in Q.
-  std::vector<double> stc_gain;                       ///< Per raw sample; empty: 1.
-  std::shared_ptr<const RangeCompressor> compressor;  ///< Processing::matched_filter.
-  std::shared_ptr<const RangeProfiler> profiler;      ///< Processing::srp.
+  double noise_stddev_v = 0.0;                                ///< In I and in Q.
+  std::vector<double> stc_gain;                               ///< Per raw sample; empty: 1.
+  std::shared_ptr<const signal::RangeCompressor> compressor;  ///< Processing::matched_filter.
+  std::shared_ptr<const signal::RangeProfiler> profiler;      ///< Processing::srp.
 
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -62,15 +62,15 @@ struct Plan {
 };
 
 /// Range samples of a window: floor(2 fs (end - start)/c + 1/2) (decision 2).
-[[nodiscard]] double sample_count(const Simulation& simulation, double light_speed_mps);
+[[nodiscard]] double sample_count(const scene::Simulation& simulation, double light_speed_mps);
 
 /// Decides everything about simulation number `index` of a scene.
 /// @param engine  which kernel to use; automatic decides by cost
 /// @param stop    asked now and then; a requested stop throws Interrupted
 /// @throws std::invalid_argument where the scene would not pass `check`.
-[[nodiscard]] Plan make_plan(const Scene& scene, std::size_t index,
+[[nodiscard]] Plan make_plan(const scene::Scene& scene, std::size_t index,
                              std::shared_ptr<const ResolvedScene> resolved = nullptr, Engine engine = Engine::reference,
-                             const StopFlag* stop = nullptr);
+                             const core::StopFlag* stop = nullptr);
 
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood
@@ -95,9 +95,9 @@ class RowMaker {
 
   const Plan* plan_;
   PulseGeometry geometry_;
-  std::optional<DirectKernel> direct_;
-  std::optional<SpectralKernel> spectral_;
-  EchoBatch echoes_;
+  std::optional<radar::DirectKernel> direct_;
+  std::optional<radar::SpectralKernel> spectral_;
+  radar::EchoBatch echoes_;
   std::vector<std::complex<double>> raw_;
   std::vector<std::complex<double>> scratch_;
 };
@@ -112,4 +112,4 @@ struct Cost {
 };
 [[nodiscard]] Cost estimated_cost(const Plan& plan, unsigned threads);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

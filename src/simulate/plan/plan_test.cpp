@@ -8,14 +8,14 @@
 
 #include "simulate/plan/simulate_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
 double samples_between(double start_m, double end_m, double rate_hz, double light_speed_mps = c) {
-  Simulation s;
+  scene::Simulation s;
   s.range_start_m = start_m;
   s.range_end_m = end_m;
   s.sample_rate_hz = rate_hz;
@@ -24,7 +24,7 @@ double samples_between(double start_m, double end_m, double rate_hz, double ligh
 
 TEST(SampleCount, IsThatOfTheKnownRecordings) {
   EXPECT_EQ(samples_between(0, 2000, 4e6), 53.0);
-  EXPECT_EQ(samples_between(0, 2000, 4e6, classic_light_speed_mps), 53.0);
+  EXPECT_EQ(samples_between(0, 2000, 4e6, core::classic_light_speed_mps), 53.0);
   EXPECT_EQ(samples_between(5550, 5870, 120e6), 256.0);
   EXPECT_EQ(samples_between(1000, 1500, 150e6), 500.0);
   EXPECT_EQ(samples_between(0, c / 4e6, 1e6), 1.0);  // half a sample counts as one
@@ -32,9 +32,9 @@ TEST(SampleCount, IsThatOfTheKnownRecordings) {
 }
 
 TEST(Plan, PhysicalSamplesAreTheSamplingIntervalApart) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.simulations[0].range_start_m = 300.0;
-  for (const Processing processing : {Processing::raw, Processing::matched_filter}) {
+  for (const scene::Processing processing : {scene::Processing::raw, scene::Processing::matched_filter}) {
     scene.simulations[0].processing = processing;
     const Plan plan = make_plan(scene, 0);
     EXPECT_EQ(plan.raw_grid.interval_s, 1.0 / 4e6);
@@ -49,13 +49,13 @@ TEST(Plan, PhysicalSamplesAreTheSamplingIntervalApart) {
 
 // Less than a cycle of sweep leaves the band of a pulse of that length.
 TEST(Plan, ChirpsOfNoBandwidthKeepTheBandOfAnUnmodulatedPulse) {
-  Scene scene = one_target_scene();
-  scene.options.pulse = PulseDefinition::band_limited;
+  scene::Scene scene = one_target_scene();
+  scene.options.pulse = scene::PulseDefinition::band_limited;
   scene.simulations[0].oversampling = 2.0;
   const auto half_band_hz = [&] { return make_plan(scene, 0).pulse.band_limited.value().half_band_hz(); };
   const double plain_hz = half_band_hz();
   EXPECT_EQ(plain_hz, 0.5 / scene.radars[0].pulse_width_s);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   for (const double bandwidth_hz : {0.0, 1e-3, -1e3}) {
     scene.radars[0].bandwidth_hz = bandwidth_hz;
     EXPECT_EQ(half_band_hz(), plain_hz) << bandwidth_hz;
@@ -63,10 +63,10 @@ TEST(Plan, ChirpsOfNoBandwidthKeepTheBandOfAnUnmodulatedPulse) {
 }
 
 TEST(Plan, ClassicRawSamplesDivideTheWindow) {
-  Scene scene = one_target_scene();
-  scene.options.profile = Profile::classic;
+  scene::Scene scene = one_target_scene();
+  scene.options.profile = scene::Profile::classic;
   const Plan plan = make_plan(scene, 0);
-  EXPECT_NEAR(plan.raw_grid.interval_s, 4000.0 / classic_light_speed_mps / 53.0, 1e-6 * 4.0 * epsilon);
+  EXPECT_NEAR(plan.raw_grid.interval_s, 4000.0 / core::classic_light_speed_mps / 53.0, 1e-6 * 4.0 * epsilon);
   for (std::size_t i = 0; i < 53; ++i)
     EXPECT_NEAR(plan.column_range_m[i], static_cast<double>(i) * 2000.0 / 53.0, 2e3 * 8.0 * epsilon);
 }
@@ -74,29 +74,29 @@ TEST(Plan, ClassicRawSamplesDivideTheWindow) {
 // The compressed sample i of the 1998 program is the raw one trunc(i F): the axis tells where that one lies. A window
 // of 53.63 samples holds 54: F is below 1, and the second sample repeats the first.
 TEST(Plan, ClassicCompressedColumnsTellWhereTheirSamplesWereTaken) {
-  Scene scene = one_target_scene();
-  scene.options.profile = Profile::classic;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene::Scene scene = one_target_scene();
+  scene.options.profile = scene::Profile::classic;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   for (const double end_m : {2000.0, 2010.0}) {  // 53.37 and 53.63 samples
     scene.simulations[0].range_end_m = end_m;
     const Plan plan = make_plan(scene, 0);
-    const double exact = 8e6 * end_m / classic_light_speed_mps;
+    const double exact = 8e6 * end_m / core::classic_light_speed_mps;
     const double ratio = exact / std::floor(exact + 0.5);
     for (std::size_t i = 0; i < plan.columns; ++i)
       EXPECT_NEAR(plan.column_range_m[i],
-                  std::floor(static_cast<double>(i) * ratio + 1e-9) * classic_light_speed_mps / 8e6,
+                  std::floor(static_cast<double>(i) * ratio + 1e-9) * core::classic_light_speed_mps / 8e6,
                   2e3 * 8.0 * epsilon);
   }
 }
 
 TEST(Plan, CompressionBeginsHalfAPulseEarlierForCentre) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.simulations[0].range_start_m = 900.0;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   const double begin_s = make_plan(scene, 0).raw_grid.first_s;
   const auto peak = [&] { return make_plan(scene, 0).column_range_m; };
   const auto begin_axis = peak();
-  scene.simulations[0].pulse_position = Simulation::PulsePosition::centre;
+  scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
   EXPECT_NEAR(make_plan(scene, 0).raw_grid.first_s, begin_s - 2.5e-6, 1e-5 * epsilon);
   EXPECT_EQ(peak(), begin_axis);
 }
@@ -104,38 +104,38 @@ TEST(Plan, CompressionBeginsHalfAPulseEarlierForCentre) {
 // A target whose delay is a whole number of samples after the window's start: the compressed peak has its own column,
 // amplitude and phase, wherever in the pulse the delay is measured.
 TEST(Plan, CompressedPeakStandsAtTheTargetsRangeWithItsAmplitudeAndPhase) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
-    Scene scene = one_target_scene();
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
+    scene::Scene scene = one_target_scene();
     const double range_m = 26.0 * c / 8e6;
     scene.targets[0].position_m = {range_m, 0, 0};
-    scene.radars[0].pulse = Radar::Pulse::chirp;
+    scene.radars[0].pulse = scene::Radar::Pulse::chirp;
     scene.radars[0].bandwidth_hz = 3e6;
-    scene.radars[0].window = Radar::Window::hamming;
-    scene.simulations[0].processing = Processing::matched_filter;
+    scene.radars[0].window = scene::Radar::Window::hamming;
+    scene.simulations[0].processing = scene::Processing::matched_filter;
     scene.simulations[0].pulse_position = position;
     const std::complex<double> peak = samples_of(scene)[26];
     const double amplitude = equation_amplitude(range_m, 1.0, c / 1e9);
     // 6500 cycles of phase, each of 80 FFT outputs rounded a few times.
-    EXPECT_LT(std::abs(peak - std::polar(amplitude, -2.0 * pi * std::remainder(1e9 * 2.0 * range_m / c, 1.0))),
-              amplitude * (6500.0 * 2.0 * pi * 4.0 + 1e3) * epsilon);
+    EXPECT_LT(std::abs(peak - std::polar(amplitude, -2.0 * core::pi * std::remainder(1e9 * 2.0 * range_m / c, 1.0))),
+              amplitude * (6500.0 * 2.0 * core::pi * 4.0 + 1e3) * epsilon);
   }
 }
 
-Scene stepped_scene() {
-  Scene scene = one_target_scene();
+scene::Scene stepped_scene() {
+  scene::Scene scene = one_target_scene();
   scene.targets[0].position_m = {1100.0, 0, 0};
-  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_step_hz = 2e6;
   scene.radars[0].carrier_steps = 8;
   scene.radars[0].pulses_per_step = 3;
-  scene.simulations[0].processing = Processing::srp;
+  scene.simulations[0].processing = scene::Processing::srp;
   scene.simulations[0].range_start_m = 1090.0;
   scene.simulations[0].range_end_m = 1200.0;
   return scene;
 }
 
 TEST(Plan, SyntheticProfilesHaveARowForEachCompleteBurst) {
-  Scene scene = stepped_scene();  // 24 pulses a burst, 1 kHz
+  scene::Scene scene = stepped_scene();  // 24 pulses a burst, 1 kHz
   const auto rows = [&](int first, int last) {
     scene.simulations[0].time_start_s = first * 1e-3;
     scene.simulations[0].time_end_s = last * 1e-3;
@@ -162,14 +162,14 @@ TEST(Plan, SyntheticProfileColumnsAreTheBinsOfTheGates) {
 
 // CENTRE: the gate hears targets on both sides of it. The target stands 2 bins beyond the first gate.
 TEST(Plan, SyntheticProfilePeakHasTheTargetsPlaceAmplitudeAndPhase) {
-  Scene scene = stepped_scene();
+  scene::Scene scene = stepped_scene();
   const double range_m = 1090.0 + 2.0 * c / (2.0 * 8 * 2e6);
   scene.targets[0].position_m = {range_m, 0, 0};
-  scene.radars[0].transmit_gain = PowerRatio::from_db(0.0);
-  scene.simulations[0].pulse_position = Simulation::PulsePosition::centre;
+  scene.radars[0].transmit_gain = core::PowerRatio::from_db(0.0);
+  scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
   scene.simulations[0].time_end_s = 0.023;
   const auto row = samples_of(scene);
-  const std::complex<double> unit = std::polar(1.0, -2.0 * pi * std::remainder(1e9 * 2.0 * range_m / c, 1.0));
+  const std::complex<double> unit = std::polar(1.0, -2.0 * core::pi * std::remainder(1e9 * 2.0 * range_m / c, 1.0));
   // The amplitude of each step is that of its own wavelength: 1e9/(1e9 + 2e6 n), the mean over eight steps.
   double mean = 0.0;
   for (int n = 0; n < 8; ++n) mean += equation_amplitude(range_m, 1.0, c / (1e9 + 2e6 * n)) / 8.0;
@@ -177,12 +177,12 @@ TEST(Plan, SyntheticProfilePeakHasTheTargetsPlaceAmplitudeAndPhase) {
 }
 
 TEST(Plan, NoiseIsKtTimesTheSamplingRateInAllOrKtbInEachPart) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.radars[0].noise_temperature_k = 290.0;
   EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.380649e-23 * 290.0 * 4e6 / 2.0), 1e-8 * 4.0 * epsilon);
-  scene.options.profile = Profile::classic;
+  scene.options.profile = scene::Profile::classic;
   EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.38e-23 * 290.0 / 5e-6), 1e-8 * 4.0 * epsilon);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = -3e6;
   EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.38e-23 * 290.0 * 3e6), 1e-8 * 4.0 * epsilon);
   scene.radars[0].noise_temperature_k = 0.0;
@@ -191,7 +191,7 @@ TEST(Plan, NoiseIsKtTimesTheSamplingRateInAllOrKtbInEachPart) {
 
 // |noise|^2 is exponentially distributed: its deviation is its mean.
 TEST(Plan, RecordedNoiseHasItsPowerInEverySample) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets.clear();
   scene.radars[0].noise_temperature_k = 290.0;
   scene.simulations[0].time_end_s = 1.0;
@@ -204,14 +204,14 @@ TEST(Plan, RecordedNoiseHasItsPowerInEverySample) {
 }
 
 TEST(Plan, PhysicalStcMultipliesSignalAndNoiseByTheSamplesRangeSquared) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
-    Scene scene = one_target_scene();
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
+    scene::Scene scene = one_target_scene();
     scene.simulations[0].pulse_position = position;
     scene.radars[0].noise_temperature_k = 1e4;
     const auto plain = samples_of(scene);
-    scene.radars[0].stc = Radar::Stc::range_law;
+    scene.radars[0].stc = scene::Radar::Stc::range_law;
     const auto controlled = samples_of(scene);
-    scene.radars[0].stc = Radar::Stc::user;
+    scene.radars[0].stc = scene::Radar::Stc::user;
     scene.radars[0].stc_gain.part[0] = lines({{0.0, 1.0}, {1000.0, 5.0}});
     const auto user = samples_of(scene);
     for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -223,20 +223,20 @@ TEST(Plan, PhysicalStcMultipliesSignalAndNoiseByTheSamplesRangeSquared) {
 }
 
 TEST(Plan, PhysicalStcComesBeforeCompression) {
-  Scene scene = one_target_scene();
-  scene.radars[0].stc = Radar::Stc::range_law;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene::Scene scene = one_target_scene();
+  scene.radars[0].stc = scene::Radar::Stc::range_law;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   scene.simulations[0].range_start_m = 500.0;
   const Plan plan = make_plan(scene, 0);
   ASSERT_EQ(plan.stc_gain.size(), plan.raw_grid.count);
   EXPECT_NEAR(plan.stc_gain[0], 250e3, 250e3 * 8.0 * epsilon);
   EXPECT_NEAR(std::sqrt(plan.stc_gain.back()), 500.0 + static_cast<double>(plan.raw_grid.count - 1) * c / 8e6, 1e-9);
-  scene.options.profile = Profile::classic;
+  scene.options.profile = scene::Profile::classic;
   EXPECT_TRUE(make_plan(scene, 0).stc_gain.empty());
 }
 
 TEST(Plan, RefusesEmptyWindowsAndUnknownRadars) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.simulations[0].range_end_m = 1.0;
   EXPECT_THROW((void)make_plan(scene, 0), std::invalid_argument);
   scene = one_target_scene();
@@ -252,13 +252,13 @@ TEST(Plan, RefusesEmptyWindowsAndUnknownRadars) {
 }
 
 TEST(Product, DescribesTheAxesOfTheRecording) {
-  Scene scene = stepped_scene();
+  scene::Scene scene = stepped_scene();
   scene.simulations[0].time_end_s = 0.047;
   const Product srp = product_of(make_plan(scene, 0), "text");
   EXPECT_EQ(srp.rows, 2u);
   EXPECT_EQ(srp.row_time_s(1), 0.024);
   EXPECT_EQ(srp.row_carrier_hz(1), 1e9);
-  scene.simulations[0].processing = Processing::raw;
+  scene.simulations[0].processing = scene::Processing::raw;
   scene.simulations[0].time_start_s = -0.001;
   const Product raw = product_of(make_plan(scene, 0), "text");
   EXPECT_EQ(raw.rows, 49u);
@@ -269,16 +269,16 @@ TEST(Product, DescribesTheAxesOfTheRecording) {
 }
 
 TEST(Plan, OfManyTargetsIsGivenUpWhenAskedTo) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets.resize(10000, scene.targets[0]);
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)resolve(scene, {1, &stop}), Interrupted);
+  EXPECT_THROW((void)resolve(scene, {1, &stop}), core::Interrupted);
   const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
-  EXPECT_THROW((void)group_points(*resolved, resolve_radar(scene, *resolved, 0), &stop), Interrupted);
-  EXPECT_THROW((void)make_plan(scene, 0, resolved, Engine::direct, &stop), Interrupted);
+  EXPECT_THROW((void)group_points(*resolved, resolve_radar(scene, *resolved, 0), &stop), core::Interrupted);
+  EXPECT_THROW((void)make_plan(scene, 0, resolved, Engine::direct, &stop), core::Interrupted);
   EXPECT_NO_THROW((void)make_plan(scene, 0, resolved, Engine::direct));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

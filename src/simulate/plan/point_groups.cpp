@@ -9,16 +9,16 @@
 #include "core/maths/random.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
-static_assert(doubtful_amplitude < strongest_echo_v);
+static_assert(radar::doubtful_amplitude < strongest_echo_v);
 
 // What the points of a group have in common.
 struct GroupKey {
   std::uint32_t platform = 0;
-  PointArrays::Law law = PointArrays::Law::isotropic;
+  radar::PointArrays::Law law = radar::PointArrays::Law::isotropic;
   bool level = false;  // random deviations in x or y
   bool height = false;
   bool rcs = false;
@@ -28,13 +28,13 @@ struct GroupKey {
   friend bool operator<(const GroupKey& a, const GroupKey& b) { return a.fields() < b.fields(); }
 };
 
-PointArrays::Law law_of(ReflectivityLaw law) {
+radar::PointArrays::Law law_of(radar::ReflectivityLaw law) {
   switch (law) {
-    case ReflectivityLaw::isotropic: break;
-    case ReflectivityLaw::cosine: return PointArrays::Law::cosine;
-    case ReflectivityLaw::user: return PointArrays::Law::curve;
+    case radar::ReflectivityLaw::isotropic: break;
+    case radar::ReflectivityLaw::cosine: return radar::PointArrays::Law::cosine;
+    case radar::ReflectivityLaw::user: return radar::PointArrays::Law::curve;
   }
-  return PointArrays::Law::isotropic;
+  return radar::PointArrays::Law::isotropic;
 }
 
 GroupKey key_of(const Scatterer& s) {
@@ -42,41 +42,43 @@ GroupKey key_of(const Scatterer& s) {
   key.level = s.position_stddev_m.x != 0.0 || s.position_stddev_m.y != 0.0;
   key.height = s.position_stddev_m.z != 0.0;
   key.rcs = s.rcs_stddev_m2 != 0.0;
-  key.pointing = s.law != ReflectivityLaw::isotropic && (s.azimuth_stddev_rad != 0.0 || s.elevation_stddev_rad != 0.0);
+  key.pointing =
+      s.law != radar::ReflectivityLaw::isotropic && (s.azimuth_stddev_rad != 0.0 || s.elevation_stddev_rad != 0.0);
   return key;
 }
 
-void add_point(PointArrays& points, const Vec3& at, double rcs_m2, const Vec3& normal) {
+void add_point(radar::PointArrays& points, const core::Vec3& at, double rcs_m2, const core::Vec3& normal) {
   points.x_m.push_back(at.x);
   points.y_m.push_back(at.y);
   points.z_m.push_back(at.z);
   points.root_rcs_m.push_back(std::sqrt(std::max(0.0, rcs_m2)));
-  if (points.law == PointArrays::Law::isotropic) return;
+  if (points.law == radar::PointArrays::Law::isotropic) return;
   points.normal_x.push_back(normal.x);
   points.normal_y.push_back(normal.y);
   points.normal_z.push_back(normal.z);
 }
 
 // The deviations of target number `index` that its group has at all.
-void add_jitter(PointJitter& jitter, const Scatterer& s, const GroupKey& key, std::uint64_t seed, std::size_t index) {
-  const auto stream = [&](RandomKind kind) { return RandomStream(seed, kind, index).key(); };
+void add_jitter(radar::PointJitter& jitter, const Scatterer& s, const GroupKey& key, std::uint64_t seed,
+                std::size_t index) {
+  const auto stream = [&](core::RandomKind kind) { return core::RandomStream(seed, kind, index).key(); };
   if (key.level) {
     jitter.x_stddev_m.push_back(s.position_stddev_m.x);
     jitter.y_stddev_m.push_back(s.position_stddev_m.y);
   }
   if (key.height) jitter.z_stddev_m.push_back(s.position_stddev_m.z);
-  if (key.level || key.height) jitter.position_key.push_back(stream(RandomKind::target_position));
+  if (key.level || key.height) jitter.position_key.push_back(stream(core::RandomKind::target_position));
   if (key.rcs) {
     jitter.rcs_m2.push_back(s.rcs_m2);
     jitter.rcs_stddev_m2.push_back(s.rcs_stddev_m2);
-    jitter.rcs_key.push_back(stream(RandomKind::target_rcs));
+    jitter.rcs_key.push_back(stream(core::RandomKind::target_rcs));
   }
   if (key.pointing) {
     jitter.azimuth_rad.push_back(s.azimuth_rad);
     jitter.elevation_rad.push_back(s.elevation_rad);
     jitter.azimuth_stddev_rad.push_back(s.azimuth_stddev_rad);
     jitter.elevation_stddev_rad.push_back(s.elevation_stddev_rad);
-    jitter.pointing_key.push_back(stream(RandomKind::target_pointing));
+    jitter.pointing_key.push_back(stream(core::RandomKind::target_pointing));
   }
 }
 
@@ -84,35 +86,36 @@ void add_jitter(PointJitter& jitter, const Scatterer& s, const GroupKey& key, st
 // target's and two of each antenna.
 double curve_error_db(const ResolvedScene& scene) { return 0.2 * scene.options.tolerance; }
 
-double first_cell(const CurveTables& tables, std::size_t curve) {
+double first_cell(const radar::CurveTables& tables, std::size_t curve) {
   return static_cast<double>(tables.number[curve]) * static_cast<double>(tables.cells);
 }
 
-CurveTables reflectivity_tables(const ResolvedScene& scene) {
-  std::vector<const Interpolator*> curves;
+radar::CurveTables reflectivity_tables(const ResolvedScene& scene) {
+  std::vector<const core::Interpolator*> curves;
   curves.reserve(scene.gain_curves.size());
-  for (const Interpolator& curve : scene.gain_curves) curves.push_back(&curve);
-  return tabulate(curves, curve_error_db(scene));
+  for (const core::Interpolator& curve : scene.gain_curves) curves.push_back(&curve);
+  return radar::tabulate(curves, curve_error_db(scene));
 }
 
-AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRadar& radar) {
-  AntennaSight antenna;
-  if (scene.conventions.pointing == PointingRule::added_angles) antenna.offsets = AntennaSight::Offsets::world_angles;
-  antenna.roots = scene.conventions.pattern == PatternRule::power;
-  std::vector<const Interpolator*> curves;
+radar::AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRadar& radar) {
+  radar::AntennaSight antenna;
+  if (scene.conventions.pointing == radar::PointingRule::added_angles)
+    antenna.offsets = radar::AntennaSight::Offsets::world_angles;
+  antenna.roots = scene.conventions.pattern == radar::PatternRule::power;
+  std::vector<const core::Interpolator*> curves;
   std::vector<std::size_t> cuts;
   std::size_t first = 0;
-  for (const AntennaPattern* pattern : {&radar.transmit, &radar.receive}) {
-    if (pattern->kind == AntennaPattern::Kind::sinx) {
+  for (const radar::AntennaPattern* pattern : {&radar.transmit, &radar.receive}) {
+    if (pattern->kind == radar::AntennaPattern::Kind::sinx) {
       antenna.cut[first] = 0.44 / pattern->azimuth_beamwidth_rad;
       antenna.cut[first + 1] = 0.44 / pattern->elevation_beamwidth_rad;
-    } else if (pattern->kind == AntennaPattern::Kind::user) {
+    } else if (pattern->kind == radar::AntennaPattern::Kind::user) {
       curves.insert(curves.end(), {&pattern->azimuth_gain_db, &pattern->elevation_gain_db});
       cuts.insert(cuts.end(), {first, first + 1});
     }
     first += 2;
   }
-  antenna.curves = tabulate(curves, curve_error_db(scene));
+  antenna.curves = radar::tabulate(curves, curve_error_db(scene));
   for (std::size_t i = 0; i < cuts.size(); ++i) antenna.curve_cell[cuts[i]] = first_cell(antenna.curves, i);
   return antenna;
 }
@@ -122,7 +125,7 @@ class Grouping {
  public:
   explicit Grouping(PointGroups& groups) : groups_(groups) {}
 
-  PointArrays& of(const GroupKey& key) {
+  radar::PointArrays& of(const GroupKey& key) {
     const auto [place, is_new] = places_.try_emplace(key, groups_.groups.size());
     if (is_new) {
       groups_.groups.push_back({key.platform, {}});
@@ -136,7 +139,7 @@ class Grouping {
   std::map<GroupKey, std::size_t> places_;
 };
 
-void resize(EchoBatch& echoes, std::size_t count) {
+void resize(radar::EchoBatch& echoes, std::size_t count) {
   echoes.delay_s.resize(count);
   echoes.amplitude_sqrt_w.resize(count);
   echoes.speed_mps.resize(count);
@@ -144,9 +147,9 @@ void resize(EchoBatch& echoes, std::size_t count) {
 
 }  // namespace
 
-PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const StopFlag* stop) {
+PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
   const auto look_at_stop = [stop] {
-    if (stop != nullptr && stop->requested()) throw Interrupted();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
   };
   PointGroups groups;
   groups.antenna = antenna_sight(scene, radar);
@@ -157,31 +160,34 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
     if (i % between_looks == 0) look_at_stop();
     const Scatterer& s = scene.scatterers[i];
     const GroupKey key = key_of(s);
-    PointArrays& points = grouping.of(key);
-    add_point(points, s.position_m, s.rcs_m2, direction(s.azimuth_rad, s.elevation_rad));
-    if (s.law == ReflectivityLaw::user) points.curve_cell.push_back(first_cell(groups.reflectivity, s.gain_curve));
+    radar::PointArrays& points = grouping.of(key);
+    add_point(points, s.position_m, s.rcs_m2, core::direction(s.azimuth_rad, s.elevation_rad));
+    if (s.law == radar::ReflectivityLaw::user)
+      points.curve_cell.push_back(first_cell(groups.reflectivity, s.gain_curve));
     add_jitter(points.jitter, s, key, scene.options.seed, i);
   }
   for (const ScattererSheet& sheet : scene.sheets) {
     if (sheet.points_m.empty()) continue;
     look_at_stop();
-    PointArrays& points = grouping.of({sheet.platform, PointArrays::Law::cosine, false, false, false, false});
-    for (const Vec3& point_m : sheet.points_m) add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
+    radar::PointArrays& points =
+        grouping.of({sheet.platform, radar::PointArrays::Law::cosine, false, false, false, false});
+    for (const core::Vec3& point_m : sheet.points_m)
+      add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
   }
   for (const PointGroups::Group& group : groups.groups) groups.count += group.points.size();
   return groups;
 }
 
 void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
-                 EchoBatch& echoes) {
+                 radar::EchoBatch& echoes) {
   if (!groups.sound()) {
     geometry.echoes(echoes);
     return;
   }
   resize(echoes, groups.count);
-  const Pointing pointing = geometry.pointing();
-  const Pose& radar = geometry.radar_pose();
-  SightFrame frame;
+  const radar::Pointing pointing = geometry.pointing();
+  const radar::Pose& radar = geometry.radar_pose();
+  radar::SightFrame frame;
   frame.antenna_from_world = pointing.antenna_from_world();
   frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
   frame.axis_elevation_rad = pointing.axis_elevation_rad();
@@ -192,16 +198,16 @@ void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const Pu
   std::size_t first = 0;
   bool possible = true;
   for (const PointGroups::Group& group : groups.groups) {
-    const Pose& pose = geometry.pose(group.platform);
+    const radar::Pose& pose = geometry.pose(group.platform);
     frame.world_from_platform = pose.world_from_platform;
     frame.world_from_platform_rate = pose.world_from_platform_rate;
     frame.origin_m = pose.position_world_m - radar.position_world_m;
     frame.velocity_mps = pose.velocity_world_mps - radar.velocity_world_mps;
-    possible = write_echoes(group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
+    possible = radar::write_echoes(group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
     first += group.points.size();
   }
   // Where in doubt the plain geometry decides, and says what is wrong with which target.
   if (!possible) geometry.echoes(echoes);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

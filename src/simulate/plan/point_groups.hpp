@@ -9,7 +9,7 @@
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// The scatterers of a scene as flat arrays that share a platform, a law and the kinds of random deviations, and the
 /// antennas of a radar; what SIMD geometry works on.
@@ -17,11 +17,11 @@ struct PointGroups {
   /// Points of one platform and one law.
   struct Group {
     std::uint32_t platform = 0;
-    PointArrays points;
+    radar::PointArrays points;
   };
   std::vector<Group> groups;
-  CurveTables reflectivity;
-  AntennaSight antenna;
+  radar::CurveTables reflectivity;
+  radar::AntennaSight antenna;
   std::size_t count = 0;  ///< Points of all groups.
 
   /// Whether all user-defined curves are finite; otherwise `fast_echoes` looks at every target by itself.
@@ -33,13 +33,13 @@ struct PointGroups {
 /// put an error of less than an eighth of the scene's tolerance on any amplitude, relative to that amplitude.
 /// @param stop  asked now and then; a requested stop throws Interrupted
 [[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
-                                       const StopFlag* stop = nullptr);
+                                       const core::StopFlag* stop = nullptr);
 
 /// All echoes of the current pulse of `geometry` in SIMD, as `PulseGeometry::echoes` gives them, but group by group,
 /// and with amplitude 0 where that leaves out the back of a surface. Delays and speeds agree to rounding, amplitudes to
 /// rounding and the tolerance of the curves. Replaces `echoes`; allocates nothing once these have had their size.
 /// Throws the ImpossibleEcho that `PulseGeometry::echoes` throws.
 void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
-                 EchoBatch& echoes);
+                 radar::EchoBatch& echoes);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -36,27 +36,27 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 
 // NOLINTEND(cppcoreguidelines-no-malloc)
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 TEST(FastEchoes, AllocateNothingFromTheSecondPulseOn) {
-  Scene scene = one_target_scene();
-  scene.targets[0].reflectivity = Target::Reflectivity::directional;
+  scene::Scene scene = one_target_scene();
+  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
   scene.targets[0].position_stddev_m = {1, 2, 3};
   scene.targets[0].rcs_stddev_m2 = 0.1;
-  scene.targets[0].azimuth_stddev = Angle::from_deg(3);
-  scene.targets[0].gain = Target::Gain::user;
+  scene.targets[0].azimuth_stddev = core::Angle::from_deg(3);
+  scene.targets[0].gain = scene::Target::Gain::user;
   scene.targets[0].gain_db.part[0] = lines({{0.0, 0.0}, {180.0, -20.0}});
   scene.targets.resize(1003, scene.targets[0]);
   scene.surfaces.push_back({});
-  Antenna& antenna = scene.radars[0].transmit_antenna;
-  antenna.pattern = Antenna::Pattern::user;
+  scene::Antenna& antenna = scene.radars[0].transmit_antenna;
+  antenna.pattern = scene::Antenna::Pattern::user;
   antenna.gain_db.part = {lines({{0.0, 0.0}, {180.0, -20.0}}), lines({{0.0, 0.0}, {180.0, -20.0}})};
   const ResolvedScene resolved = resolve(scene);
   const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
   const PointGroups groups = group_points(resolved, radar);
   PulseGeometry geometry(resolved, radar);
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   const std::size_t before = allocations;
   fast_echoes(groups, resolved, geometry, echoes);
   EXPECT_GT(allocations, before);
@@ -69,4 +69,4 @@ TEST(FastEchoes, AllocateNothingFromTheSecondPulseOn) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -10,59 +10,62 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
-constexpr std::array methods{Interpolation::linear, Interpolation::cubic, Interpolation::low_pass};
+constexpr std::array methods{core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass};
 
-Target directional(Target target, double azimuth_deg, Target::Gain gain = Target::Gain::cosine) {
-  target.reflectivity = Target::Reflectivity::directional;
-  target.azimuth = Angle::from_deg(azimuth_deg);
+scene::Target directional(scene::Target target, double azimuth_deg,
+                          scene::Target::Gain gain = scene::Target::Gain::cosine) {
+  target.reflectivity = scene::Target::Reflectivity::directional;
+  target.azimuth = core::Angle::from_deg(azimuth_deg);
   target.gain = gain;
   return target;
 }
 
 // A reflectivity of one of nine sorts.
-SampledFunction reflectivity_curve(std::size_t sort) {
-  const std::vector<std::vector<Knot>> knots{{{0.0, 0.0}, {90.0, -10.0}, {180.0, -30.0}},
-                                             {{5.0, 3.0}, {40.0, -2.0}, {42.0, -25.0}, {120.0, -20.0}},
-                                             {{0.0, -1.0}, {20.0, 1.0}, {60.0, 0.0}, {100.0, -8.0}, {170.0, -9.0}}};
+core::SampledFunction reflectivity_curve(std::size_t sort) {
+  const std::vector<std::vector<core::Knot>> knots{
+      {{0.0, 0.0}, {90.0, -10.0}, {180.0, -30.0}},
+      {{5.0, 3.0}, {40.0, -2.0}, {42.0, -25.0}, {120.0, -20.0}},
+      {{0.0, -1.0}, {20.0, 1.0}, {60.0, 0.0}, {100.0, -8.0}, {170.0, -9.0}}};
   return {methods[sort % 3], knots[sort / 3 % 3]};
 }
 
 // Deviations in one of twelve combinations, none among them.
-Target jittering(Target target, int sort) {
+scene::Target jittering(scene::Target target, int sort) {
   if (sort % 2 == 1) target.position_stddev_m = {0.1, sort % 4 == 1 ? 0.2 : 0.0, 0.0};
   if (sort % 3 == 1) target.position_stddev_m.z = 0.3;
   if (sort % 4 >= 2) target.rcs_stddev_m2 = 0.7;
-  if (sort % 5 >= 3) target.azimuth_stddev = Angle::from_deg(20.0);
-  if (sort % 5 == 4) target.elevation_stddev = Angle::from_deg(5.0);
+  if (sort % 5 >= 3) target.azimuth_stddev = core::Angle::from_deg(20.0);
+  if (sort % 5 == 4) target.elevation_stddev = core::Angle::from_deg(5.0);
   return target;
 }
 
 // Two platforms, one of which turns and moves, and targets of every sort in no order; surfaces that face the radar.
-Scene mixed_scene() {
-  Scene scene = one_target_scene();
+scene::Scene mixed_scene() {
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(moving("Ship", {900.0, 400.0, 10.0}, {-20.0, 90.0, 1.0}));
-  scene.platforms.back().rotation = {Angle::from_deg(5), Angle::from_deg(-8), Angle::from_deg(30)};
-  scene.platforms.back().rotation_rate = {Angle::from_deg(20), Angle::from_deg(0), Angle::from_deg(-70)};
+  scene.platforms.back().rotation = {core::Angle::from_deg(5), core::Angle::from_deg(-8), core::Angle::from_deg(30)};
+  scene.platforms.back().rotation_rate = {core::Angle::from_deg(20), core::Angle::from_deg(0),
+                                          core::Angle::from_deg(-70)};
   scene.targets.clear();
   std::mt19937 random(8);
   std::uniform_real_distribution<double> shift(-1.0, 1.0);
   for (int i = 0; i < 297; ++i) {
-    const Vec3 at{600.0 + 3.0 * (i % 11) + (i % 2 == 0 ? 0.0 : 300.0) + shift(random), 7.0 * (i % 5) - 10.0,
-                  2.0 * (i % 7) + shift(random)};
-    Target target = target_on(i % 13 < 7 ? "Ship" : "Earth", at, 0.5 + i % 4);
+    const core::Vec3 at{600.0 + 3.0 * (i % 11) + (i % 2 == 0 ? 0.0 : 300.0) + shift(random), 7.0 * (i % 5) - 10.0,
+                        2.0 * (i % 7) + shift(random)};
+    scene::Target target = target_on(i % 13 < 7 ? "Ship" : "Earth", at, 0.5 + i % 4);
     if (i % 6 == 1) target = directional(target, -90.0 + i % 40);
     if (i % 5 >= 3) {
-      target = directional(target, 250.0 + i % 60, Target::Gain::user);
+      target = directional(target, 250.0 + i % 60, scene::Target::Gain::user);
       target.gain_db.part[0] = reflectivity_curve(static_cast<std::size_t>(i / 5));
     }
     if (i % 7 >= 4) target = jittering(target, i / 7);
     scene.targets.push_back(target);
   }
-  Surface surface;
-  surface.corner_m = {Vec3{1000.0, 10.0, 0.0}, Vec3{1000.0, -10.0, 0.0}, Vec3{1000.0, 0.0, 10.0}};
+  scene::Surface surface;
+  surface.corner_m = {core::Vec3{1000.0, 10.0, 0.0}, core::Vec3{1000.0, -10.0, 0.0}, core::Vec3{1000.0, 0.0, 10.0}};
   scene.surfaces = {surface, surface};
   scene.surfaces[1].platform = "Ship";
   scene.radars[0].prf_hz = 10.0;
@@ -70,7 +73,7 @@ Scene mixed_scene() {
 }
 
 struct Echoes {
-  EchoBatch plain, fast;
+  radar::EchoBatch plain, fast;
   std::size_t points = 0;
 };
 
@@ -86,7 +89,7 @@ Echoes echoes_of(const ResolvedScene& resolved, const ResolvedRadar& radar, std:
   return echoes;
 }
 
-Echoes echoes_of(const Scene& scene, std::int64_t pulse) {
+Echoes echoes_of(const scene::Scene& scene, std::int64_t pulse) {
   const ResolvedScene resolved = resolve(scene);
   return echoes_of(resolved, resolve_radar(scene, resolved, 0), pulse);
 }
@@ -96,7 +99,7 @@ struct Echo {
 };
 
 // The echoes that are not 0, by their delays: the groups have an order of their own.
-std::vector<Echo> sorted(const EchoBatch& batch) {
+std::vector<Echo> sorted(const radar::EchoBatch& batch) {
   std::vector<Echo> echoes;
   for (std::size_t k = 0; k < batch.size(); ++k)
     if (batch.amplitude_sqrt_w[k] != 0.0)
@@ -137,44 +140,45 @@ TEST(FastEchoes, AreThoseOfPulseGeometry) {
 }
 
 TEST(FastEchoes, HaveTheSameRandomDeviationsForEverySeed) {
-  Scene scene = mixed_scene();
+  scene::Scene scene = mixed_scene();
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, ~std::uint64_t{0}}) {
     scene.options.seed = seed;
     for (const std::int64_t pulse : {-3000, 5}) expect_same(echoes_of(scene, pulse), 1e-6);
   }
 }
 
-Antenna antenna_of(Antenna::Pattern pattern, Interpolation method) {
-  Antenna antenna;
+scene::Antenna antenna_of(scene::Antenna::Pattern pattern, core::Interpolation method) {
+  scene::Antenna antenna;
   antenna.pattern = pattern;
-  antenna.azimuth_beamwidth = Angle::from_deg(25.0);
+  antenna.azimuth_beamwidth = core::Angle::from_deg(25.0);
   antenna.gain_db.part[0] = {method, {{0.0, 0.0}, {10.0, -1.0}, {30.0, -20.0}, {60.0, -18.0}, {180.0, -40.0}}};
   antenna.gain_db.part[1] = {method, {{0.0, 1.0}, {5.0, -3.0}, {10.0, 0.0}, {15.0, -9.0}}};
   return antenna;
 }
 
-std::vector<Antenna> antennas() {
-  std::vector<Antenna> all{{}, antenna_of(Antenna::Pattern::sinx, {})};
-  for (const Interpolation method : methods) all.push_back(antenna_of(Antenna::Pattern::user, method));
+std::vector<scene::Antenna> antennas() {
+  std::vector<scene::Antenna> all{{}, antenna_of(scene::Antenna::Pattern::sinx, {})};
+  for (const core::Interpolation method : methods) all.push_back(antenna_of(scene::Antenna::Pattern::user, method));
   return all;
 }
 
-Radar pointed(Radar radar, Radar::Beam beam) {
+scene::Radar pointed(scene::Radar radar, scene::Radar::Beam beam) {
   radar.beam = beam;
-  radar.beam_azimuth = Angle::from_deg(80.0);
-  radar.beam_elevation = Angle::from_deg(3.0);
-  radar.beam_rate = Angle::from_deg(-2000.0);
+  radar.beam_azimuth = core::Angle::from_deg(80.0);
+  radar.beam_elevation = core::Angle::from_deg(3.0);
+  radar.beam_rate = core::Angle::from_deg(-2000.0);
   radar.spot_world_m = {700.0, 100.0, -30.0};
   radar.beam_target_world_m.part = {lines({{0.0, 600.0}, {1.0, 700.0}}), lines({{0.0, 20.0}}), lines({{0.0, 9.0}})};
   return radar;
 }
 
 // The radar flies and turns, so that its own rotation counts; it looks from below the scene.
-Scene flying_scene(Radar::Beam beam, const Antenna& transmit, const Antenna& receive, double tolerance) {
-  Scene scene = mixed_scene();
+scene::Scene flying_scene(scene::Radar::Beam beam, const scene::Antenna& transmit, const scene::Antenna& receive,
+                          double tolerance) {
+  scene::Scene scene = mixed_scene();
   scene.options.tolerance = tolerance;
   scene.platforms.push_back(moving("Plane", {-50.0, 30.0, -200.0}, {100.0, 40.0, 3.0}));
-  scene.platforms.back().rotation = {Angle::from_deg(4), Angle::from_deg(7), Angle::from_deg(-12)};
+  scene.platforms.back().rotation = {core::Angle::from_deg(4), core::Angle::from_deg(7), core::Angle::from_deg(-12)};
   scene.radars[0] = pointed(scene.radars[0], beam);
   scene.radars[0].platform = "Plane";
   scene.radars[0].transmit_antenna = transmit;
@@ -184,12 +188,13 @@ Scene flying_scene(Radar::Beam beam, const Antenna& transmit, const Antenna& rec
 }
 
 TEST(FastEchoes, AreTheSameForEveryPairOfAntennasBeamAndRule) {
-  for (const Radar::Beam beam : {Radar::Beam::fixed, Radar::Beam::rotating, Radar::Beam::spot, Radar::Beam::user})
-    for (const Antenna& transmit : antennas())
-      for (const Antenna& receive : antennas())
-        for (const PointingRule pointing : {PointingRule::boresight, PointingRule::added_angles})
-          for (const PatternRule pattern : {PatternRule::amplitude, PatternRule::power}) {
-            const Scene scene = flying_scene(beam, transmit, receive, 1e-6);
+  for (const scene::Radar::Beam beam :
+       {scene::Radar::Beam::fixed, scene::Radar::Beam::rotating, scene::Radar::Beam::spot, scene::Radar::Beam::user})
+    for (const scene::Antenna& transmit : antennas())
+      for (const scene::Antenna& receive : antennas())
+        for (const radar::PointingRule pointing : {radar::PointingRule::boresight, radar::PointingRule::added_angles})
+          for (const radar::PatternRule pattern : {radar::PatternRule::amplitude, radar::PatternRule::power}) {
+            const scene::Scene scene = flying_scene(beam, transmit, receive, 1e-6);
             ResolvedScene resolved = resolve(scene);
             resolved.conventions.pointing = pointing;
             resolved.conventions.pattern = pattern;
@@ -199,11 +204,11 @@ TEST(FastEchoes, AreTheSameForEveryPairOfAntennasBeamAndRule) {
 
 TEST(FastEchoes, AreTheSameInEveryProfileStcAndToleranceOnEveryInstructionSet) {
   at_every_simd_level([] {
-    for (const Antenna& antenna : antennas())
-      for (const Profile profile : {Profile::physical, Profile::classic})
-        for (const Radar::Stc stc : {Radar::Stc::none, Radar::Stc::range_law})
+    for (const scene::Antenna& antenna : antennas())
+      for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
+        for (const scene::Radar::Stc stc : {scene::Radar::Stc::none, scene::Radar::Stc::range_law})
           for (const double tolerance : {1e-3, 1e-10}) {
-            Scene scene = flying_scene(Radar::Beam::fixed, antenna, antenna, tolerance);
+            scene::Scene scene = flying_scene(scene::Radar::Beam::fixed, antenna, antenna, tolerance);
             scene.options.profile = profile;
             scene.radars[0].stc = stc;
             scene.radars[0].same_antenna = true;
@@ -215,36 +220,37 @@ TEST(FastEchoes, AreTheSameInEveryProfileStcAndToleranceOnEveryInstructionSet) {
 // Along the axes, at knots of the curves, right above and below, behind, and at right angles to the beam.
 TEST(FastEchoes, AreTheSameInSpecialDirections) {
   at_every_simd_level([] {
-    for (const Antenna& antenna : antennas())
-      for (const Profile profile : {Profile::physical, Profile::classic})
+    for (const scene::Antenna& antenna : antennas())
+      for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
         for (const double azimuth_deg : {0.0, 90.0, -90.0, 180.0}) {
-          Scene scene = one_target_scene();
+          scene::Scene scene = one_target_scene();
           scene.options.profile = profile;
           scene.radars[0].transmit_antenna = antenna;
-          scene.radars[0].beam_azimuth = Angle::from_deg(azimuth_deg);
+          scene.radars[0].beam_azimuth = core::Angle::from_deg(azimuth_deg);
           scene.targets.clear();
           double distance_m = 1000.0;
-          const auto place = [&](const Vec3& way) {
-            Target target = target_on("Earth", distance_m * way);
+          const auto place = [&](const core::Vec3& way) {
+            scene::Target target = target_on("Earth", distance_m * way);
             scene.targets.push_back(target);
-            target = directional(target, 180.0 + azimuth_deg, Target::Gain::user);
+            target = directional(target, 180.0 + azimuth_deg, scene::Target::Gain::user);
             target.gain_db.part[0] = reflectivity_curve(scene.targets.size() % 9);
             target.position_m = (distance_m + 50.0) * way;
             scene.targets.push_back(target);
             distance_m += 100.0;
           };
           for (const double sign : {1.0, -1.0})
-            for (const Vec3& way : {Vec3{sign, 0, 0}, Vec3{0, sign, 0}, Vec3{0, 0, sign}}) place(way);
+            for (const core::Vec3& way : {core::Vec3{sign, 0, 0}, core::Vec3{0, sign, 0}, core::Vec3{0, 0, sign}})
+              place(way);
           for (const double offset_deg : {5.0, 10.0, 15.0, 30.0, 60.0, 120.0})
-            place(direction((azimuth_deg + offset_deg) * pi / 180.0, 5.0 * pi / 180.0));
+            place(core::direction((azimuth_deg + offset_deg) * core::pi / 180.0, 5.0 * core::pi / 180.0));
           expect_same(echoes_of(scene, 0), 1e-6);
         }
   });
 }
 
 TEST(FastEchoes, OfATargetDependOnItsPlaceInTheSceneOnlyByItsRandomNumbers) {
-  Scene scene = one_target_scene();
-  Target target = jittering(target_on("Earth", {900.0, 100.0, 5.0}), 7);
+  scene::Scene scene = one_target_scene();
+  scene::Target target = jittering(target_on("Earth", {900.0, 100.0, 5.0}), 7);
   scene.targets = {target_on("Earth", {500, 0, 0}), target, target};
   const Echoes echoes = echoes_of(scene, 4);
   expect_same(echoes, 1e-6);
@@ -252,12 +258,12 @@ TEST(FastEchoes, OfATargetDependOnItsPlaceInTheSceneOnlyByItsRandomNumbers) {
 }
 
 TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(resting("Ship", {}));
-  const Target plain = target_on("Earth", {1000, 0, 0}, 4.0);
-  Target other = directional(plain, 0.0, Target::Gain::user);
+  const scene::Target plain = target_on("Earth", {1000, 0, 0}, 4.0);
+  scene::Target other = directional(plain, 0.0, scene::Target::Gain::user);
   other.gain_db.part[0] = reflectivity_curve(0);
-  Target moved = plain;
+  scene::Target moved = plain;
   moved.position_m.x = 7.0;
   scene.targets = {plain,
                    directional(plain, 0.0),
@@ -272,22 +278,22 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
   const ResolvedScene resolved = resolve(scene);
   const PointGroups groups = group_points(resolved, resolve_radar(scene, resolved, 0));
   const struct {
-    PointArrays::Law law;
+    radar::PointArrays::Law law;
     std::size_t points, deviations, curves;
-  } expected[] = {{PointArrays::Law::isotropic, 2, 0, 0},
-                  {PointArrays::Law::cosine, 1 + 100, 0, 0},
-                  {PointArrays::Law::curve, 2, 0, 2},
-                  {PointArrays::Law::isotropic, 3, 3, 0},
-                  {PointArrays::Law::isotropic, 1, 0, 0}};
+  } expected[] = {{radar::PointArrays::Law::isotropic, 2, 0, 0},
+                  {radar::PointArrays::Law::cosine, 1 + 100, 0, 0},
+                  {radar::PointArrays::Law::curve, 2, 0, 2},
+                  {radar::PointArrays::Law::isotropic, 3, 3, 0},
+                  {radar::PointArrays::Law::isotropic, 1, 0, 0}};
   ASSERT_EQ(groups.groups.size(), std::size(expected));
   std::size_t count = 0;
   for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-    const PointArrays& points = groups.groups[g].points;
+    const radar::PointArrays& points = groups.groups[g].points;
     EXPECT_EQ(points.law, expected[g].law) << g;
     EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(expected[g].points), g == 1 ? 30.0 : 0.0) << g;
     EXPECT_EQ(points.jitter.position_key.size(), expected[g].deviations) << g;
     EXPECT_EQ(points.curve_cell.size(), expected[g].curves) << g;
-    EXPECT_EQ(points.normal_x.size(), points.law == PointArrays::Law::isotropic ? 0 : points.size()) << g;
+    EXPECT_EQ(points.normal_x.size(), points.law == radar::PointArrays::Law::isotropic ? 0 : points.size()) << g;
     count += points.size();
   }
   EXPECT_EQ(groups.count, count);
@@ -298,9 +304,9 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
 }
 
 TEST(FastEchoes, OfASurfaceFromBehindAreNothing) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets.clear();
-  Surface surface;
+  scene::Surface surface;
   std::swap(surface.corner_m[0], surface.corner_m[1]);
   scene.surfaces.push_back(surface);
   const Echoes echoes = echoes_of(scene, 0);
@@ -309,7 +315,7 @@ TEST(FastEchoes, OfASurfaceFromBehindAreNothing) {
 }
 
 TEST(FastEchoes, OfASurfaceThroughTheRadarLeaveOutThePointAtTheRadar) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.surfaces.push_back({});
   ResolvedScene resolved = resolve(scene);
   resolved.sheets[0].points_m[5] = {};
@@ -320,18 +326,18 @@ TEST(FastEchoes, OfASurfaceThroughTheRadarLeaveOutThePointAtTheRadar) {
 }
 
 // What PulseGeometry::echoes and fast_echoes say about a scene.
-std::array<std::string, 2> complaints(const Scene& scene) {
+std::array<std::string, 2> complaints(const scene::Scene& scene) {
   const ResolvedScene resolved = resolve(scene);
   const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(0);
   const PointGroups groups = group_points(resolved, radar);
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   const auto complaint = [&](const auto& compute) -> std::string {
     try {
       compute();
     } catch (const ImpossibleEcho& error) {
-      return to_string(error.problem);
+      return core::to_string(error.problem);
     }
     return "";
   };
@@ -340,14 +346,14 @@ std::array<std::string, 2> complaints(const Scene& scene) {
 }
 
 TEST(FastEchoes, RefuseWhatPulseGeometryRefusesInTheSameWords) {
-  std::vector<Scene> scenes(5, mixed_scene());
+  std::vector<scene::Scene> scenes(5, mixed_scene());
   scenes[0].targets[20] = scenes[0].targets[11] = target_on("Earth", {});
   scenes[1].targets[33] = directional(target_on("Earth", {}), 10.0);
   scenes[2].targets[4].rcs_m2 = 1e300;
   scenes[3].targets[280].rcs_stddev_m2 = 1e300;
   scenes[3].targets[280].rcs_m2 = 1e300;
   scenes[4].platforms[1] = moving("Ship", {900.0, 400.0, 10.0}, {4e8, 0.0, 0.0});
-  for (const Scene& scene : scenes) {
+  for (const scene::Scene& scene : scenes) {
     const auto [plain, fast] = complaints(scene);
     EXPECT_NE(plain, "");
     EXPECT_EQ(fast, plain);
@@ -356,8 +362,8 @@ TEST(FastEchoes, RefuseWhatPulseGeometryRefusesInTheSameWords) {
 }
 
 TEST(FastEchoes, OfCurvesThatAreNotFiniteAreLookedUpOneByOne) {
-  Scene scene = mixed_scene();
-  Antenna antenna = antenna_of(Antenna::Pattern::user, Interpolation::linear);
+  scene::Scene scene = mixed_scene();
+  scene::Antenna antenna = antenna_of(scene::Antenna::Pattern::user, core::Interpolation::linear);
   antenna.gain_db.part[1] = lines({{0.0, 0.0}, {100.0, 0.0}, {170.0, -1e308}, {170.1, -1.7e308}});
   scene.radars[0].transmit_antenna = antenna;
   const ResolvedScene resolved = resolve(scene);
@@ -368,4 +374,4 @@ TEST(FastEchoes, OfCurvesThatAreNotFiniteAreLookedUpOneByOne) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

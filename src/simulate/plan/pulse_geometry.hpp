@@ -8,7 +8,7 @@
 #include "radar/echo/echo_batch.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// One scatterer as one pulse of a radar sees it.
 struct ScattererView {
@@ -30,10 +30,10 @@ class PulseGeometry {
   [[nodiscard]] std::int64_t pulse() const { return pulse_; }
   [[nodiscard]] double send_time_s() const { return time_s_; }
   [[nodiscard]] double carrier_hz() const { return carrier_hz_; }
-  [[nodiscard]] const Pose& radar_pose() const { return poses_[radar_->platform]; }
-  [[nodiscard]] const Pose& pose(std::size_t platform) const { return poses_[platform]; }
+  [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
+  [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }
   /// Where the beam points at the current pulse.
-  [[nodiscard]] Pointing pointing() const;
+  [[nodiscard]] radar::Pointing pointing() const;
   /// sqrt(P Gt Gr/L) lambda/(4 pi)^1.5 of the current pulse; what the amplitude is besides pattern, cross-section and
   /// range.
   [[nodiscard]] double amplitude_scale() const { return amplitude_scale_; }
@@ -43,29 +43,30 @@ class PulseGeometry {
   /// Target `index` of the scene at the current pulse.
   [[nodiscard]] ScattererView view(std::size_t index) const;
   /// Same, with the pointing at hand.
-  [[nodiscard]] ScattererView view(std::size_t index, const Pointing& pointing) const;
+  [[nodiscard]] ScattererView view(std::size_t index, const radar::Pointing& pointing) const;
 
   /// Point `point` of surface `sheet` at the current pulse; nothing where it shows the radar its back or its edge.
   [[nodiscard]] std::optional<ScattererView> sheet_view(std::size_t sheet, std::size_t point,
-                                                        const Pointing& pointing) const;
+                                                        const radar::Pointing& pointing) const;
 
   /// All echoes of the current pulse: targets in order, then the points of the surfaces. Replaces `echoes`.
   /// Throws ImpossibleEcho where a target stands at the radar's own position, outruns light or is too strong.
-  void echoes(EchoBatch& echoes) const;
+  void echoes(radar::EchoBatch& echoes) const;
   /// Throws the error that `echoes` throws where a view is none of a possible echo.
   /// @param kind  "target" or "surface", number `index` of its list
   void expect_possible(std::string_view kind, std::size_t index, const ScattererView& view) const;
 
  private:
   struct Sight;  // position and velocity relative to the radar
-  [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const Pointing& pointing) const;
-  [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const Vec3& normal_world,
-                                                        const Vec3& point_m, const Pointing& pointing) const;
-  void add_sheet(std::size_t index, const Pointing& pointing, EchoBatch& echoes) const;
+  [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const;
+  [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const core::Vec3& normal_world,
+                                                        const core::Vec3& point_m,
+                                                        const radar::Pointing& pointing) const;
+  void add_sheet(std::size_t index, const radar::Pointing& pointing, radar::EchoBatch& echoes) const;
 
   const ResolvedScene* scene_;
   const ResolvedRadar* radar_;
-  std::vector<Pose> poses_;
+  std::vector<radar::Pose> poses_;
   std::vector<bool> used_;
   std::int64_t pulse_ = 0;
   double time_s_ = 0.0;
@@ -74,4 +75,4 @@ class PulseGeometry {
   bool spreading_ = true;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -10,16 +10,16 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
 // A scene together with the geometry of its first radar.
 class Sky {
  public:
-  explicit Sky(const Scene& scene)
+  explicit Sky(const scene::Scene& scene)
       : scene_(std::make_unique<ResolvedScene>(resolve(scene))),
         radar_(std::make_unique<ResolvedRadar>(resolve_radar(scene, *scene_, 0))),
         geometry_(*scene_, *radar_) {}
@@ -39,7 +39,7 @@ class Sky {
 // The speed of pulse n against the central difference of the distance at pulses n - 1 and n + 1, 0.2 ms apart. Arms of
 // 100 m at up to 2 rad/s and curves of seconds have third derivatives below 1e4 m/s^3; distances up to 1e4 m are
 // rounded.
-void expect_speed_is_the_derivative(Scene scene) {
+void expect_speed_is_the_derivative(scene::Scene scene) {
   constexpr double h = 1e-4;
   scene.radars[0].prf_hz = 1.0 / h;
   Sky sky(scene);
@@ -53,10 +53,10 @@ void expect_speed_is_the_derivative(Scene scene) {
 }
 
 // A winding path, knots 1 s apart, splines.
-Platform winding(std::string name) {
-  Platform platform = moving(std::move(name), {}, {});
+scene::Platform winding(std::string name) {
+  scene::Platform platform = moving(std::move(name), {}, {});
   const auto spline = [](std::vector<double> y) {
-    SampledFunction f{Interpolation::cubic, {}};
+    core::SampledFunction f{core::Interpolation::cubic, {}};
     for (std::size_t i = 0; i < y.size(); ++i) f.knots.push_back({static_cast<double>(i) - 1.5, y[i]});
     return f;
   };
@@ -65,43 +65,43 @@ Platform winding(std::string name) {
 }
 
 TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceToAMovingTarget) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(winding("Plane"));
   scene.targets[0].platform = "Plane";
   expect_speed_is_the_derivative(scene);
 }
 
 TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceFromAMovingRadar) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(winding("Plane"));
   scene.radars[0].platform = "Plane";
   expect_speed_is_the_derivative(scene);
 }
 
 TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceToAPointOfARotatingPlatform) {
-  Scene scene = one_target_scene();
-  Platform drum = resting("Drum", {500, -400, 30});
-  drum.rotation = {Angle::from_deg(10), Angle::from_deg(-20), Angle::from_deg(70)};
-  drum.rotation_rate = {Angle::from_deg(30), Angle::from_deg(-45), Angle::from_deg(90)};
+  scene::Scene scene = one_target_scene();
+  scene::Platform drum = resting("Drum", {500, -400, 30});
+  drum.rotation = {core::Angle::from_deg(10), core::Angle::from_deg(-20), core::Angle::from_deg(70)};
+  drum.rotation_rate = {core::Angle::from_deg(30), core::Angle::from_deg(-45), core::Angle::from_deg(90)};
   scene.platforms.push_back(drum);
   scene.targets[0] = target_on("Drum", {60, -50, 20});
   expect_speed_is_the_derivative(scene);
 }
 
 TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceUnderUserRotation) {
-  Scene scene = one_target_scene();
-  Platform drum = resting("Drum", {500, -400, 30});
-  drum.rotation_kind = Platform::Rotation::user;
+  scene::Scene scene = one_target_scene();
+  scene::Platform drum = resting("Drum", {500, -400, 30});
+  drum.rotation_kind = scene::Platform::Rotation::user;
   for (auto& part : drum.rotation_deg.part)
-    part = {Interpolation::cubic, {{-1.5, 5}, {-0.4, -20}, {0.3, 40}, {1.5, 10}}};
+    part = {core::Interpolation::cubic, {{-1.5, 5}, {-0.4, -20}, {0.3, 40}, {1.5, 10}}};
   scene.platforms.push_back(drum);
   scene.targets[0] = target_on("Drum", {60, -50, 20});
   expect_speed_is_the_derivative(scene);
 }
 
 TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceToAPointOfAnAlignedPlatform) {
-  Scene scene = one_target_scene();
-  Platform ship = winding("Ship");
+  scene::Scene scene = one_target_scene();
+  scene::Platform ship = winding("Ship");
   ship.aligned = true;
   scene.platforms.push_back(ship);
   scene.targets[0] = target_on("Ship", {60, -50, 20});
@@ -110,7 +110,7 @@ TEST(PulseGeometry, SpeedIsTheDerivativeOfTheDistanceToAPointOfAnAlignedPlatform
 
 TEST(PulseGeometry, ApproachingMirrorsReceding) {
   for (const double v : {0.001, 50.0, 3000.0}) {
-    Scene scene = one_target_scene();
+    scene::Scene scene = one_target_scene();
     scene.platforms.push_back(moving("Plane", {}, {v, 0, 0}));
     scene.platforms.push_back(moving("Missile", {}, {-v, 0, 0}));
     scene.targets = {target_on("Plane", {5000, 0, 0}), target_on("Missile", {5000, 0, 0})};
@@ -125,8 +125,8 @@ TEST(PulseGeometry, ApproachingMirrorsReceding) {
 }
 
 TEST(PulseGeometry, AtAKnotTheSpeedIsTheOneToTheRight) {
-  Scene scene = one_target_scene();
-  Platform car = moving("Car", {}, {});
+  scene::Scene scene = one_target_scene();
+  scene::Platform car = moving("Car", {}, {});
   car.trajectory_m.part[0] = lines({{-1, 900}, {0, 1000}, {1, 980}});
   scene.platforms.push_back(car);
   scene.targets[0] = target_on("Car", {});
@@ -135,7 +135,7 @@ TEST(PulseGeometry, AtAKnotTheSpeedIsTheOneToTheRight) {
 
 // Thesis 2.2: 1 kW, 1 GHz, 3 m^2 at 3 km: 1.67744e-15 W, 4.0957e-5 mV. The last digits printed bound the error.
 TEST(PulseGeometry, AmplitudeIsThatOfTheRadarEquation) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets[0] = target_on("Earth", {0, 3000, 0}, 3.0);
   const double amplitude = Sky(scene).view(0).amplitude_sqrt_w;
   EXPECT_NEAR(amplitude * amplitude, 1.67744e-15, 0.00001e-15);
@@ -144,18 +144,18 @@ TEST(PulseGeometry, AmplitudeIsThatOfTheRadarEquation) {
 }
 
 TEST(PulseGeometry, GainsRaiseAndLossesLowerThePowerInDecibels) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   const double plain = Sky(scene).view(0).amplitude_sqrt_w;
-  scene.radars[0].transmit_gain = PowerRatio::from_db(3.0);
-  scene.radars[0].receive_gain = PowerRatio::from_db(10.0);
-  scene.radars[0].losses = PowerRatio::from_db(4.5);
+  scene.radars[0].transmit_gain = core::PowerRatio::from_db(3.0);
+  scene.radars[0].receive_gain = core::PowerRatio::from_db(10.0);
+  scene.radars[0].losses = core::PowerRatio::from_db(4.5);
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::pow(10.0, (3.0 + 10.0 - 4.5) / 20.0),
               plain * 50.0 * epsilon);
 }
 
 TEST(PulseGeometry, WavelengthIsThatOfThePulseItself) {
-  Scene scene = one_target_scene();
-  scene.radars[0].carrier = Radar::Carrier::user;
+  scene::Scene scene = one_target_scene();
+  scene.radars[0].carrier = scene::Radar::Carrier::user;
   scene.radars[0].carrier_list_hz.part[0] = lines({{0, 1e9}, {1, 4e9}});
   Sky sky(scene);
   const double long_wave = sky.view(0).amplitude_sqrt_w;
@@ -166,84 +166,86 @@ TEST(PulseGeometry, WavelengthIsThatOfThePulseItself) {
 }
 
 TEST(PulseGeometry, ClassicStcLeavesTheSpreadingOutAndPhysicalStcDoesNot) {
-  for (const Radar::Stc stc : {Radar::Stc::range_law, Radar::Stc::user}) {
-    Scene scene = one_target_scene();
+  for (const scene::Radar::Stc stc : {scene::Radar::Stc::range_law, scene::Radar::Stc::user}) {
+    scene::Scene scene = one_target_scene();
     const double plain = Sky(scene).view(0).amplitude_sqrt_w;
     scene.radars[0].stc = stc;
     EXPECT_EQ(Sky(scene).view(0).amplitude_sqrt_w, plain);
-    scene.options.profile = Profile::classic;
-    const double classic_wavelength = classic_light_speed_mps / exact_light_speed_mps;
+    scene.options.profile = scene::Profile::classic;
+    const double classic_wavelength = core::classic_light_speed_mps / core::exact_light_speed_mps;
     EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * 1e6 * classic_wavelength, plain * 1e6 * 20.0 * epsilon);
   }
 }
 
 TEST(PulseGeometry, CosineAndUserLawsFollowTheNormalAsThePlatformTurns) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   const double plain = Sky(scene).view(0).amplitude_sqrt_w;
-  Platform table = resting("Table", {1000, 0, 0});
-  table.rotation[2] = Angle::from_deg(-30.0);
+  scene::Platform table = resting("Table", {1000, 0, 0});
+  table.rotation[2] = core::Angle::from_deg(-30.0);
   scene.platforms.push_back(table);
-  Target plate = target_on("Table", {});
-  plate.reflectivity = Target::Reflectivity::directional;
-  plate.azimuth = Angle::from_deg(-90.0);  // faces -x, the radar; the table turns it by 30 degrees counterclockwise
+  scene::Target plate = target_on("Table", {});
+  plate.reflectivity = scene::Target::Reflectivity::directional;
+  plate.azimuth =
+      core::Angle::from_deg(-90.0);  // faces -x, the radar; the table turns it by 30 degrees counterclockwise
   scene.targets = {plate};
-  EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::sqrt(std::cos(pi / 6.0)), plain * 1e-14);
-  scene.targets[0].gain = Target::Gain::user;
+  EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::sqrt(std::cos(core::pi / 6.0)), plain * 1e-14);
+  scene.targets[0].gain = scene::Target::Gain::user;
   scene.targets[0].gain_db.part[0] = lines({{0, 0}, {60, -20}});
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::sqrt(0.1), plain * 1e-13);
-  scene.targets[0].gain = Target::Gain::cosine;
-  scene.targets[0].azimuth = Angle::from_deg(90.0);  // from behind
+  scene.targets[0].gain = scene::Target::Gain::cosine;
+  scene.targets[0].azimuth = core::Angle::from_deg(90.0);  // from behind
   EXPECT_EQ(Sky(scene).view(0).amplitude_sqrt_w, 0.0);
 }
 
 // A radar and its targets on one platform: however that is turned and wherever it stands, the radar sees the same.
 TEST(PulseGeometry, WhatTheRadarSeesDoesNotDependOnHowTheWorldIsTurned) {
-  Scene scene = one_target_scene();
-  scene.radars[0].transmit_antenna.pattern = Antenna::Pattern::sinx;
-  scene.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(3.0);
-  scene.radars[0].transmit_antenna.elevation_beamwidth = Angle::from_deg(12.0);
-  scene.radars[0].beam_azimuth = Angle::from_deg(80.0);
-  scene.radars[0].beam_elevation = Angle::from_deg(-10.0);
+  scene::Scene scene = one_target_scene();
+  scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(3.0);
+  scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(12.0);
+  scene.radars[0].beam_azimuth = core::Angle::from_deg(80.0);
+  scene.radars[0].beam_elevation = core::Angle::from_deg(-10.0);
   scene.targets[0] = target_on("Earth", {1000.0, 150.0, -100.0});
-  scene.targets[0].reflectivity = Target::Reflectivity::directional;
-  scene.targets[0].azimuth = Angle::from_deg(-100.0);
+  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[0].azimuth = core::Angle::from_deg(-100.0);
   const ScattererView level = Sky(scene).view(0);
   scene.platforms[0].position_m = {500, 7000, -300};
-  scene.platforms[0].rotation = {Angle::from_deg(40), Angle::from_deg(-25), Angle::from_deg(130)};
+  scene.platforms[0].rotation = {core::Angle::from_deg(40), core::Angle::from_deg(-25), core::Angle::from_deg(130)};
   const ScattererView turned = Sky(scene).view(0);
   EXPECT_NEAR(turned.distance_m, level.distance_m, 1e4 * 4.0 * epsilon);
   EXPECT_NEAR(turned.amplitude_sqrt_w, level.amplitude_sqrt_w, std::abs(level.amplitude_sqrt_w) * 1e-11);
 }
 
 TEST(PulseGeometry, ReceiveAntennaMultipliesTheTransmitAntennasAmplitude) {
-  Scene scene = one_target_scene();
-  scene.radars[0].beam_azimuth = Angle::from_deg(86.0);  // 4 degrees off the target
+  scene::Scene scene = one_target_scene();
+  scene.radars[0].beam_azimuth = core::Angle::from_deg(86.0);  // 4 degrees off the target
   const double isotropic = Sky(scene).view(0).amplitude_sqrt_w;
-  Antenna& transmit = scene.radars[0].transmit_antenna;
-  transmit.pattern = Antenna::Pattern::sinx;
-  transmit.azimuth_beamwidth = Angle::from_deg(10.0);
-  transmit.elevation_beamwidth = Angle::from_deg(1.0);  // no offset in elevation: must not matter
-  const double offset = 4.0 * pi / 180.0;
-  const double g10 = sinx_gain(offset, 10.0 * pi / 180.0), g6 = sinx_gain(offset, 6.0 * pi / 180.0);
+  scene::Antenna& transmit = scene.radars[0].transmit_antenna;
+  transmit.pattern = scene::Antenna::Pattern::sinx;
+  transmit.azimuth_beamwidth = core::Angle::from_deg(10.0);
+  transmit.elevation_beamwidth = core::Angle::from_deg(1.0);  // no offset in elevation: must not matter
+  const double offset = 4.0 * core::pi / 180.0;
+  const double g10 = radar::sinx_gain(offset, 10.0 * core::pi / 180.0),
+               g6 = radar::sinx_gain(offset, 6.0 * core::pi / 180.0);
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, isotropic * g10 * g10, isotropic * 1e-12);
   scene.radars[0].same_antenna = false;
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, isotropic * g10, isotropic * 1e-12);
   scene.radars[0].receive_antenna = transmit;
-  scene.radars[0].receive_antenna.azimuth_beamwidth = Angle::from_deg(6.0);
+  scene.radars[0].receive_antenna.azimuth_beamwidth = core::Angle::from_deg(6.0);
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, isotropic * g10 * g6, isotropic * 1e-12);
-  scene.options.profile = Profile::classic;
-  const double classic = isotropic * classic_light_speed_mps / exact_light_speed_mps;
+  scene.options.profile = scene::Profile::classic;
+  const double classic = isotropic * core::classic_light_speed_mps / core::exact_light_speed_mps;
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, classic * std::sqrt(g10 * g6), isotropic * 1e-12);
 }
 
 TEST(PulseGeometry, EchoesListsTheTargetsAndThenTheSurfaces) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets.push_back(target_on("Earth", {0, 700, 0}, 2.0));
-  Surface surface;  // 20 m x 10 m across the x axis at 1 km
+  scene::Surface surface;  // 20 m x 10 m across the x axis at 1 km
   scene.surfaces.push_back(surface);
   Sky sky(scene);
   sky.geometry().set_pulse(0);
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   sky.geometry().echoes(echoes);
   ASSERT_GT(echoes.size(), 50u);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -264,10 +266,10 @@ TEST(PulseGeometry, EchoesListsTheTargetsAndThenTheSurfaces) {
 }
 
 // What is wrong with the echoes of pulse 0; empty for nothing.
-Problem impossible_echo(const Scene& scene) {
+core::Problem impossible_echo(const scene::Scene& scene) {
   Sky sky(scene);
   sky.geometry().set_pulse(0);
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   try {
     sky.geometry().echoes(echoes);
   } catch (const ImpossibleEcho& error) {
@@ -277,19 +279,19 @@ Problem impossible_echo(const Scene& scene) {
 }
 
 TEST(PulseGeometry, RefusesATargetAtTheRadarsPositionAndNamesIt) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   EXPECT_EQ(impossible_echo(scene).message, "");
   scene.targets.push_back(target_on("Earth", {}));
-  const Problem problem = impossible_echo(scene);
+  const core::Problem problem = impossible_echo(scene);
   EXPECT_NE(problem.message.find("position of radar"), std::string::npos) << problem.message;
-  EXPECT_EQ(problem.subject, (Subject{"target", 1, "position_m"}));
+  EXPECT_EQ(problem.subject, (core::Subject{"target", 1, "position_m"}));
 }
 
 TEST(PulseGeometry, RefusesATargetAsFastAsLight) {
-  Scene scene = one_target_scene();
-  Platform comet;
+  scene::Scene scene = one_target_scene();
+  scene::Platform comet;
   comet.name = "Comet";
-  comet.path = Platform::Path::trajectory;
+  comet.path = scene::Platform::Path::trajectory;
   comet.trajectory_m.part[0].knots = {{0.0, 1000.0}, {1.0, -2.9e8}};
   scene.platforms.push_back(comet);
   scene.targets.push_back(target_on("Comet", {}));
@@ -299,13 +301,13 @@ TEST(PulseGeometry, RefusesATargetAsFastAsLight) {
 }
 
 TEST(PulseGeometry, RefusesEchoesThatNoRecordingCanHold) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.radars[0].power_w = 1e18;
   EXPECT_EQ(impossible_echo(scene).message, "");
-  scene.radars[0].transmit_gain = PowerRatio::from_db(300.0);
-  scene.radars[0].receive_gain = PowerRatio::from_db(300.0);
+  scene.radars[0].transmit_gain = core::PowerRatio::from_db(300.0);
+  scene.radars[0].receive_gain = core::PowerRatio::from_db(300.0);
   EXPECT_NE(impossible_echo(scene).message.find("too strong"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -3,18 +3,19 @@
 #include <numeric>
 #include <utility>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
-std::shared_ptr<const RangeCompressor> compressor_of(const Plan& plan, const WindowFunction& window,
-                                                     std::size_t raw_samples, std::size_t samples) {
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+std::shared_ptr<const signal::RangeCompressor> compressor_of(const Plan& plan, const signal::WindowFunction& window,
+                                                             std::size_t raw_samples, std::size_t samples) {
+  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
   std::vector<std::size_t> index(samples);
   std::iota(index.begin(), index.end(), std::size_t{0});
-  CompressionFilter filter = matched_filter(plan.radar.pulse, band_limited, window, 1.0 / plan.raw_grid.interval_s);
-  return std::make_shared<const RangeCompressor>(std::move(filter), raw_samples, std::move(index));
+  signal::CompressionFilter filter =
+      signal::matched_filter(plan.radar.pulse, band_limited, window, 1.0 / plan.raw_grid.interval_s);
+  return std::make_shared<const signal::RangeCompressor>(std::move(filter), raw_samples, std::move(index));
 }
 
-void RowSpace::compress(const RangeCompressor& compressor, std::span<std::complex<float>> out) {
+void RowSpace::compress(const signal::RangeCompressor& compressor, std::span<std::complex<float>> out) {
   compressed.resize(compressor.output_count());
   scratch.resize(compressor.scratch_size());
   compressor.compress(raw, compressed, scratch);
@@ -25,4 +26,4 @@ void to_float(std::span<const std::complex<double>> from, std::span<std::complex
   for (std::size_t n = 0; n < to.size(); ++n) to[n] = std::complex<float>(from[n]);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

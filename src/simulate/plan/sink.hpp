@@ -11,12 +11,12 @@
 
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What a recording is: its shape, its axes and where its numbers come from. Everything a file can carry.
 struct Product {
   std::string radar;
-  Processing processing = Processing::raw;
+  scene::Processing processing = scene::Processing::raw;
   std::size_t rows = 0;                               ///< Pulses; bursts for synthetic range profiles.
   std::size_t columns = 0;                            ///< Complex samples of a row.
   std::function<double(std::size_t)> row_time_s;      ///< Send time of a row's (first) pulse.
@@ -25,7 +25,7 @@ struct Product {
   double sample_rate_hz = 0.0;
   int bits = 8;
   double lsb_v = 0.0;  ///< 0 where it is only known at the end.
-  RunOptions options;
+  scene::RunOptions options;
   std::string engine = "reference";
   std::string script;  ///< Text of the scene as understood.
   /// Attributes of docs/formats/samples.md that nobody knows: what stands here for them says nothing, and files leave
@@ -76,4 +76,4 @@ class Sink {
   virtual void finish(const RunReport& report) = 0;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -5,15 +5,15 @@
 
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
 constexpr std::int64_t most_pulses = 17;
 constexpr std::size_t between_looks = 4096;
 
-void look_at(const StopFlag* stop) {
-  if (stop != nullptr && stop->requested()) throw Interrupted();
+void look_at(const core::StopFlag* stop) {
+  if (stop != nullptr && stop->requested()) throw core::Interrupted();
 }
 
 void include(RangeExtent& extent, double range_m) {
@@ -23,26 +23,27 @@ void include(RangeExtent& extent, double range_m) {
 }
 
 void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseGeometry& geometry,
-                   const StopFlag* stop) {
+                   const core::StopFlag* stop) {
   const double half_light_mps = 0.5 * scene.conventions.light_speed_mps;
-  const Pointing pointing = geometry.pointing();
+  const radar::Pointing pointing = geometry.pointing();
   for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
     if (i % between_looks == 0) look_at(stop);
     include(extent, half_light_mps * geometry.view(i, pointing).delay_s);
   }
   for (const ScattererSheet& sheet : scene.sheets) {
-    const Pose& pose = geometry.pose(sheet.platform);
+    const radar::Pose& pose = geometry.pose(sheet.platform);
     for (std::size_t i = 0; i < sheet.points_m.size(); ++i) {
       if (i % between_looks == 0) look_at(stop);
-      include(extent, norm(world_position_m(pose, sheet.points_m[i]) - geometry.radar_pose().position_world_m));
+      include(extent,
+              core::norm(radar::world_position_m(pose, sheet.points_m[i]) - geometry.radar_pose().position_world_m));
     }
   }
 }
 
 }  // namespace
 
-RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar, const PulseRange& pulses,
-                          const StopFlag* stop) {
+RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses,
+                          const core::StopFlag* stop) {
   RangeExtent extent;
   PulseGeometry geometry(scene, radar);
   const std::int64_t looks = std::min(pulses.count(), most_pulses);
@@ -54,4 +55,4 @@ RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar
   return extent;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

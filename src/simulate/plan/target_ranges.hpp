@@ -6,7 +6,7 @@
 #include "radar/waveform/schedule.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// One-way ranges of delays, c tau/2, from the nearest to the farthest echo; reversed where there is none.
 struct RangeExtent {
@@ -20,6 +20,6 @@ struct RangeExtent {
 /// them. Of surfaces the distances of the points count. Targets whose delay cannot be computed do not count.
 /// @param stop  asked now and then; a requested stop throws Interrupted
 [[nodiscard]] RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar,
-                                        const PulseRange& pulses, const StopFlag* stop = nullptr);
+                                        const radar::PulseRange& pulses, const core::StopFlag* stop = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -4,16 +4,17 @@
 
 #include "simulate/plan/simulate_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
-RangeExtent extent_of(const Scene& scene, const PulseRange& pulses, const StopFlag* stop = nullptr) {
+RangeExtent extent_of(const scene::Scene& scene, const radar::PulseRange& pulses,
+                      const core::StopFlag* stop = nullptr) {
   const ResolvedScene resolved = resolve(scene);
   return target_ranges(resolved, resolve_radar(scene, resolved, 0), pulses, stop);
 }
 
 TEST(TargetRanges, ReachFromTheNearestToTheFarthestEchoOfAllPulses) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(moving("Car", {500.0, 0.0, 0.0}, {100.0, 0.0, 0.0}));
   scene.targets.push_back(target_on("Car", {0.0, 0.0, 0.0}));
   const RangeExtent first = extent_of(scene, {0, 0});
@@ -26,7 +27,7 @@ TEST(TargetRanges, ReachFromTheNearestToTheFarthestEchoOfAllPulses) {
 }
 
 TEST(TargetRanges, LookBetweenTheEndsToo) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.platforms[0] = moving("Earth", {-2000.0, 0.0, 0.0}, {1000.0, 0.0, 0.0});  // carries radar and target
   scene.platforms.push_back(resting("Pole", {0.0, 300.0, 0.0}));
   scene.targets[0].platform = "Pole";
@@ -37,7 +38,7 @@ TEST(TargetRanges, LookBetweenTheEndsToo) {
 }
 
 TEST(TargetRanges, IncludeSurfaces) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   scene.targets.clear();
   scene.surfaces.push_back({});
   const RangeExtent extent = extent_of(scene, {0, 0});
@@ -46,17 +47,17 @@ TEST(TargetRanges, IncludeSurfaces) {
 }
 
 TEST(TargetRanges, AreEmptyWithoutTargetsOrPulses) {
-  Scene scene = one_target_scene();
+  scene::Scene scene = one_target_scene();
   EXPECT_TRUE(extent_of(scene, {1, 0}).empty());
   scene.targets.clear();
   EXPECT_TRUE(extent_of(scene, {0, 10}).empty());
 }
 
 TEST(TargetRanges, EndWhenAskedTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)extent_of(one_target_scene(), {0, 0}, &stop), Interrupted);
+  EXPECT_THROW((void)extent_of(one_target_scene(), {0, 0}, &stop), core::Interrupted);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

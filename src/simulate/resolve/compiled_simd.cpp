@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <hwy/highway.h>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::vector<std::string> compiled_simd_levels() {
 
 std::string simd_library_version() { return fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH); }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Instruction sets that the fast kernels were compiled for, best first, under the names of `simd_levels`, whatever
 /// this processor has.
@@ -12,4 +12,4 @@ namespace sarsim {
 /// Version of the Highway library that they were compiled with, such as "1.0.3".
 [[nodiscard]] std::string simd_library_version();
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

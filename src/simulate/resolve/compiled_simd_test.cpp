@@ -9,7 +9,7 @@
 
 #include "simulate/resolve/simd_level.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 TEST(CompiledSimd, HoldsEveryLevelThatTheProcessorCanUseInTheSameOrder) {
@@ -34,4 +34,4 @@ TEST(CompiledSimd, LibraryHasAVersionOfThreeNumbers) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

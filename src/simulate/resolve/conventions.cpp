@@ -2,18 +2,18 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
-Conventions conventions_of(Profile profile) {
+Conventions conventions_of(scene::Profile profile) {
   Conventions conventions;
-  conventions.light_speed_mps = exact_light_speed_mps;
-  conventions.boltzmann_j_per_k = boltzmann_j_per_k;
-  if (profile == Profile::physical) return conventions;
-  conventions.light_speed_mps = classic_light_speed_mps;
-  conventions.boltzmann_j_per_k = classic_boltzmann_j_per_k;
-  conventions.pattern = PatternRule::power;
-  conventions.pointing = PointingRule::added_angles;
-  conventions.low_pass = LowPassRule::origin;
+  conventions.light_speed_mps = core::exact_light_speed_mps;
+  conventions.boltzmann_j_per_k = core::boltzmann_j_per_k;
+  if (profile == scene::Profile::physical) return conventions;
+  conventions.light_speed_mps = core::classic_light_speed_mps;
+  conventions.boltzmann_j_per_k = core::classic_boltzmann_j_per_k;
+  conventions.pattern = radar::PatternRule::power;
+  conventions.pointing = radar::PointingRule::added_angles;
+  conventions.low_pass = core::LowPassRule::origin;
   conventions.spacing = Conventions::SampleSpacing::window_fraction;
   conventions.compression = Conventions::Compression::pulse_energy;
   conventions.noise = Conventions::Noise::per_bandwidth;
@@ -21,4 +21,4 @@ Conventions conventions_of(Profile profile) {
   return conventions;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

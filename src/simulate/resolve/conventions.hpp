@@ -5,7 +5,7 @@
 #include "radar/antenna/pattern.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What a profile means, one named convention at a time (docs/decisions/0001-profiles.md). Kernels take these as
 /// arguments and never hear of a profile.
@@ -17,9 +17,9 @@ struct Conventions {
 
   double light_speed_mps = 0.0;
   double boltzmann_j_per_k = 0.0;
-  PatternRule pattern = PatternRule::amplitude;
-  PointingRule pointing = PointingRule::boresight;
-  LowPassRule low_pass = LowPassRule::first_knot;
+  radar::PatternRule pattern = radar::PatternRule::amplitude;
+  radar::PointingRule pointing = radar::PointingRule::boresight;
+  core::LowPassRule low_pass = core::LowPassRule::first_knot;
   SampleSpacing spacing = SampleSpacing::sampling_rate;
   Compression compression = Compression::keeps_peak;
   Noise noise = Noise::per_sample;
@@ -27,6 +27,6 @@ struct Conventions {
 };
 
 /// What a profile stands for.
-[[nodiscard]] Conventions conventions_of(Profile profile);
+[[nodiscard]] Conventions conventions_of(scene::Profile profile);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -6,22 +6,22 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
-Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar, const EchoExtremes& echo,
-                        double light_speed_mps) {
-  Problem problem;
+core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar,
+                              const EchoExtremes& echo, double light_speed_mps) {
+  core::Problem problem;
   problem.subject = {std::string(kind), index, kind == "target" ? "position_m" : "corner_m"};
   const double speed_mps = std::abs(echo.speed_mps);
   if (!(speed_mps < light_speed_mps)) {
     problem.message = fmt::format("the {} moves as fast as light, or faster, as radar '{}' sees it", kind, radar);
     problem.found = fmt::format("{:.6g} m/s", speed_mps);
-    problem.expected = fmt::format("below {} m/s", format_number(light_speed_mps));
+    problem.expected = fmt::format("below {} m/s", core::format_number(light_speed_mps));
     problem.hint = "look at the paths and rotation rates of its platform and of the radar's: times are in seconds";
   } else if (!(echo.distance_m > 0.0)) {
     problem.message =
         fmt::format("the {} stands at the position of radar '{}'; its echo would be infinite", kind, radar);
-    problem.found = fmt::format("distance {} m", format_number(echo.distance_m));
+    problem.found = fmt::format("distance {} m", core::format_number(echo.distance_m));
     problem.expected = "a distance above 0";
     problem.hint = fmt::format("move the {} or the radar's platform", kind);
   } else {
@@ -33,4 +33,4 @@ Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_vi
   return problem;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -8,7 +8,7 @@
 
 #include "core/report/problem.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// The strongest echo that is recorded, sqrt(W): many of these together still fit a single-precision number.
 inline constexpr double strongest_echo_v = 1e30;
@@ -28,13 +28,13 @@ struct EchoExtremes {
 
 /// Says what is impossible about the echoes of an object of the scene.
 /// @param kind  "target" or "surface"
-[[nodiscard]] Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar,
-                                      const EchoExtremes& echo, double light_speed_mps);
+[[nodiscard]] core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar,
+                                            const EchoExtremes& echo, double light_speed_mps);
 
 /// Thrown where a pulse meets an impossible echo that the survey of some pulses did not see.
 struct ImpossibleEcho : std::runtime_error {
-  explicit ImpossibleEcho(Problem p) : std::runtime_error(p.message), problem(std::move(p)) {}
-  Problem problem;
+  explicit ImpossibleEcho(core::Problem p) : std::runtime_error(p.message), problem(std::move(p)) {}
+  core::Problem problem;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -6,7 +6,7 @@
 
 #include <hwy/targets.h>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -60,4 +60,4 @@ bool use_simd_level(std::string_view level) {
   return false;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Instruction set that the fast kernels run on in this process: "avx512", "avx2", "sse4", "sse2", "neon" ...
 [[nodiscard]] std::string simd_level();
@@ -16,4 +16,4 @@ namespace sarsim {
 /// To be called before any kernel runs. False where the level is not to be had.
 bool use_simd_level(std::string_view level);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

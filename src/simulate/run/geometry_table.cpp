@@ -12,7 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -21,45 +21,45 @@ using Write = std::function<void(std::string_view)>;
 // The pulses of a table and where everything stands at each of them.
 class TablePulses {
  public:
-  TablePulses(const Scene& scene, const GeometryTable& table)
+  TablePulses(const scene::Scene& scene, const scene::GeometryTable& table)
       : resolved_(resolve(scene)),
         radar_(resolve_radar(scene, resolved_, radar_index(scene, table))),
         geometry_(resolved_, radar_),
         range_(radar_.repetition.pulses_in(table.time_start_s, table.time_end_s)),
         platforms_(scene.platforms.size()) {}
 
-  [[nodiscard]] PulseRange range() const { return range_; }
+  [[nodiscard]] radar::PulseRange range() const { return range_; }
   [[nodiscard]] std::size_t platforms() const { return platforms_; }
   [[nodiscard]] std::size_t targets() const { return resolved_.scatterers.size(); }
   [[nodiscard]] const std::string& platform_name(std::size_t i) const { return resolved_.platforms[i].name; }
   [[nodiscard]] const PulseGeometry& geometry() const { return geometry_; }
   [[nodiscard]] double light_speed_mps() const { return resolved_.conventions.light_speed_mps; }
   /// The pose of any platform, also of one that carries nothing.
-  [[nodiscard]] Pose pose(std::size_t i) const {
+  [[nodiscard]] radar::Pose pose(std::size_t i) const {
     return resolved_.platforms[i].track.at(geometry_.send_time_s(), geometry_.pulse());
   }
 
   /// Calls `line` with the geometry set to each pulse in turn.
   template <class Line>
-  void each(const StopFlag* stop, const Line& line) {
+  void each(const core::StopFlag* stop, const Line& line) {
     for (std::int64_t pulse = range_.first; pulse <= range_.last; ++pulse) {
-      if (stop != nullptr && stop->requested()) throw Interrupted();
+      if (stop != nullptr && stop->requested()) throw core::Interrupted();
       geometry_.set_pulse(pulse);
       line();
     }
   }
 
  private:
-  static std::size_t radar_index(const Scene& scene, const GeometryTable& table) {
-    const std::size_t found = find_radar(scene, table.radar);
-    if (found == not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
+  static std::size_t radar_index(const scene::Scene& scene, const scene::GeometryTable& table) {
+    const std::size_t found = scene::find_radar(scene, table.radar);
+    if (found == scene::not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
     return found;
   }
 
   ResolvedScene resolved_;
   ResolvedRadar radar_;
   PulseGeometry geometry_;
-  PulseRange range_;
+  radar::PulseRange range_;
   std::size_t platforms_;
 };
 
@@ -133,25 +133,26 @@ void put_number(PieceWriter& out, double value, int width, int digits, char sepa
   out.put("{:>{}.{}G}{}", value + 0.0, width, digits, separator);
 }
 
-void put_three(PieceWriter& out, const Vec3& v, char separator) {
+void put_three(PieceWriter& out, const core::Vec3& v, char separator) {
   for (const double value : {v.x, v.y, v.z}) put_number(out, value, 10, 4, separator);
 }
 
-Vec3 rotation_deg(const Pose& pose) {
-  return {deg_per_rad * pose.rotation_rad[0], deg_per_rad * pose.rotation_rad[1], deg_per_rad * pose.rotation_rad[2]};
+core::Vec3 rotation_deg(const radar::Pose& pose) {
+  return {core::deg_per_rad * pose.rotation_rad[0], core::deg_per_rad * pose.rotation_rad[1],
+          core::deg_per_rad * pose.rotation_rad[2]};
 }
 
 void put_platforms(PieceWriter& out, const TablePulses& pulses, int columns, char separator) {
   if ((columns & (geometry_position | geometry_velocity | geometry_rotation)) == 0) return;
   for (std::size_t i = 0; i < pulses.platforms(); ++i) {
-    const Pose pose = pulses.pose(i);
+    const radar::Pose pose = pulses.pose(i);
     if ((columns & geometry_position) != 0) put_three(out, pose.position_world_m, separator);
     if ((columns & geometry_velocity) != 0) put_three(out, pose.velocity_world_mps, separator);
     if ((columns & geometry_rotation) != 0) put_three(out, rotation_deg(pose), separator);
   }
 }
 
-void put_targets(PieceWriter& out, const TablePulses& pulses, const GeometryTable& table, char separator) {
+void put_targets(PieceWriter& out, const TablePulses& pulses, const scene::GeometryTable& table, char separator) {
   if ((table.columns & (geometry_delay | geometry_amplitude | geometry_speed)) == 0) return;
   for (std::size_t i = 0; i < pulses.targets(); ++i) {
     const ScattererView view = pulses.geometry().view(i);
@@ -193,12 +194,12 @@ void put_csv_header(PieceWriter& out, const TablePulses& pulses) {
 
 void put_exact(PieceWriter& out, double value) {
   if (std::isfinite(value))
-    out.put(",{}", format_number(value));
+    out.put(",{}", core::format_number(value));
   else
     out.put(",{}", value);
 }
 
-void put_exact(PieceWriter& out, const Vec3& v) {
+void put_exact(PieceWriter& out, const core::Vec3& v) {
   for (const double value : {v.x, v.y, v.z}) put_exact(out, value);
 }
 
@@ -208,7 +209,7 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses) {
   put_exact(out, geometry.send_time_s());
   put_exact(out, geometry.carrier_hz());
   for (std::size_t i = 0; i < pulses.platforms(); ++i) {
-    const Pose pose = pulses.pose(i);
+    const radar::Pose pose = pulses.pose(i);
     put_exact(out, pose.position_world_m);
     put_exact(out, pose.velocity_world_mps);
     put_exact(out, rotation_deg(pose));
@@ -223,11 +224,12 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses) {
 
 }  // namespace
 
-void write_geometry_text(const Scene& scene, const GeometryTable& table, const Write& write, const StopFlag* stop) {
+void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
+                         const core::StopFlag* stop) {
   TablePulses pulses(scene, table);
   if (pulses.range().count() == 0) return;  // As the originals: not even headings.
   PieceWriter out(write);
-  const char separator = table.separator == GeometryTable::Separator::comma ? ',' : ' ';
+  const char separator = table.separator == scene::GeometryTable::Separator::comma ? ',' : ' ';
   for (int line = 0; line < header_lines; ++line) put_header_line(out, line, pulses, table.columns);
   pulses.each(stop, [&] {
     out.put("{:>9}{}", pulses.geometry().pulse(), separator);
@@ -241,7 +243,8 @@ void write_geometry_text(const Scene& scene, const GeometryTable& table, const W
   out.flush();
 }
 
-void write_geometry_csv(const Scene& scene, const GeometryTable& table, const Write& write, const StopFlag* stop) {
+void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
+                        const core::StopFlag* stop) {
   TablePulses pulses(scene, table);
   PieceWriter out(write);
   put_csv_header(out, pulses);
@@ -249,4 +252,4 @@ void write_geometry_csv(const Scene& scene, const GeometryTable& table, const Wr
   out.flush();
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

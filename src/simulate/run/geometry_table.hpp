@@ -9,7 +9,7 @@
 #include "scene/model/scene.hpp"
 #include "simulate/resolve/resolved.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Column bits of a geometry table (docs/formats/geometry-table.md).
 enum GeometryColumn : int {
@@ -28,13 +28,13 @@ enum GeometryColumn : int {
 /// window they hold "nan". Radial speeds are signed (positive receding), the frequency of a line is that of its pulse.
 /// @param write  takes the text piece by piece
 /// @throws Interrupted when stopped
-void write_geometry_text(const Scene& scene, const GeometryTable& table,
-                         const std::function<void(std::string_view)>& write, const StopFlag* stop = nullptr);
+void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& table,
+                         const std::function<void(std::string_view)>& write, const core::StopFlag* stop = nullptr);
 
 /// The same pulses as comma-separated values with one header line with units: pulse, time_s, carrier_hz; for each
 /// platform x_m, y_m, z_m, vx_mps ..., rx_deg ...; for each target distance_m, delay_s, radial_speed_mps, amplitude_v
 /// (thesis 4.10). All targets, whatever the window; all columns, whatever the mask. Numbers are exact (shortest form).
-void write_geometry_csv(const Scene& scene, const GeometryTable& table,
-                        const std::function<void(std::string_view)>& write, const StopFlag* stop = nullptr);
+void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table,
+                        const std::function<void(std::string_view)>& write, const core::StopFlag* stop = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -11,34 +11,34 @@
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 // Thesis A.3: two targets 8 m apart on a platform that leaves 300 m at 50 m/s, seen from the origin at 0.5 GHz, 1 kHz.
-Scene moving_scene(double speed_mps = 50.0) {
-  Platform moving;
+scene::Scene moving_scene(double speed_mps = 50.0) {
+  scene::Platform moving;
   moving.name = "Moving";
-  moving.path = Platform::Path::trajectory;
+  moving.path = scene::Platform::Path::trajectory;
   moving.trajectory_m.part[0].knots = {{0.0, 300.0}, {1.0, 300.0 + speed_mps}};
   moving.trajectory_m.part[1].knots = {{0.0, 0.0}};
   moving.trajectory_m.part[2].knots = {{0.0, 0.0}};
-  Scene scene;
-  scene.platforms = {Platform{}, moving};
+  scene::Scene scene;
+  scene.platforms = {scene::Platform{}, moving};
   for (const double x_m : {0.0, 8.0}) {
-    Target target;
+    scene::Target target;
     target.platform = "Moving";
     target.position_m = {x_m, 0.0, 0.0};
     scene.targets.push_back(target);
   }
-  Radar radar;
+  scene::Radar radar;
   radar.prf_hz = 1000.0;
   radar.carrier_hz = 0.5e9;
   scene.radars = {radar};
   return scene;
 }
 
-GeometryTable table_of(int columns, double end_s = 0.0085) {
-  GeometryTable table;
+scene::GeometryTable table_of(int columns, double end_s = 0.0085) {
+  scene::GeometryTable table;
   table.radar = "Radar1";
   table.time_end_s = end_s;
   table.columns = columns;
@@ -52,13 +52,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::vector<std::string> text_lines(const Scene& scene, const GeometryTable& table) {
+std::vector<std::string> text_lines(const scene::Scene& scene, const scene::GeometryTable& table) {
   std::string text;
   write_geometry_text(scene, table, [&](std::string_view piece) { text += piece; });
   return lines_of(text);
 }
 
-std::vector<std::vector<std::string>> csv_rows(const Scene& scene, const GeometryTable& table) {
+std::vector<std::vector<std::string>> csv_rows(const scene::Scene& scene, const scene::GeometryTable& table) {
   std::string text;
   write_geometry_csv(scene, table, [&](std::string_view piece) { text += piece; });
   std::vector<std::vector<std::string>> rows;
@@ -77,7 +77,7 @@ std::size_t column(const std::vector<std::string>& header, const std::string& na
   return 0;
 }
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
 TEST(GeometryTable, HasFourHeaderLinesAndOneLinePerPulse) {
   const auto lines = text_lines(moving_scene(), table_of(227));
@@ -124,9 +124,9 @@ TEST(GeometryTable, HeadingsNamePlatformsTargetsAndUnits) {
 }
 
 TEST(GeometryTable, LongPlatformNamesKeepTheWidths) {
-  Scene scene = moving_scene();
+  scene::Scene scene = moving_scene();
   scene.platforms[1].name = "A name that is much longer than the column";
-  for (Target& target : scene.targets) target.platform = scene.platforms[1].name;
+  for (scene::Target& target : scene.targets) target.platform = scene.platforms[1].name;
   for (const std::string& line : text_lines(scene, table_of(4))) EXPECT_EQ(line.size(), 10U + 2U * 33U);
 }
 
@@ -142,15 +142,15 @@ TEST(GeometryTable, ExponentsAreUpperCase) {
 }
 
 TEST(GeometryTable, CommaSeparatesLinesButNotHeadings) {
-  GeometryTable table = table_of(geometry_time);
-  table.separator = GeometryTable::Separator::comma;
+  scene::GeometryTable table = table_of(geometry_time);
+  table.separator = scene::GeometryTable::Separator::comma;
   const auto lines = text_lines(moving_scene(), table);
   EXPECT_EQ(lines[3].find(','), std::string::npos);
   EXPECT_EQ(lines[5], "        1,       0.001,");
 }
 
 TEST(GeometryTable, TargetsOutsideTheWindowKeepTheirColumnsAsNan) {
-  GeometryTable table = table_of(geometry_delay | geometry_amplitude | geometry_speed);
+  scene::GeometryTable table = table_of(geometry_delay | geometry_amplitude | geometry_speed);
   table.range_end_m = 304.0;  // The second target stands at 308 m.
   const auto lines = text_lines(moving_scene(), table);
   const std::string nan = "              nan ";
@@ -174,17 +174,17 @@ TEST(GeometryTable, ApproachHasANegativeSpeed) {
   const auto rows = csv_rows(moving_scene(-50.0), table_of(0));
   const std::size_t delay = column(rows[0], "target 1 delay_s");
   const std::size_t speed = column(rows[0], "target 1 radial_speed_mps");
-  EXPECT_NEAR(*parse_number(rows[3][speed]), -50.0, 1e-12);
+  EXPECT_NEAR(*core::parse_number(rows[3][speed]), -50.0, 1e-12);
   const double expected_s = 2.0 * (300.0 - 0.1) / (c + 50.0);
-  EXPECT_NEAR(*parse_number(rows[3][delay]), expected_s, 1e-15 * expected_s * 8);
+  EXPECT_NEAR(*core::parse_number(rows[3][delay]), expected_s, 1e-15 * expected_s * 8);
 }
 
 TEST(GeometryTable, PhaseStepOfTheMovingTargetIsThatOfThesisA3) {
   const auto rows = csv_rows(moving_scene(), table_of(0));
   const std::size_t delay = column(rows[0], "target 1 delay_s");
-  const double step_s = *parse_number(rows[2][delay]) - *parse_number(rows[1][delay]);
+  const double step_s = *core::parse_number(rows[2][delay]) - *core::parse_number(rows[1][delay]);
   // -2 pi (2 d/lambda) with d = 0.05 m and lambda = c/0.5 GHz; the thesis prints -1.0472 with c = 3e8.
-  EXPECT_NEAR(-2.0 * pi * 0.5e9 * step_s, -1.04792, 5e-6);
+  EXPECT_NEAR(-2.0 * core::pi * 0.5e9 * step_s, -1.04792, 5e-6);
 }
 
 TEST(GeometryTable, CsvHoldsPlatformsTargetsAndExactNumbers) {
@@ -193,47 +193,47 @@ TEST(GeometryTable, CsvHoldsPlatformsTargetsAndExactNumbers) {
   ASSERT_EQ(rows[0].size(), 3U + 2U * 9U + 2U * 4U);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[4][column(rows[0], "pulse")], "3");
-  EXPECT_EQ(*parse_number(rows[4][column(rows[0], "time_s")]), 3.0 / 1000.0);
-  EXPECT_EQ(*parse_number(rows[4][column(rows[0], "carrier_hz")]), 0.5e9);
-  EXPECT_NEAR(*parse_number(rows[4][column(rows[0], "Moving x_m")]), 300.15, 1e-12 * 300.0);
-  EXPECT_EQ(*parse_number(rows[4][column(rows[0], "Moving vx_mps")]), 50.0);
+  EXPECT_EQ(*core::parse_number(rows[4][column(rows[0], "time_s")]), 3.0 / 1000.0);
+  EXPECT_EQ(*core::parse_number(rows[4][column(rows[0], "carrier_hz")]), 0.5e9);
+  EXPECT_NEAR(*core::parse_number(rows[4][column(rows[0], "Moving x_m")]), 300.15, 1e-12 * 300.0);
+  EXPECT_EQ(*core::parse_number(rows[4][column(rows[0], "Moving vx_mps")]), 50.0);
   EXPECT_EQ(rows[4][column(rows[0], "Moving vy_mps")], "0");
-  EXPECT_NEAR(*parse_number(rows[4][column(rows[0], "target 2 distance_m")]), 308.15, 1e-12 * 308.0);
+  EXPECT_NEAR(*core::parse_number(rows[4][column(rows[0], "target 2 distance_m")]), 308.15, 1e-12 * 308.0);
 }
 
 TEST(GeometryTable, AmplitudeFollowsTheRadarEquation) {
   const auto rows = csv_rows(moving_scene(), table_of(0));
   const double wavelength_m = c / 0.5e9;
   // sqrt(P lambda^2 sigma/((4 pi)^3 d^4)) with 1 kW and 1 m^2.
-  const double expected_v = std::sqrt(1000.0 / std::pow(4.0 * pi, 3.0)) * wavelength_m / (308.0 * 308.0);
-  EXPECT_NEAR(*parse_number(rows[1][column(rows[0], "target 2 amplitude_v")]), expected_v, 1e-12 * expected_v);
+  const double expected_v = std::sqrt(1000.0 / std::pow(4.0 * core::pi, 3.0)) * wavelength_m / (308.0 * 308.0);
+  EXPECT_NEAR(*core::parse_number(rows[1][column(rows[0], "target 2 amplitude_v")]), expected_v, 1e-12 * expected_v);
 }
 
 TEST(GeometryTable, CsvIgnoresWindowAndMask) {
-  GeometryTable table = table_of(0);
+  scene::GeometryTable table = table_of(0);
   table.range_start_m = 1000.0;
   for (const auto& row : csv_rows(moving_scene(), table))
     for (const std::string& field : row) EXPECT_NE(field, "nan");
 }
 
 TEST(GeometryTable, RotationIsInDegreesAndGrowsWithItsRate) {
-  Scene scene = moving_scene();
-  scene.platforms[0].rotation[1] = Angle::from_deg(12.5);
-  scene.platforms[0].rotation_rate[2] = Angle::from_deg(1000.0);
+  scene::Scene scene = moving_scene();
+  scene.platforms[0].rotation[1] = core::Angle::from_deg(12.5);
+  scene.platforms[0].rotation_rate[2] = core::Angle::from_deg(1000.0);
   const auto rows = csv_rows(scene, table_of(0));
-  EXPECT_NEAR(*parse_number(rows[3][column(rows[0], "Earth ry_deg")]), 12.5, 1e-12);
-  EXPECT_NEAR(*parse_number(rows[3][column(rows[0], "Earth rz_deg")]), 2.0, 1e-12);
+  EXPECT_NEAR(*core::parse_number(rows[3][column(rows[0], "Earth ry_deg")]), 12.5, 1e-12);
+  EXPECT_NEAR(*core::parse_number(rows[3][column(rows[0], "Earth rz_deg")]), 2.0, 1e-12);
 }
 
 TEST(GeometryTable, PlatformsThatCarryNothingAreShownMoving) {
-  Scene scene = moving_scene();
+  scene::Scene scene = moving_scene();
   scene.targets.clear();
   const auto rows = csv_rows(scene, table_of(0));
-  EXPECT_NEAR(*parse_number(rows[9][column(rows[0], "Moving x_m")]), 300.4, 1e-10);
+  EXPECT_NEAR(*core::parse_number(rows[9][column(rows[0], "Moving x_m")]), 300.4, 1e-10);
 }
 
 TEST(GeometryTable, NamesWithCommasAreQuotedInCsv) {
-  Scene scene = moving_scene();
+  scene::Scene scene = moving_scene();
   scene.targets.clear();
   scene.platforms[1].name = "a,\"b\"";
   std::string text;
@@ -242,25 +242,25 @@ TEST(GeometryTable, NamesWithCommasAreQuotedInCsv) {
 }
 
 TEST(GeometryTable, WindowWithoutPulsesGivesNoText) {
-  GeometryTable table = table_of(227);
+  scene::GeometryTable table = table_of(227);
   table.time_start_s = 0.0001;
   table.time_end_s = 0.0002;
   EXPECT_TRUE(text_lines(moving_scene(), table).empty());
 }
 
 TEST(GeometryTable, StopsWhenAsked) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const auto ignore = [](std::string_view) {};
-  EXPECT_THROW(write_geometry_text(moving_scene(), table_of(1), ignore, &stop), Interrupted);
-  EXPECT_THROW(write_geometry_csv(moving_scene(), table_of(1), ignore, &stop), Interrupted);
+  EXPECT_THROW(write_geometry_text(moving_scene(), table_of(1), ignore, &stop), core::Interrupted);
+  EXPECT_THROW(write_geometry_csv(moving_scene(), table_of(1), ignore, &stop), core::Interrupted);
 }
 
 TEST(GeometryTable, UnknownRadarIsRefused) {
-  GeometryTable table = table_of(1);
+  scene::GeometryTable table = table_of(1);
   table.radar = "Nobody";
   EXPECT_THROW(write_geometry_text(moving_scene(), table, [](std::string_view) {}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -6,7 +6,7 @@
 
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// A recording in memory: rows one after the other, in volts.
 struct Recording {
@@ -37,4 +37,4 @@ class MemorySink : public Sink {
   Recording* recording_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

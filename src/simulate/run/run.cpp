@@ -11,7 +11,7 @@
 
 #include "core/task/parallel.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -61,7 +61,7 @@ struct Treatment {
   Recorded recorded;
   const Sink* encoder = nullptr;
   double lsb_v = 0.0;
-  const StopFlag* stop = nullptr;
+  const core::StopFlag* stop = nullptr;
 };
 
 // Each thread's own workshop: from some rows to their bytes, one after the other, so that all that happens to a row
@@ -83,7 +83,7 @@ class BlockMaker {
     EncodedRows result;
     const RowRange rows = result.rows = blocks_[block];
     for (std::size_t row = rows.first; row < rows.end(); ++row) {
-      if (treatment_.stop != nullptr && treatment_.stop->requested()) throw Interrupted();
+      if (treatment_.stop != nullptr && treatment_.stop->requested()) throw core::Interrupted();
       make_row_(row, volts_);
       expect_finite(volts_, row);
       convert(result.tally);
@@ -93,13 +93,13 @@ class BlockMaker {
   }
 
  private:
-  void convert(ConversionTally& tally) {
+  void convert(radar::ConversionTally& tally) {
     if (encoder_ != nullptr && treatment_.lsb_v > 0.0) {
-      Converter{treatment_.recorded.bits, treatment_.lsb_v}.convert(volts_, counts_, tally);
+      radar::Converter{treatment_.recorded.bits, treatment_.lsb_v}.convert(volts_, counts_, tally);
       return;
     }
-    ConversionTally row;
-    row.maximum_v = largest_magnitude(volts_);
+    radar::ConversionTally row;
+    row.maximum_v = radar::largest_magnitude(volts_);
     if (encoder_ != nullptr) row.zero = static_cast<std::uint64_t>(std::ranges::count(volts_, std::complex<double>()));
     tally.add(row);
   }
@@ -128,8 +128,8 @@ void run_blocks(const Treatment& treatment, RowRange rows, const RunControl& con
                 const Consume& consume) {
   const std::size_t columns = treatment.recorded.columns;
   const Blocks blocks(rows, columns);
-  ordered_parallel<EncodedRows>(
-      blocks.count(), thread_count(control.threads),
+  core::ordered_parallel<EncodedRows>(
+      blocks.count(), core::thread_count(control.threads),
       [&] { return BlockMaker<decltype(source())>(treatment, blocks, source); },
       [&](std::size_t, EncodedRows&& block) {
         consume(block);
@@ -154,7 +154,7 @@ Recorded recorded_of(const Plan& plan) { return {plan.rows, plan.columns, plan.s
 template <class Source>
 RunReport run_all(const Treatment& treatment, Sink& sink, const RunControl& control, const Source& source) {
   const auto begin = std::chrono::steady_clock::now();
-  ConversionTally tally;
+  radar::ConversionTally tally;
   run_blocks(treatment, {0, treatment.recorded.rows}, control, source, [&](const EncodedRows& block) {
     sink.append(block.bytes, block.rows.first, block.rows.count);
     tally.add(block.tally);
@@ -177,7 +177,7 @@ double resolved_lsb_v(const Plan& plan, const RunControl& control) {
 }
 
 double lsb_of_maximum_v(double maximum_v, int bits) {
-  return maximum_v > 0.0 ? maximum_v / full_scale_count(bits) : 1.0;
+  return maximum_v > 0.0 ? maximum_v / radar::full_scale_count(bits) : 1.0;
 }
 
 void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder, const RunControl& control,
@@ -186,8 +186,8 @@ void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder
       {recorded_of(plan), &encoder, lsb_v, control.stop}, rows, control, [&] { return PlanRows(plan); }, take);
 }
 
-RunReport report_of(const Recorded& recorded, double lsb_v, const ConversionTally& tally) {
-  const double full_scale = full_scale_count(recorded.bits);
+RunReport report_of(const Recorded& recorded, double lsb_v, const radar::ConversionTally& tally) {
+  const double full_scale = radar::full_scale_count(recorded.bits);
   RunReport report;
   report.rows = recorded.rows;
   report.columns = recorded.columns;
@@ -216,4 +216,4 @@ Recording record(const Plan& plan, const RunControl& control) {
   return recording;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

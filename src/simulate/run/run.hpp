@@ -12,13 +12,13 @@
 #include "simulate/plan/sink.hpp"
 #include "simulate/run/memory_sink.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// How a run is carried out; nothing here can change a byte of the result.
 struct RunControl {
-  unsigned threads = 0;            ///< 0: one per core.
-  const StopFlag* stop = nullptr;  ///< Asked now and then; a requested stop throws Interrupted.
-  ProgressReport progress;         ///< May be empty.
+  unsigned threads = 0;                  ///< 0: one per core.
+  const core::StopFlag* stop = nullptr;  ///< Asked now and then; a requested stop throws Interrupted.
+  core::ProgressReport progress;         ///< May be empty.
 };
 
 /// Least significant bit that the plan's converter uses: the one given, or, where that is 0, the largest magnitude of
@@ -58,7 +58,7 @@ struct RowRange {
 struct EncodedRows {
   RowRange rows;
   std::vector<std::byte> bytes;
-  ConversionTally tally;
+  radar::ConversionTally tally;
 };
 
 /// Computes some rows of a plan and hands them over, a few at a time and in order, on the calling thread. The bytes and
@@ -72,7 +72,7 @@ void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder
 
 /// The report of a whole recording, from what the conversion of all its rows met.
 /// @param lsb_v  see `run`
-[[nodiscard]] RunReport report_of(const Recorded& recorded, double lsb_v, const ConversionTally& tally);
+[[nodiscard]] RunReport report_of(const Recorded& recorded, double lsb_v, const radar::ConversionTally& tally);
 
 /// Reads the volts of a row that was computed before; each thread has its own.
 using RowReader = std::function<void(std::size_t row, std::span<std::complex<double>> volts)>;
@@ -86,4 +86,4 @@ RunReport run_stored(const Recorded& recorded, const std::function<RowReader()>&
 /// Runs a plan into memory, unconverted.
 [[nodiscard]] Recording record(const Plan& plan, const RunControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -14,20 +14,20 @@
 #include "radar/receiver/converter.hpp"
 #include "simulate/run/memory_sink.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 // Radar at the origin, one target on the x axis, one pulse at t = 0.
-Scene one_target(double distance_m) {
-  Scene scene;
+scene::Scene one_target(double distance_m) {
+  scene::Scene scene;
   scene.platforms.push_back({});
-  Radar radar;
+  scene::Radar radar;
   radar.pulse_width_s = 5e-6;
   scene.radars.push_back(radar);
-  Target target;
+  scene::Target target;
   target.position_m = {distance_m, 0.0, 0.0};
   scene.targets.push_back(target);
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 0.0;
   simulation.range_end_m = 2000.0;
@@ -37,7 +37,7 @@ Scene one_target(double distance_m) {
   return scene;
 }
 
-Recording recorded(const Scene& scene, unsigned threads = 1) {
+Recording recorded(const scene::Scene& scene, unsigned threads = 1) {
   RunControl control;
   control.threads = threads;
   return record(make_plan(scene, 0), control);
@@ -45,15 +45,15 @@ Recording recorded(const Scene& scene, unsigned threads = 1) {
 
 double equation_amplitude(double distance_m, double rcs_m2, double wavelength_m) {
   return std::sqrt(1000.0 * wavelength_m * wavelength_m * rcs_m2 /
-                   (std::pow(4.0 * pi, 3.0) * std::pow(distance_m, 4.0)));
+                   (std::pow(4.0 * core::pi, 3.0) * std::pow(distance_m, 4.0)));
 }
 
 TEST(Run, MonochromeEchoHasTheRadarEquationsAmplitudeAndTheTwoWayPhase) {
   const Recording sink = recorded(one_target(1000.0));
-  const double wavelength_m = exact_light_speed_mps / 1e9;
+  const double wavelength_m = core::exact_light_speed_mps / 1e9;
   const std::complex<double> expected =
-      std::polar(equation_amplitude(1000.0, 1.0, wavelength_m), -4.0 * pi * 1000.0 / wavelength_m);
-  const double delay_samples = 2.0 * 1000.0 / exact_light_speed_mps * 4e6;
+      std::polar(equation_amplitude(1000.0, 1.0, wavelength_m), -4.0 * core::pi * 1000.0 / wavelength_m);
+  const double delay_samples = 2.0 * 1000.0 / core::exact_light_speed_mps * 4e6;
   ASSERT_EQ(sink.samples.size(), 53u);
   for (std::size_t i = 0; i < sink.samples.size(); ++i) {
     const bool on = static_cast<double>(i) >= delay_samples && static_cast<double>(i) < delay_samples + 20.0;
@@ -62,7 +62,7 @@ TEST(Run, MonochromeEchoHasTheRadarEquationsAmplitudeAndTheTwoWayPhase) {
 }
 
 TEST(Run, SameSamplesForAnyNumberOfThreads) {
-  Scene scene = one_target(1000.0);
+  scene::Scene scene = one_target(1000.0);
   scene.simulations[0].time_end_s = 2.0;
   scene.radars[0].noise_temperature_k = 300.0;
   const Recording one = recorded(scene, 1);
@@ -110,7 +110,7 @@ RunControl one_thread() {
 }
 
 TEST(Run, ASinkThatWantsCountsGetsTheConvertersOwn) {
-  Scene scene = one_target(1000.0);
+  scene::Scene scene = one_target(1000.0);
   scene.radars[0].noise_temperature_k = 3e5;
   const Plan plan = make_plan(scene, 0);
   const double lsb_v = 1e-9;
@@ -118,8 +118,8 @@ TEST(Run, ASinkThatWantsCountsGetsTheConvertersOwn) {
   const RunReport report = run(plan, lsb_v, sink, one_thread());
   const Recording volts = recorded(scene);
   std::vector<std::int64_t> expected(2 * volts.samples.size());
-  ConversionTally tally;
-  Converter{8, lsb_v}.convert(volts.samples, expected, tally);
+  radar::ConversionTally tally;
+  radar::Converter{8, lsb_v}.convert(volts.samples, expected, tally);
   EXPECT_EQ(sink.counts, expected);
   EXPECT_TRUE(sink.finished);
   EXPECT_EQ(report.saturated, tally.saturated);
@@ -134,7 +134,7 @@ TEST(Run, ASinkThatWantsCountsGetsTheConvertersOwn) {
 }
 
 TEST(Run, AnLsbOfZeroIsTheLargestMagnitudeOverTheFullScale) {
-  Scene scene = one_target(1000.0);
+  scene::Scene scene = one_target(1000.0);
   const Plan plan = make_plan(scene, 0);
   const double lsb_v = resolved_lsb_v(plan, one_thread());
   EXPECT_EQ(lsb_v, recorded(scene).report.maximum_v / 127.0);
@@ -150,11 +150,11 @@ TEST(Run, AnLsbOfZeroIsTheLargestMagnitudeOverTheFullScale) {
 }
 
 TEST(Run, ReportsProgressUpToTheLastRow) {
-  Scene scene = one_target(1000.0);
+  scene::Scene scene = one_target(1000.0);
   scene.simulations[0].time_end_s = 3.0;
   std::vector<std::size_t> done;
   RunControl control = one_thread();
-  control.progress = [&](const Progress& p) {
+  control.progress = [&](const core::Progress& p) {
     EXPECT_EQ(p.total, 3001u);
     EXPECT_EQ(p.columns, 53u);
     done.push_back(p.done);
@@ -166,27 +166,27 @@ TEST(Run, ReportsProgressUpToTheLastRow) {
 }
 
 TEST(Run, StopsWhenAskedAndLeavesTheSinkUnfinished) {
-  Scene scene = one_target(1000.0);
+  scene::Scene scene = one_target(1000.0);
   scene.simulations[0].time_end_s = 100.0;
-  StopFlag stop;
+  core::StopFlag stop;
   RunControl control = one_thread();
   control.stop = &stop;
-  control.progress = [&](const Progress&) { stop.request(); };
+  control.progress = [&](const core::Progress&) { stop.request(); };
   SpySink sink(false);
-  EXPECT_THROW(run(make_plan(scene, 0), 0.0, sink, control), Interrupted);
+  EXPECT_THROW(run(make_plan(scene, 0), 0.0, sink, control), core::Interrupted);
   EXPECT_FALSE(sink.finished);
   EXPECT_LT(sink.rows, 10'000u);
 }
 
 TEST(Run, PassesOnWhatGoesWrongInARow) {
-  Scene scene = one_target(1000.0);
-  scene.targets.push_back(Target());
+  scene::Scene scene = one_target(1000.0);
+  scene.targets.push_back(scene::Target());
   EXPECT_THROW((void)record(make_plan(scene, 0), one_thread()), std::runtime_error);
 }
 
 // A recording with noise, of several pulses.
-Scene noisy_scene() {
-  Scene scene = one_target(1000.0);
+scene::Scene noisy_scene() {
+  scene::Scene scene = one_target(1000.0);
   scene.radars[0].noise_temperature_k = 300.0;
   scene.simulations[0].time_end_s = 0.02;
   return scene;
@@ -199,7 +199,7 @@ TEST(RunRows, OfAnyDivisionAreTheRowsOfAWholeRun) {
   for (const std::size_t cut : {1U, 8U, 20U}) {
     Recording parts;
     MemorySink sink(parts);
-    ConversionTally tally;
+    radar::ConversionTally tally;
     const auto take = [&](const EncodedRows& block) {
       EXPECT_EQ(block.bytes.size(), block.rows.count * plan.columns * sizeof(std::complex<double>));
       sink.append(block.bytes, block.rows.first, block.rows.count);
@@ -234,4 +234,4 @@ TEST(RunStored, ConvertsRowsAsTheRunThatComputesThem) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <bit>
 
-namespace sarsim {
+namespace sarsim::simulate {
 
-SampledRowMaker::SampledRowMaker(const Plan& plan, const SampleSelection& selection, const StopFlag* stop)
+SampledRowMaker::SampledRowMaker(const Plan& plan, const SampleSelection& selection, const core::StopFlag* stop)
     : plan_(&plan), selection_(&selection), stop_(stop), rows_(plan), row_(plan.columns) {}
 
 void SampledRowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
@@ -14,7 +14,7 @@ void SampledRowMaker::make_row(std::size_t row, std::span<std::complex<double>> 
   const bool peak = selection_->pick == SampleSelection::Pick::peak;
   const std::size_t end = peak ? wanted.end : wanted.begin + 1;
   for (std::size_t r = wanted.begin; r < end; ++r) {
-    if (stop_ != nullptr && stop_->requested()) throw Interrupted();
+    if (stop_ != nullptr && stop_->requested()) throw core::Interrupted();
     rows_.make_row(r, row_);
     if (r == wanted.begin) pick_firsts(out);
     if (peak) raise_to_peaks(out);
@@ -50,12 +50,12 @@ std::vector<std::size_t> refinement_order(std::size_t count) {
 }
 
 void compute_sampled_rows(const Plan& plan, const SampleSelection& selection, std::span<const std::size_t> order,
-                          const WorkControl& control, std::span<std::complex<double>> out,
+                          const core::WorkControl& control, std::span<std::complex<double>> out,
                           const std::function<void(std::size_t row)>& on_row) {
   const std::size_t columns = selection.columns.size();
   std::atomic<std::size_t> next{0};
   const std::size_t threads = std::clamp<std::size_t>(order.size(), 1, std::max(control.threads, 1U));
-  parallel_ranges(threads, 1, control, [&](std::size_t, std::size_t) {
+  core::parallel_ranges(threads, 1, control, [&](std::size_t, std::size_t) {
     try {
       SampledRowMaker maker(plan, selection, control.stop);
       for (std::size_t n = next++; n < order.size(); n = next++) {
@@ -69,4 +69,4 @@ void compute_sampled_rows(const Plan& plan, const SampleSelection& selection, st
   });
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -10,7 +10,7 @@
 #include "core/task/stop.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Consecutive rows or columns of a recording: begin, ..., end - 1; at least one.
 struct IndexSpan {
@@ -40,7 +40,7 @@ class SampledRowMaker {
  public:
   /// Keeps references.
   /// @param stop  asked before every row of the recording; a requested stop throws Interrupted
-  SampledRowMaker(const Plan& plan, const SampleSelection& selection, const StopFlag* stop = nullptr);
+  SampledRowMaker(const Plan& plan, const SampleSelection& selection, const core::StopFlag* stop = nullptr);
 
   /// @param[out] out  as many samples as the selection has columns, in volts
   void make_row(std::size_t row, std::span<std::complex<double>> out);
@@ -51,7 +51,7 @@ class SampledRowMaker {
 
   const Plan* plan_;
   const SampleSelection* selection_;
-  const StopFlag* stop_;
+  const core::StopFlag* stop_;
   RowMaker rows_;
   std::vector<std::complex<double>> row_;
 };
@@ -67,7 +67,7 @@ class SampledRowMaker {
 /// What a thread throws ends the others and is thrown to the caller; a requested stop throws Interrupted within the
 /// time of one row of the recording.
 void compute_sampled_rows(const Plan& plan, const SampleSelection& selection, std::span<const std::size_t> order,
-                          const WorkControl& control, std::span<std::complex<double>> out,
+                          const core::WorkControl& control, std::span<std::complex<double>> out,
                           const std::function<void(std::size_t row)>& on_row);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

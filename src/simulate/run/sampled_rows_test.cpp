@@ -12,14 +12,14 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
 
 // Thesis A.2 with noise, a moving target and 40 pulses.
-Scene noisy_scene() {
-  Scene scene = one_target_scene();
+scene::Scene noisy_scene() {
+  scene::Scene scene = one_target_scene();
   scene.platforms.push_back(moving("Car", {500.0, 0.0, 0.0}, {30.0, 10.0, 0.0}));
   scene.targets.push_back(target_on("Car", {0.0, 0.0, 0.0}));
   scene.radars[0].noise_temperature_k = 1e6;
@@ -43,7 +43,7 @@ Samples sampled(const Plan& plan, const SampleSelection& selection, unsigned thr
 }
 
 TEST(SampledRows, AreTheSamplesOfTheRecordingBitForBit) {
-  const Scene scene = noisy_scene();
+  const scene::Scene scene = noisy_scene();
   for (const Engine engine : {Engine::reference, Engine::direct, Engine::spectral}) {
     const Plan plan = make_plan(scene, 0, nullptr, engine);
     const Samples all = record(plan).samples;
@@ -101,14 +101,14 @@ TEST(SampledRows, EndWhenAskedTo) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::direct);
   const SampleSelection selection = every_nth(plan, 1, 1);
   Samples out(plan.rows * plan.columns);
-  StopFlag stop;
+  core::StopFlag stop;
   std::atomic<int> rows{0};
   EXPECT_THROW(compute_sampled_rows(plan, selection, refinement_order(plan.rows), {2, &stop}, out,
                                     [&](std::size_t) {
                                       ++rows;
                                       stop.request();
                                     }),
-               Interrupted);
+               core::Interrupted);
   EXPECT_LE(rows, 2);
 }
 
@@ -116,15 +116,15 @@ TEST(SampledRows, EndWithinAPeakOfManyPulses) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::direct);
   SampleSelection selection = every_nth(plan, plan.rows, 1);
   selection.pick = SampleSelection::Pick::peak;
-  StopFlag stop;
+  core::StopFlag stop;
   SampledRowMaker maker(plan, selection, &stop);
   stop.request();
   Samples out(plan.columns);
-  EXPECT_THROW(maker.make_row(0, out), Interrupted);
+  EXPECT_THROW(maker.make_row(0, out), core::Interrupted);
 }
 
 TEST(SampledRows, PassOnWhatAThreadThrows) {
-  Scene scene = noisy_scene();
+  scene::Scene scene = noisy_scene();
   scene.targets.push_back(target_on("Earth", {0.0, 0.0, 0.0}));  // at the radar
   const Plan plan = make_plan(scene, 0, nullptr, Engine::direct);
   const SampleSelection selection = every_nth(plan, 1, 1);
@@ -161,4 +161,4 @@ TEST(RefinementOrder, EveryBeginningCoversTheWhole) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

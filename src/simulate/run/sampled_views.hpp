@@ -4,7 +4,7 @@
 
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Calls `body(view)` with echoes of the current pulse: targets, then points of surfaces that face the radar; of more
 /// than `most` of them, some that are evenly chosen.
@@ -13,7 +13,7 @@ void each_sampled_view(const ResolvedScene& scene, const PulseGeometry& geometry
   std::size_t all = scene.scatterers.size();
   for (const ScattererSheet& sheet : scene.sheets) all += sheet.points_m.size();
   const std::size_t step = all / most + 1;
-  const Pointing pointing = geometry.pointing();
+  const radar::Pointing pointing = geometry.pointing();
   std::size_t next = 0;
   for (; next < scene.scatterers.size(); next += step) body(geometry.view(next, pointing));
   next -= scene.scatterers.size();
@@ -25,4 +25,4 @@ void each_sampled_view(const ResolvedScene& scene, const PulseGeometry& geometry
   }
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -16,7 +16,7 @@ class BeamPasses {
   explicit BeamPasses(const Plan& plan) : plan_(plan), geometry_(*plan.scene, plan.radar) {
     first_s_ = plan.radar.repetition.send_time_s(plan.pulses.first);
     last_s_ = plan.radar.repetition.send_time_s(plan.pulses.last);
-    turn_s_ = 2.0 * pi / plan.radar.beam.rate_rad_per_s;
+    turn_s_ = 2.0 * core::pi / plan.radar.beam.rate_rad_per_s;
   }
 
   // Up to `most` pulses; of all targets one pass, then another, at times spread over the recording.
@@ -36,7 +36,7 @@ class BeamPasses {
 
   [[nodiscard]] std::int64_t pulse_at(double time_s) const {
     const double half_s = 0.5 * plan_.radar.repetition.mean_interval_s();
-    const PulseRange near = plan_.radar.repetition.pulses_in(time_s - half_s, time_s + half_s);
+    const radar::PulseRange near = plan_.radar.repetition.pulses_in(time_s - half_s, time_s + half_s);
     return std::clamp(near.first, plan_.pulses.first, plan_.pulses.last);
   }
 
@@ -55,11 +55,11 @@ class BeamPasses {
     for (int look = 0; look < 2; ++look) {
       geometry_.set_pulse(pulse_at(time_s));
       const Scatterer& s = plan_.scene->scatterers[target];
-      const Vec3 look_world_m =
-          world_position_m(geometry_.pose(s.platform), s.position_m) - geometry_.radar_pose().position_world_m;
-      const double offset_rad = std::remainder(geometry_.pointing().offset(look_world_m).azimuth_rad, 2.0 * pi);
+      const core::Vec3 look_world_m =
+          radar::world_position_m(geometry_.pose(s.platform), s.position_m) - geometry_.radar_pose().position_world_m;
+      const double offset_rad = std::remainder(geometry_.pointing().offset(look_world_m).azimuth_rad, 2.0 * core::pi);
       if (!std::isfinite(offset_rad)) return std::nullopt;  // of positions that no number holds
-      const auto moved = recorded(geometry_.send_time_s() + offset_rad / (2.0 * pi) * turn_s_);
+      const auto moved = recorded(geometry_.send_time_s() + offset_rad / (2.0 * core::pi) * turn_s_);
       if (!moved) return std::nullopt;
       time_s = *moved;
     }
@@ -75,10 +75,10 @@ class BeamPasses {
 
 }  // namespace
 
-bool turns(const Beam& beam) { return beam.kind == Beam::Kind::rotating && beam.rate_rad_per_s != 0.0; }
+bool turns(const radar::Beam& beam) { return beam.kind == radar::Beam::Kind::rotating && beam.rate_rad_per_s != 0.0; }
 
 std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most) {
   return BeamPasses(plan).pulses(most);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -6,10 +6,10 @@
 
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// Whether the azimuth of a beam changes by itself (ROTATING, not at rest).
-[[nodiscard]] bool turns(const Beam& beam);
+[[nodiscard]] bool turns(const radar::Beam& beam);
 
 /// Numbers of the pulses at which a beam that turns points nearest to the targets in azimuth: up to five passes of
 /// each, at times spread over the recording. An even choice of pulses would pass a narrow beam by.
@@ -18,4 +18,4 @@ namespace sarsim {
 /// @return in no order, perhaps some more than once; none for targets that the beam does not meet in the recording
 [[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

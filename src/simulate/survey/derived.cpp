@@ -7,12 +7,12 @@
 #include "radar/receiver/converter.hpp"
 #include "radar/waveform/pulse_shape.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
 // Mean of |pulse|^2 over the pulse width; midpoints, so that edges and chips count with their length.
-double mean_square(const Pulse& pulse) {
+double mean_square(const radar::Pulse& pulse) {
   constexpr int points = 4096;
   double sum = 0.0;
   for (int i = 0; i < points; ++i) sum += std::norm(pulse.value((i + 0.5) / points * pulse.width_s));
@@ -41,9 +41,9 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   f.highest_carrier_hz = radar.carrier.highest_hz();
   f.longest_wavelength_m = c / f.lowest_carrier_hz;
   f.shortest_wavelength_m = c / f.highest_carrier_hz;
-  f.bandwidth_hz = bandwidth_hz(radar.pulse);
-  const bool shaped = radar.pulse.kind == Pulse::Kind::user;
-  f.range_resolution_m = 0.5 * c * (shaped ? half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz);
+  f.bandwidth_hz = radar::bandwidth_hz(radar.pulse);
+  const bool shaped = radar.pulse.kind == radar::Pulse::Kind::user;
+  f.range_resolution_m = 0.5 * c * (shaped ? radar::half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz);
   if (radar.carrier.steps() > 1)
     f.synthetic_range_resolution_m = 0.5 * c / (radar.carrier.steps() * std::abs(radar.carrier.step_hz()));
   f.pulse_length_m = c * radar.pulse.width_s;
@@ -61,19 +61,19 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
 
 double processing_gain(const Plan& plan) {
   if (!plan.compressor) return 1.0;
-  EchoPulse pulse = plan.pulse;
+  radar::EchoPulse pulse = plan.pulse;
   pulse.lead_s = 0.0;
   std::vector<std::complex<double>> raw(plan.raw_grid.count);
   // A lone echo that begins at the first sample, or as much earlier as a band-limited pulse has a tail before its edge.
-  SampleGrid grid{0.0, plan.raw_grid.interval_s, plan.raw_grid.count};
+  radar::SampleGrid grid{0.0, plan.raw_grid.interval_s, plan.raw_grid.count};
   const double tail_intervals = std::ceil(-std::min(0.0, pulse.first_s()) / grid.interval_s);
-  EchoBatch echo;
+  radar::EchoBatch echo;
   echo.add(tail_intervals * grid.interval_s, 1.0, 0.0);
-  add_echoes(raw, grid, pulse, 0.0, echo);
+  radar::add_echoes(raw, grid, pulse, 0.0, echo);
   std::vector<std::complex<double>> out(plan.compressor->output_count());
   std::vector<std::complex<double>> scratch(plan.compressor->scratch_size());
   plan.compressor->compress(raw, out, scratch);
-  return largest_magnitude(out);
+  return radar::largest_magnitude(out);
 }
 
 SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey) {
@@ -82,13 +82,13 @@ SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey)
   f.first_delay_s = 2.0 * plan.column_range_m.front() / c;
   f.last_delay_s = 2.0 * plan.column_range_m.back() / c;
   if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
-  f.sampling_ratio = plan.simulation.sample_rate_hz / bandwidth_hz(plan.radar.pulse);
+  f.sampling_ratio = plan.simulation.sample_rate_hz / radar::bandwidth_hz(plan.radar.pulse);
   f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;
   const double gain = processing_gain(plan) * largest_stc_gain(plan);
   f.largest_echo_v = gain * largest_in_window_v(survey);
   f.largest_sum_v = gain * (survey.largest_sum_v + 3.0 * std::sqrt(2.0) * plan.noise_stddev_v);
-  f.suggested_lsb_v = f.largest_sum_v / full_scale_count(plan.simulation.bits);
+  f.suggested_lsb_v = f.largest_sum_v / radar::full_scale_count(plan.simulation.bits);
   return f;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

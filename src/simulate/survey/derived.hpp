@@ -4,7 +4,7 @@
 #include "simulate/survey/survey.hpp"
 
 /// Figures that follow from what a script says and that a radar engineer checks first.
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What a radar can do by itself, before any scene. c is the profile's speed of light.
 struct RadarFigures {
@@ -53,4 +53,4 @@ struct SimulationFigures {
 /// synthetic profiles; for compressed data what the plan's filter makes of a pulse on the sampling grid. Costs one row.
 [[nodiscard]] double processing_gain(const Plan& plan);
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -11,7 +11,7 @@
 #include "radar/receiver/converter.hpp"
 #include "simulate/survey/beam_passes.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -19,14 +19,14 @@ namespace {
 class Surveyor {
  public:
   // @param impossible  targets that have been reported
-  Surveyor(const Scene& scene, std::size_t index, Problems& problems, std::set<std::size_t>& impossible)
+  Surveyor(const scene::Scene& scene, std::size_t index, core::Problems& problems, std::set<std::size_t>& impossible)
       : scene_(scene),
         index_(index),
         simulation_(scene.simulations[index]),
         problems_(problems),
         impossible_(impossible) {}
 
-  void look(const std::shared_ptr<const ResolvedScene>& resolved, const WorkControl& control) {
+  void look(const std::shared_ptr<const ResolvedScene>& resolved, const core::WorkControl& control) {
     const Plan plan = make_plan(scene_, index_, resolved);
     check_weights(plan);
     if (plan.profiler && !check_bursts(plan)) return;
@@ -43,7 +43,7 @@ class Surveyor {
   }
 
  private:
-  void add(Severity severity, const char* field, std::string message, std::string found, std::string expected,
+  void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,
            std::string hint) {
     problems_.push_back({severity,
                          std::move(message),
@@ -75,7 +75,7 @@ class Surveyor {
       for (std::size_t n = 0; n < steps; ++n)
         weights.add(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
     } else if (plan.compressor) {
-      const Pulse& pulse = plan.radar.pulse;
+      const radar::Pulse& pulse = plan.radar.pulse;
       const double samples = pulse.width_s * simulation_.sample_rate_hz;
       for (std::size_t k = 0; k == 0 || static_cast<double>(k) < samples - 1e-9; ++k) {
         const double t_s = static_cast<double>(k) / simulation_.sample_rate_hz;
@@ -90,20 +90,21 @@ class Surveyor {
   // for a half leaves no peak to keep.
   void check_weights(const Plan& plan) {
     const Weights weights = weights_of(plan);
-    if (weights.count == 0 || !weights_cancel(weights.sum, weights.magnitudes)) return;
+    if (weights.count == 0 || !core::weights_cancel(weights.sum, weights.magnitudes)) return;
     if (weights.magnitudes == 0.0)
-      add(Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
+      add(core::Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
           fmt::format("{} samples", weights.count), "a window that is above 0 somewhere",
           plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
     else
-      add(Severity::warning, "radar", "the radar's window function cancels: its weights, with their signs, sum to 0",
-          "", "weights that leave a target its peak",
+      add(core::Severity::warning, "radar",
+          "the radar's window function cancels: its weights, with their signs, sum to 0", "",
+          "weights that leave a target its peak",
           "the peak is 0 where the target stands, and nothing scales what is left; take another window");
   }
 
   bool check_bursts(const Plan& plan) {
     if (plan.rows == 0) {
-      add(Severity::error, "time_end_s", "the window holds no complete burst of stepped frequencies",
+      add(core::Severity::error, "time_end_s", "the window holds no complete burst of stepped frequencies",
           fmt::format("{} pulses", plan.pulses.count()),
           fmt::format("at least {} from the start of a burst", plan.burst_pulses()),
           "lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times pulses per "
@@ -111,7 +112,7 @@ class Surveyor {
       return false;
     }
     if (plan.dropped_pulses > 0)
-      add(Severity::note, "time_end_s",
+      add(core::Severity::note, "time_end_s",
           fmt::format("{} pulses of incomplete bursts at the ends of the window are left out", plan.dropped_pulses), "",
           "", "");
     return true;
@@ -130,7 +131,7 @@ class Surveyor {
   void check_surfaces(const EchoSurvey& survey, const Plan& plan) {
     for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
       if (!survey.surface_faces_radar[i] && !plan.scene->sheets[i].points_m.empty())
-        problems_.push_back({Severity::warning,
+        problems_.push_back({core::Severity::warning,
                              "the surface shows its back to the radar and gives no echo" + scope_,
                              "",
                              "a front, where (corner 2 - corner 1) x (corner 3 - corner 1) points, towards the radar",
@@ -143,7 +144,7 @@ class Surveyor {
   void check_window(const EchoSurvey& survey, const Plan& plan) {
     if (survey.targets.empty()) {
       if (plan.scene->sheets.empty())
-        add(Severity::warning, "",
+        add(core::Severity::warning, "",
             "the scene has no target: the recording will hold " +
                 std::string(plan.noise_stddev_v > 0 ? "noise only" : "zeros only"),
             "", "", "add a $TARGET");
@@ -153,9 +154,10 @@ class Surveyor {
     const double nearest = survey.totals.nearest_m;
     const double farthest = survey.totals.farthest_m;
     const double reach_m = 0.5 * plan.scene->conventions.light_speed_mps * (plan.pulse.last_s() - plan.pulse.first_s());
-    add(Severity::warning, "range_start_m",
+    add(core::Severity::warning, "range_start_m",
         "no echo falls into the slant range window: the recording will be empty" + scope_,
-        fmt::format("{} to {} m", format_number(simulation_.range_start_m), format_number(simulation_.range_end_m)),
+        fmt::format("{} to {} m", core::format_number(simulation_.range_start_m),
+                    core::format_number(simulation_.range_end_m)),
         fmt::format("a window that touches the echoes from {:.6g} to {:.6g} m", nearest, farthest + reach_m),
         fmt::format("set the slant range window to about {:.0f} ... {:.0f} m", std::floor(nearest),
                     std::ceil(farthest + reach_m)));
@@ -163,20 +165,22 @@ class Surveyor {
 
   void check_doppler(const EchoSurvey& survey, const Plan& plan) {
     // Nobody makes an image along the track of what a turning beam sees.
-    if (turns(plan.radar.beam) || plan.pulses.count() < 2 || plan.simulation.processing == Processing::srp) return;
+    if (turns(plan.radar.beam) || plan.pulses.count() < 2 || plan.simulation.processing == scene::Processing::srp)
+      return;
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
     const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
-    add(Severity::warning, "radar",
+    add(core::Severity::warning, "radar",
         "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_,
-        fmt::format("PRF {}", with_prefix(prf_hz, "Hz", 4)), fmt::format("at least {}", with_prefix(band_hz, "Hz", 4)),
+        fmt::format("PRF {}", core::with_prefix(prf_hz, "Hz", 4)),
+        fmt::format("at least {}", core::with_prefix(band_hz, "Hz", 4)),
         fmt::format("targets away from the centre appear as ghosts {} apart after focusing; raise the PRF, shorten the "
                     "azimuth window or narrow the beam",
-                    with_prefix(prf_hz, "Hz", 4)));
+                    core::with_prefix(prf_hz, "Hz", 4)));
   }
 
   void check_lsb(const EchoSurvey& survey, const Plan& plan) {
-    const bool counts = simulation_.format != FileFormat::hdf5 && simulation_.format != FileFormat::npy;
+    const bool counts = simulation_.format != scene::FileFormat::hdf5 && simulation_.format != scene::FileFormat::npy;
     const bool classic_compressed =
         plan.compressor && plan.scene->conventions.compression == Conventions::Compression::pulse_energy;
     if (!counts || classic_compressed || simulation_.lsb_v <= 0.0 || survey.targets.empty() || plan.stc_gain.size() > 0)
@@ -185,25 +189,25 @@ class Surveyor {
     if (strongest <= 0.0) return;
     // Echoes that meet each other may add up to this.
     const double most_v = std::max(survey.largest_sum_v, strongest);
-    const double full_v = simulation_.lsb_v * full_scale_count(simulation_.bits);
-    const auto millivolts = [](double v) { return format_number(v, 3) + " mV"; };
+    const double full_v = simulation_.lsb_v * radar::full_scale_count(simulation_.bits);
+    const auto millivolts = [](double v) { return core::format_number(v, 3) + " mV"; };
     const auto rounded = [](double v) { return fmt::format("{:.6g} mV", v * 1e3); };
     if (strongest > 1.01 * full_v)
-      add(Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
+      add(core::Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / radar::full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
     else if (most_v < 0.5 * full_v)
-      add(Severity::warning, "lsb_v",
+      add(core::Severity::warning, "lsb_v",
           fmt::format("the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
                       100.0 * most_v / full_v) +
               scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(most_v / full_scale_count(simulation_.bits)),
+          millivolts(simulation_.lsb_v), "about " + rounded(most_v / radar::full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
   }
 
   void check_ambiguity(const EchoSurvey& survey, const Plan& plan) {
     if (survey.totals.late == 0) return;
-    add(Severity::warning, "radar",
+    add(core::Severity::warning, "radar",
         fmt::format("echoes of {} of {} targets arrive after the next pulse has left; a row holds the echoes of its "
                     "own pulse only",
                     survey.totals.late, survey.targets.size()) +
@@ -213,18 +217,19 @@ class Surveyor {
         "lower the PRF if a real receiver is meant");
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   std::size_t index_;
-  const Simulation& simulation_;
-  Problems& problems_;
+  const scene::Simulation& simulation_;
+  core::Problems& problems_;
   std::set<std::size_t>& impossible_;
   std::string scope_;
 };
 
 }  // namespace
 
-Problems survey(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved, const WorkControl& control) {
-  Problems problems;
+core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
+                      const core::WorkControl& control) {
+  core::Problems problems;
   if (scene.simulations.empty()) return problems;
   if (!resolved) resolved = std::make_shared<const ResolvedScene>(resolve(scene, control));
   std::set<std::size_t> impossible;
@@ -233,4 +238,4 @@ Problems survey(const Scene& scene, std::shared_ptr<const ResolvedScene> resolve
   return problems;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -11,7 +11,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 /// What the sampled pulses of a simulation say about one target.
 struct TargetSurvey {
@@ -63,14 +63,14 @@ struct EchoSurvey {
 
 /// Looks at the echoes of a plan; the outcome is the same for any number of threads. A requested stop throws
 /// Interrupted.
-[[nodiscard]] EchoSurvey survey_echoes(const Plan& plan, const WorkControl& control = {});
+[[nodiscard]] EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control = {});
 
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
 /// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
 /// back, a window function without weight. The scene must have passed `check`.
 /// @param resolved  what `resolve` gives for the scene; made where it is missing and needed
-[[nodiscard]] Problems survey(const Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
-                              const WorkControl& control = {});
+[[nodiscard]] core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
+                                    const core::WorkControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -5,7 +5,7 @@
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/survey.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 
 namespace {
 
@@ -24,7 +24,7 @@ std::size_t batch_pulses(std::size_t platforms) {
 }
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
-std::vector<std::int64_t> sampled_pulses(const PulseRange& range, std::size_t targets) {
+std::vector<std::int64_t> sampled_pulses(const radar::PulseRange& range, std::size_t targets) {
   std::vector<std::int64_t> pulses;
   const std::int64_t count = range.count();
   const std::size_t affordable =
@@ -57,9 +57,10 @@ std::vector<std::int64_t> pulses_to_look_at(const Plan& plan) {
 // A plane shows the same side to the radar at all of its points.
 bool faces_radar(const ScattererSheet& sheet, const PulseGeometry& geometry) {
   if (sheet.points_m.empty()) return false;
-  const Pose& pose = geometry.pose(sheet.platform);
-  const Vec3 look_world_m = world_position_m(pose, sheet.points_m.front()) - geometry.radar_pose().position_world_m;
-  return dot(pose.world_from_platform * sheet.normal_platform, look_world_m) < 0.0;
+  const radar::Pose& pose = geometry.pose(sheet.platform);
+  const core::Vec3 look_world_m =
+      radar::world_position_m(pose, sheet.points_m.front()) - geometry.radar_pose().position_world_m;
+  return core::dot(pose.world_from_platform * sheet.normal_platform, look_world_m) < 0.0;
 }
 
 void take_in(TargetSurvey& target, const ScattererView& view, double range_m, double doppler_hz, bool in_window) {
@@ -98,10 +99,10 @@ void take_in(SurveyTotals& totals, const SurveyTotals& more) {
 // Looks at the echoes of one plan, ranges of targets on several threads.
 class Look {
  public:
-  Look(const Plan& plan, const WorkControl& control)
+  Look(const Plan& plan, const core::WorkControl& control)
       : plan_(plan), control_(control), light_mps_(plan.scene->conventions.light_speed_mps) {
     survey_.surface_faces_radar.assign(plan.scene->sheets.size(), false);
-    reserve_touched(survey_.targets, plan.scene->scatterers.size(), control);
+    core::reserve_touched(survey_.targets, plan.scene->scatterers.size(), control);
     survey_.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false});
   }
 
@@ -114,8 +115,8 @@ class Look {
     std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
     for (std::size_t first = 0; first < pulses.size(); first += batch) {
       const std::size_t count = std::min(batch, pulses.size() - first);
-      parallel_ranges(count, 1, control_,
-                      [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
+      core::parallel_ranges(count, 1, control_,
+                            [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
       look_at_pulses(std::span(geometries).first(count), first);
     }
     add_up();
@@ -126,7 +127,7 @@ class Look {
  private:
   template <class Body>
   void over_targets(const Body& body) const {
-    parallel_ranges(survey_.targets.size(), range_targets, control_, body);
+    core::parallel_ranges(survey_.targets.size(), range_targets, control_, body);
   }
   [[nodiscard]] std::size_t ranges() const { return (survey_.targets.size() + range_targets - 1) / range_targets; }
 
@@ -149,7 +150,7 @@ class Look {
 
   // Returns the sum of the amplitudes in the window.
   double look_at_targets(const PulseGeometry& geometry, std::size_t pulse, std::size_t begin, std::size_t end) {
-    const Pointing pointing = geometry.pointing();
+    const radar::Pointing pointing = geometry.pointing();
     double sum_v = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       const ScattererView view = geometry.view(i, pointing);
@@ -164,7 +165,7 @@ class Look {
 
   // Well inside and well outside the window need no counting of samples.
   [[nodiscard]] bool touches_window(double delay_s) const {
-    const SampleGrid& grid = plan_.raw_grid;
+    const radar::SampleGrid& grid = plan_.raw_grid;
     const double margin_s = 2.0 * grid.interval_s;
     const double begin_s = delay_s + plan_.pulse.first_s();
     const double end_s = delay_s + plan_.pulse.last_s();
@@ -172,7 +173,7 @@ class Look {
     if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
     if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
       return true;
-    const SampleSpan touched = touched_samples(plan_.pulse, grid, delay_s);
+    const radar::SampleSpan touched = radar::touched_samples(plan_.pulse, grid, delay_s);
     return touched.begin < touched.end;
   }
 
@@ -232,7 +233,7 @@ class Look {
   };
 
   const Plan& plan_;
-  const WorkControl& control_;
+  const core::WorkControl& control_;
   double light_mps_;
   EchoSurvey survey_;
   std::vector<OneLook> looks_;  // all targets of the first pulse, of the second ...; none where they are too many
@@ -248,6 +249,6 @@ EchoExtremes extremes_of(const TargetSurvey& target) {
   return {target.nearest_m > closest_m ? target.nearest_m : 0.0, target.largest_speed_mps, target.largest_amplitude_v};
 }
 
-EchoSurvey survey_echoes(const Plan& plan, const WorkControl& control) { return Look(plan, control).survey(); }
+EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) { return Look(plan, control).survey(); }
 
-}  // namespace sarsim
+}  // namespace sarsim::simulate

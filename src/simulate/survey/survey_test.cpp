@@ -8,7 +8,7 @@
 
 #include "simulate/plan/simulate_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::simulate {
 namespace {
 
 using ::testing::AllOf;
@@ -18,16 +18,16 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
-auto problem(Severity severity, const std::string& field, const std::string& words) {
-  return AllOf(Field(&Problem::severity, severity), Field(&Problem::message, HasSubstr(words)),
-               Field(&Problem::subject, Field(&Subject::field, field)));
+auto problem(core::Severity severity, const std::string& field, const std::string& words) {
+  return AllOf(Field(&core::Problem::severity, severity), Field(&core::Problem::message, HasSubstr(words)),
+               Field(&core::Problem::subject, Field(&core::Subject::field, field)));
 }
 
 // The scene of one target, 200 pulses, with an LSB that fits it: 2.13e-7 V over 127 counts.
-Scene sound_scene() {
-  Scene scene = one_target_scene();
+scene::Scene sound_scene() {
+  scene::Scene scene = one_target_scene();
   scene.simulations[0].time_end_s = 0.199;
   scene.simulations[0].lsb_v = 2e-9;
   return scene;
@@ -35,17 +35,17 @@ Scene sound_scene() {
 
 TEST(Survey, OfASoundSceneIsSilent) {
   EXPECT_THAT(survey(sound_scene()), IsEmpty());
-  Scene no_simulation = sound_scene();
+  scene::Scene no_simulation = sound_scene();
   no_simulation.simulations.clear();
   EXPECT_THAT(survey(no_simulation), IsEmpty());
 }
 
 TEST(Survey, WarnsWhereAllEchoesMissTheWindowAndSaysWhereTheyAre) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.simulations[0].range_start_m = 2000.0;  // the echo ends at 1000 m + 750 m
   scene.simulations[0].range_end_m = 3000.0;
-  const Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "range_start_m", "no echo falls into")));
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "range_start_m", "no echo falls into")));
   EXPECT_THAT(problems[0].expected, HasSubstr("1000"));
   EXPECT_THAT(problems[0].expected, HasSubstr("1749.48"));
   EXPECT_THAT(problems[0].message, HasSubstr("estimate from 64 of 200 pulses"));
@@ -57,125 +57,125 @@ TEST(Survey, WarnsWhereAllEchoesMissTheWindowAndSaysWhereTheyAre) {
 }
 
 TEST(Survey, WarnsOfASceneWithoutTargets) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.targets.clear();
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "", "zeros only")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "", "zeros only")));
   scene.radars[0].noise_temperature_k = 300.0;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "", "noise only")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "", "noise only")));
   scene.surfaces.push_back({});
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 // 200 m/s both ways at 1 GHz: a band of 4 * 200/0.2998 = 2669 Hz.
 TEST(Survey, WarnsOfAPrfBelowTheDopplerBand) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.platforms.push_back(moving("Away", {1000, 0, 0}, {200, 0, 0}));
   scene.platforms.push_back(moving("Towards", {1000, 0, 0}, {-200, 0, 0}));
   scene.targets = {target_on("Away", {}), target_on("Towards", {})};
   scene.simulations[0].lsb_v = 0.0;
-  const Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "radar", "PRF is below the Doppler band")));
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "PRF is below the Doppler band")));
   EXPECT_THAT(problems[0].expected, HasSubstr("2.669 kHz"));
   scene.radars[0].prf_hz = 2700.0;
   EXPECT_THAT(survey(scene), IsEmpty());
   scene.radars[0].prf_hz = 1000.0;
-  scene.radars[0].beam = Radar::Beam::rotating;  // of no use for images along a track
-  scene.radars[0].beam_rate = Angle::from_deg(60.0);
+  scene.radars[0].beam = scene::Radar::Beam::rotating;  // of no use for images along a track
+  scene.radars[0].beam_rate = core::Angle::from_deg(60.0);
   EXPECT_THAT(survey(scene), IsEmpty());
-  scene.radars[0].beam = Radar::Beam::fixed;
+  scene.radars[0].beam = scene::Radar::Beam::fixed;
   scene.targets.pop_back();  // one speed has no band, however fast
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(Survey, DopplerBandLeavesOutEchoesThatDoNotMatter) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.platforms.push_back(moving("Away", {1000, 0, 0}, {500, 0, 0}));
   scene.simulations[0].lsb_v = 0.0;
   scene.targets.push_back(target_on("Away", {}, 1e-5));  // 50 dB below
   EXPECT_THAT(survey(scene), IsEmpty());
   scene.targets.back().rcs_m2 = 1e-3;  // 30 dB below
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "PRF")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "PRF")));
   scene.targets.back().position_m = {3000, 0, 0};  // out of the window
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(Survey, WarnsOfAnLsbThatClipsOrWastesTheConverter) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.simulations[0].lsb_v = 1.6e-9;  // full scale 2.03e-7 V, the echo has 2.13e-7
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "lsb_v", "too small")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "lsb_v", "too small")));
   scene.simulations[0].lsb_v = 5e-9;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "lsb_v", "too large")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "lsb_v", "too large")));
   for (int i = 0; i < 9; ++i) scene.targets.push_back(scene.targets[0]);  // ten echoes that add up
   scene.simulations[0].lsb_v = 5e-8;
-  const Problems large = survey(scene);
-  ASSERT_THAT(large, ElementsAre(problem(Severity::warning, "lsb_v", "too large")));
+  const core::Problems large = survey(scene);
+  ASSERT_THAT(large, ElementsAre(problem(core::Severity::warning, "lsb_v", "too large")));
   EXPECT_THAT(large[0].expected, HasSubstr("1.67"));  // 10 x 2.13e-7 V over 127 counts: 1.67e-8 V
   scene.targets.resize(1);
-  scene.simulations[0].format = FileFormat::npy;  // volts: no converter
+  scene.simulations[0].format = scene::FileFormat::npy;  // volts: no converter
   EXPECT_THAT(survey(scene), IsEmpty());
-  scene.simulations[0].format = FileFormat::binary;
+  scene.simulations[0].format = scene::FileFormat::binary;
   scene.simulations[0].lsb_v = 0.0;
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(Survey, RefusesATargetAtTheRadarsPosition) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.targets.push_back(target_on("Earth", {}));
-  const Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(Severity::error, "position_m", "stands at the position of radar")));
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "stands at the position of radar")));
   EXPECT_EQ(problems[0].subject.kind, "target");
   EXPECT_EQ(problems[0].subject.index, 1u);
 }
 
 TEST(Survey, SaysOnceThatATargetIsImpossibleWhateverRecordsIt) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.targets.push_back(target_on("Earth", {}));
   scene.simulations.push_back(scene.simulations[0]);
   EXPECT_EQ(survey(scene).size(), 1u);
 }
 
 TEST(Survey, RefusesATargetFasterThanLight) {
-  Scene scene = sound_scene();
-  Platform comet;
+  scene::Scene scene = sound_scene();
+  scene::Platform comet;
   comet.name = "Comet";
-  comet.path = Platform::Path::trajectory;
+  comet.path = scene::Platform::Path::trajectory;
   comet.trajectory_m.part[0].knots = {{0.0, 1000.0}, {1.0, 3.1e8}};
   scene.platforms.push_back(comet);
   scene.targets.push_back(target_on("Comet", {}));
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "position_m", "fast as light")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::error, "position_m", "fast as light")));
 }
 
 TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.radars[0].prf_hz = 200e3;  // 749 m
-  const Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "radar", "arrive after the next pulse")));
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "arrive after the next pulse")));
   EXPECT_THAT(problems[0].expected, HasSubstr("749.48"));
   scene.radars[0].prf_hz = 149e3;  // 1006 m
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
-  Scene scene = sound_scene();
-  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene::Scene scene = sound_scene();
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_step_hz = 1e6;
   scene.radars[0].carrier_steps = 10;
   scene.radars[0].pulses_per_step = 2;
-  scene.simulations[0].processing = Processing::srp;
+  scene.simulations[0].processing = scene::Processing::srp;
   EXPECT_THAT(survey(scene), IsEmpty());  // 200 pulses, 10 bursts
   scene.simulations[0].time_end_s = 0.205;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::note, "time_end_s", "6 pulses of incomplete bursts")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::note, "time_end_s", "6 pulses of incomplete bursts")));
   scene.simulations[0].time_end_s = 0.018;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::error, "time_end_s", "no complete burst")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::error, "time_end_s", "no complete burst")));
 }
 
 TEST(Survey, WarnsOfASurfaceThatShowsItsBackToTheRadar) {
-  Scene scene = sound_scene();
-  scene.surfaces.assign(2, Surface());
+  scene::Scene scene = sound_scene();
+  scene.surfaces.assign(2, scene::Surface());
   EXPECT_THAT(survey(scene), IsEmpty());
   std::swap(scene.surfaces[1].corner_m[1], scene.surfaces[1].corner_m[2]);
-  const Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(Severity::warning, "corner_m", "shows its back")));
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "corner_m", "shows its back")));
   EXPECT_EQ(problems[0].subject.kind, "surface");
   EXPECT_EQ(problems[0].subject.index, 1u);
   scene.platforms[0].position_m = {};
@@ -187,42 +187,42 @@ TEST(Survey, WarnsOfASurfaceThatShowsItsBackToTheRadar) {
 }
 
 TEST(Survey, WarnsOfAWindowThatLeavesNothing) {
-  Scene scene = sound_scene();
-  scene.radars[0].window = Radar::Window::bartlett;
+  scene::Scene scene = sound_scene();
+  scene.radars[0].window = scene::Radar::Window::bartlett;
   EXPECT_THAT(survey(scene), IsEmpty());  // raw data have no use for it
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   EXPECT_THAT(survey(scene), IsEmpty());
   scene.simulations[0].sample_rate_hz = 1.0 / 5e-6;  // one sample a pulse, at its leading edge
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
-  scene.simulations[0].processing = Processing::srp;
-  scene.radars[0].carrier = Radar::Carrier::stepped;
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "leaves nothing")));
+  scene.simulations[0].processing = scene::Processing::srp;
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_step_hz = 1e6;
   scene.radars[0].carrier_steps = 2;
   scene.radars[0].pulses_per_step = 1;
-  EXPECT_THAT(survey(scene), ElementsAre(problem(Severity::warning, "radar", "leaves nothing")));
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "radar", "leaves nothing")));
   scene.radars[0].carrier_steps = 4;
   EXPECT_THAT(survey(scene), IsEmpty());
 }
 
 TEST(Survey, WarnsOfAWindowThatCancels) {
-  Scene scene = sound_scene();
-  scene.simulations[0].processing = Processing::matched_filter;
-  scene.radars[0].window = Radar::Window::user;
+  scene::Scene scene = sound_scene();
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  scene.radars[0].window = scene::Radar::Window::user;
   const auto from_to = [&](double first, double last) {
-    scene.radars[0].window_gain.part[0] = {Interpolation::linear, {{0.0, first}, {1.0, last}}};
+    scene.radars[0].window_gain.part[0] = {core::Interpolation::linear, {{0.0, first}, {1.0, last}}};
     return survey(scene);
   };
   const double rate_hz = scene.simulations[0].sample_rate_hz;
   const double samples = std::ceil(scene.radars[0].pulse_width_s * rate_hz - 1e-9);
   const double last = (samples - 1.0) / (scene.radars[0].pulse_width_s * rate_hz);  // where the last sample stands
   ASSERT_GT(samples, 2.0);
-  EXPECT_THAT(from_to(1.0, 1.0 - 2.0 / last), ElementsAre(problem(Severity::warning, "radar", "cancels")));
+  EXPECT_THAT(from_to(1.0, 1.0 - 2.0 / last), ElementsAre(problem(core::Severity::warning, "radar", "cancels")));
   EXPECT_THAT(from_to(-1.0, -1.0), IsEmpty());
   EXPECT_THAT(from_to(1.0, -2.0), IsEmpty());
 }
 
 TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.platforms.push_back(moving("Away", {1000, 0, 0}, {100, 0, 0}));
   scene.targets = {target_on("Away", {}), target_on("Earth", {5000, 0, 0})};
   scene.radars[0].noise_temperature_k = 100.0;
@@ -245,8 +245,8 @@ TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
 }
 
 // 30 000 targets are several ranges; on two platforms, some of them jittered, some, if wanted, on the radar.
-Scene wide_scene(bool with_impossible_targets) {
-  Scene scene = sound_scene();
+scene::Scene wide_scene(bool with_impossible_targets) {
+  scene::Scene scene = sound_scene();
   scene.platforms.push_back(moving("Away", {1000, 0, 0}, {100, 3, 0}));
   scene.radars[0].noise_temperature_k = 100.0;
   scene.surfaces.resize(3);
@@ -292,11 +292,11 @@ TEST(SurveyEchoes, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SurveyEchoes, EndWhenAskedTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
   const Plan plan = make_plan(sound_scene(), 0);
-  EXPECT_THROW(static_cast<void>(survey_echoes(plan, {2, &stop})), Interrupted);
-  EXPECT_THROW(static_cast<void>(survey(sound_scene(), nullptr, {1, &stop})), Interrupted);
+  EXPECT_THROW(static_cast<void>(survey_echoes(plan, {2, &stop})), core::Interrupted);
+  EXPECT_THROW(static_cast<void>(survey(sound_scene(), nullptr, {1, &stop})), core::Interrupted);
 }
 
 // 6 s of a beam of 2 degrees that turns by 73 or -73 degrees a second, 1000 pulses a second: at one pulse it is within
@@ -305,16 +305,16 @@ TEST(SurveyEchoes, EndWhenAskedTo) {
 TEST(SurveyEchoes, FindsTargetsInANarrowBeamThatTurns) {
   for (const double rate : {73.0, -73.0})
     for (const double azimuth_deg : {10.0, 33.3, 133.3, 251.0, 359.0}) {
-      Scene scene = sound_scene();
-      const double azimuth = Angle::from_deg(azimuth_deg).rad();
+      scene::Scene scene = sound_scene();
+      const double azimuth = core::Angle::from_deg(azimuth_deg).rad();
       scene.targets = {target_on("Earth", {1000.0 * std::sin(azimuth), 1000.0 * std::cos(azimuth), 0.0})};
       scene.simulations[0].time_end_s = 6.0;
-      Radar& radar = scene.radars[0];
-      radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-      radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
-      radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(20.0);
-      radar.beam = Radar::Beam::rotating;
-      radar.beam_rate = Angle::from_deg(rate);
+      scene::Radar& radar = scene.radars[0];
+      radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+      radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(2.0);
+      radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(20.0);
+      radar.beam = scene::Radar::Beam::rotating;
+      radar.beam_rate = core::Angle::from_deg(rate);
       const EchoSurvey found = survey_echoes(make_plan(scene, 0));
       EXPECT_NEAR(found.targets[0].largest_amplitude_v / equation_amplitude(1000.0, 1.0, c / 1e9), 1.0, 1e-3)
           << rate << ' ' << azimuth_deg;
@@ -323,19 +323,19 @@ TEST(SurveyEchoes, FindsTargetsInANarrowBeamThatTurns) {
 }
 
 TEST(SurveyEchoes, PassesOverTargetsThatATurningBeamNeverMeets) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.targets = {target_on("Earth", {0.0, -1000.0, 0.0})};
   scene.simulations[0].time_end_s = 1.0;  // 0 to 73 degrees
-  scene.radars[0].transmit_antenna.pattern = Antenna::Pattern::sinx;
-  scene.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
-  scene.radars[0].transmit_antenna.elevation_beamwidth = Angle::from_deg(20.0);
-  scene.radars[0].beam = Radar::Beam::rotating;
-  scene.radars[0].beam_rate = Angle::from_deg(73.0);
+  scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(2.0);
+  scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(20.0);
+  scene.radars[0].beam = scene::Radar::Beam::rotating;
+  scene.radars[0].beam_rate = core::Angle::from_deg(73.0);
   EXPECT_EQ(survey_echoes(make_plan(scene, 0)).pulses_sampled, 64u);
 }
 
 TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
-  Scene scene = sound_scene();
+  scene::Scene scene = sound_scene();
   scene.simulations[0].time_end_s = 0.063;
   EXPECT_TRUE(survey_echoes(make_plan(scene, 0)).all_pulses);
   scene.simulations[0].time_end_s = 0.064;
@@ -345,4 +345,4 @@ TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::simulate

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -15,10 +15,10 @@ struct TapWeights {
   std::vector<double> noise;
 };
 
-TapWeights tap_weights(const Plan& plan, const WindowFunction& weight) {
+TapWeights tap_weights(const simulate::Plan& plan, const signal::WindowFunction& weight) {
   const double rate_hz = 1.0 / plan.raw_grid.interval_s;
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
-  const auto plain = matched_filter(
+  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  const auto plain = signal::matched_filter(
       plan.radar.pulse, band_limited, [](double) { return 1.0; }, rate_hz);
   TapWeights weights;
   for (std::size_t k = 0; k < plain.taps.size(); ++k) {
@@ -48,11 +48,11 @@ std::vector<double> recorded_sums(const std::vector<double>& weights, std::size_
 
 // For each raw sample i the sum of weights[k] factors[i + k].
 std::vector<double> correlated(const std::vector<double>& weights, const std::vector<double>& factors) {
-  CompressionFilter filter;
+  signal::CompressionFilter filter;
   filter.taps.assign(weights.begin(), weights.end());
   std::vector<std::size_t> index(factors.size());
   std::iota(index.begin(), index.end(), std::size_t{0});
-  const RangeCompressor compressor(std::move(filter), factors.size(), std::move(index));
+  const signal::RangeCompressor compressor(std::move(filter), factors.size(), std::move(index));
   const std::vector<std::complex<double>> raw(factors.begin(), factors.end());
   std::vector<std::complex<double>> out(factors.size());
   std::vector<std::complex<double>> scratch(compressor.scratch_size());
@@ -73,7 +73,7 @@ double value_at(const std::vector<double>& table, double index) {
 
 }  // namespace
 
-RecordedGain::RecordedGain(const Plan& plan, std::size_t columns, const WindowFunction& weight)
+RecordedGain::RecordedGain(const simulate::Plan& plan, std::size_t columns, const signal::WindowFunction& weight)
     : first_delay_s_(plan.raw_grid.first_s + plan.pulse.lead_s), interval_s_(plan.raw_grid.interval_s) {
   const std::size_t last = plan.compressor ? plan.compressor->output_index().at(columns - 1) : columns - 1;
   last_index_ = static_cast<double>(last);
@@ -107,4 +107,4 @@ double RecordedGain::last_whole_s() const { return first_delay_s_ + last_whole_ 
 
 double RecordedGain::noise(double delay_s) const { return value_at(noise_, index_of(delay_s)); }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// What the receiver's gain over time (STC) and the ends of a recording make of compressed echoes: factors to the
 /// amplitude of an echo of constant gain that is recorded whole. With the weights w of the compressing filter over the
@@ -17,7 +17,7 @@ class RecordedGain {
   /// plan
   ///                 of raw data those up to the row's end can be compressed, the last ones in part
   /// @param weight   over the pulse, the fraction of its width from 0 to 1
-  RecordedGain(const Plan& plan, std::size_t columns, const WindowFunction& weight);
+  RecordedGain(const simulate::Plan& plan, std::size_t columns, const signal::WindowFunction& weight);
 
   /// Mean of the gain over what is recorded of an echo; 1 without STC. Beyond the ends as at them.
   [[nodiscard]] double gain(double delay_s) const;
@@ -42,4 +42,4 @@ class RecordedGain {
   std::vector<double> noise_;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

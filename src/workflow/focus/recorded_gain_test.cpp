@@ -6,21 +6,21 @@
 
 #include "workflow/focus/sar_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-const WindowFunction even = [](double) { return 1.0; };
+const signal::WindowFunction even = [](double) { return 1.0; };
 
 // 120 samples of a chirp of 800 ns in rows of 200.
-double delay_of_sample(const Plan& plan, double sample) {
+double delay_of_sample(const simulate::Plan& plan, double sample) {
   return plan.raw_grid.first_s + plan.pulse.lead_s + sample * plan.raw_grid.interval_s;
 }
 
 TEST(RecordedGain, IsOneForEchoesThatAreWhole) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
-    Scene scene = sar_scene(600.0, {}, 0.1);
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
+    scene::Scene scene = sar_scene(600.0, {}, 0.1);
     scene.simulations[0].pulse_position = position;
-    const Plan plan = make_plan(scene, 0);
+    const simulate::Plan plan = simulate::make_plan(scene, 0);
     const RecordedGain gain(plan, plan.columns, even);
     for (const double sample : {0.0, 17.3, 79.0}) {
       EXPECT_NEAR(gain.share(delay_of_sample(plan, sample)), 1.0, 1e-12) << sample;
@@ -31,7 +31,7 @@ TEST(RecordedGain, IsOneForEchoesThatAreWhole) {
 }
 
 TEST(RecordedGain, FallsOverTheLastPulseOfARawRowAndIsNoneOutside) {
-  const Plan plan = make_plan(sar_scene(600.0, {}, 0.1), 0);
+  const simulate::Plan plan = simulate::make_plan(sar_scene(600.0, {}, 0.1), 0);
   ASSERT_EQ(plan.columns, 200U);
   const RecordedGain gain(plan, plan.columns, even);
   // 60 of 120 samples are left from sample 140 on.
@@ -47,9 +47,9 @@ TEST(RecordedGain, FallsOverTheLastPulseOfARawRowAndIsNoneOutside) {
 }
 
 TEST(RecordedGain, OfCompressedRowsIsOneToTheirEnd) {
-  Scene scene = sar_scene(600.0, {}, 0.1);
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Plan plan = make_plan(scene, 0);
+  scene::Scene scene = sar_scene(600.0, {}, 0.1);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   const RecordedGain gain(plan, plan.columns, even);
   EXPECT_NEAR(gain.share(delay_of_sample(plan, 199.0)), 1.0, 1e-12);
   EXPECT_EQ(gain.share(delay_of_sample(plan, 200.0)), 0.0);
@@ -58,13 +58,13 @@ TEST(RecordedGain, OfCompressedRowsIsOneToTheirEnd) {
 }
 
 TEST(RecordedGain, IsTheMeanOfTheReceiversGainOverTheEcho) {
-  Scene scene = sar_scene(600.0, {}, 0.1);
-  scene.radars[0].stc = Radar::Stc::range_law;
-  const Plan plan = make_plan(scene, 0);
+  scene::Scene scene = sar_scene(600.0, {}, 0.1);
+  scene.radars[0].stc = scene::Radar::Stc::range_law;
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   ASSERT_FALSE(plan.stc_gain.empty());
   const RecordedGain gain(plan, plan.columns, even);
   // R^2 at the ranges of an echo's 120 samples, their mean: with s the spacing, R^2 + 119 R s + 119 239/6 s^2.
-  const double spacing_m = 0.5 * exact_light_speed_mps / 150e6;
+  const double spacing_m = 0.5 * core::exact_light_speed_mps / 150e6;
   const double range_m = 10098.0 + 10.0 * spacing_m;
   const double mean = range_m * range_m + 119.0 * range_m * spacing_m + 119.0 * 239.0 / 6.0 * spacing_m * spacing_m;
   EXPECT_NEAR(gain.gain(delay_of_sample(plan, 10.0)) / mean, 1.0, 1e-9);
@@ -72,4 +72,4 @@ TEST(RecordedGain, IsTheMeanOfTheReceiversGainOverTheEcho) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

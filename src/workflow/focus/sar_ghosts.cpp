@@ -12,7 +12,7 @@
 
 #include "workflow/focus/sar_looks.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -76,8 +76,8 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
 // The looks at a target that fold alike.
 struct Fold {
   Middle middle;
-  ImagePlace least{INFINITY, INFINITY};
-  ImagePlace most{-INFINITY, -INFINITY};
+  signal::ImagePlace least{INFINITY, INFINITY};
+  signal::ImagePlace most{-INFINITY, -INFINITY};
 };
 
 // Of the looks whose Doppler frequencies are kept.
@@ -94,7 +94,7 @@ void add_ghosts(const SarLooks& looks, std::size_t target, std::span<const SarLo
     const double folded_hz = seen[i].doppler_hz - folds * prf_hz;
     if (kept.width_hz > 0.0 && std::abs(folded_hz - kept.centroid_hz) > 0.5 * kept.width_hz) continue;
     Fold& fold = fold_of[folds];
-    const ImagePlace place = looks.place(seen[i], folded_hz);
+    const signal::ImagePlace place = looks.place(seen[i], folded_hz);
     fold.middle.add(static_cast<double>(i), seen[i].amplitude);
     fold.least = {std::min(fold.least.azimuth_m, place.azimuth_m), std::min(fold.least.range_m, place.range_m)};
     fold.most = {std::max(fold.most.azimuth_m, place.azimuth_m), std::max(fold.most.range_m, place.range_m)};
@@ -127,7 +127,7 @@ std::string target_list(const std::vector<std::size_t>& targets) {
   return text;
 }
 
-void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, Problems& problems) {
+void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, core::Problems& problems) {
   if (ghosts.empty()) return;
   std::vector<std::size_t> wrapped;
   double nearest_m = INFINITY;
@@ -139,8 +139,8 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
   }
-  problems.push_back(problem_of(
-      Severity::warning,
+  problems.push_back(core::problem_of(
+      core::Severity::warning,
       fmt::format(
           "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
           "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to {:.0f} "
@@ -150,26 +150,26 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
       {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 
-void remark_on_swath(const std::vector<SarTarget>& targets, Problems& problems) {
+void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& problems) {
   std::vector<std::size_t> outside;
   for (const SarTarget& target : targets)
     if (target.amplitude > 0.0 && !target.in_swath) outside.push_back(target.target);
   if (outside.empty()) return;
   problems.push_back(
-      problem_of(Severity::warning,
-                 fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
-                             "are weaker and wider, or missing",
-                             outside.size(), targets.size(), target_list(outside)),
-                 {}, {}, "record a wider window of ranges"));
+      core::problem_of(core::Severity::warning,
+                       fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
+                                   "are weaker and wider, or missing",
+                                   outside.size(), targets.size(), target_list(outside)),
+                       {}, {}, "record a wider window of ranges"));
 }
 
-void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& problems) {
+void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems& problems) {
   std::vector<std::size_t> cut;
   for (const SarTarget& target : targets)
     if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.push_back(target.target);
   if (cut.empty()) return;
-  problems.push_back(problem_of(
-      Severity::warning,
+  problems.push_back(core::problem_of(
+      core::Severity::warning,
       fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
                   "only the beginning of their echoes: their images are weaker, and wider in range",
                   cut.size(), targets.size(), target_list(cut)),
@@ -177,8 +177,9 @@ void remark_on_cut_echoes(const std::vector<SarTarget>& targets, Problems& probl
 }
 
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
-void remark_on_beam(const Plan& plan, const SarLooks& looks, const DopplerBand& kept, Problems& problems) {
-  if (plan.radar.transmit.kind != AntennaPattern::Kind::sinx) return;
+void remark_on_beam(const simulate::Plan& plan, const SarLooks& looks, const DopplerBand& kept,
+                    core::Problems& problems) {
+  if (plan.radar.transmit.kind != radar::AntennaPattern::Kind::sinx) return;
   const double wavelength_m =
       plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(plan.pulses.first);
   const double half_width = 0.5 * std::min(plan.radar.transmit.azimuth_beamwidth_rad, 3.1);
@@ -188,35 +189,36 @@ void remark_on_beam(const Plan& plan, const SarLooks& looks, const DopplerBand& 
   const double kept_hz = kept.width_hz > 0.0 ? std::min(kept.width_hz, prf_hz) : prf_hz;
   if (band_hz <= 2.0 * prf_hz - kept_hz) return;
   problems.push_back(
-      problem_of(Severity::note,
-                 fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
-                             "that the pulses sample: points off its middle may wrap around",
-                             band_hz, prf_hz),
-                 {}, {}, {}));
+      core::problem_of(core::Severity::note,
+                       fmt::format("the antenna's beam holds a Doppler band of {:.4g} Hz, more than the {:.4g} Hz "
+                                   "that the pulses sample: points off its middle may wrap around",
+                                   band_hz, prf_hz),
+                       {}, {}, {}));
 }
 
-void remark_on_sampling(const SarWaveform& waveform, Problems& problems) {
+void remark_on_sampling(const signal::SarWaveform& waveform, core::Problems& problems) {
   const double ratio = waveform.sample_rate_hz / std::abs(waveform.bandwidth_hz);
   if (ratio < 1.0 || ratio >= 1.1) return;
   problems.push_back(
-      problem_of(Severity::warning,
-                 fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "
-                             "leaves errors of some per cent",
-                             ratio),
-                 {}, {}, "sample at 1.2 times the bandwidth or more"));
+      core::problem_of(core::Severity::warning,
+                       fmt::format("the sampling rate is only {:.3f} times the bandwidth: interpolation in range "
+                                   "leaves errors of some per cent",
+                                   ratio),
+                       {}, {}, "sample at 1.2 times the bandwidth or more"));
 }
 
 }  // namespace
 
-std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes, const WorkControl& control) {
+std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                   const core::WorkControl& control) {
   const SarLooks looks(plan, echoes);
   std::vector<SarTarget> targets(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) { targets[t] = target_of(looks, t, seen); });
   return targets;
 }
 
-std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
-                                 const WorkControl& control) {
+std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
+                                 const core::WorkControl& control) {
   const SarLooks looks(plan, echoes);
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
   looks.each(control,
@@ -224,9 +226,10 @@ std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const
   return in_order(ghosts_of);
 }
 
-Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept, const WorkControl& control) {
+core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
+                              const core::WorkControl& control) {
   constexpr std::size_t most_targets = 4096;
-  Problems problems;
+  core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
   if (plan.scene->scatterers.size() > most_targets) return problems;
   const SarLooks looks(plan, echoes);
@@ -243,4 +246,4 @@ Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerB
   return problems;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -6,7 +6,7 @@
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// The Doppler frequencies that focusing keeps.
 struct DopplerBand {
@@ -17,9 +17,9 @@ struct DopplerBand {
 /// A false image of a target: what of its echoes has Doppler frequencies beyond half the pulse repetition frequency
 /// from the centroid is taken for another frequency, and focused elsewhere.
 struct SarGhost {
-  std::size_t target = 0;  ///< Position in the scene's list, from 0.
-  int folds = 0;           ///< Whole pulse repetition frequencies that its Doppler frequencies lie too high.
-  ImagePlace place{};      ///< Its middle.
+  std::size_t target = 0;      ///< Position in the scene's list, from 0.
+  int folds = 0;               ///< Whole pulse repetition frequencies that its Doppler frequencies lie too high.
+  signal::ImagePlace place{};  ///< Its middle.
   double azimuth_m =
       0.0;  ///< Over which it is smeared, since neither its curve nor its Doppler rate is the one assumed.
   double range_m = 0.0;
@@ -29,7 +29,7 @@ struct SarGhost {
 /// Where a target's image is to be found and what it looks like.
 struct SarTarget {
   std::size_t target = 0;
-  ImagePlace place;                ///< From distance and Doppler: a moving target R u/v beside where it is.
+  signal::ImagePlace place;        ///< From distance and Doppler: a moving target R u/v beside where it is.
   double amplitude = 0.0;          ///< Mean of its whole echoes over all pulses, volts.
   double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
   double highest_doppler_hz = 0.0;
@@ -43,20 +43,20 @@ struct SarTarget {
 /// All targets, as the geometry has them.
 /// @param echoes  their waveform, track and window; no rows are read
 /// @throw  Interrupted
-[[nodiscard]] std::vector<SarTarget> sar_targets(const Plan& plan, const EchoRows& echoes,
-                                                 const WorkControl& control = {});
+[[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                                 const core::WorkControl& control = {});
 
 /// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
 /// less is kept than the pulses sample, only what folds into it is there.
 /// @throw  Interrupted
-[[nodiscard]] std::vector<SarGhost> sar_ghosts(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
-                                               const WorkControl& control = {});
+[[nodiscard]] std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                               const DopplerBand& kept, const core::WorkControl& control = {});
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
 /// the pulses sample, ranges sampled more coarsely than the band allows. Of more than 4096 targets nothing is said.
 /// @throw  Interrupted
-[[nodiscard]] Problems remarks_on_sar(const Plan& plan, const EchoRows& echoes, const DopplerBand& kept,
-                                      const WorkControl& control = {});
+[[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                            const DopplerBand& kept, const core::WorkControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -6,13 +6,13 @@
 
 #include "workflow/focus/sar_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
 TEST(SarTargets, AreWhereAndAsStrongAsTheImageShowsThem) {
   const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}}));
   const SarTarget target = sar_targets(*plan, rows).at(0);
-  const PointResponse response = focused_point(rows, target.place);
+  const signal::PointResponse response = focused_point(rows, target.place);
   EXPECT_NEAR(response.place.azimuth_m, target.place.azimuth_m, 0.015);
   EXPECT_NEAR(response.place.range_m, target.place.range_m, 0.03);
   EXPECT_NEAR(response.amplitude, target.amplitude, 0.01 * target.amplitude);
@@ -20,14 +20,14 @@ TEST(SarTargets, AreWhereAndAsStrongAsTheImageShowsThem) {
 }
 
 TEST(SarTargets, AreDisplacedWhereTheyMove) {
-  Scene scene = sar_scene(600.0, {});
-  scene.platforms.push_back(moving("Car", {0.0, 10.0, 0.0}, {2.0, 0.0, 0.0}));
-  scene.targets.push_back(target_on("Car", {}));
+  scene::Scene scene = sar_scene(600.0, {});
+  scene.platforms.push_back(simulate::moving("Car", {0.0, 10.0, 0.0}, {2.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Car", {}));
   const auto [plan, rows] = sar_recording(scene);
   const SarTarget target = sar_targets(*plan, rows).at(0);
   const double recession = 2.0 * 10000.0 / std::hypot(10000.0, 2000.0);
   EXPECT_NEAR(target.place.azimuth_m, 10.0 - std::hypot(10000.0, 2000.0) * recession / 200.0, 0.5);
-  const PointResponse response = focused_point(rows, target.place);
+  const signal::PointResponse response = focused_point(rows, target.place);
   EXPECT_NEAR(response.place.azimuth_m, target.place.azimuth_m, 0.1);
 }
 
@@ -44,7 +44,7 @@ TEST(SarGhosts, AreNoneWhereThePulsesSampleEverything) {
 }
 
 // Of an image, within some distance of a place.
-double energy(const FocusedImage& image, const ImagePlace& place, double azimuth_m, double range_m) {
+double energy(const signal::FocusedImage& image, const signal::ImagePlace& place, double azimuth_m, double range_m) {
   double sum = 0.0;
   for (std::size_t r = 0; r < image.azimuth.count; ++r)
     for (std::size_t c = 0; c < image.range.count; ++c) {
@@ -63,18 +63,19 @@ TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
   EXPECT_EQ(ghosts[0].folds, 1);
   EXPECT_NEAR(ghosts[0].place.azimuth_m, 205.0 - 300.0 * 0.056565 * 10198.0 / 400.0, 1.0);
   const SarTarget target = sar_targets(*plan, rows).at(0);
-  const SarEchoes echoes = sar_echoes(rows, {.threads = 2});
-  const FocusedImage image = focus(echoes, {.method = FocusMethod::chirp_scaling}, {.threads = 2});
+  const signal::SarEchoes echoes = signal::sar_echoes(rows, {.threads = 2});
+  const signal::FocusedImage image =
+      signal::focus(echoes, {.method = signal::FocusMethod::chirp_scaling}, {.threads = 2});
   ASSERT_LT(image.azimuth.first_m, ghosts[0].place.azimuth_m);
   const double ghost = energy(image, ghosts[0].place, 0.5 * ghosts[0].azimuth_m + 8.0, 0.5 * ghosts[0].range_m + 8.0);
   const double truth = energy(image, target.place, 12.0, 12.0);
   EXPECT_NEAR(ghost / (ghost + truth), ghosts[0].share, 0.03);
 }
 
-std::string remarks(const Scene& scene, const DopplerBand& kept = {}) {
+std::string remarks(const scene::Scene& scene, const DopplerBand& kept = {}) {
   const auto [plan, rows] = sar_recording(scene);
   std::string text;
-  for (const Problem& problem : remarks_on_sar(*plan, rows, kept)) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : remarks_on_sar(*plan, rows, kept)) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -87,10 +88,10 @@ TEST(RemarksOnSar, NameTheTargetsThatWrapAround) {
 }
 
 TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
-  Scene scene = sar_scene(300.0, {{}, {400.0, 0.0, 0.0}}, 0.1);
-  scene.radars[0].transmit_antenna.pattern = Antenna::Pattern::sinx;
-  scene.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(30.0);
-  scene.radars[0].beam_azimuth = Angle::from_deg(90.0);
+  scene::Scene scene = sar_scene(300.0, {{}, {400.0, 0.0, 0.0}}, 0.1);
+  scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(30.0);
+  scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0);
   const std::string text = remarks(scene);
   EXPECT_NE(text.find("1 of 2 targets (2) leave the recorded ranges"), std::string::npos) << text;
   EXPECT_NE(text.find("Doppler band of 3661 Hz"), std::string::npos) << text;
@@ -98,7 +99,7 @@ TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
 
 TEST(RemarksOnSar, AreSilencedByABandIntoWhichNothingFolds) {
   // From 50 to 250 m behind it: 35 to 173 Hz, of which 300 pulses a second fold those above 150 Hz to -150 ... -127 Hz.
-  const Scene scene = sar_scene(300.0, {{0.0, 150.0, 0.0}}, 0.5);
+  const scene::Scene scene = sar_scene(300.0, {{0.0, 150.0, 0.0}}, 0.5);
   EXPECT_NE(remarks(scene), "");
   EXPECT_NE(remarks(scene, {.width_hz = 280.0}), "");
   EXPECT_EQ(remarks(scene, {.width_hz = 240.0}), "");
@@ -106,14 +107,14 @@ TEST(RemarksOnSar, AreSilencedByABandIntoWhichNothingFolds) {
 
 TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   // 40 m before the end of the window, of which the last 120 m can be compressed in part alone.
-  const Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
+  const scene::Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
   const auto plan = shared_plan(scene);
-  const EchoRows recorded = sar_rows_of_recording(plan, [](std::size_t, std::span<std::complex<double>>) {});
+  const signal::EchoRows recorded = sar_rows_of_recording(plan, [](std::size_t, std::span<std::complex<double>>) {});
   const std::vector<SarTarget> targets = sar_targets(*plan, recorded);
   EXPECT_TRUE(targets[0].in_swath);
   EXPECT_FALSE(targets[0].whole);
   EXPECT_TRUE(targets[1].whole);
-  const Problems problems = remarks_on_sar(*plan, recorded, {});
+  const core::Problems problems = remarks_on_sar(*plan, recorded, {});
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
       << problems[0].message;
@@ -121,7 +122,7 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
 }
 
 TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
-  std::vector<Vec3> points;
+  std::vector<core::Vec3> points;
   for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 4.0 * i, 0.0});
   const auto [plan, rows] = sar_recording(sar_scene(300.0, points, 0.3));
   const std::vector<SarTarget> one = sar_targets(*plan, rows, {.threads = 1});
@@ -141,11 +142,11 @@ TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
 
 TEST(SarTargets, EndWhenAskedTo) {
   const auto [plan, rows] = sar_recording(sar_scene(300.0, {{}}, 0.3));
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), Interrupted);
-  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, {.threads = 2, .stop = &stop}), Interrupted);
+  EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), core::Interrupted);
+  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, {.threads = 2, .stop = &stop}), core::Interrupted);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

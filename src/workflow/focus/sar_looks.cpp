@@ -6,7 +6,7 @@
 
 #include "simulate/survey/derived.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -25,16 +25,16 @@ std::size_t step_of(std::size_t pulses, std::size_t targets) {
 // many targets.
 std::size_t targets_at_once(std::size_t platforms) { return std::clamp<std::size_t>(platforms, 8, 128); }
 
-double peak_gain_of(const Plan& plan) {
-  const bool keeps_peak = plan.scene->conventions.compression == Conventions::Compression::keeps_peak;
-  return keeps_peak ? 1.0 : processing_gain(plan);
+double peak_gain_of(const simulate::Plan& plan) {
+  const bool keeps_peak = plan.scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
+  return keeps_peak ? 1.0 : simulate::processing_gain(plan);
 }
 
 }  // namespace
 
-SarLooks::SarLooks(const Plan& plan, const EchoRows& echoes, const WindowFunction& weight)
+SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight)
     : plan_(plan),
-      track_(fit_straight(echoes.track)),
+      track_(signal::fit_straight(echoes.track)),
       gain_(
           plan, echoes.samples, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
@@ -42,28 +42,28 @@ SarLooks::SarLooks(const Plan& plan, const EchoRows& echoes, const WindowFunctio
       step_(step_of(echoes.track.size(), plan.scene->scatterers.size())),
       compensated_(echoes.compensated) {}
 
-void SarLooks::each(const WorkControl& control,
+void SarLooks::each(const core::WorkControl& control,
                     const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const {
   const std::size_t looks = count();
-  parallel_ranges(targets(), targets_at_once(plan_.scene->platforms.size()), control,
-                  [&](std::size_t begin, std::size_t end) {
-                    std::vector<SarLook> seen((end - begin) * looks);
-                    PulseGeometry geometry(*plan_.scene, plan_.radar);
-                    for (std::size_t i = 0; i < looks; ++i) {
-                      geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
-                      const Pointing pointing = geometry.pointing();
-                      for (std::size_t t = begin; t < end; ++t)
-                        seen[(t - begin) * looks + i] = look_at(t, pulse(i), geometry, pointing);
-                    }
-                    for (std::size_t t = begin; t < end; ++t)
-                      body(t, std::span<const SarLook>(seen).subspan((t - begin) * looks, looks));
-                  });
+  core::parallel_ranges(targets(), targets_at_once(plan_.scene->platforms.size()), control,
+                        [&](std::size_t begin, std::size_t end) {
+                          std::vector<SarLook> seen((end - begin) * looks);
+                          simulate::PulseGeometry geometry(*plan_.scene, plan_.radar);
+                          for (std::size_t i = 0; i < looks; ++i) {
+                            geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
+                            const radar::Pointing pointing = geometry.pointing();
+                            for (std::size_t t = begin; t < end; ++t)
+                              seen[(t - begin) * looks + i] = look_at(t, pulse(i), geometry, pointing);
+                          }
+                          for (std::size_t t = begin; t < end; ++t)
+                            body(t, std::span<const SarLook>(seen).subspan((t - begin) * looks, looks));
+                        });
 }
 
-SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const PulseGeometry& geometry,
-                          const Pointing& pointing) const {
+SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate::PulseGeometry& geometry,
+                          const radar::Pointing& pointing) const {
   const double per_speed = 2.0 * geometry.carrier_hz() / plan_.scene->conventions.light_speed_mps;
-  const ScattererView view = geometry.view(target, pointing);
+  const simulate::ScattererView view = geometry.view(target, pointing);
   const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
                      .distance_m = view.distance_m,
                      .doppler_hz = -per_speed * view.speed_mps,
@@ -71,28 +71,29 @@ SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const PulseGeom
                      .amplitude = std::abs(view.amplitude_sqrt_w * gain_.gain(view.delay_s)) * peak_gain_,
                      .share = gain_.share(view.delay_s)};
   if (!compensated_) return look;
-  const Scatterer& scatterer = plan_.scene->scatterers[target];
+  const simulate::Scatterer& scatterer = plan_.scene->scatterers[target];
   return from_line(look, geometry.radar_pose(), geometry.pose(scatterer.platform), scatterer.position_m);
 }
 
-SarLook SarLooks::from_line(SarLook look, const Pose& radar, const Pose& platform, const Vec3& point_m) const {
-  const double along_m = dot(radar.position_world_m - track_.origin_m, track_.along);
-  const Vec3 sight_m = world_position_m(platform, point_m) - (track_.origin_m + along_m * track_.along);
-  const Vec3 velocity_mps = world_velocity_mps(platform, point_m) - track_.speed_mps * track_.along;
+SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar::Pose& platform,
+                            const core::Vec3& point_m) const {
+  const double along_m = core::dot(radar.position_world_m - track_.origin_m, track_.along);
+  const core::Vec3 sight_m = radar::world_position_m(platform, point_m) - (track_.origin_m + along_m * track_.along);
+  const core::Vec3 velocity_mps = radar::world_velocity_mps(platform, point_m) - track_.speed_mps * track_.along;
   const double light_speed = plan_.scene->conventions.light_speed_mps;
   look.time_s = along_m / track_.speed_mps;
-  look.distance_m = norm(sight_m);
+  look.distance_m = core::norm(sight_m);
   look.doppler_hz = -2.0 * plan_.radar.carrier.carrier_hz(plan_.pulses.first) / light_speed *
-                    dot(sight_m, velocity_mps) / look.distance_m;
+                    core::dot(sight_m, velocity_mps) / look.distance_m;
   look.delay_s = 2.0 * look.distance_m / light_speed;
   return look;
 }
 
-ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
+signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
   const double light_speed = plan_.scene->conventions.light_speed_mps;
   const double per_hz = light_speed / plan_.radar.carrier.carrier_hz(plan_.pulses.first) / (2.0 * track_.speed_mps);
   const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -10,7 +10,7 @@
 #include "simulate/plan/plan.hpp"
 #include "workflow/focus/recorded_gain.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// One pulse's sight of one target, as focusing takes it: from where the antenna was, or, where its motion is
 /// compensated, from the nearest point of the straight line.
@@ -30,30 +30,31 @@ class SarLooks {
   /// Keeps a reference to the plan.
   /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
   /// @param weight  of the compressing filter over the pulse; even where there is none
-  SarLooks(const Plan& plan, const EchoRows& echoes, const WindowFunction& weight = {});
+  SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {});
 
   [[nodiscard]] std::size_t targets() const { return plan_.scene->scatterers.size(); }
   /// Looks at each target.
   [[nodiscard]] std::size_t count() const { return (pulses_ + step_ - 1) / step_; }
-  [[nodiscard]] const StraightTrack& track() const { return track_; }
+  [[nodiscard]] const signal::StraightTrack& track() const { return track_; }
   /// Pulse of the echoes that look number i is at.
   [[nodiscard]] std::size_t pulse(std::size_t i) const { return i * step_; }
 
   /// Calls `body` with each target, counted from 0, and `count()` looks at it, from many threads at once.
   /// @throw  Interrupted
-  void each(const WorkControl& control,
+  void each(const core::WorkControl& control,
             const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const;
 
   /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
-  [[nodiscard]] ImagePlace place(const SarLook& look, double doppler_hz) const;
+  [[nodiscard]] signal::ImagePlace place(const SarLook& look, double doppler_hz) const;
 
  private:
-  [[nodiscard]] SarLook look_at(std::size_t target, std::size_t pulse, const PulseGeometry& geometry,
-                                const Pointing& pointing) const;
-  [[nodiscard]] SarLook from_line(SarLook look, const Pose& radar, const Pose& platform, const Vec3& point_m) const;
+  [[nodiscard]] SarLook look_at(std::size_t target, std::size_t pulse, const simulate::PulseGeometry& geometry,
+                                const radar::Pointing& pointing) const;
+  [[nodiscard]] SarLook from_line(SarLook look, const radar::Pose& radar, const radar::Pose& platform,
+                                  const core::Vec3& point_m) const;
 
-  const Plan& plan_;
-  StraightTrack track_;
+  const simulate::Plan& plan_;
+  signal::StraightTrack track_;
   RecordedGain gain_;
   double peak_gain_ = 1.0;
   std::size_t pulses_ = 0;
@@ -61,4 +62,4 @@ class SarLooks {
   bool compensated_ = false;
 };
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -10,29 +10,29 @@
 #include "simulate/plan/row_space.hpp"
 #include "simulate/run/sampled_views.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
 // What makes the rows of a scene; one for each thread.
 struct SceneWorker {
-  explicit SceneWorker(const Plan& plan) : maker(plan) {}
-  RowMaker maker;
-  RowSpace space;
+  explicit SceneWorker(const simulate::Plan& plan) : maker(plan) {}
+  simulate::RowMaker maker;
+  simulate::RowSpace space;
 };
 
 // The filter without a window: focusing has its own.
-std::shared_ptr<const RangeCompressor> plain_compressor(const Plan& plan, std::size_t samples) {
-  const WindowFunction even = [](double) { return 1.0; };
-  return compressor_of(plan, even, plan.columns, samples);
+std::shared_ptr<const signal::RangeCompressor> plain_compressor(const simulate::Plan& plan, std::size_t samples) {
+  const signal::WindowFunction even = [](double) { return 1.0; };
+  return simulate::compressor_of(plan, even, plan.columns, samples);
 }
 
 // All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
-EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
-  EchoRows rows;
-  const bool chirp = plan.radar.pulse.kind == Pulse::Kind::chirp;
+signal::EchoRows rows_without_reader(const simulate::Plan& plan, std::size_t samples) {
+  signal::EchoRows rows;
+  const bool chirp = plan.radar.pulse.kind == radar::Pulse::Kind::chirp;
   rows.waveform = {.carrier_hz = plan.radar.carrier.carrier_hz(plan.pulses.first),
-                   .bandwidth_hz = chirp ? plan.radar.pulse.sweep_hz : bandwidth_hz(plan.radar.pulse),
+                   .bandwidth_hz = chirp ? plan.radar.pulse.sweep_hz : radar::bandwidth_hz(plan.radar.pulse),
                    .pulse_width_s = chirp ? plan.radar.pulse.width_s : 0.0,
                    .sample_rate_hz = 1.0 / plan.raw_grid.interval_s,
                    .light_speed_mps = plan.scene->conventions.light_speed_mps};
@@ -44,47 +44,47 @@ EchoRows rows_without_reader(const Plan& plan, std::size_t samples) {
 
 }  // namespace
 
-Problems problems_of_sar(const Plan& plan, bool recorded) {
-  Problems problems;
-  if (recorded && plan.simulation.processing == Processing::srp)
-    problems.push_back(problem_of(Severity::error, "synthetic range profiles cannot be focused", "SRP",
-                                  "RAW or MF processing", "focus a recording of chirps"));
+core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
+  core::Problems problems;
+  if (recorded && plan.simulation.processing == scene::Processing::srp)
+    problems.push_back(core::problem_of(core::Severity::error, "synthetic range profiles cannot be focused", "SRP",
+                                        "RAW or MF processing", "focus a recording of chirps"));
   if (plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
-    problems.push_back(
-        problem_of(Severity::error, "the carrier changes from pulse to pulse",
-                   fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
-                   "one carrier", "use CARRIER SINGLE"));
+    problems.push_back(core::problem_of(
+        core::Severity::error, "the carrier changes from pulse to pulse",
+        fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
+        "one carrier", "use CARRIER SINGLE"));
   if (plan.pulses.count() < 2)
-    problems.push_back(problem_of(Severity::error, "too few pulses to focus", fmt::format("{}", plan.pulses.count()),
-                                  "at least 2", "record for longer"));
-  const bool compressed = recorded && plan.simulation.processing == Processing::matched_filter;
+    problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
+                                        fmt::format("{}", plan.pulses.count()), "at least 2", "record for longer"));
+  const bool compressed = recorded && plan.simulation.processing == scene::Processing::matched_filter;
   const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
   if (!even)
-    problems.push_back(problem_of(Severity::error,
-                                  "the classic profile repeats or leaves out samples of this compressed recording", "",
-                                  "", "focus raw data, or use the physical profile"));
+    problems.push_back(core::problem_of(
+        core::Severity::error, "the classic profile repeats or leaves out samples of this compressed recording", "", "",
+        "focus raw data, or use the physical profile"));
   if (plan.scene->platforms[plan.radar.platform].track.fixed())
-    problems.push_back(problem_of(Severity::error, "the antenna does not move",
-                                  plan.scene->platforms[plan.radar.platform].name,
-                                  "a platform that follows a trajectory", "put the radar on one"));
+    problems.push_back(core::problem_of(core::Severity::error, "the antenna does not move",
+                                        plan.scene->platforms[plan.radar.platform].name,
+                                        "a platform that follows a trajectory", "put the radar on one"));
   return problems;
 }
 
-std::vector<TrackPoint> track_of(const Plan& plan) {
-  PulseGeometry geometry(*plan.scene, plan.radar);
-  std::vector<TrackPoint> track;
+std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan) {
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  std::vector<signal::TrackPoint> track;
   track.reserve(static_cast<std::size_t>(plan.pulses.count()));
   for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse) {
     geometry.set_pulse(pulse);
-    const Pose& pose = geometry.radar_pose();
+    const radar::Pose& pose = geometry.radar_pose();
     track.push_back({geometry.send_time_s(), pose.position_world_m, pose.velocity_world_mps});
   }
   return track;
 }
 
-Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
-  Simulation recorded = simulation;
-  recorded.processing = Processing::raw;
+scene::Simulation recorded_for_sar(const scene::Simulation& simulation, const simulate::Plan& plan) {
+  scene::Simulation recorded = simulation;
+  recorded.processing = scene::Processing::raw;
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
   const double more = std::ceil(last_s / interval_s) + 1.0;
@@ -95,10 +95,11 @@ Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan) {
   return recorded;
 }
 
-EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples) {
-  EchoRows rows = rows_without_reader(*plan, samples);
+signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, std::size_t samples) {
+  signal::EchoRows rows = rows_without_reader(*plan, samples);
   const auto compressor = plain_compressor(*plan, samples);
-  const auto pool = std::make_shared<WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
+  const auto pool =
+      std::make_shared<core::WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
   rows.read = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.space.raw.resize(plan->columns);
@@ -109,47 +110,48 @@ EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples
   return rows;
 }
 
-EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
-  EchoRows rows = rows_without_reader(*plan, plan->columns);
-  const bool raw = plan->simulation.processing == Processing::raw;
+signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
+  signal::EchoRows rows = rows_without_reader(*plan, plan->columns);
+  const bool raw = plan->simulation.processing == scene::Processing::raw;
   const auto compressor = raw ? plain_compressor(*plan, plan->columns) : nullptr;
-  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
+  const auto pool =
+      std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
   rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
-    pool->lend([&](RowSpace& space) {
+    pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
       read(pulse, space.raw);
-      compressor ? space.compress(*compressor, out) : to_float(space.raw, out);
+      compressor ? space.compress(*compressor, out) : simulate::to_float(space.raw, out);
     });
   };
   return rows;
 }
 
-Vec3 scene_middle_m(const Plan& plan) {
-  PulseGeometry geometry(*plan.scene, plan.radar);
+core::Vec3 scene_middle_m(const simulate::Plan& plan) {
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
-  const Pose& radar = geometry.radar_pose();
-  Vec3 sum;
-  for (const Scatterer& target : plan.scene->scatterers)
-    sum = sum + world_position_m(geometry.pose(target.platform), target.position_m);
+  const radar::Pose& radar = geometry.radar_pose();
+  core::Vec3 sum;
+  for (const simulate::Scatterer& target : plan.scene->scatterers)
+    sum = sum + radar::world_position_m(geometry.pose(target.platform), target.position_m);
   const auto count = static_cast<double>(plan.scene->scatterers.size());
-  const Vec3 to_targets = count > 0.0 ? (1.0 / count) * sum - radar.position_world_m : Vec3{};
-  if (norm(cross(to_targets, radar.velocity_world_mps)) > 1e-6 * norm(radar.velocity_world_mps))
+  const core::Vec3 to_targets = count > 0.0 ? (1.0 / count) * sum - radar.position_world_m : core::Vec3{};
+  if (core::norm(core::cross(to_targets, radar.velocity_world_mps)) > 1e-6 * core::norm(radar.velocity_world_mps))
     return radar.position_world_m + to_targets;
   const double range_m = 0.5 * (plan.column_range_m.front() + plan.column_range_m.back());
   return radar.position_world_m + range_m * geometry.pointing().axis_world();
 }
 
-double geometric_doppler_centroid_hz(const Plan& plan) {
+double geometric_doppler_centroid_hz(const simulate::Plan& plan) {
   constexpr std::int64_t looks = 65;
   constexpr std::size_t most_echoes = 4096;
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   const std::int64_t pulses = plan.pulses.count();
   double power = 0.0;
   double sum = 0.0;
   for (std::int64_t look = 0; look < std::min(looks, pulses); ++look) {
     geometry.set_pulse(plan.pulses.first +
                        look * (pulses - 1) / std::max<std::int64_t>(std::min(looks, pulses) - 1, 1));
-    each_sampled_view(*plan.scene, geometry, most_echoes, [&](const ScattererView& view) {
+    simulate::each_sampled_view(*plan.scene, geometry, most_echoes, [&](const simulate::ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum -= weight * view.speed_mps;
@@ -158,11 +160,11 @@ double geometric_doppler_centroid_hz(const Plan& plan) {
   const double per_speed =
       2.0 * plan.radar.carrier.carrier_hz(plan.pulses.first) / plan.scene->conventions.light_speed_mps;
   if (power > 0.0) return per_speed * sum / power;
-  const bool isotropic = plan.radar.transmit.kind == AntennaPattern::Kind::isotropic &&
-                         plan.radar.receive.kind == AntennaPattern::Kind::isotropic;
+  const bool isotropic = plan.radar.transmit.kind == radar::AntennaPattern::Kind::isotropic &&
+                         plan.radar.receive.kind == radar::AntennaPattern::Kind::isotropic;
   if (isotropic) return 0.0;
   geometry.set_pulse(plan.pulses.first + pulses / 2);
-  return per_speed * dot(geometry.radar_pose().velocity_world_mps, geometry.pointing().axis_world());
+  return per_speed * core::dot(geometry.radar_pose().velocity_world_mps, geometry.pointing().axis_world());
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

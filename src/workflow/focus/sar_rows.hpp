@@ -11,7 +11,7 @@
 #include "simulate/plan/plan.hpp"
 
 /// From simulations and their recordings to what focusing begins with.
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// Copies a row of a recording, in volts or in counts; called from many threads at once.
 using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<double>> out)>;
@@ -20,33 +20,33 @@ using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<
 /// pulse, fewer than two pulses, a radar that rests; of recordings also synthetic range profiles and samples that the
 /// classic profile places unevenly.
 /// @param recorded  a file holds the echoes; otherwise they are simulated as focusing wants them
-[[nodiscard]] Problems problems_of_sar(const Plan& plan, bool recorded);
+[[nodiscard]] core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded);
 
 /// Where the radar's antenna was when each pulse of a plan left it.
-[[nodiscard]] std::vector<TrackPoint> track_of(const Plan& plan);
+[[nodiscard]] std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan);
 
 /// The simulation as focusing wants it recorded: raw, longer by a pulse, so that echoes at the window's end can be
 /// compressed too, and for CENTRE half a pulse earlier, so that compressed samples begin where the script's window does
 /// and the receiver's noise is that of a compressed recording. Its windows and its output format do not matter any
 /// more.
-[[nodiscard]] Simulation recorded_for_sar(const Simulation& simulation, const Plan& plan);
+[[nodiscard]] scene::Simulation recorded_for_sar(const scene::Simulation& simulation, const simulate::Plan& plan);
 
 /// Compressed echoes of a scene, computed when they are asked for. `plan` is of a simulation made by
 /// `recorded_for_sar`; its echoes are compressed by the matched filter of the physical profile, without a window
 /// (docs/theory/compression.md).
 /// @param samples  of a compressed row: those of the script's window, from its start on
-[[nodiscard]] EchoRows sar_rows_of_scene(std::shared_ptr<const Plan> plan, std::size_t samples);
+[[nodiscard]] signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, std::size_t samples);
 
 /// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
 /// they are. Rows must be like those that the plan makes.
-[[nodiscard]] EchoRows sar_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read);
+[[nodiscard]] signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read);
 
 /// A point in the middle of what is mapped, world: the mean of the targets at the middle of the recording; where there
 /// are none, or they lie on the flight's line, the point of the beam's axis in the middle of the recorded ranges.
-[[nodiscard]] Vec3 scene_middle_m(const Plan& plan);
+[[nodiscard]] core::Vec3 scene_middle_m(const simulate::Plan& plan);
 
 /// Doppler centroid as geometry has it: that of the echoes' power, over targets, surfaces and some pulses of the
 /// recording; where there are no echoes, that of the beam's axis at its middle, 0 for an antenna that has none.
-[[nodiscard]] double geometric_doppler_centroid_hz(const Plan& plan);
+[[nodiscard]] double geometric_doppler_centroid_hz(const simulate::Plan& plan);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

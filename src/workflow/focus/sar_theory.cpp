@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -22,11 +22,11 @@ enum class Domain {
 // The part that each look has in the image of its target.
 class LookWeights {
  public:
-  LookWeights(const SarLooks& looks, const FocusOptions& options, std::size_t pulses, Domain domain)
+  LookWeights(const SarLooks& looks, const signal::FocusOptions& options, std::size_t pulses, Domain domain)
       : looks_(looks),
         options_(options),
         pulses_(static_cast<double>(pulses)),
-        weight_(weight_of(options.azimuth_window)),
+        weight_(signal::weight_of(options.azimuth_window)),
         domain_(domain) {}
 
   [[nodiscard]] Domain domain() const { return domain_; }
@@ -61,7 +61,7 @@ class LookWeights {
   }
 
   const SarLooks& looks_;
-  const FocusOptions& options_;
+  const signal::FocusOptions& options_;
   double pulses_;
   std::function<double(double)> weight_;
   Domain domain_;
@@ -72,7 +72,7 @@ struct Tone {
   double amplitude = 0.0;
 };
 
-std::optional<ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) {
+std::optional<signal::ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) {
   constexpr double steps_per_cell = 48.0;
   constexpr std::ptrdiff_t half = 1200;  // 25 cells
   if (tones.empty()) return std::nullopt;
@@ -82,14 +82,14 @@ std::optional<ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) 
   std::vector<std::complex<double>> response(2 * half + 1);
   for (const Tone& tone : tones) {
     const double cycles = (tone.per_m - low.per_m) * step_m;
-    std::complex<double> term = std::polar(tone.amplitude, -2.0 * pi * cycles * static_cast<double>(half));
-    const std::complex<double> turn = std::polar(1.0, 2.0 * pi * cycles);
+    std::complex<double> term = std::polar(tone.amplitude, -2.0 * core::pi * cycles * static_cast<double>(half));
+    const std::complex<double> turn = std::polar(1.0, 2.0 * core::pi * cycles);
     for (std::complex<double>& value : response) {
       value += term;
       term *= turn;
     }
   }
-  auto figures = figures_of(response, half);
+  auto figures = signal::figures_of(response, half);
   if (!figures) return std::nullopt;
   figures->width *= step_m;
   figures->null *= step_m;
@@ -97,14 +97,14 @@ std::optional<ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) 
 }
 
 // Sine of the angle by which the beam's middle looks ahead.
-double centroid_sine(const SarLooks& looks, const FocusOptions& options, const SarWaveform& waveform) {
+double centroid_sine(const SarLooks& looks, const signal::FocusOptions& options, const signal::SarWaveform& waveform) {
   return 0.5 * waveform.light_speed_mps / waveform.carrier_hz * options.doppler_centroid_hz / looks.track().speed_mps;
 }
 
 // Sum of the weights that focusing divides by: over the pulses that it uses; in the frequency domain, over those that
 // sweep the whole of a band, flown or not.
-double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const FocusOptions& options,
-                      const SarWaveform& waveform, std::span<const SarLook> seen, double range_m) {
+double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const signal::FocusOptions& options,
+                      const signal::SarWaveform& waveform, std::span<const SarLook> seen, double range_m) {
   if (options.doppler_bandwidth_hz <= 0.0 || weights.domain() == Domain::time) {
     double sum = 0.0;
     for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen);
@@ -115,24 +115,24 @@ double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const F
   const double sine = centroid_sine(looks, options, waveform);
   const double rate_hzps = 2.0 * speed * speed * std::pow(1.0 - sine * sine, 1.5) / (wavelength_m * range_m);
   const double interval_s = looks.track().interval_s * static_cast<double>(looks.pulse(1));
-  return mean_weight(options.azimuth_window) * options.doppler_bandwidth_hz / (rate_hzps * interval_s);
+  return signal::mean_weight(options.azimuth_window) * options.doppler_bandwidth_hz / (rate_hzps * interval_s);
 }
 
 // The azimuth cut of a squinted response runs across the line of sight, on which it is narrower than along the track.
-void cut_across_sight(std::optional<ResponseFigures>& figures, double sine) {
+void cut_across_sight(std::optional<signal::ResponseFigures>& figures, double sine) {
   if (!figures || !(std::abs(sine) > 0.01)) return;  // signal/measure/image_quality.cpp cuts along the axes up to there
   const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
   figures->width *= cosine;
   figures->null *= cosine;
 }
 
-bool is_plain_chirp(const Pulse& pulse) {
-  return pulse.kind == Pulse::Kind::chirp && pulse.envelope == Pulse::Envelope::rectangular;
+bool is_plain_chirp(const radar::Pulse& pulse) {
+  return pulse.kind == radar::Pulse::Kind::chirp && pulse.envelope == radar::Pulse::Envelope::rectangular;
 }
 
 // Of the radar, over the pulse, where it is in compressed data; nothing for an even one.
-WindowFunction recorded_window(const Plan& plan) {
-  if (plan.simulation.processing != Processing::matched_filter) return {};
+signal::WindowFunction recorded_window(const simulate::Plan& plan) {
+  if (plan.simulation.processing != scene::Processing::matched_filter) return {};
   constexpr int points = 64;
   for (int i = 0; i <= points; ++i)
     if (plan.radar.window(static_cast<double>(i) / points) != 1.0) return plan.radar.window;
@@ -140,28 +140,29 @@ WindowFunction recorded_window(const Plan& plan) {
 }
 
 // What weighs the samples of a pulse: windows over the band of a chirp are windows over its time.
-WindowFunction pulse_weight(const Plan& plan, const SarWindow& window) {
-  const WindowFunction recorded = recorded_window(plan);
-  if (plan.radar.pulse.kind != Pulse::Kind::chirp) return recorded;
-  return [recorded, focused = weight_of(window)](double x) {
+signal::WindowFunction pulse_weight(const simulate::Plan& plan, const signal::SarWindow& window) {
+  const signal::WindowFunction recorded = recorded_window(plan);
+  if (plan.radar.pulse.kind != radar::Pulse::Kind::chirp) return recorded;
+  return [recorded, focused = signal::weight_of(window)](double x) {
     return focused(std::clamp(x, 0.0, 1.0) - 0.5) * (recorded ? recorded(x) : 1.0);
   };
 }
 
-std::optional<ResponseFigures> range_theory(const Plan& plan, const SarWaveform& waveform, const SarWindow& window) {
+std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, const signal::SarWaveform& waveform,
+                                                    const signal::SarWindow& window) {
   if (!is_plain_chirp(plan.radar.pulse)) return std::nullopt;
   const double band_hz = std::abs(waveform.bandwidth_hz);
-  ResponseFigures figures = theoretical_figures(window, band_hz * waveform.pulse_width_s,
-                                                waveform.sample_rate_hz / band_hz, recorded_window(plan));
+  signal::ResponseFigures figures = signal::theoretical_figures(
+      window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = 0.5 * waveform.light_speed_mps / band_hz;
   figures.width *= cell_m;
   figures.null *= cell_m;
   return figures;
 }
 
-TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const EchoRows& echoes,
-                       const FocusOptions& options, const std::optional<ResponseFigures>& range, std::size_t number,
-                       std::span<const SarLook> seen) {
+TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const signal::EchoRows& echoes,
+                       const signal::FocusOptions& options, const std::optional<signal::ResponseFigures>& range,
+                       std::size_t number, std::span<const SarLook> seen) {
   TargetTheory theory;
   theory.target = number;
   std::vector<Tone> tones;
@@ -182,7 +183,7 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
   theory.place = looks.place(middle, middle.doppler_hz);
   theory.amplitude = sum / sum_of_weights(looks, weights, options, echoes.waveform, seen, theory.place.range_m);
   const double turns = 2.0 * theory.place.range_m * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
-  theory.phase_rad = std::remainder(-2.0 * pi * turns, 2.0 * pi);
+  theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
   theory.azimuth = figures_of_tones(tones);
   cut_across_sight(theory.azimuth, centroid_sine(looks, options, echoes.waveform));
   // A pulse of which a part is missing has another spectrum.
@@ -193,12 +194,13 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
 
 }  // namespace
 
-std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes, const FocusOptions& options,
-                                            bool time_domain, const WorkControl& control) {
+std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                            const signal::FocusOptions& options, bool time_domain,
+                                            const core::WorkControl& control) {
   const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
   const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
   const LookWeights weights(looks, options, echoes.track.size(), domain);
-  const std::optional<ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
+  const std::optional<signal::ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
   std::vector<TargetTheory> theories(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
     theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);
@@ -206,4 +208,4 @@ std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& ec
   return theories;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

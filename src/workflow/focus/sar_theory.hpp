@@ -7,12 +7,12 @@
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// What the image of a target is by theory.
 struct TargetTheory {
-  std::size_t target = 0;  ///< Position in the scene's list, from 0.
-  ImagePlace place{};      ///< By its distance and Doppler frequency: a moving target R u/v beside where it is.
+  std::size_t target = 0;      ///< Position in the scene's list, from 0.
+  signal::ImagePlace place{};  ///< By its distance and Doppler frequency: a moving target R u/v beside where it is.
   /// Weighted mean of its echoes (docs/theory/focusing.md) over the pulses that are focused, where motion was
   /// compensated over the line; in a Doppler band over the time that sweeps it, of back projection over as much of that
   /// as was flown. As they are recorded, volts: with the receiver's gain over
@@ -23,16 +23,16 @@ struct TargetTheory {
   /// the recording is compressed; nothing for other pulses, and where echoes are not recorded whole. Azimuth: sum over
   /// pulses of amplitude and weight times exp(2 pi j f x/V), under squint across the line of sight; nothing where no
   /// first minimum is in it.
-  std::optional<ResponseFigures> range;
-  std::optional<ResponseFigures> azimuth;
+  std::optional<signal::ResponseFigures> range;
+  std::optional<signal::ResponseFigures> azimuth;
 };
 
 /// Theory of every target for these options of focusing.
 /// @param echoes       their waveform and track; no rows are read
 /// @param time_domain  back projection, which knows each pulse's true Doppler frequency: no echoes are lost to ghosts
 /// @throw  Interrupted
-[[nodiscard]] std::vector<TargetTheory> theory_of_targets(const Plan& plan, const EchoRows& echoes,
-                                                          const FocusOptions& options, bool time_domain = false,
-                                                          const WorkControl& control = {});
+[[nodiscard]] std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                                          const signal::FocusOptions& options, bool time_domain = false,
+                                                          const core::WorkControl& control = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

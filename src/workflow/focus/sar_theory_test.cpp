@@ -8,23 +8,23 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-void expect_like(const ResponseFigures& found, const ResponseFigures& theory) {
+void expect_like(const signal::ResponseFigures& found, const signal::ResponseFigures& theory) {
   EXPECT_NEAR(found.width, theory.width, 0.01 * theory.width);
   EXPECT_NEAR(found.pslr_db, theory.pslr_db, 0.2);
   EXPECT_NEAR(found.islr_db, theory.islr_db, 0.3);
 }
 
-void expect_as_theory(const Scene& scene, const FocusOptions& options) {
+void expect_as_theory(const scene::Scene& scene, const signal::FocusOptions& options) {
   const auto [plan, rows] = sar_recording(scene);
   const TargetTheory theory = theory_of_targets(*plan, rows, options).at(0);
-  const PointResponse response = focused_point(rows, theory.place, options);
+  const signal::PointResponse response = focused_point(rows, theory.place, options);
   EXPECT_NEAR(response.place.azimuth_m, theory.place.azimuth_m, 0.02);
   EXPECT_NEAR(response.place.range_m, theory.place.range_m, 0.03);
   EXPECT_NEAR(response.amplitude, theory.amplitude, 0.01 * theory.amplitude);
-  EXPECT_NEAR(std::remainder(response.phase_rad - theory.phase_rad, 2.0 * pi), 0.0, 0.01);
+  EXPECT_NEAR(std::remainder(response.phase_rad - theory.phase_rad, 2.0 * core::pi), 0.0, 0.01);
   ASSERT_TRUE(theory.range && theory.azimuth);
   expect_like(response.range, *theory.range);
   expect_like(response.azimuth, *theory.azimuth);
@@ -34,14 +34,14 @@ TEST(TheoryOfTargets, IsWhatAPlainImageShows) { expect_as_theory(sar_scene(600.0
 
 TEST(TheoryOfTargets, IsWhatAnAntennaThatTapersTheEchoesShows) {
   // A beam of 1.5 degrees across track: echoes at both ends of 2.2 degrees of track are much weaker.
-  Scene scene = sar_scene(600.0, {{3.0, 0.0, 0.0}});
-  Radar& radar = scene.radars[0];
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(1.5);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(30.0);
-  radar.beam_azimuth = Angle::from_deg(90.0);
-  radar.beam_elevation = Angle::from_deg(-11.3);
-  expect_as_theory(scene, {.method = FocusMethod::chirp_scaling});
+  scene::Scene scene = sar_scene(600.0, {{3.0, 0.0, 0.0}});
+  scene::Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(1.5);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(30.0);
+  radar.beam_azimuth = core::Angle::from_deg(90.0);
+  radar.beam_elevation = core::Angle::from_deg(-11.3);
+  expect_as_theory(scene, {.method = signal::FocusMethod::chirp_scaling});
 }
 
 TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
@@ -49,9 +49,9 @@ TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
 }
 
 // Rows of a recording that holds what the scene's plan makes.
-std::pair<std::shared_ptr<const Plan>, EchoRows> stored(const Scene& scene) {
+std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> stored(const scene::Scene& scene) {
   const auto plan = shared_plan(scene);
-  const auto recording = std::make_shared<const Recording>(record(*plan));
+  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
   return {plan, sar_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
             std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
           })};
@@ -59,9 +59,9 @@ std::pair<std::shared_ptr<const Plan>, EchoRows> stored(const Scene& scene) {
 
 // Whose matched filter multiplies amplitudes by half the time-bandwidth product.
 TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
-  Scene scene = sar_scene(600.0, {{}});
-  scene.options.profile = Profile::classic;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene::Scene scene = sar_scene(600.0, {{}});
+  scene.options.profile = scene::Profile::classic;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   scene.simulations[0].range_end_m = 10098.0 + 200.0 * 0.5 * 299792500.0 / 150e6;
   const auto [plan, rows] = stored(scene);
   ASSERT_EQ(plan->compressor->output_index().back() + 1, plan->columns);
@@ -71,35 +71,35 @@ TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
 
 // Of pulses that were sent closer together, a kept band holds more, and resampled it does not.
 TEST(TheoryOfTargets, KnowsPulsesThatWereSentCloserTogetherThanOthers) {
-  Scene scene = sar_scene(600.0, {{0.0, 110.0, 0.0}});
-  scene.radars[0].repetition = Radar::Repetition::user;
+  scene::Scene scene = sar_scene(600.0, {{0.0, 110.0, 0.0}});
+  scene.radars[0].repetition = scene::Radar::Repetition::user;
   for (int i = 0; i < 1200; ++i)  // Intervals that grow by a fifth.
     scene.radars[0].pri_s.part[0].knots.push_back({static_cast<double>(i), (0.9 + i / 6000.0) / 600.0});
   const auto [plan, rows] = sar_recording(scene);
-  MotionCompensation how;
-  how.reference = fitted_track(rows.track);
+  signal::MotionCompensation how;
+  how.reference = signal::fitted_track(rows.track);
   how.scene_m = scene_middle_m(*plan);
-  const EchoRows even = compensate_motion(rows, how, {}, {.threads = 2});
-  const FocusOptions options{.doppler_bandwidth_hz = 150.0};
-  EchoRows told = rows;
+  const signal::EchoRows even = signal::compensate_motion(rows, how, {}, {.threads = 2});
+  const signal::FocusOptions options{.doppler_bandwidth_hz = 150.0};
+  signal::EchoRows told = rows;
   told.compensated = true;
   TargetTheory theory = theory_of_targets(*plan, told, options).at(0);
-  const StraightTrack line = fit_straight(rows.track);
-  theory.place.azimuth_m -= dot(fit_straight(even.track).origin_m - line.origin_m, line.along);
-  const PointResponse response = focused_point(even, theory.place, options);
+  const signal::StraightTrack line = signal::fit_straight(rows.track);
+  theory.place.azimuth_m -= core::dot(signal::fit_straight(even.track).origin_m - line.origin_m, line.along);
+  const signal::PointResponse response = focused_point(even, theory.place, options);
   EXPECT_NEAR(response.place.azimuth_m, theory.place.azimuth_m, 0.05);
   EXPECT_NEAR(response.amplitude, theory.amplitude, 0.015 * theory.amplitude);
 }
 
 TEST(TheoryOfTargets, HasNoRangeFiguresForOtherPulsesThanChirps) {
-  Scene scene = sar_scene(600.0, {{}}, 0.1);
-  scene.radars[0].pulse = Radar::Pulse::mono;
+  scene::Scene scene = sar_scene(600.0, {{}}, 0.1);
+  scene.radars[0].pulse = scene::Radar::Pulse::mono;
   const auto [plan, rows] = sar_recording(scene);
   EXPECT_FALSE(theory_of_targets(*plan, rows, {}).at(0).range);
 }
 
 // Slant range, from the start of the window, to a point on the ground.
-Vec3 point_at(double from_start_m) {
+core::Vec3 point_at(double from_start_m) {
   return {std::sqrt(std::pow(10098.0 + from_start_m, 2) - 4e6) - 10000.0, 0.0, 0.0};
 }
 
@@ -107,18 +107,18 @@ TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
   // 200 m of raw data, a pulse of 120 m: of an echo from 160 m on, 40 m are left, of one from 60 m on, all.
   const auto [plan, rows] = stored(sar_scene(600.0, {point_at(160.0), point_at(60.0)}, 0.2));
   const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
-  const double wavelength_m = exact_light_speed_mps / 5.3e9;
-  EXPECT_NEAR(theories[0].amplitude / equation_amplitude(10258.0, 1.0, wavelength_m), 1.0 / 3.0, 0.01);
-  EXPECT_NEAR(theories[1].amplitude / equation_amplitude(10158.0, 1.0, wavelength_m), 1.0, 0.001);
+  const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
+  EXPECT_NEAR(theories[0].amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m), 1.0 / 3.0, 0.01);
+  EXPECT_NEAR(theories[1].amplitude / simulate::equation_amplitude(10158.0, 1.0, wavelength_m), 1.0, 0.001);
   EXPECT_FALSE(theories[0].range);
   EXPECT_TRUE(theories[1].range);
   for (const TargetTheory& theory : theories)
     EXPECT_NEAR(focused_point(rows, theory.place).amplitude, theory.amplitude, 0.02 * theory.amplitude);
   // A taper over the band is one over the pulse: Hann's weight of the first third is 1/3 - sin(2 pi/3)/(2 pi).
-  const FocusOptions hann{.range_window = {.kind = SarWindow::Kind::hann}};
+  const signal::FocusOptions hann{.range_window = {.kind = signal::SarWindow::Kind::hann}};
   const TargetTheory tapered = theory_of_targets(*plan, rows, hann).at(0);
-  EXPECT_NEAR(tapered.amplitude / equation_amplitude(10258.0, 1.0, wavelength_m),
-              1.0 / 3.0 - std::sin(2.0 * pi / 3.0) / (2.0 * pi), 0.01);
+  EXPECT_NEAR(tapered.amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m),
+              1.0 / 3.0 - std::sin(2.0 * core::pi / 3.0) / (2.0 * core::pi), 0.01);
 }
 
 TEST(TheoryOfTargets, IsNoneOutsideTheRecordedRanges) {
@@ -127,47 +127,48 @@ TEST(TheoryOfTargets, IsNoneOutsideTheRecordedRanges) {
 }
 
 TEST(TheoryOfTargets, GrowsWithTheReceiversGainOverTime) {
-  Scene scene = sar_scene(600.0, {point_at(60.0)}, 0.2);
+  scene::Scene scene = sar_scene(600.0, {point_at(60.0)}, 0.2);
   const auto [plain_plan, plain_rows] = sar_recording(scene);
   const TargetTheory plain = theory_of_targets(*plain_plan, plain_rows, {}).at(0);
   const double plain_amplitude = focused_point(plain_rows, plain.place).amplitude;
-  scene.radars[0].stc = Radar::Stc::range_law;
-  const double wavelength_m = exact_light_speed_mps / 5.3e9;
+  scene.radars[0].stc = scene::Radar::Stc::range_law;
+  const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   // R^2 in the middle of the echo, 60 m behind its beginning, undoes the spreading of R^2 but for these 60 m.
-  const double expected = equation_amplitude(1.0, 1.0, wavelength_m) * std::pow(10218.0 / 10158.0, 2);
+  const double expected = simulate::equation_amplitude(1.0, 1.0, wavelength_m) * std::pow(10218.0 / 10158.0, 2);
   for (const auto& [plan, rows] : {sar_recording(scene), stored(scene)}) {
     const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
     EXPECT_NEAR(theory.amplitude / expected, 1.0, 0.001);
     EXPECT_NEAR(focused_point(rows, theory.place).amplitude / plain_amplitude / (10218.0 * 10218.0), 1.0, 0.001);
   }
-  scene.radars[0].stc = Radar::Stc::user;
-  scene.radars[0].stc_gain.part = {lines({{0.0, 5.0}, {20000.0, 5.0}})};
+  scene.radars[0].stc = scene::Radar::Stc::user;
+  scene.radars[0].stc_gain.part = {simulate::lines({{0.0, 5.0}, {20000.0, 5.0}})};
   const auto [plan, rows] = sar_recording(scene);
-  EXPECT_NEAR(theory_of_targets(*plan, rows, {}).at(0).amplitude / equation_amplitude(10158.0, 1.0, wavelength_m), 5.0,
-              0.005);
+  EXPECT_NEAR(
+      theory_of_targets(*plan, rows, {}).at(0).amplitude / simulate::equation_amplitude(10158.0, 1.0, wavelength_m),
+      5.0, 0.005);
 }
 
 TEST(TheoryOfTargets, KnowsTheRadarsWindowInCompressedRecordings) {
-  Scene scene = sar_scene(600.0, {point_at(100.0)}, 0.5);
-  scene.simulations[0].processing = Processing::matched_filter;
-  scene.radars[0].window = Radar::Window::hamming;
+  scene::Scene scene = sar_scene(600.0, {point_at(100.0)}, 0.5);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  scene.radars[0].window = scene::Radar::Window::hamming;
   const auto [plan, rows] = stored(scene);
   const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
-  const PointResponse response = focused_point(rows, theory.place);
+  const signal::PointResponse response = focused_point(rows, theory.place);
   ASSERT_TRUE(theory.range);
   EXPECT_NEAR(response.range.width, theory.range->width, 0.01 * theory.range->width);
   EXPECT_NEAR(response.amplitude, theory.amplitude, 0.01 * theory.amplitude);
   EXPECT_LT(response.range.pslr_db, -30.0);
   EXPECT_LT(theory.range->pslr_db, -30.0);
   // A Hamming window makes a sinc 1.303/0.886 as wide.
-  scene.radars[0].window = Radar::Window::rectangular;
+  scene.radars[0].window = scene::Radar::Window::rectangular;
   const auto [even_plan, even_rows] = stored(scene);
   const TargetTheory even = theory_of_targets(*even_plan, even_rows, {}).at(0);
   EXPECT_NEAR(theory.range->width / even.range->width, 1.303 / 0.886, 0.03);
 }
 
 TEST(TheoryOfTargets, IsTheSameForAnyNumberOfThreadsAndEndsWhenAskedTo) {
-  std::vector<Vec3> points;
+  std::vector<core::Vec3> points;
   for (int i = 0; i < 20; ++i) points.push_back({static_cast<double>(i), 3.0 * i, 0.0});
   const auto [plan, rows] = sar_recording(sar_scene(600.0, points, 0.1));
   const auto one = theory_of_targets(*plan, rows, {}, false, {.threads = 1});
@@ -178,10 +179,10 @@ TEST(TheoryOfTargets, IsTheSameForAnyNumberOfThreadsAndEndsWhenAskedTo) {
     EXPECT_EQ(one[t].amplitude, three[t].amplitude);
     EXPECT_EQ(one[t].azimuth->width, three[t].azimuth->width);
   }
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)theory_of_targets(*plan, rows, {}, false, {.threads = 2, .stop = &stop}), Interrupted);
+  EXPECT_THROW((void)theory_of_targets(*plan, rows, {}, false, {.threads = 2, .stop = &stop}), core::Interrupted);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -8,7 +8,7 @@
 #include "scene/model/scene.hpp"
 #include "workflow/record/save_estimate.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// Where the LSB of the converter comes from.
 enum class LsbChoice {
@@ -22,7 +22,8 @@ enum class SaveTarget { disk, script, both };
 
 /// What is chosen before the data of a window are saved.
 struct SaveChoice {
-  Simulation recording;  ///< Radar, window, processing, sampling, bits and format; its LSB counts where it is given.
+  scene::Simulation
+      recording;  ///< Radar, window, processing, sampling, bits and format; its LSB counts where it is given.
   LsbChoice lsb = LsbChoice::estimated;
   SaveTarget target = SaveTarget::disk;
   std::filesystem::path file;
@@ -33,29 +34,29 @@ struct SaveChoice {
 /// The simulation that a choice comes to: with its LSB (0: from the whole recording) and the base name of its file, as
 /// it is stored and run.
 /// @param largest_v  largest magnitude in the picture; 0: unknown
-[[nodiscard]] Simulation chosen_simulation(const SaveChoice& choice, double largest_v);
+[[nodiscard]] scene::Simulation chosen_simulation(const SaveChoice& choice, double largest_v);
 
 /// A scene with one more simulation, its last.
-[[nodiscard]] Scene with_simulation(Scene scene, const Simulation& simulation);
+[[nodiscard]] scene::Scene with_simulation(scene::Scene scene, const scene::Simulation& simulation);
 
 /// A file name whose extension is the usual one of a format: replaced where it is that of another format, added where
 /// there is none, left as it is otherwise.
-[[nodiscard]] std::filesystem::path following_format(std::filesystem::path file, FileFormat format);
+[[nodiscard]] std::filesystem::path following_format(std::filesystem::path file, scene::FileFormat format);
 
 /// The first of "sim1", "sim2", ... with the extension of a format that no simulation of a scene has and no file of the
 /// folder.
-[[nodiscard]] std::filesystem::path free_file(const Scene& scene, const std::filesystem::path& folder,
-                                              FileFormat format);
+[[nodiscard]] std::filesystem::path free_file(const scene::Scene& scene, const std::filesystem::path& folder,
+                                              scene::FileFormat format);
 
 /// What saving takes, or why it cannot be.
 struct SaveForecast {
-  Problems problems;  ///< Errors only.
+  core::Problems problems;  ///< Errors only.
   std::optional<SaveEstimate> estimate;
 };
 /// Plans a choice as its run will. An LSB that only the whole recording gives doubles the time where the file holds
 /// counts.
 /// @param threads  that will compute, at least 1
-[[nodiscard]] SaveForecast forecast(const Scene& scene, const SaveChoice& choice, double largest_v, unsigned threads,
-                                    const StopFlag* stop = nullptr);
+[[nodiscard]] SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, double largest_v,
+                                    unsigned threads, const core::StopFlag* stop = nullptr);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

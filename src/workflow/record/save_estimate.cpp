@@ -8,7 +8,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 double estimated_lsb_v(double largest_v, int bits) {
   constexpr double spare = 1.03;
@@ -17,8 +17,8 @@ double estimated_lsb_v(double largest_v, int bits) {
   return spare * largest_v / steps;
 }
 
-SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v, unsigned threads) {
-  const Cost cost = estimated_cost(plan, std::max(threads, 1U));
+SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v, unsigned threads) {
+  const simulate::Cost cost = simulate::estimated_cost(plan, std::max(threads, 1U));
   SaveEstimate estimate;
   estimate.rows = static_cast<double>(plan.rows);
   estimate.columns = static_cast<double>(plan.columns);
@@ -26,7 +26,7 @@ SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v
   estimate.memory_bytes = cost.memory_bytes;
   estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
   // Counts need the largest magnitude before the first of them is written.
-  const double passes = estimate.lsb_estimated && holds_counts(plan.simulation.format) ? 2.0 : 1.0;
+  const double passes = estimate.lsb_estimated && raster::holds_counts(plan.simulation.format) ? 2.0 : 1.0;
   estimate.seconds = passes * cost.seconds_one_thread / std::max(threads, 1U);
   estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
   return estimate;
@@ -35,8 +35,9 @@ SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v
 std::string text_of(const SaveEstimate& e) {
   std::string lsb = "LSB unknown until it has run";
   if (e.lsb_v > 0.0) lsb = fmt::format("LSB {:.5g} mV{}", 1e3 * e.lsb_v, e.lsb_estimated ? " (estimated)" : "");
-  return fmt::format("{} x {} samples, {}, {}, {} of memory; {}", format_number(e.rows), format_number(e.columns),
-                     bytes_text(e.bytes), about_duration_text(e.seconds), bytes_text(e.memory_bytes), lsb);
+  return fmt::format("{} x {} samples, {}, {}, {} of memory; {}", core::format_number(e.rows),
+                     core::format_number(e.columns), core::bytes_text(e.bytes), core::about_duration_text(e.seconds),
+                     core::bytes_text(e.memory_bytes), lsb);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -4,7 +4,7 @@
 
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// What saving a window will take, known before it begins (thesis 4.5.2).
 struct SaveEstimate {
@@ -25,9 +25,10 @@ struct SaveEstimate {
 /// @param file_bytes  of its format
 /// @param largest_v   largest magnitude in the picture; 0: unknown
 /// @param threads     that will compute, at least 1
-[[nodiscard]] SaveEstimate save_estimate(const Plan& plan, double file_bytes, double largest_v, unsigned threads);
+[[nodiscard]] SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v,
+                                         unsigned threads);
 
 /// "512 x 1024 samples, 1.0 MB, about 3 s, 40 MB of memory; LSB 5.0344e-07 mV (estimated)".
 [[nodiscard]] std::string text_of(const SaveEstimate& estimate);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

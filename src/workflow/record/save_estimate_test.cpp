@@ -5,12 +5,12 @@
 #include "raster/table/formats.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-Plan plan_of(double lsb_v, FileFormat format = FileFormat::hdf5) {
-  Scene scene = flight_scene();
-  Simulation simulation;
+simulate::Plan plan_of(double lsb_v, scene::FileFormat format = scene::FileFormat::hdf5) {
+  scene::Scene scene = simulate::flight_scene();
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 2100.0;
   simulation.range_end_m = 2700.0;
@@ -20,7 +20,7 @@ Plan plan_of(double lsb_v, FileFormat format = FileFormat::hdf5) {
   simulation.lsb_v = lsb_v;
   simulation.format = format;
   scene.simulations = {simulation};
-  return make_plan(scene, 0, nullptr, Engine::direct);
+  return simulate::make_plan(scene, 0, nullptr, simulate::Engine::direct);
 }
 
 // The example of thesis 4.5.2 has 6.39369e-5 mV over 127: 5.0344e-7 mV, before 3 % to spare.
@@ -33,7 +33,7 @@ TEST(EstimatedLsb, LeavesThreePercentAboveTheLargestMagnitude) {
 }
 
 TEST(SaveEstimate, HasSizeTimeMemoryAndLsb) {
-  const Plan plan = plan_of(0.0);
+  const simulate::Plan plan = plan_of(0.0);
   const SaveEstimate e = save_estimate(plan, 96480.0, 1e-6, 2);
   EXPECT_EQ(e.rows, 201.0);
   EXPECT_EQ(e.columns, 240.0);
@@ -48,14 +48,14 @@ TEST(SaveEstimate, HasSizeTimeMemoryAndLsb) {
 
 // Whoever writes counts without a given LSB computes everything twice.
 TEST(SaveEstimate, CountsThePassThatFindsTheLargestMagnitude) {
-  for (const FileFormat format : {FileFormat::binary, FileFormat::hdf5, FileFormat::npy})
+  for (const scene::FileFormat format : {scene::FileFormat::binary, scene::FileFormat::hdf5, scene::FileFormat::npy})
     for (const double lsb_v : {0.0, 2e-9}) {
-      const Plan plan = plan_of(lsb_v, format);
-      const double passes = lsb_v == 0.0 && holds_counts(format) ? 2.0 : 1.0;
-      EXPECT_NEAR(save_estimate(plan, 1.0, 1e-6, 2).seconds, 0.5 * passes * estimated_cost(plan, 2).seconds_one_thread,
-                  1e-12);
+      const simulate::Plan plan = plan_of(lsb_v, format);
+      const double passes = lsb_v == 0.0 && raster::holds_counts(format) ? 2.0 : 1.0;
+      EXPECT_NEAR(save_estimate(plan, 1.0, 1e-6, 2).seconds,
+                  0.5 * passes * simulate::estimated_cost(plan, 2).seconds_one_thread, 1e-12);
     }
-  EXPECT_TRUE(holds_counts(FileFormat::binary));
+  EXPECT_TRUE(raster::holds_counts(scene::FileFormat::binary));
 }
 
 TEST(SaveEstimate, SaysAboutHowLongInPlainWords) {
@@ -75,4 +75,4 @@ TEST(SaveEstimate, KeepsTheLsbThatIsSetAndAdmitsWhenNoneIsKnown) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

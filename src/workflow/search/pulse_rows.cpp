@@ -8,47 +8,48 @@
 #include "simulate/plan/row_space.hpp"
 #include "simulate/survey/derived.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
 struct SceneWorker {
-  explicit SceneWorker(const Plan& plan) : maker(plan), row(plan.columns) {}
-  RowMaker maker;
+  explicit SceneWorker(const simulate::Plan& plan) : maker(plan), row(plan.columns) {}
+  simulate::RowMaker maker;
   std::vector<std::complex<double>> row;
 };
 
-double noise_of(const Plan& plan, const CompressionFilter& filter) {
+double noise_of(const simulate::Plan& plan, const signal::CompressionFilter& filter) {
   double energy = 0.0;
   for (const std::complex<double>& tap : filter.taps) energy += std::norm(tap);
   return 2.0 * plan.noise_stddev_v * plan.noise_stddev_v * energy;
 }
 
 // What compressed data of a plan are, besides the way to read them.
-PulseRows compressed_rows(std::shared_ptr<const Plan> plan) {
+PulseRows compressed_rows(std::shared_ptr<const simulate::Plan> plan) {
   if (!plan->compressor) throw std::invalid_argument("pulses: the plan is not of compressed data");
   PulseRows rows;
   rows.range_m = plan->column_range_m;
-  const bool keeps_peak = plan->scene->conventions.compression == Conventions::Compression::keeps_peak;
-  rows.peak_gain = keeps_peak ? 1.0 : processing_gain(*plan);
+  const bool keeps_peak = plan->scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
+  rows.peak_gain = keeps_peak ? 1.0 : simulate::processing_gain(*plan);
   rows.noise_w = noise_of(*plan, plan->compressor->filter());
-  rows.noise_correlation = power_correlation(plan->compressor->filter().taps);
+  rows.noise_correlation = signal::power_correlation(plan->compressor->filter().taps);
   rows.plan = std::move(plan);
   return rows;
 }
 
-PulseRows rows_of_raw_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
+PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
   PulseRows rows;
-  const auto compressor = compressor_of(*plan, plan->radar.window, plan->columns, plan->columns);
+  const auto compressor = simulate::compressor_of(*plan, plan->radar.window, plan->columns, plan->columns);
   // The filter gives an echo the place of its beginning: that of a centred pulse lies half a pulse before its range.
   const double half_c_mps = 0.5 * plan->scene->conventions.light_speed_mps;
   for (std::size_t i = 0; i < plan->columns; ++i)
     rows.range_m.push_back(half_c_mps * (plan->raw_grid.time_s(i) + plan->pulse.lead_s));
   rows.noise_w = noise_of(*plan, compressor->filter());
-  rows.noise_correlation = power_correlation(compressor->filter().taps);
-  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
+  rows.noise_correlation = signal::power_correlation(compressor->filter().taps);
+  const auto pool =
+      std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
   rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
-    pool->lend([&](RowSpace& space) {
+    pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
       read(pulse, space.raw);
       space.compress(*compressor, out);
@@ -60,38 +61,41 @@ PulseRows rows_of_raw_recording(std::shared_ptr<const Plan> plan, RecordedRows r
 
 }  // namespace
 
-Simulation compressed_simulation(const Simulation& simulation) {
-  Simulation compressed = simulation;
-  compressed.processing = Processing::matched_filter;
+scene::Simulation compressed_simulation(const scene::Simulation& simulation) {
+  scene::Simulation compressed = simulation;
+  compressed.processing = scene::Processing::matched_filter;
   return compressed;
 }
 
-PulseRows pulse_rows_of_scene(std::shared_ptr<const Plan> plan) {
+PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan) {
   PulseRows rows = compressed_rows(plan);
-  const auto pool = std::make_shared<WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
+  const auto pool =
+      std::make_shared<core::WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
   rows.read = [pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.maker.make_row(pulse, worker.row);
-      to_float(worker.row, out);
+      simulate::to_float(worker.row, out);
     });
   };
   return rows;
 }
 
-PulseRows pulse_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read) {
-  if (plan->simulation.processing == Processing::srp)
+PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
+  if (plan->simulation.processing == scene::Processing::srp)
     throw std::invalid_argument("pulses: synthetic range profiles have none");
-  if (plan->simulation.processing == Processing::raw) return rows_of_raw_recording(std::move(plan), std::move(read));
+  if (plan->simulation.processing == scene::Processing::raw)
+    return rows_of_raw_recording(std::move(plan), std::move(read));
   PulseRows rows = compressed_rows(plan);
-  const auto pool = std::make_shared<WorkerPool<RowSpace>>([] { return std::make_unique<RowSpace>(); });
+  const auto pool =
+      std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
   rows.read = [plan, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
-    pool->lend([&](RowSpace& space) {
+    pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
       read(pulse, space.raw);
-      to_float(space.raw, out);
+      simulate::to_float(space.raw, out);
     });
   };
   return rows;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

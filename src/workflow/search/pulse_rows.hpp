@@ -10,12 +10,12 @@
 #include "simulate/plan/plan.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// Compressed pulses of a simulation, computed or read when they are asked for: what a pulse-Doppler or a search radar
 /// begins with.
 struct PulseRows {
-  std::shared_ptr<const Plan> plan;
+  std::shared_ptr<const simulate::Plan> plan;
   std::vector<double> range_m;  ///< One way, of each sample.
   double peak_gain = 1.0;       ///< Height of a compressed echo of amplitude 1.
   double noise_w = 0.0;         ///< Mean square magnitude of the receiver's noise in a sample, without STC.
@@ -33,15 +33,15 @@ struct PulseRows {
 };
 
 /// The simulation as it has to be planned for `pulse_rows_of_scene`: compressed.
-[[nodiscard]] Simulation compressed_simulation(const Simulation& simulation);
+[[nodiscard]] scene::Simulation compressed_simulation(const scene::Simulation& simulation);
 
 /// Pulses of a scene: those that a run with a matched filter would record, window, profile and all.
 /// @param plan  of a simulation made by `compressed_simulation`
-[[nodiscard]] PulseRows pulse_rows_of_scene(std::shared_ptr<const Plan> plan);
+[[nodiscard]] PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan);
 
 /// Pulses of a recording that a plan describes: compressed ones as they are, raw ones through the matched filter of the
 /// physical profile with the radar's window (docs/theory/compression.md). Rows must be like those that the plan makes.
 /// @throw  std::invalid_argument for synthetic range profiles
-[[nodiscard]] PulseRows pulse_rows_of_recording(std::shared_ptr<const Plan> plan, RecordedRows read);
+[[nodiscard]] PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

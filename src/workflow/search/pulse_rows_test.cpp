@@ -7,7 +7,7 @@
 
 #include "workflow/search/search_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
 std::vector<std::complex<float>> row_of(const PulseRows& rows, std::size_t pulse) {
@@ -17,9 +17,9 @@ std::vector<std::complex<float>> row_of(const PulseRows& rows, std::size_t pulse
 }
 
 // The rows of a recording that a run of the scene would have made.
-PulseRows recorded(const Scene& scene) {
-  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
-  const auto maker = std::make_shared<RowMaker>(*plan);
+PulseRows recorded(const scene::Scene& scene) {
+  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
+  const auto maker = std::make_shared<simulate::RowMaker>(*plan);
   return pulse_rows_of_recording(
       plan, [plan, maker](std::size_t row, std::span<std::complex<double>> out) { maker->make_row(row, out); });
 }
@@ -30,8 +30,8 @@ std::size_t peak_of(const std::vector<std::complex<float>>& row) {
 }
 
 TEST(PulseRows, OfARawRecordingAreThoseOfTheSceneWhereverThePulseLies) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
-    Scene scene = pulse_scene(12.0, 4);
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
+    scene::Scene scene = pulse_scene(12.0, 4);
     scene.simulations[0].pulse_position = position;
     scene.simulations[0].range_start_m = 3000.0;
     scene.simulations[0].range_end_m = 8000.0;
@@ -45,33 +45,33 @@ TEST(PulseRows, OfARawRecordingAreThoseOfTheSceneWhereverThePulseLies) {
     // A centred pulse lies half a pulse elsewhere in the raw row: the ranges say so.
     EXPECT_NEAR(of_data.range_m[at], of_scene.range_m[from], 6.1);
     EXPECT_NEAR(of_scene.range_m[from], 5000.0, 12.0);
-    if (position == Simulation::PulsePosition::centre) continue;
+    if (position == scene::Simulation::PulsePosition::centre) continue;
     for (std::size_t i = 0; i < expected.size(); ++i)
       EXPECT_LT(std::abs(got[i] - expected[i]), 1e-4F * std::abs(expected[from])) << i;
   }
 }
 
 TEST(PulseRows, OfACompressedRecordingAreTheRecording) {
-  Scene scene = pulse_scene(0.0, 2);
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene::Scene scene = pulse_scene(0.0, 2);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   EXPECT_EQ(row_of(recorded(scene), 1), row_of(pulse_rows_of(scene), 1));
 }
 
 TEST(PulseRows, KnowTheHeightOfAPeakInEitherProfile) {
-  for (const Profile profile : {Profile::physical, Profile::classic}) {
-    Scene scene = pulse_scene(0.0, 1);
+  for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic}) {
+    scene::Scene scene = pulse_scene(0.0, 1);
     scene.options.profile = profile;
     // On the sampling grid, where the peak is not between two samples.
-    scene.simulations[0].range_start_m = 5000.0 - 25.0 * 0.5 * exact_light_speed_mps / 12.5e6;
+    scene.simulations[0].range_start_m = 5000.0 - 25.0 * 0.5 * core::exact_light_speed_mps / 12.5e6;
     const PulseRows rows = pulse_rows_of(scene);
     const auto row = row_of(rows, 0);
-    const double echo_v = equation_amplitude(5000.0, 1.0, exact_light_speed_mps / 10e9);
+    const double echo_v = simulate::equation_amplitude(5000.0, 1.0, core::exact_light_speed_mps / 10e9);
     EXPECT_NEAR(static_cast<double>(std::abs(row[peak_of(row)])) / (rows.peak_gain * echo_v), 1.0, 0.01);
   }
 }
 
 TEST(PulseRows, KnowThePowerOfTheirNoise) {
-  Scene scene = pulse_scene(0.0, 200);
+  scene::Scene scene = pulse_scene(0.0, 200);
   scene.targets.clear();
   scene.radars[0].noise_temperature_k = 290.0;
   const PulseRows rows = pulse_rows_of(scene);
@@ -88,15 +88,16 @@ TEST(PulseRows, KnowThePowerOfTheirNoise) {
 }
 
 TEST(PulseRows, RefuseWhatHoldsNone) {
-  Scene scene = pulse_scene(0.0, 2);
-  EXPECT_THROW((void)pulse_rows_of_scene(std::make_shared<const Plan>(make_plan(scene, 0))), std::invalid_argument);
-  scene.radars[0].carrier = Radar::Carrier::stepped;
+  scene::Scene scene = pulse_scene(0.0, 2);
+  EXPECT_THROW((void)pulse_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0))),
+               std::invalid_argument);
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_steps = 2;
   scene.radars[0].pulses_per_step = 1;
-  scene.simulations[0].processing = Processing::srp;
-  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
+  scene.simulations[0].processing = scene::Processing::srp;
+  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
   EXPECT_THROW((void)pulse_rows_of_recording(plan, {}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -13,19 +13,19 @@
 #include "simulate/survey/survey.hpp"
 #include "workflow/focus/recorded_gain.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
 // Whether all pulses of a plan follow each other at the same interval.
-bool evenly_spaced(const Plan& plan) {
-  const Repetition& repetition = plan.radar.repetition;
+bool evenly_spaced(const simulate::Plan& plan) {
+  const radar::Repetition& repetition = plan.radar.repetition;
   return std::abs(repetition.shortest_interval_s() - repetition.mean_interval_s()) <
          1e-9 * repetition.mean_interval_s();
 }
 
 // Reaches to either side, as they are given: ranges, and Doppler rows where there are some.
-std::string cells_text(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+std::string cells_text(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns) {
   const auto both = [](std::size_t along_columns, std::size_t along_rows) {
     return along_rows == 0 ? fmt::format("{}", along_columns) : fmt::format("{}:{}", along_columns, along_rows);
   };
@@ -39,14 +39,14 @@ std::string cells_text(const CfarOptions& cfar, std::size_t rows, std::size_t co
 // Collects the remarks on one plan.
 class Remarks {
  public:
-  Remarks(const Plan& plan, const SearchOptions& options, const WorkControl& control)
+  Remarks(const simulate::Plan& plan, const SearchOptions& options, const core::WorkControl& control)
       : plan_(plan),
         options_(options),
-        survey_(survey_echoes(plan, control)),
+        survey_(simulate::survey_echoes(plan, control)),
         prf_hz_(1.0 / plan.radar.repetition.mean_interval_s()),
         wavelength_m_(plan.scene->conventions.light_speed_mps / plan.radar.carrier.highest_hz()) {}
 
-  Problems all() {
+  core::Problems all() {
     if (options_.pulses > 1) {
       doppler();
       range_walk();
@@ -63,14 +63,14 @@ class Remarks {
 
  private:
   void warn(std::string message, std::string found, std::string expected, std::string hint) {
-    problems_.push_back(
-        problem_of(Severity::warning, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+    problems_.push_back(core::problem_of(core::Severity::warning, std::move(message), std::move(found),
+                                         std::move(expected), std::move(hint)));
   }
 
   [[nodiscard]] double speed_of(double doppler_hz) const { return 0.5 * wavelength_m_ * doppler_hz; }
 
   // Of the Doppler frequencies that a target shows, the one farthest from 0.
-  static double extreme_hz(const TargetSurvey& target) {
+  static double extreme_hz(const simulate::TargetSurvey& target) {
     return std::abs(target.lowest_doppler_hz) > std::abs(target.highest_doppler_hz) ? target.lowest_doppler_hz
                                                                                     : target.highest_doppler_hz;
   }
@@ -78,7 +78,7 @@ class Remarks {
   void doppler() {
     std::size_t count = 0;
     double most_hz = 0.0;
-    for (const TargetSurvey& target : survey_.targets) {
+    for (const simulate::TargetSurvey& target : survey_.targets) {
       if (!target.in_window || std::abs(extreme_hz(target)) <= 0.5 * prf_hz_) continue;
       ++count;
       if (std::abs(extreme_hz(target)) > std::abs(most_hz)) most_hz = extreme_hz(target);
@@ -86,17 +86,18 @@ class Remarks {
     if (count == 0) return;
     warn(fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
                      survey_.targets.size()),
-         fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)), with_prefix(std::abs(most_hz), "Hz", 4)),
+         fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)),
+                     core::with_prefix(std::abs(most_hz), "Hz", 4)),
          fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
          fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
-                     with_prefix(2.0 * std::abs(most_hz), "Hz", 4)));
+                     core::with_prefix(2.0 * std::abs(most_hz), "Hz", 4)));
   }
 
   void range_walk() {
     const double time_s = static_cast<double>(options_.recorded_pulses()) / prf_hz_;
-    const double cell_m = 0.5 * plan_.scene->conventions.light_speed_mps / bandwidth_hz(plan_.radar.pulse);
+    const double cell_m = 0.5 * plan_.scene->conventions.light_speed_mps / radar::bandwidth_hz(plan_.radar.pulse);
     double most_mps = 0.0;
-    for (const TargetSurvey& target : survey_.targets)
+    for (const simulate::TargetSurvey& target : survey_.targets)
       if (target.in_window) most_mps = std::max(most_mps, target.largest_speed_mps);
     if (most_mps * time_s <= cell_m) return;
     warn(
@@ -109,21 +110,21 @@ class Remarks {
   // Far from 0, where nothing rests.
   void blind_speeds() {
     constexpr double blind = 0.1;
-    const double mean_gain = canceller_noise_gain(options_.canceller);
+    const double mean_gain = signal::canceller_noise_gain(options_.canceller);
     std::size_t count = 0;
     std::size_t first = 0;
     double first_hz = 0.0;
     for (std::size_t t = survey_.targets.size(); t-- > 0;) {
-      const TargetSurvey& target = survey_.targets[t];
+      const simulate::TargetSurvey& target = survey_.targets[t];
       const double doppler_hz = 0.5 * (target.lowest_doppler_hz + target.highest_doppler_hz);
       if (!target.in_window || std::abs(doppler_hz) < 0.5 * prf_hz_) continue;
-      if (canceller_gain(options_.canceller, doppler_hz, prf_hz_) > blind * mean_gain) continue;
+      if (signal::canceller_gain(options_.canceller, doppler_hz, prf_hz_) > blind * mean_gain) continue;
       ++count;
       first = t + 1;
       first_hz = doppler_hz;
     }
     if (count == 0) return;
-    const double gain = canceller_gain(options_.canceller, first_hz, prf_hz_) / mean_gain;
+    const double gain = signal::canceller_gain(options_.canceller, first_hz, prf_hz_) / mean_gain;
     warn(count == 1
              ? fmt::format("target {} moves near a blind speed of the canceller", first)
              : fmt::format("{} targets move near blind speeds of the canceller, target {} the first", count, first),
@@ -134,7 +135,7 @@ class Remarks {
   }
 
   void window() {
-    const double most_m = unambiguous_range_m(plan_);
+    const double most_m = simulate::unambiguous_range_m(plan_);
     if (plan_.simulation.range_end_m <= most_m) return;
     warn(
         "the recorded ranges reach beyond the unambiguous range: a real receiver would show those echoes with the next "
@@ -145,13 +146,13 @@ class Remarks {
 
   // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
   void cut_echoes() {
-    if (plan_.simulation.processing != Processing::raw) return;
+    if (plan_.simulation.processing != scene::Processing::raw) return;
     const double half_c_mps = 0.5 * plan_.scene->conventions.light_speed_mps;
     const double whole_m = half_c_mps * RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s();
     const double last_m = half_c_mps * (plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s);
     std::size_t count = 0;
     double farthest_m = 0.0;
-    for (const TargetSurvey& target : survey_.targets) {
+    for (const simulate::TargetSurvey& target : survey_.targets) {
       if (!target.in_window || target.nearest_m > last_m || target.farthest_m <= whole_m) continue;
       ++count;
       farthest_m = std::max(farthest_m, target.farthest_m);
@@ -167,11 +168,11 @@ class Remarks {
 
   void dwell() {
     const double width_rad = beam_width_rad(plan_);
-    if (plan_.radar.beam.kind != Beam::Kind::rotating || width_rad <= 0.0) return;
+    if (plan_.radar.beam.kind != radar::Beam::Kind::rotating || width_rad <= 0.0) return;
     const double turn_rad =
         std::abs(plan_.radar.beam.rate_rad_per_s) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
     if (turn_rad <= width_rad) return;
-    const auto degrees = [](double rad) { return rad * 180.0 / pi; };
+    const auto degrees = [](double rad) { return rad * 180.0 / core::pi; };
     const double pulses = width_rad / std::abs(plan_.radar.beam.rate_rad_per_s) * prf_hz_;
     warn("the beam turns farther in an interval than it is wide: targets are lit in a part of it only",
          fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
@@ -185,28 +186,28 @@ class Remarks {
   void unseen_end() {
     const auto pulses = static_cast<std::size_t>(plan_.pulses.count());
     const std::size_t intervals = interval_count(options_, pulses);
-    if (!turns(plan_.radar.beam) || intervals == 0) return;
+    if (!simulate::turns(plan_.radar.beam) || intervals == 0) return;
     const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
-    const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / pi;
+    const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / core::pi;
     const double unseen_deg =
         std::min(turn_deg * static_cast<double>(pulses - taken), 360.0 - turn_deg * static_cast<double>(taken));
     constexpr double rounding_deg = 1e-6;
     if (unseen_deg < rounding_deg) return;
     problems_.push_back(
-        problem_of(Severity::note,
-                   fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
-                               pulses - taken, pulses, unseen_deg),
-                   "", "",
-                   fmt::format("take intervals of another number of pulses, or record {} more",
-                               taken + options_.step_pulses() - pulses)));
+        core::problem_of(core::Severity::note,
+                         fmt::format("the last {} of {} pulses make no interval: {:.3g} deg of the turn are not seen",
+                                     pulses - taken, pulses, unseen_deg),
+                         "", "",
+                         fmt::format("take intervals of another number of pulses, or record {} more",
+                                     taken + options_.step_pulses() - pulses)));
   }
 
   // Of single pulses nothing is left but the beam's azimuth and the range.
   void still_beam() {
     if (options_.recorded_pulses() > 1 || beam_turns(plan_)) return;
-    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    simulate::PulseGeometry geometry(*plan_.scene, plan_.radar);
     geometry.set_pulse(plan_.pulses.first);
-    const double azimuth_deg = azimuth_rad(geometry.pointing().axis_world()) * 180.0 / pi;
+    const double azimuth_deg = core::azimuth_rad(geometry.pointing().axis_world()) * 180.0 / core::pi;
     warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
          fmt::format("a beam that points to {:.3g} degrees all the time",
                      azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
@@ -223,7 +224,7 @@ class Remarks {
       warn("after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead",
            fmt::format("{} rows", options_.cfar.reference_rows), "reference cells in the same row",
            "leave out the second number of --train");
-    const double pulse_cells = 1.0 / (bandwidth_hz(plan_.radar.pulse) * plan_.raw_grid.interval_s);
+    const double pulse_cells = 1.0 / (radar::bandwidth_hz(plan_.radar.pulse) * plan_.raw_grid.interval_s);
     if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
       warn("a response is wider than the guard cells: a target hides itself",
            fmt::format("{} guard cells to either side", options_.cfar.guard_columns),
@@ -231,23 +232,23 @@ class Remarks {
            "give more with --guard");
   }
 
-  const Plan& plan_;
+  const simulate::Plan& plan_;
   const SearchOptions& options_;
-  EchoSurvey survey_;
+  simulate::EchoSurvey survey_;
   double prf_hz_;
   double wavelength_m_;
-  Problems problems_;
+  core::Problems problems_;
 };
 
 }  // namespace
 
-Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
-  Problems problems;
+core::Problems problems_of_search(const simulate::Plan& plan, const SearchOptions& options) {
+  core::Problems problems;
   const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(
-        problem_of(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                                        std::move(expected), std::move(hint)));
   };
-  if (plan.simulation.processing == Processing::srp)
+  if (plan.simulation.processing == scene::Processing::srp)
     refuse("synthetic range profiles hold no pulses", "SRP", "RAW or MATCHED_FILTER processing",
            "take another simulation with --simulation");
   const bool trains = options.recorded_pulses() > 1;
@@ -259,7 +260,7 @@ Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
            fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
            "one carrier", "use CARRIER SINGLE, or --interval 1 without a canceller");
   const auto pulses = static_cast<std::size_t>(plan.pulses.count());
-  if (plan.simulation.processing != Processing::srp && options.recorded_pulses() > pulses)
+  if (plan.simulation.processing != scene::Processing::srp && options.recorded_pulses() > pulses)
     refuse("an interval takes more pulses than there are", fmt::format("{}", options.recorded_pulses()),
            fmt::format("at most {}", pulses), "give --interval less, or record for longer");
   if (options.frequencies > 0 && options.frequencies < options.pulses)
@@ -268,20 +269,21 @@ Problems problems_of_search(const Plan& plan, const SearchOptions& options) {
   if (options.pulses == 1 && options.frequencies > 1)
     refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
            "give --interval more, or leave out --frequencies");
-  if (options.detect && !has_reference_cells(options.cfar, options.rows(), plan.columns))
+  if (options.detect && !signal::has_reference_cells(options.cfar, options.rows(), plan.columns))
     refuse("no reference cells are left outside the guard", cells_text(options.cfar, options.rows(), plan.columns),
            "more cells to train on than to guard, and a guard smaller than the map",
            "give --train more, or --guard less");
   return problems;
 }
 
-Problems remarks_on_search(const Plan& plan, const SearchOptions& options, const WorkControl& control) {
+core::Problems remarks_on_search(const simulate::Plan& plan, const SearchOptions& options,
+                                 const core::WorkControl& control) {
   return Remarks(plan, options, control).all();
 }
 
-double beam_width_rad(const Plan& plan) {
-  const auto width = [](const AntennaPattern& pattern) {
-    return pattern.kind == AntennaPattern::Kind::sinx ? pattern.azimuth_beamwidth_rad : 0.0;
+double beam_width_rad(const simulate::Plan& plan) {
+  const auto width = [](const radar::AntennaPattern& pattern) {
+    return pattern.kind == radar::AntennaPattern::Kind::sinx ? pattern.azimuth_beamwidth_rad : 0.0;
   };
   const double transmit = width(plan.radar.transmit);
   const double receive = width(plan.radar.receive);
@@ -289,31 +291,31 @@ double beam_width_rad(const Plan& plan) {
   return std::max(transmit, receive);
 }
 
-bool beam_turns(const Plan& plan) {
+bool beam_turns(const simulate::Plan& plan) {
   constexpr int looks = 16;
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   double first_rad = 0.0;
   for (int look = 0; look <= looks; ++look) {
     // Unevenly far apart, so that no turn fits between all of them.
     const double share = static_cast<double>(look * look) / (looks * looks);
     geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
-    const double here_rad = azimuth_rad(geometry.pointing().axis_world());
+    const double here_rad = core::azimuth_rad(geometry.pointing().axis_world());
     if (look == 0) first_rad = here_rad;
-    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * pi)) > seen_width_rad(plan)) return true;
+    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * core::pi)) > seen_width_rad(plan)) return true;
   }
   return false;
 }
 
-double seen_width_rad(const Plan& plan) {
+double seen_width_rad(const simulate::Plan& plan) {
   const double width_rad = beam_width_rad(plan);
-  return width_rad > 0.0 ? width_rad : pi / 180.0;
+  return width_rad > 0.0 ? width_rad : core::pi / 180.0;
 }
 
-std::size_t dwell_pulses(const Plan& plan) {
+std::size_t dwell_pulses(const simulate::Plan& plan) {
   const double rate = std::abs(plan.radar.beam.rate_rad_per_s);
-  if (plan.radar.beam.kind != Beam::Kind::rotating || rate == 0.0) return 1;
+  if (plan.radar.beam.kind != radar::Beam::Kind::rotating || rate == 0.0) return 1;
   const double pulses = 0.5 * beam_width_rad(plan) / rate / plan.radar.repetition.mean_interval_s();
   return static_cast<std::size_t>(std::clamp(std::floor(pulses + 1e-9), 1.0, 64.0));
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -4,17 +4,17 @@
 
 #include "workflow/search/search_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-Plan plan_of(Scene scene) {
+simulate::Plan plan_of(scene::Scene scene) {
   scene.simulations[0] = compressed_simulation(scene.simulations[0]);
-  return make_plan(scene, 0);
+  return simulate::make_plan(scene, 0);
 }
 
-bool mentions(const Problems& problems, Severity severity, const std::string& text) {
-  return std::ranges::any_of(problems, [&](const Problem& p) {
-    return p.severity == severity && to_string(p).find(text) != std::string::npos;
+bool mentions(const core::Problems& problems, core::Severity severity, const std::string& text) {
+  return std::ranges::any_of(problems, [&](const core::Problem& p) {
+    return p.severity == severity && core::to_string(p).find(text) != std::string::npos;
   });
 }
 
@@ -25,8 +25,8 @@ SearchOptions train_of(std::size_t pulses, std::size_t canceller = 0) {
   return options;
 }
 
-Scene noisy_scene(double speed_mps) {
-  Scene scene = pulse_scene(speed_mps);
+scene::Scene noisy_scene(double speed_mps) {
+  scene::Scene scene = pulse_scene(speed_mps);
   scene.radars[0].noise_temperature_k = 290.0;
   return scene;
 }
@@ -37,150 +37,159 @@ TEST(ProblemsOfSearch, AreNoneForASoundRadar) {
 }
 
 TEST(ProblemsOfSearch, AreTrainsOfUnlikePulses) {
-  Scene staggered = noisy_scene(0.0);
-  staggered.radars[0].repetition = Radar::Repetition::user;
-  staggered.radars[0].pri_s.part[0] = lines({{0.0, 250e-6}, {1.0, 300e-6}});
-  EXPECT_TRUE(mentions(problems_of_search(plan_of(staggered), train_of(64)), Severity::error, "not evenly spaced"));
-  EXPECT_TRUE(mentions(problems_of_search(plan_of(staggered), train_of(1, 1)), Severity::error, "not evenly spaced"));
+  scene::Scene staggered = noisy_scene(0.0);
+  staggered.radars[0].repetition = scene::Radar::Repetition::user;
+  staggered.radars[0].pri_s.part[0] = simulate::lines({{0.0, 250e-6}, {1.0, 300e-6}});
+  EXPECT_TRUE(
+      mentions(problems_of_search(plan_of(staggered), train_of(64)), core::Severity::error, "not evenly spaced"));
+  EXPECT_TRUE(
+      mentions(problems_of_search(plan_of(staggered), train_of(1, 1)), core::Severity::error, "not evenly spaced"));
   EXPECT_TRUE(problems_of_search(plan_of(staggered), train_of(1)).empty());
-  Scene agile = noisy_scene(0.0);
-  agile.radars[0].carrier = Radar::Carrier::stepped;
-  EXPECT_TRUE(mentions(problems_of_search(plan_of(agile), train_of(64)), Severity::error, "carrier changes"));
+  scene::Scene agile = noisy_scene(0.0);
+  agile.radars[0].carrier = scene::Radar::Carrier::stepped;
+  EXPECT_TRUE(mentions(problems_of_search(plan_of(agile), train_of(64)), core::Severity::error, "carrier changes"));
   EXPECT_TRUE(problems_of_search(plan_of(agile), train_of(1)).empty());
 }
 
 TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
-  const Plan plan = plan_of(noisy_scene(0.0));
+  const simulate::Plan plan = plan_of(noisy_scene(0.0));
   SearchOptions options = train_of(1024, 1);
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), Severity::error, "more pulses than there are"));
+  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "more pulses than there are"));
   EXPECT_TRUE(problems_of_search(plan, train_of(1023, 1)).empty());
   options = train_of(64);
   options.frequencies = 63;
   options.cfar.reference_columns = options.cfar.guard_columns;
-  const Problems both = problems_of_search(plan, options);
-  EXPECT_TRUE(mentions(both, Severity::error, "fewer Doppler frequencies"));
-  EXPECT_TRUE(mentions(both, Severity::error, "no reference cells"));
+  const core::Problems both = problems_of_search(plan, options);
+  EXPECT_TRUE(mentions(both, core::Severity::error, "fewer Doppler frequencies"));
+  EXPECT_TRUE(mentions(both, core::Severity::error, "no reference cells"));
   options.detect = false;
   options.frequencies = 64;
   EXPECT_TRUE(problems_of_search(plan, options).empty());
   options.pulses = 1;
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), Severity::error, "a single pulse has no Doppler"));
+  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "a single pulse has no Doppler"));
 }
 
 TEST(RemarksOnSearch, SayWhatFoldsAndWhatIsBlind) {
   // lambda PRF/4 is 30 m/s, the first blind speed 60 m/s.
-  const Problems fast = remarks_on_search(plan_of(noisy_scene(40.0)), train_of(64));
-  EXPECT_TRUE(mentions(fast, Severity::warning, "1 of 1 targets move faster than the PRF tells apart"));
-  EXPECT_TRUE(mentions(fast, Severity::warning, "29.98 m/s"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(29.0)), train_of(64)), Severity::warning, "faster"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(40.0)), train_of(1)), Severity::warning, "faster"));
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64, 1)), Severity::warning,
+  const core::Problems fast = remarks_on_search(plan_of(noisy_scene(40.0)), train_of(64));
+  EXPECT_TRUE(mentions(fast, core::Severity::warning, "1 of 1 targets move faster than the PRF tells apart"));
+  EXPECT_TRUE(mentions(fast, core::Severity::warning, "29.98 m/s"));
+  EXPECT_FALSE(
+      mentions(remarks_on_search(plan_of(noisy_scene(29.0)), train_of(64)), core::Severity::warning, "faster"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(40.0)), train_of(1)), core::Severity::warning, "faster"));
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64, 1)), core::Severity::warning,
                        "target 1 moves near a blind speed"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64)), Severity::warning, "blind"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(0.0)), train_of(64, 1)), Severity::warning, "blind"));
+  EXPECT_FALSE(
+      mentions(remarks_on_search(plan_of(noisy_scene(-60.0)), train_of(64)), core::Severity::warning, "blind"));
+  EXPECT_FALSE(
+      mentions(remarks_on_search(plan_of(noisy_scene(0.0)), train_of(64, 1)), core::Severity::warning, "blind"));
 }
 
 TEST(RemarksOnSearch, SayWhenTargetsWalkThroughRangeCells) {
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(1000)), Severity::warning,
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(1000)), core::Severity::warning,
                        "more than a cell of range"));
-  EXPECT_FALSE(
-      mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(500)), Severity::warning, "cell of range"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(noisy_scene(-70.0)), train_of(500)), core::Severity::warning,
+                        "cell of range"));
 }
 
 TEST(RemarksOnSearch, SayWhenRangesAreAmbiguous) {
-  Scene scene = noisy_scene(0.0);
+  scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 40e3;
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(64)), Severity::warning, "37474.1 m, c PRI/2"));
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "37474.1 m, c PRI/2"));
 }
 
 TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
-  Scene scene = noisy_scene(0.0);
-  scene.radars[0].transmit_antenna.pattern = Antenna::Pattern::sinx;
-  scene.radars[0].transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
-  scene.radars[0].beam = Radar::Beam::rotating;
-  scene.radars[0].beam_rate = Angle::from_deg(360.0);
-  const Plan plan = plan_of(scene);
-  EXPECT_NEAR(beam_width_rad(plan), 2.0 * pi / 180.0, 1e-12);
+  scene::Scene scene = noisy_scene(0.0);
+  scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(2.0);
+  scene.radars[0].beam = scene::Radar::Beam::rotating;
+  scene.radars[0].beam_rate = core::Angle::from_deg(360.0);
+  const simulate::Plan plan = plan_of(scene);
+  EXPECT_NEAR(beam_width_rad(plan), 2.0 * core::pi / 180.0, 1e-12);
   // 2 degrees take 22.2 pulses.
   EXPECT_EQ(dwell_pulses(plan), 11u);
-  EXPECT_TRUE(mentions(remarks_on_search(plan, train_of(23)), Severity::warning, "intervals of at most 22 pulses"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan, train_of(22)), Severity::warning, "beam turns"));
+  EXPECT_TRUE(
+      mentions(remarks_on_search(plan, train_of(23)), core::Severity::warning, "intervals of at most 22 pulses"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan, train_of(22)), core::Severity::warning, "beam turns"));
   EXPECT_EQ(dwell_pulses(plan_of(noisy_scene(0.0))), 1u);
 }
 
 TEST(RemarksOnSearch, SayWhichPartOfATurnNoIntervalSees) {
-  Scene scene = noisy_scene(0.0);
-  scene.radars[0].beam = Radar::Beam::rotating;
+  scene::Scene scene = noisy_scene(0.0);
+  scene.radars[0].beam = scene::Radar::Beam::rotating;
   // 0.25 degrees a pulse: 1024 pulses are 256 degrees.
-  scene.radars[0].beam_rate = Angle::from_deg(1000.0);
-  const Problems remarks = remarks_on_search(plan_of(scene), train_of(10));
-  EXPECT_TRUE(mentions(remarks, Severity::note, "the last 4 of 1024 pulses make no interval: 1 deg of the turn"));
-  EXPECT_TRUE(mentions(remarks, Severity::note, "record 6 more"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(8)), Severity::note, "make no interval"));
+  scene.radars[0].beam_rate = core::Angle::from_deg(1000.0);
+  const core::Problems remarks = remarks_on_search(plan_of(scene), train_of(10));
+  EXPECT_TRUE(mentions(remarks, core::Severity::note, "the last 4 of 1024 pulses make no interval: 1 deg of the turn"));
+  EXPECT_TRUE(mentions(remarks, core::Severity::note, "record 6 more"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(8)), core::Severity::note, "make no interval"));
   // Behind a canceller of order 2 102 intervals take 1022 pulses.
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10, 2)), Severity::note, "the last 2 of 1024"));
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10, 2)), core::Severity::note, "the last 2 of 1024"));
   // The turn ends in the 1021st pulse: 0.1 degrees of 360 are left, or of a longer one nothing.
-  scene.radars[0].beam_rate = Angle::from_deg(4000.0 * 359.9 / 1020.0);
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, ": 0.1 deg of the turn"));
-  scene.radars[0].beam_rate = Angle::from_deg(4000.0 * 360.1 / 1020.0);
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, "make no interval"));
-  scene.radars[0].beam = Radar::Beam::fixed;
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), Severity::note, "make no interval"));
+  scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 359.9 / 1020.0);
+  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, ": 0.1 deg of the turn"));
+  scene.radars[0].beam_rate = core::Angle::from_deg(4000.0 * 360.1 / 1020.0);
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
+  scene.radars[0].beam = scene::Radar::Beam::fixed;
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(10)), core::Severity::note, "make no interval"));
 }
 
 TEST(RemarksOnSearch, SayWhenASearchingBeamDoesNotTurn) {
-  Scene scene = noisy_scene(0.0);
+  scene::Scene scene = noisy_scene(0.0);
   EXPECT_FALSE(beam_turns(plan_of(scene)));
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(scene), train_of(1)), Severity::warning, "the beam does not turn"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), Severity::warning, "does not turn"));
-  scene.radars[0].beam = Radar::Beam::rotating;
+  EXPECT_TRUE(
+      mentions(remarks_on_search(plan_of(scene), train_of(1)), core::Severity::warning, "the beam does not turn"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "does not turn"));
+  scene.radars[0].beam = scene::Radar::Beam::rotating;
   EXPECT_FALSE(beam_turns(plan_of(scene)));
-  scene.radars[0].beam_rate = Angle::from_deg(360.0);
+  scene.radars[0].beam_rate = core::Angle::from_deg(360.0);
   EXPECT_TRUE(beam_turns(plan_of(scene)));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(1)), Severity::warning, "does not turn"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(1)), core::Severity::warning, "does not turn"));
 }
 
 // What turns a beam does not matter.
 TEST(RemarksOnSearch, KnowThatAPlatformTurnsABeam) {
-  Scene scene = noisy_scene(0.0);
-  scene.platforms[0].rotation_rate[2] = Angle::from_deg(90.0);
+  scene::Scene scene = noisy_scene(0.0);
+  scene.platforms[0].rotation_rate[2] = core::Angle::from_deg(90.0);
   EXPECT_TRUE(beam_turns(plan_of(scene)));
 }
 
 TEST(ProblemsOfSearch, AreGuardsLargerThanTheMap) {
-  const Plan plan = plan_of(noisy_scene(0.0));
+  const simulate::Plan plan = plan_of(noisy_scene(0.0));
   SearchOptions options = train_of(64);
   options.cfar.reference_columns = options.cfar.guard_columns = 1000;
   options.cfar.reference_rows = 2000;
   options.cfar.guard_rows = 1000;
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), Severity::error, "no reference cells are left"));
+  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "no reference cells are left"));
   options.cfar.guard_rows = 62;
   EXPECT_TRUE(problems_of_search(plan, options).empty());
 }
 
 TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
-  const Plan silent = plan_of(pulse_scene(0.0));
-  EXPECT_TRUE(mentions(remarks_on_search(silent, train_of(64)), Severity::warning, "no noise"));
+  const simulate::Plan silent = plan_of(pulse_scene(0.0));
+  EXPECT_TRUE(mentions(remarks_on_search(silent, train_of(64)), core::Severity::warning, "no noise"));
   SearchOptions options = train_of(64, 1);
   options.cfar.reference_rows = 2;
-  EXPECT_TRUE(mentions(remarks_on_search(silent, options), Severity::warning, "differs from one Doppler row"));
+  EXPECT_TRUE(mentions(remarks_on_search(silent, options), core::Severity::warning, "differs from one Doppler row"));
   options.detect = false;
-  EXPECT_FALSE(mentions(remarks_on_search(silent, options), Severity::warning, "noise"));
-  Scene fine = noisy_scene(0.0);
+  EXPECT_FALSE(mentions(remarks_on_search(silent, options), core::Severity::warning, "noise"));
+  scene::Scene fine = noisy_scene(0.0);
   fine.simulations[0].sample_rate_hz = 50e6;
-  EXPECT_TRUE(mentions(remarks_on_search(plan_of(fine), train_of(64)), Severity::warning, "a target hides itself"));
+  EXPECT_TRUE(
+      mentions(remarks_on_search(plan_of(fine), train_of(64)), core::Severity::warning, "a target hides itself"));
 }
 
 TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
   // A pulse of 1499 m in a window of 1700 m: echoes from 4901 m on are cut.
-  Scene scene = noisy_scene(0.0);
+  scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 6400.0;
-  EXPECT_TRUE(mentions(remarks_on_search(make_plan(scene, 0), train_of(64)), Severity::warning,
+  EXPECT_TRUE(mentions(remarks_on_search(simulate::make_plan(scene, 0), train_of(64)), core::Severity::warning,
                        "1 of 1 targets lie within a pulse's length of the end"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), Severity::warning, "of the end"));
+  EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "of the end"));
   scene.simulations[0].range_end_m = 6600.0;
-  EXPECT_FALSE(mentions(remarks_on_search(make_plan(scene, 0), train_of(64)), Severity::warning, "of the end"));
+  EXPECT_FALSE(
+      mentions(remarks_on_search(simulate::make_plan(scene, 0), train_of(64)), core::Severity::warning, "of the end"));
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

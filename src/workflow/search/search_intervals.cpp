@@ -10,7 +10,7 @@
 #include "signal/search/detection_peaks.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -28,13 +28,13 @@ std::size_t pulses_of_group(const SearchOptions& options, std::size_t intervals)
 // Works out the intervals of a group on the pulses that it holds.
 class IntervalGroups {
  public:
-  IntervalGroups(const PulseRows& rows, const SearchOptions& options, const WorkControl& control)
+  IntervalGroups(const PulseRows& rows, const SearchOptions& options, const core::WorkControl& control)
       : rows_(rows),
         options_(options),
         control_(control),
         geometry_(*rows.plan->scene, rows.plan->radar),
         interval_(coherent_interval(options)),
-        weights_(pulse_weights(interval_)),
+        weights_(signal::pulse_weights(interval_)),
         cfar_(detector_of(rows, options)),
         prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
     interval_.step = options.step_pulses();
@@ -45,7 +45,8 @@ class IntervalGroups {
     take_pulses(first, pulses_of_group(options_, count));
     // The pulses behind the canceller's, as its output numbers them.
     const std::span<const std::complex<float>> moving = cancelled_pulses();
-    std::vector<RangeDopplerMap> maps = range_doppler_maps(moving, rows_.samples(), prf_hz_, interval_, control_);
+    std::vector<signal::RangeDopplerMap> maps =
+        signal::range_doppler_maps(moving, rows_.samples(), prf_hz_, interval_, control_);
     std::vector<SearchInterval> intervals(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
       SearchInterval& interval = intervals[i];
@@ -69,7 +70,7 @@ class IntervalGroups {
                   pulses_.begin());
     pulses_.resize(count * samples);
     first_held_ = first;
-    parallel_ranges(count - known, 4, control_, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(count - known, 4, control_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = known + begin; p < known + end; ++p)
         rows_.read(first + p, std::span(pulses_).subspan(p * samples, samples));
     });
@@ -77,7 +78,7 @@ class IntervalGroups {
 
   std::span<const std::complex<float>> cancelled_pulses() {
     if (options_.canceller == 0) return pulses_;
-    cancelled_ = cancelled(pulses_, rows_.samples(), options_.canceller);
+    cancelled_ = signal::cancelled(pulses_, rows_.samples(), options_.canceller);
     return cancelled_;
   }
 
@@ -90,12 +91,12 @@ class IntervalGroups {
     };
     interval.time_s = 0.5 * (at(0) + at(pulses - 1));
     at((pulses - 1) / 2);
-    const Vec3 radar_m = geometry_.radar_pose().position_world_m;
-    const Vec3 beam = geometry_.pointing().axis_world();
+    const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
+    const core::Vec3 beam = geometry_.pointing().axis_world();
     at(pulses / 2);
     interval.radar_world_m = 0.5 * (radar_m + geometry_.radar_pose().position_world_m);
-    const Vec3 both = beam + geometry_.pointing().axis_world();
-    interval.beam_world = norm(both) > 0.0 ? (1.0 / norm(both)) * both : beam;
+    const core::Vec3 both = beam + geometry_.pointing().axis_world();
+    interval.beam_world = core::norm(both) > 0.0 ? (1.0 / core::norm(both)) * both : beam;
   }
 
   void detect(std::vector<SearchInterval>& intervals, std::span<const std::complex<float>> moving) const {
@@ -103,30 +104,30 @@ class IntervalGroups {
       detect_in(intervals[0], moving, control_);
       return;
     }
-    parallel_ranges(intervals.size(), 1, control_, [&](std::size_t begin, std::size_t end) {
+    core::parallel_ranges(intervals.size(), 1, control_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) detect_in(intervals[i], moving, {1, control_.stop});
     });
   }
 
   void detect_in(SearchInterval& interval, std::span<const std::complex<float>> moving,
-                 const WorkControl& control) const {
-    const std::vector<float> power = power_of(interval.map);
-    std::vector<CfarDetection> found = detect_cfar(power, rows_.samples(), cfar_, control);
-    if (!options_.all_cells) found = peaks_of(found, power, rows_.samples());
-    for (const CfarDetection& cell : found) interval.detections.push_back(detection_of(interval, cell, moving));
+                 const core::WorkControl& control) const {
+    const std::vector<float> power = signal::power_of(interval.map);
+    std::vector<signal::CfarDetection> found = signal::detect_cfar(power, rows_.samples(), cfar_, control);
+    if (!options_.all_cells) found = signal::peaks_of(found, power, rows_.samples());
+    for (const signal::CfarDetection& cell : found) interval.detections.push_back(detection_of(interval, cell, moving));
   }
 
-  [[nodiscard]] SearchDetection detection_of(const SearchInterval& interval, const CfarDetection& cell,
+  [[nodiscard]] SearchDetection detection_of(const SearchInterval& interval, const signal::CfarDetection& cell,
                                              std::span<const std::complex<float>> moving) const {
     SearchDetection detection;
     detection.interval = interval.number;
     detection.row = cell.row;
     detection.column = cell.column;
     detection.time_s = interval.time_s;
-    detection.azimuth_rad = azimuth_rad(interval.beam_world);
+    detection.azimuth_rad = core::azimuth_rad(interval.beam_world);
     detection.magnitude_v = std::sqrt(cell.power);
     detection.threshold_v = std::sqrt(cell.threshold);
-    const double noise_w = noise_power(cell, cfar_);
+    const double noise_w = signal::noise_power(cell, cfar_);
     detection.snr = noise_w > 0.0 ? cell.power / noise_w : std::numeric_limits<double>::infinity();
     refine(interval, moving, detection);
     return detection;
@@ -137,8 +138,8 @@ class IntervalGroups {
               SearchDetection& detection) const {
     const std::size_t samples = rows_.samples();
     const auto line = std::span(interval.map.values).subspan(detection.row * samples, samples);
-    detection.range_m =
-        range_at(options_.all_cells ? static_cast<double>(detection.column) : peak_place(line, detection.column));
+    detection.range_m = range_at(options_.all_cells ? static_cast<double>(detection.column)
+                                                    : signal::peak_place(line, detection.column));
     if (options_.pulses < 2) return;
     detection.doppler_hz = interval.map.doppler_hz(detection.row);
     if (!options_.all_cells) {
@@ -147,10 +148,10 @@ class IntervalGroups {
       for (std::size_t p = 0; p < pulses.size(); ++p)
         pulses[p] = weights_[p] * std::complex<double>(moving[(first + p) * samples + detection.column]);
       const double reach = 0.6 / static_cast<double>(options_.rows());
-      detection.doppler_hz = prf_hz_ * peak_frequency(pulses, detection.doppler_hz / prf_hz_, reach);
+      detection.doppler_hz = prf_hz_ * signal::peak_frequency(pulses, detection.doppler_hz / prf_hz_, reach);
       detection.doppler_hz -= prf_hz_ * std::floor(detection.doppler_hz / prf_hz_ + 0.5);
     }
-    const Plan& plan = *rows_.plan;
+    const simulate::Plan& plan = *rows_.plan;
     const double wavelength_m =
         plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(rows_.number(interval.first_pulse));
     detection.speed_mps = -0.5 * wavelength_m * detection.doppler_hz;
@@ -165,11 +166,11 @@ class IntervalGroups {
 
   const PulseRows& rows_;
   const SearchOptions& options_;
-  const WorkControl& control_;
-  PulseGeometry geometry_;
-  CoherentInterval interval_;
+  const core::WorkControl& control_;
+  simulate::PulseGeometry geometry_;
+  signal::CoherentInterval interval_;
   std::vector<double> weights_;
-  CfarOptions cfar_;
+  signal::CfarOptions cfar_;
   double prf_hz_;
   std::size_t first_held_ = 0;
   std::vector<std::complex<float>> pulses_;  // from first_held_ on
@@ -183,42 +184,43 @@ std::size_t interval_count(const SearchOptions& options, std::size_t pulses) {
   return (pulses - options.recorded_pulses()) / options.step_pulses() + 1;
 }
 
-CoherentInterval coherent_interval(const SearchOptions& options) {
-  CoherentInterval interval;
+signal::CoherentInterval coherent_interval(const SearchOptions& options) {
+  signal::CoherentInterval interval;
   interval.pulses = options.pulses;
   interval.step = options.step;
   interval.frequencies = options.frequencies;
   // The weight at (p + 1/2)/N: no pulse is lost to a weight of 0 at the ends.
-  if (options.window.kind != SarWindow::Kind::rectangular)
-    interval.window = [weight = weight_of(options.window), n = static_cast<double>(options.pulses)](double x) {
+  if (options.window.kind != signal::SarWindow::Kind::rectangular)
+    interval.window = [weight = signal::weight_of(options.window), n = static_cast<double>(options.pulses)](double x) {
       return weight((x - 0.5) * (n - 1.0) / n);
     };
   return interval;
 }
 
-CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options) {
-  CfarOptions cfar = options.cfar;
+signal::CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options) {
+  signal::CfarOptions cfar = options.cfar;
   std::vector<double> along_rows{1.0};
   if (cfar.reference_rows > 0) {
     // The rows of a map are a transform: their correlation is that of the squared weights.
     std::vector<std::complex<double>> weights(options.rows());
-    std::ranges::transform(pulse_weights(coherent_interval(options)), weights.begin(), [](double w) { return w * w; });
-    Fft(weights.size()).forward(weights);
+    std::ranges::transform(signal::pulse_weights(coherent_interval(options)), weights.begin(),
+                           [](double w) { return w * w; });
+    core::Fft(weights.size()).forward(weights);
     along_rows.resize(weights.size());
     for (std::size_t m = 0; m < weights.size(); ++m) along_rows[m] = std::norm(weights[m] / weights[0]);
   }
-  cfar.independence = independence(rows.noise_correlation, along_rows, cfar);
+  cfar.independence = signal::independence(rows.noise_correlation, along_rows, cfar);
   return cfar;
 }
 
-void each_interval(const PulseRows& rows, const SearchOptions& options, const WorkControl& control,
-                   const ProgressReport& progress, const std::function<void(const SearchInterval&)>& consume) {
+void each_interval(const PulseRows& rows, const SearchOptions& options, const core::WorkControl& control,
+                   const core::ProgressReport& progress, const std::function<void(const SearchInterval&)>& consume) {
   if (options.pulses == 0) throw std::invalid_argument("intervals without pulses");
   const std::size_t count = interval_count(options, rows.pulses());
   const std::size_t at_once = group_intervals(options);
   IntervalGroups groups(rows, options, control);
   for (std::size_t first = 0; first < count; first += at_once) {
-    if (control.stop != nullptr && control.stop->requested()) throw Interrupted();
+    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     const std::size_t end = std::min(first + at_once, count);
     for (const SearchInterval& interval : groups.work_out(first, end - first)) consume(interval);
     if (progress) progress({end, count, options.step_pulses() * rows.samples()});
@@ -233,4 +235,4 @@ double interval_bytes(const SearchOptions& options, std::size_t pulses, std::siz
   return static_cast<double>(samples) * (8.0 * held + 12.0 * mapped);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -14,7 +14,7 @@
 
 /// Pulses to range-Doppler maps and detections, one coherent interval after the other
 /// (docs/theory/search-and-doppler.md).
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// How pulses are worked on. An interval of one pulse is a line of ranges without Doppler.
 struct SearchOptions {
@@ -22,9 +22,9 @@ struct SearchOptions {
   std::size_t pulses = 1;       ///< Of an interval, after the canceller, which takes `canceller` more.
   std::size_t step = 0;         ///< From one interval to the next; 0: the length of one.
   std::size_t frequencies = 0;  ///< Doppler rows of a map; 0: as many as pulses.
-  SarWindow window{};           ///< Over the pulses.
+  signal::SarWindow window{};   ///< Over the pulses.
   bool detect = true;
-  CfarOptions cfar{};
+  signal::CfarOptions cfar{};
   bool all_cells = false;  ///< Report every cell above its threshold, not only the largest of its neighbours.
 
   [[nodiscard]] std::size_t step_pulses() const { return step > 0 ? step : pulses; }
@@ -36,11 +36,11 @@ struct SearchOptions {
 [[nodiscard]] std::size_t interval_count(const SearchOptions& options, std::size_t pulses);
 
 /// The interval as range_doppler_maps takes it.
-[[nodiscard]] CoherentInterval coherent_interval(const SearchOptions& options);
+[[nodiscard]] signal::CoherentInterval coherent_interval(const SearchOptions& options);
 
 /// The detector for maps of those pulses: `options.cfar` with what a reference cell is worth. Samples of range are
 /// correlated by the matched filter, Doppler rows, where the reference has more than one, by window and zeros.
-[[nodiscard]] CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options);
+[[nodiscard]] signal::CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options);
 
 /// Something that stands out of the noise.
 struct SearchDetection {
@@ -62,9 +62,9 @@ struct SearchInterval {
   std::size_t number = 0;
   std::size_t first_pulse = 0;  ///< Of the recording, from 0.
   double time_s = 0.0;          ///< Middle of the first and the last pulse, those of the canceller included.
-  Vec3 radar_world_m;           ///< In the middle.
-  Vec3 beam_world;              ///< Direction of the beam's axis in the middle.
-  RangeDopplerMap map;          ///< Of cancelled pulses where there is a canceller.
+  core::Vec3 radar_world_m;     ///< In the middle.
+  core::Vec3 beam_world;        ///< Direction of the beam's axis in the middle.
+  signal::RangeDopplerMap map;  ///< Of cancelled pulses where there is a canceller.
   std::vector<SearchDetection> detections;
 };
 
@@ -72,10 +72,10 @@ struct SearchInterval {
 /// maps of one interval, or, of short ones, of as many as 256 pulses make; never more, however long the recording. The
 /// same numbers for any number of threads.
 /// @throw  std::invalid_argument where options make no sense; Interrupted; what reading throws
-void each_interval(const PulseRows& rows, const SearchOptions& options, const WorkControl& control,
-                   const ProgressReport& progress, const std::function<void(const SearchInterval&)>& consume);
+void each_interval(const PulseRows& rows, const SearchOptions& options, const core::WorkControl& control,
+                   const core::ProgressReport& progress, const std::function<void(const SearchInterval&)>& consume);
 
 /// Bytes that `each_interval` holds.
 [[nodiscard]] double interval_bytes(const SearchOptions& options, std::size_t pulses, std::size_t samples);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

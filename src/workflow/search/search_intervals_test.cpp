@@ -8,10 +8,10 @@
 #include "signal/search/steady_target.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-const double wavelength_m = exact_light_speed_mps / 10e9;
+const double wavelength_m = core::exact_light_speed_mps / 10e9;
 
 TEST(SearchIntervals, CountWholeIntervalsOnly) {
   SearchOptions options;
@@ -29,7 +29,7 @@ TEST(SearchIntervals, CountWholeIntervalsOnly) {
 TEST(SearchIntervals, ShowAMovingTargetsSpeedAndRangeWithinATenthOfACell) {
   for (const double speed_mps : {-21.3, -7.77, 0.0, 15.0, 28.9})
     for (const std::size_t canceller : {0u, 1u, 2u})
-      for (const auto window : {SarWindow::Kind::rectangular, SarWindow::Kind::taylor}) {
+      for (const auto window : {signal::SarWindow::Kind::rectangular, signal::SarWindow::Kind::taylor}) {
         if (speed_mps == 0.0 && canceller > 0) continue;
         SearchOptions options;
         options.pulses = 64;
@@ -60,14 +60,14 @@ TEST(SearchIntervals, FoldSpeedsBeyondTheUnambiguousOne) {
 TEST(SearchIntervals, PassTargetsWithTheGainOfTheCanceller) {
   // In the middle of a Doppler cell, where the map keeps an amplitude.
   const double doppler_hz = 16.0 * search_prf_hz / 64.0;
-  const Scene scene = pulse_scene(-0.5 * wavelength_m * doppler_hz, 66);
+  const scene::Scene scene = pulse_scene(-0.5 * wavelength_m * doppler_hz, 66);
   SearchOptions options;
   options.pulses = 64;
   const double plain = strongest(intervals_of(pulse_rows_of(scene), options).at(0)).magnitude_v;
   for (const std::size_t order : {1u, 2u}) {
     options.canceller = order;
     const double passed = strongest(intervals_of(pulse_rows_of(scene), options).at(0)).magnitude_v;
-    EXPECT_NEAR(passed / plain, std::pow(2.0 * std::sin(pi / 4.0), static_cast<double>(order)), 0.01);
+    EXPECT_NEAR(passed / plain, std::pow(2.0 * std::sin(core::pi / 4.0), static_cast<double>(order)), 0.01);
   }
   // What rests leaves nothing but rounding.
   const auto resting = intervals_of(pulse_rows_of(pulse_scene(0.0, 66)), options).at(0);
@@ -77,7 +77,7 @@ TEST(SearchIntervals, PassTargetsWithTheGainOfTheCanceller) {
 TEST(SearchIntervals, HaveTheFalseAlarmsTheyPromise) {
   const PulseRows rows = pulse_rows_of(noise_scene(320, 400));
   for (const std::size_t canceller : {0u, 2u})
-    for (const auto kind : {CfarOptions::Kind::cell_averaging, CfarOptions::Kind::ordered_statistic}) {
+    for (const auto kind : {signal::CfarOptions::Kind::cell_averaging, signal::CfarOptions::Kind::ordered_statistic}) {
       SearchOptions options;
       options.pulses = 16;
       options.canceller = canceller;
@@ -98,19 +98,19 @@ TEST(SearchIntervals, HaveTheFalseAlarmsTheyPromise) {
 TEST(SearchIntervals, FindSteadyTargetsAsOftenAsTheClosedFormSays) {
   constexpr int targets = 16;
   constexpr int pulses = 1500;
-  Scene scene = noise_scene(pulses, 24 * targets);
-  const double step_m = 0.5 * exact_light_speed_mps / 1e6;
+  scene::Scene scene = noise_scene(pulses, 24 * targets);
+  const double step_m = 0.5 * core::exact_light_speed_mps / 1e6;
   const double first_m = scene.simulations[0].range_start_m;
   // A pulse covers one sample, the one half a sample behind its range. 24 cells apart, all equally strong.
   for (int t = 0; t < targets; ++t) {
     const double range_m = first_m + (11.5 + 24 * t) * step_m;
-    scene.targets.push_back(target_on("Earth", {0.0, range_m, 0.0}, 1e3 * std::pow(range_m / 15e3, 4.0)));
+    scene.targets.push_back(simulate::target_on("Earth", {0.0, range_m, 0.0}, 1e3 * std::pow(range_m / 15e3, 4.0)));
   }
-  const double echo_v = equation_amplitude(15e3, 1e3, wavelength_m);
+  const double echo_v = simulate::equation_amplitude(15e3, 1e3, wavelength_m);
   const double snr = 10.0;
-  scene.radars[0].noise_temperature_k = echo_v * echo_v / (snr * boltzmann_j_per_k * 1e6);
+  scene.radars[0].noise_temperature_k = echo_v * echo_v / (snr * core::boltzmann_j_per_k * 1e6);
   const PulseRows rows = pulse_rows_of(scene);
-  for (const auto kind : {CfarOptions::Kind::cell_averaging, CfarOptions::Kind::ordered_statistic}) {
+  for (const auto kind : {signal::CfarOptions::Kind::cell_averaging, signal::CfarOptions::Kind::ordered_statistic}) {
     SearchOptions options;
     options.all_cells = true;
     options.cfar.kind = kind;
@@ -122,21 +122,21 @@ TEST(SearchIntervals, FindSteadyTargetsAsOftenAsTheClosedFormSays) {
       for (const SearchDetection& d : interval.detections) hits += d.column % 24 == 12 ? 1.0 : 0.0;
     });
     const double wanted =
-        kind == CfarOptions::Kind::cell_averaging
-            ? cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-3), snr)
-            : ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-3), snr);
+        kind == signal::CfarOptions::Kind::cell_averaging
+            ? signal::cell_averaging_steady_probability(16, signal::cell_averaging_factor(16, 1e-3), snr)
+            : signal::ordered_statistic_steady_probability(16, 12, signal::ordered_statistic_factor(16, 12, 1e-3), snr);
     const double trials = targets * static_cast<double>(pulses);
     EXPECT_NEAR(hits / trials, wanted, 5.0 * std::sqrt(wanted * (1.0 - wanted) / trials));
   }
 }
 
 TEST(SearchIntervals, MeasureTheRatioToTheNoise) {
-  Scene scene = pulse_scene(10.0, 64 * 40);
-  const double echo_v = equation_amplitude(5000.0, 1.0, wavelength_m);
+  scene::Scene scene = pulse_scene(10.0, 64 * 40);
+  const double echo_v = simulate::equation_amplitude(5000.0, 1.0, wavelength_m);
   // 3 dB after the matched filter, so that sidelobes drown; the interval adds 18.
-  scene.radars[0].noise_temperature_k = echo_v * echo_v * 10e-6 / (2.0 * boltzmann_j_per_k);
+  scene.radars[0].noise_temperature_k = echo_v * echo_v * 10e-6 / (2.0 * core::boltzmann_j_per_k);
   const PulseRows rows = pulse_rows_of(scene);
-  for (const auto kind : {CfarOptions::Kind::cell_averaging, CfarOptions::Kind::ordered_statistic}) {
+  for (const auto kind : {signal::CfarOptions::Kind::cell_averaging, signal::CfarOptions::Kind::ordered_statistic}) {
     SearchOptions options;
     options.pulses = 64;
     options.cfar.kind = kind;
@@ -154,7 +154,7 @@ TEST(SearchIntervals, MeasureTheRatioToTheNoise) {
 }
 
 TEST(SearchIntervals, AreTheSameHoweverTheyAreGroupedAndForAnyNumberOfThreads) {
-  Scene scene = pulse_scene(10.0, 700);
+  scene::Scene scene = pulse_scene(10.0, 700);
   scene.radars[0].noise_temperature_k = 290.0;
   const PulseRows rows = pulse_rows_of(scene);
   std::vector<std::complex<float>> all(rows.pulses() * rows.samples());
@@ -168,8 +168,8 @@ TEST(SearchIntervals, AreTheSameHoweverTheyAreGroupedAndForAnyNumberOfThreads) {
     options.canceller = 1;
     options.cfar.false_alarm = 1e-3;
     const auto one = intervals_of(rows, options, 1);
-    const auto expected = range_doppler_maps(cancelled(all, rows.samples(), 1), rows.samples(), search_prf_hz,
-                                             coherent_interval(options), {1, nullptr});
+    const auto expected = signal::range_doppler_maps(signal::cancelled(all, rows.samples(), 1), rows.samples(),
+                                                     search_prf_hz, coherent_interval(options), {1, nullptr});
     ASSERT_EQ(one.size(), expected.size()) << pulses;
     ASSERT_EQ(one.size(), interval_count(options, rows.pulses()));
     const auto three = intervals_of(rows, options, 3);
@@ -188,15 +188,15 @@ TEST(SearchIntervals, AreTheSameHoweverTheyAreGroupedAndForAnyNumberOfThreads) {
 }
 
 TEST(SearchIntervals, KnowWhereARotatingBeamPoints) {
-  Scene scene = pulse_scene(0.0, 400);
-  scene.radars[0].beam = Radar::Beam::rotating;
-  scene.radars[0].beam_rate = Angle::from_deg(720.0);
+  scene::Scene scene = pulse_scene(0.0, 400);
+  scene.radars[0].beam = scene::Radar::Beam::rotating;
+  scene.radars[0].beam_rate = core::Angle::from_deg(720.0);
   SearchOptions options;
   options.detect = false;
   for (const std::size_t pulses : {1u, 2u, 7u}) {
     options.pulses = pulses;
     for (const SearchInterval& interval : intervals_of(pulse_rows_of(scene), options))
-      EXPECT_NEAR(azimuth_rad(interval.beam_world), 4.0 * pi * interval.time_s, 1e-6);
+      EXPECT_NEAR(core::azimuth_rad(interval.beam_world), 4.0 * core::pi * interval.time_s, 1e-6);
   }
 }
 
@@ -214,12 +214,12 @@ TEST(SearchIntervals, EndWhenAskedTo) {
   const PulseRows rows = pulse_rows_of(pulse_scene(0.0, 64));
   SearchOptions options;
   options.pulses = 8;
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW(each_interval(rows, options, {1, &stop}, {}, [](const SearchInterval&) {}), Interrupted);
+  EXPECT_THROW(each_interval(rows, options, {1, &stop}, {}, [](const SearchInterval&) {}), core::Interrupted);
   options.pulses = 0;
   EXPECT_THROW(each_interval(rows, options, {}, {}, [](const SearchInterval&) {}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

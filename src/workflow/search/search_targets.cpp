@@ -10,14 +10,14 @@
 #include "signal/search/steady_target.hpp"
 #include "workflow/search/search_checks.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The ratio at which a steady target is found in half of all cases.
-double even_snr(const CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+double even_snr(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns) {
   double low = 0.0;
   double high = 1.0;
   while (high < 1e5 && steady_probability(cfar, rows, columns, high) < 0.5) high *= 2.0;
@@ -49,22 +49,23 @@ std::size_t pulses_of_look(const SearchOptions& options) {
 
 }  // namespace
 
-double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
+double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
   constexpr std::size_t most_ordered = 4096;
-  const std::size_t all = reference_cells(cfar, rows, columns);
+  const std::size_t all = signal::reference_cells(cfar, rows, columns);
   if (all == 0) return 0.0;
   const double worth = std::round(cfar.independence * static_cast<double>(all));
   std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
-  if (cfar.kind == CfarOptions::Kind::cell_averaging)
-    return std::min(1.0, cell_averaging_steady_probability(cells, cell_averaging_factor(cells, cfar.false_alarm), snr));
+  if (cfar.kind == signal::CfarOptions::Kind::cell_averaging)
+    return std::min(1.0, signal::cell_averaging_steady_probability(
+                             cells, signal::cell_averaging_factor(cells, cfar.false_alarm), snr));
   cells = std::min(cells, most_ordered);
-  const std::size_t rank = cfar_rank(cells, cfar.rank_share);
-  const double factor = ordered_statistic_factor(cells, rank, cfar.false_alarm);
-  return std::min(1.0, ordered_statistic_steady_probability(cells, rank, factor, snr));
+  const std::size_t rank = signal::cfar_rank(cells, cfar.rank_share);
+  const double factor = signal::ordered_statistic_factor(cells, rank, cfar.false_alarm);
+  return std::min(1.0, signal::ordered_statistic_steady_probability(cells, rank, factor, snr));
 }
 
 std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller, std::size_t rows) {
-  const std::vector<double> differences = canceller_weights(canceller);
+  const std::vector<double> differences = signal::canceller_weights(canceller);
   std::vector<double> products(differences.size());
   for (std::size_t m = 0; m < products.size(); ++m)
     for (std::size_t n = 0; n + m < weights.size(); ++n) products[m] += weights[n] * weights[n + m];
@@ -75,7 +76,7 @@ std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t 
       for (std::size_t l = 0; l < differences.size(); ++l) {
         const std::size_t apart = k > l ? k - l : l - k;
         gains[row] += differences[k] * differences[l] * products[apart] *
-                      std::cos(2.0 * pi * cycles * static_cast<double>(apart));
+                      std::cos(2.0 * core::pi * cycles * static_cast<double>(apart));
       }
   }
   return gains;
@@ -86,14 +87,14 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
       options_(options),
       geometry_(*rows.plan->scene, rows.plan->radar),
       gain_(*rows.plan, rows.samples(), rows.plan->radar.window),
-      weights_(pulse_weights(coherent_interval(options))),
-      differences_(canceller_weights(options.canceller)),
+      weights_(signal::pulse_weights(coherent_interval(options))),
+      differences_(signal::canceller_weights(options.canceller)),
       pulses_v_(options.pulses),
       look_pulses_(pulses_of_look(options)),
       looks_((options.recorded_pulses() + look_pulses_ - 1) / look_pulses_),
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
   const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
-  cell_m_ = half_c_mps * std::max(1.0 / bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
+  cell_m_ = half_c_mps * std::max(1.0 / radar::bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
   noise_w_ = noise_gains(weights_, options.canceller, options.rows());
   for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
   if (options.detect && rows.noise_w > 0.0)
@@ -119,7 +120,7 @@ std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
 
 // Where the targets from `first` on are in the interval, and the amplitudes of their echoes, look by look.
 void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights) {
-  const ResolvedScene& scene = *rows_.plan->scene;
+  const simulate::ResolvedScene& scene = *rows_.plan->scene;
   const double light_speed_mps = scene.conventions.light_speed_mps;
   const std::size_t pulses = options_.recorded_pulses();
   amplitudes_v_.resize(sights.size() * looks_);
@@ -129,18 +130,19 @@ void SearchTargets::look(const SearchInterval& interval, std::size_t first, std:
     const std::size_t pulse = begin + length / 2;
     const double share = static_cast<double>(length) / static_cast<double>(pulses);
     geometry_.set_pulse(rows_.number(interval.first_pulse + pulse));
-    const Pointing pointing = geometry_.pointing();
+    const radar::Pointing pointing = geometry_.pointing();
     for (std::size_t t = 0; t < sights.size(); ++t) {
-      const ScattererView view = geometry_.view(first + t, pointing);
+      const simulate::ScattererView view = geometry_.view(first + t, pointing);
       TargetSight& sight = sights[t];
       sight.range_m += share * 0.5 * light_speed_mps * view.delay_s;
       sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / light_speed_mps;
       amplitudes_v_[t * looks_ + look] =
           rows_.peak_gain * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
       if (look != looks_ / 2) continue;
-      const Scatterer& scatterer = scene.scatterers[first + t];
-      sight.azimuth_rad = azimuth_rad(world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
-                                      geometry_.radar_pose().position_world_m);
+      const simulate::Scatterer& scatterer = scene.scatterers[first + t];
+      sight.azimuth_rad =
+          core::azimuth_rad(radar::world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
+                            geometry_.radar_pose().position_world_m);
     }
   }
 }
@@ -169,7 +171,7 @@ void SearchTargets::place(const SearchInterval& interval, std::span<const double
 
 // The echoes of one target behind the canceller, but for the turn of the Doppler frequency from one output to the next.
 void SearchTargets::take_pulses(std::span<const double> amplitudes_v, double doppler_hz) {
-  const std::complex<double> step = std::polar(1.0, 2.0 * pi * doppler_hz / prf_hz_);
+  const std::complex<double> step = std::polar(1.0, 2.0 * core::pi * doppler_hz / prf_hz_);
   for (std::size_t p = 0; p < pulses_v_.size(); ++p) {
     std::complex<double> sum;
     // Horner's rule: equal echoes of a resting target leave exactly nothing.
@@ -205,7 +207,7 @@ void SearchTargets::take_strongest_row(const SearchInterval& interval, TargetSig
 
 // Of the pulses that were taken, summed for one Doppler frequency, to another one.
 double SearchTargets::response(double doppler_hz, double cell_hz) const {
-  const std::complex<double> step = std::polar(1.0, 2.0 * pi * (doppler_hz - cell_hz) / prf_hz_);
+  const std::complex<double> step = std::polar(1.0, 2.0 * core::pi * (doppler_hz - cell_hz) / prf_hz_);
   std::complex<double> sum;
   for (std::size_t p = weights_.size(); p-- > 0;) sum = sum * step + weights_[p] * pulses_v_[p];
   return std::abs(sum);
@@ -227,7 +229,7 @@ double SearchTargets::distance(const SearchDetection& detection, const TargetSig
 bool SearchTargets::beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const {
   constexpr double reach = 1.5;
   if (still_beam_rad_ == 0.0) return false;
-  const double away_rad = std::remainder(sight.azimuth_rad - azimuth_rad(interval.beam_world), 2.0 * pi);
+  const double away_rad = std::remainder(sight.azimuth_rad - core::azimuth_rad(interval.beam_world), 2.0 * core::pi);
   return std::abs(away_rad) > reach * still_beam_rad_;
 }
 
@@ -263,11 +265,11 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
 
 std::vector<TargetFinding> SearchTargets::findings() const {
   std::vector<TargetFinding> findings = targets_;
-  const CfarOptions cfar = detector_of(rows_, options_);
+  const signal::CfarOptions cfar = detector_of(rows_, options_);
   for (TargetFinding& finding : findings)
     if (certain_snr_ > 0.0 && finding.sight.in_window)
       finding.probability = steady_probability(cfar, options_.rows(), rows_.samples(), finding.sight.snr);
   return findings;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -9,7 +9,7 @@
 #include "workflow/focus/recorded_gain.hpp"
 #include "workflow/search/search_intervals.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// A target as an interval should see it.
 struct TargetSight {
@@ -69,7 +69,7 @@ class SearchTargets {
 
   const PulseRows& rows_;
   const SearchOptions& options_;
-  PulseGeometry geometry_;
+  simulate::PulseGeometry geometry_;
   RecordedGain gain_;
   std::vector<double> weights_;
   std::vector<double> differences_;             // of the canceller
@@ -88,7 +88,8 @@ class SearchTargets {
 /// Probability of detecting a steady target of that ratio in a cell in the middle of a map; of correlated reference
 /// cells as many count as they are worth, a whole number, and of the ordered statistic no more than 4096, whose
 /// probability is that of more to 0.003.
-[[nodiscard]] double steady_probability(const CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr);
+[[nodiscard]] double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns,
+                                        double snr);
 
 /// Power of white noise of power 1 in each row of a map of so many Doppler frequencies, 0 in the middle: the sum of the
 /// squares of what every pulse is multiplied with, by the canceller's differences d and the weights w, turned:
@@ -97,4 +98,4 @@ class SearchTargets {
 [[nodiscard]] std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller,
                                               std::size_t rows);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -12,10 +12,10 @@
 #include "signal/search/steady_target.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-const double wavelength_m = exact_light_speed_mps / 10e9;
+const double wavelength_m = core::exact_light_speed_mps / 10e9;
 
 std::vector<TargetFinding> findings_of(const PulseRows& rows, const SearchOptions& options) {
   SearchTargets targets(rows, options);
@@ -32,7 +32,7 @@ TEST(SearchTargets, KnowTheCellAndTheHeightOfATarget) {
         options.pulses = 64;
         options.canceller = canceller;
         options.frequencies = frequencies;
-        options.window.kind = SarWindow::Kind::hamming;
+        options.window.kind = signal::SarWindow::Kind::hamming;
         const PulseRows rows = pulse_rows_of(pulse_scene(speed_mps, 66));
         const TargetFinding finding = findings_of(rows, options).at(0);
         ASSERT_TRUE(finding.best) << speed_mps << " " << canceller;
@@ -51,16 +51,16 @@ TEST(SearchTargets, KnowTheCellAndTheHeightOfATarget) {
 }
 
 TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
-  Scene scene = noise_scene(2000, 100);
+  scene::Scene scene = noise_scene(2000, 100);
   // A target that is no more than a place to look at.
-  scene.platforms.push_back(moving("Car", {0.0, 20e3, 0.0}, {0.0, -10.0, 0.0}));
-  scene.targets.push_back(target_on("Car", {}, 1e-9));
+  scene.platforms.push_back(simulate::moving("Car", {0.0, 20e3, 0.0}, {0.0, -10.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Car", {}, 1e-9));
   const PulseRows rows = pulse_rows_of(scene);
   for (const std::size_t canceller : {0u, 2u}) {
     SearchOptions options;
     options.pulses = 16;
     options.canceller = canceller;
-    options.window.kind = SarWindow::Kind::hamming;
+    options.window.kind = signal::SarWindow::Kind::hamming;
     const TargetFinding finding = findings_of(rows, options).at(0);
     const double noise_w = finding.sight.amplitude_v * finding.sight.amplitude_v / finding.sight.snr;
     double power = 0.0;
@@ -76,17 +76,17 @@ TEST(SearchTargets, KnowTheNoiseOfEveryDopplerRow) {
 
 // A beam of 2 degrees that turns by 0.03 degrees from pulse to pulse over a strong target that rests. It is met in
 // pulse 203; its echo is one sample, the next one behind it.
-Scene swept_scene() {
-  Scene scene = noise_scene(400, 60);
-  const double range_m = scene.simulations[0].range_start_m + 29.7 * 0.5 * exact_light_speed_mps / 1e6;
-  const double bearing_rad = 6.1 * pi / 180.0;
+scene::Scene swept_scene() {
+  scene::Scene scene = noise_scene(400, 60);
+  const double range_m = scene.simulations[0].range_start_m + 29.7 * 0.5 * core::exact_light_speed_mps / 1e6;
+  const double bearing_rad = 6.1 * core::pi / 180.0;
   scene.targets.push_back(
-      target_on("Earth", {range_m * std::sin(bearing_rad), range_m * std::cos(bearing_rad), 0.0}, 1e3));
-  Radar& radar = scene.radars[0];
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(2.0);
-  radar.beam = Radar::Beam::rotating;
-  radar.beam_rate = Angle::from_deg(120.0);
+      simulate::target_on("Earth", {range_m * std::sin(bearing_rad), range_m * std::cos(bearing_rad), 0.0}, 1e3));
+  scene::Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(2.0);
+  radar.beam = scene::Radar::Beam::rotating;
+  radar.beam_rate = core::Angle::from_deg(120.0);
   radar.noise_temperature_k = 0.0;
   return scene;
 }
@@ -144,11 +144,11 @@ TEST(SearchTargets, ExpectWhatPassesACancellerInItsStrongestRow) {
 }
 
 TEST(SearchTargets, AreFoundBehindACancellerWhereTheyAreExpected) {
-  Scene scene = swept_scene();
+  scene::Scene scene = swept_scene();
   // 63 dB in a pulse; a hundredth of the amplitude passes.
   scene.radars[0].noise_temperature_k = 290.0;
-  const double echo_v = equation_amplitude(15e3 + 4452.0, 1.0, wavelength_m);
-  scene.targets[0].rcs_m2 = 2e6 * 290.0 * boltzmann_j_per_k * 1e6 / (echo_v * echo_v);
+  const double echo_v = simulate::equation_amplitude(15e3 + 4452.0, 1.0, wavelength_m);
+  scene.targets[0].rcs_m2 = 2e6 * 290.0 * core::boltzmann_j_per_k * 1e6 / (echo_v * echo_v);
   const PulseRows rows = pulse_rows_of(scene);
   SearchOptions options;
   options.pulses = 33;
@@ -167,18 +167,18 @@ TEST(SearchTargets, AreFoundBehindACancellerWhereTheyAreExpected) {
 
 TEST(SearchTargets, PredictHowOftenTheyAreFound) {
   constexpr int pulses = 4000;
-  Scene scene = noise_scene(pulses, 60);
-  const double step_m = 0.5 * exact_light_speed_mps / 1e6;
+  scene::Scene scene = noise_scene(pulses, 60);
+  const double step_m = 0.5 * core::exact_light_speed_mps / 1e6;
   const double range_m = scene.simulations[0].range_start_m + 29.5 * step_m;
-  scene.targets.push_back(target_on("Earth", {0.0, range_m, 0.0}, 1e3));
-  const double echo_v = equation_amplitude(range_m, 1e3, wavelength_m);
-  scene.radars[0].noise_temperature_k = echo_v * echo_v / (9.0 * boltzmann_j_per_k * 1e6);
+  scene.targets.push_back(simulate::target_on("Earth", {0.0, range_m, 0.0}, 1e3));
+  const double echo_v = simulate::equation_amplitude(range_m, 1e3, wavelength_m);
+  scene.radars[0].noise_temperature_k = echo_v * echo_v / (9.0 * core::boltzmann_j_per_k * 1e6);
   SearchOptions options;
   options.cfar.false_alarm = 1e-4;
   options.all_cells = true;
   const TargetFinding finding = findings_of(pulse_rows_of(scene), options).at(0);
   EXPECT_NEAR(finding.sight.snr, 9.0, 1e-6);
-  const double wanted = cell_averaging_steady_probability(28, cell_averaging_factor(28, 1e-4), 9.0);
+  const double wanted = signal::cell_averaging_steady_probability(28, signal::cell_averaging_factor(28, 1e-4), 9.0);
   ASSERT_TRUE(finding.probability);
   EXPECT_NEAR(*finding.probability, wanted, 1e-9);
   EXPECT_EQ(finding.expected, wanted >= 0.5 ? std::size_t{pulses} : 0u);
@@ -187,11 +187,11 @@ TEST(SearchTargets, PredictHowOftenTheyAreFound) {
 }
 
 TEST(SearchTargets, GiveEachDetectionToTheNearest) {
-  Scene scene = pulse_scene(10.0, 64);
-  scene.targets.push_back(target_on("Earth", {0.0, 5150.0, 0.0}, 2.0));
+  scene::Scene scene = pulse_scene(10.0, 64);
+  scene.targets.push_back(simulate::target_on("Earth", {0.0, 5150.0, 0.0}, 2.0));
   SearchOptions options;
   options.pulses = 64;
-  options.window.kind = SarWindow::Kind::hamming;
+  options.window.kind = signal::SarWindow::Kind::hamming;
   options.cfar.false_alarm = 1e-9;
   const PulseRows rows = pulse_rows_of(scene);
   SearchTargets targets(rows, options);
@@ -215,8 +215,8 @@ TEST(SearchTargets, OfABeamThatDoesNotTurnAreInItsDirection) {
   SearchOptions options;
   options.cfar.false_alarm = 1e-9;
   for (const bool aside : {false, true}) {
-    Scene scene = pulse_scene(0.0, 4);
-    scene.targets = {target_on("Earth", aside ? Vec3{5000.0, 0.0, 0.0} : Vec3{0.0, 5000.0, 0.0})};
+    scene::Scene scene = pulse_scene(0.0, 4);
+    scene.targets = {simulate::target_on("Earth", aside ? core::Vec3{5000.0, 0.0, 0.0} : core::Vec3{0.0, 5000.0, 0.0})};
     const PulseRows rows = pulse_rows_of(scene);
     SearchTargets targets(rows, options);
     for (const SearchInterval& interval : intervals_of(rows, options)) {
@@ -227,13 +227,13 @@ TEST(SearchTargets, OfABeamThatDoesNotTurnAreInItsDirection) {
   }
   // Trains of pulses tell targets apart by their speeds as well.
   options.pulses = 4;
-  Scene scene = pulse_scene(0.0, 4);
-  scene.targets = {target_on("Earth", {5000.0, 0.0, 0.0})};
+  scene::Scene scene = pulse_scene(0.0, 4);
+  scene.targets = {simulate::target_on("Earth", {5000.0, 0.0, 0.0})};
   EXPECT_EQ(findings_of(pulse_rows_of(scene), options).at(0).found, 1u);
 }
 
 TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
-  Scene scene = pulse_scene(0.0, 64);
+  scene::Scene scene = pulse_scene(0.0, 64);
   scene.targets[0].position_m.y = 3000.0;
   SearchOptions options;
   options.pulses = 64;
@@ -244,9 +244,9 @@ TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
 }
 
 // Rows of what a run of the scene would record.
-PulseRows recorded_rows(const Scene& scene) {
-  const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
-  const auto recording = std::make_shared<const Recording>(record(*plan));
+PulseRows recorded_rows(const scene::Scene& scene) {
+  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
+  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
   return pulse_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
     std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
   });
@@ -254,7 +254,7 @@ PulseRows recorded_rows(const Scene& scene) {
 
 TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
   // A pulse of 1499 m, of which 749.5 m fit between target and the end of the window: by symmetry half of the weights.
-  Scene scene = pulse_scene(0.0, 64);
+  scene::Scene scene = pulse_scene(0.0, 64);
   scene.radars[0].noise_temperature_k = 290.0;
   SearchOptions options;
   options.pulses = 64;
@@ -267,14 +267,14 @@ TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {
 }
 
 TEST(SearchTargets, GrowWithTheReceiversGainOverTimeAsNoiseDoes) {
-  Scene scene = pulse_scene(0.0, 64);
+  scene::Scene scene = pulse_scene(0.0, 64);
   scene.targets[0].rcs_m2 = 1e6;
   scene.radars[0].noise_temperature_k = 290.0;
   SearchOptions options;
   options.pulses = 64;
   const TargetFinding plain = findings_of(pulse_rows_of(scene), options).at(0);
-  scene.radars[0].stc = Radar::Stc::user;
-  scene.radars[0].stc_gain.part = {lines({{0.0, 7.0}, {20000.0, 7.0}})};
+  scene.radars[0].stc = scene::Radar::Stc::user;
+  scene.radars[0].stc_gain.part = {simulate::lines({{0.0, 7.0}, {20000.0, 7.0}})};
   const TargetFinding loud = findings_of(pulse_rows_of(scene), options).at(0);
   EXPECT_NEAR(loud.sight.amplitude_v / plain.sight.amplitude_v, 7.0, 1e-9);
   EXPECT_NEAR(loud.sight.snr / plain.sight.snr, 1.0, 1e-9);
@@ -285,7 +285,7 @@ TEST(SearchTargets, GrowWithTheReceiversGainOverTimeAsNoiseDoes) {
 TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
   // A long pulse of little bandwidth: 240 m/s shift its peak by 16 kHz/(1 MHz/100 us) = 1.6 us, 240 m.
   for (const double bandwidth_hz : {1e6, -1e6}) {
-    Scene scene = pulse_scene(-240.0, 64);
+    scene::Scene scene = pulse_scene(-240.0, 64);
     scene.radars[0].bandwidth_hz = bandwidth_hz;
     scene.radars[0].pulse_width_s = 100e-6;
     scene.simulations[0].range_start_m = 3000.0;
@@ -303,33 +303,33 @@ TEST(SearchTargets, TakeTheShiftOfAChirpByItsDopplerFrequency) {
 }
 
 TEST(SteadyProbability, IsThatOfTheDetectorChosen) {
-  CfarOptions cfar;
+  signal::CfarOptions cfar;
   cfar.reference_columns = 10;
   const double ca = steady_probability(cfar, 8, 100, 20.0);
-  EXPECT_EQ(ca, cell_averaging_steady_probability(16, cell_averaging_factor(16, 1e-6), 20.0));
-  cfar.kind = CfarOptions::Kind::ordered_statistic;
+  EXPECT_EQ(ca, signal::cell_averaging_steady_probability(16, signal::cell_averaging_factor(16, 1e-6), 20.0));
+  cfar.kind = signal::CfarOptions::Kind::ordered_statistic;
   EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
-            ordered_statistic_steady_probability(16, 12, ordered_statistic_factor(16, 12, 1e-6), 20.0));
+            signal::ordered_statistic_steady_probability(16, 12, signal::ordered_statistic_factor(16, 12, 1e-6), 20.0));
   EXPECT_LT(steady_probability(cfar, 8, 100, 20.0), ca);
   cfar.independence = 0.5;
   EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0),
-            ordered_statistic_steady_probability(8, 6, ordered_statistic_factor(8, 6, 1e-6), 20.0));
+            signal::ordered_statistic_steady_probability(8, 6, signal::ordered_statistic_factor(8, 6, 1e-6), 20.0));
   cfar.reference_columns = cfar.guard_columns;
   EXPECT_EQ(steady_probability(cfar, 8, 100, 20.0), 0.0);
 }
 
 TEST(SteadyProbability, CountsNoReferenceBeyondTheMap) {
-  CfarOptions cfar;
+  signal::CfarOptions cfar;
   cfar.reference_columns = 50;
   EXPECT_EQ(steady_probability(cfar, 8, 11, 20.0),
-            cell_averaging_steady_probability(6, cell_averaging_factor(6, 1e-6), 20.0));
+            signal::cell_averaging_steady_probability(6, signal::cell_averaging_factor(6, 1e-6), 20.0));
 }
 
 // Each pulse is multiplied with the sum of the differences that it is part of.
 TEST(NoiseGains, AreTheSumOfTheSquaresOfWhatThePulsesAreMultipliedWith) {
   const std::vector<double> weights{0.3, 1.0, 0.8, -0.2, 0.5};
   for (const std::size_t canceller : {0u, 1u, 2u}) {
-    const std::vector<double> differences = canceller_weights(canceller);
+    const std::vector<double> differences = signal::canceller_weights(canceller);
     for (const std::size_t rows : {1u, 6u, 7u}) {
       const std::vector<double> gains = noise_gains(weights, canceller, rows);
       ASSERT_EQ(gains.size(), rows);
@@ -338,7 +338,8 @@ TEST(NoiseGains, AreTheSumOfTheSquaresOfWhatThePulsesAreMultipliedWith) {
         std::vector<std::complex<double>> filter(weights.size() + canceller);
         for (std::size_t p = 0; p < weights.size(); ++p)
           for (std::size_t k = 0; k < differences.size(); ++k)
-            filter[p + k] += weights[p] * differences[k] * std::polar(1.0, -2.0 * pi * cycles * static_cast<double>(p));
+            filter[p + k] +=
+                weights[p] * differences[k] * std::polar(1.0, -2.0 * core::pi * cycles * static_cast<double>(p));
         double power = 0.0;
         for (const std::complex<double>& f : filter) power += std::norm(f);
         EXPECT_NEAR(gains[row], power, 1e-12) << canceller << " " << rows << " " << row;
@@ -361,10 +362,10 @@ TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {
   options.frequencies = 128;
   EXPECT_NEAR(detector_of(rows, options).independence, 0.5 * alone, 2e-3);
   options.frequencies = 0;
-  options.window.kind = SarWindow::Kind::hann;
+  options.window.kind = signal::SarWindow::Kind::hann;
   // Neighbours of Hann's rows are correlated by 2/3, the next by 1/6.
   EXPECT_NEAR(detector_of(rows, options).independence, alone / (1.0 + 8.0 / 9.0 + 2.0 / 36.0), 3e-3);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

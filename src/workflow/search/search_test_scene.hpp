@@ -12,26 +12,26 @@
 #include "workflow/search/search_intervals.hpp"
 
 /// Radars for the tests of pulse trains: at the origin, 10 GHz, 4 kHz, isotropic.
-namespace sarsim {
+namespace sarsim::workflow {
 
 inline constexpr double search_prf_hz = 4000.0;
 
 /// A chirp of 10 MHz and 10 us; one target at y = 5000 m that recedes at a speed; no noise. 1024 pulses, 4700 to 5300 m
 /// at 12.5 MHz.
-inline Scene pulse_scene(double speed_mps, int pulses = 1024) {
-  Scene scene;
-  scene.platforms.push_back(resting("Earth", {}));
-  scene.platforms.push_back(moving("Car", {0.0, 5000.0, 0.0}, {0.0, speed_mps, 0.0}));
-  scene.targets.push_back(target_on("Car", {}));
-  Radar radar;
-  radar.pulse = Radar::Pulse::chirp;
+inline scene::Scene pulse_scene(double speed_mps, int pulses = 1024) {
+  scene::Scene scene;
+  scene.platforms.push_back(simulate::resting("Earth", {}));
+  scene.platforms.push_back(simulate::moving("Car", {0.0, 5000.0, 0.0}, {0.0, speed_mps, 0.0}));
+  scene.targets.push_back(simulate::target_on("Car", {}));
+  scene::Radar radar;
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 10e6;
   radar.pulse_width_s = 10e-6;
   radar.prf_hz = search_prf_hz;
   radar.carrier_hz = 10e9;
-  radar.window = Radar::Window::hamming;
+  radar.window = scene::Radar::Window::hamming;
   scene.radars.push_back(radar);
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 4700.0;
   simulation.range_end_m = 5300.0;
@@ -43,28 +43,28 @@ inline Scene pulse_scene(double speed_mps, int pulses = 1024) {
 
 /// A pulse of a single sample, so that noise is independent from sample to sample: 1 MHz, 290 K, no target. `samples`
 /// ranges 149.9 m apart from 15 km on.
-inline Scene noise_scene(int pulses, int samples) {
-  Scene scene;
-  scene.platforms.push_back(resting("Earth", {}));
-  Radar radar;
+inline scene::Scene noise_scene(int pulses, int samples) {
+  scene::Scene scene;
+  scene.platforms.push_back(simulate::resting("Earth", {}));
+  scene::Radar radar;
   radar.pulse_width_s = 1e-6;
   radar.prf_hz = search_prf_hz;
   radar.carrier_hz = 10e9;
   radar.noise_temperature_k = 290.0;
   scene.radars.push_back(radar);
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 15e3;
-  simulation.range_end_m = 15e3 + samples * 0.5 * exact_light_speed_mps / 1e6;
+  simulation.range_end_m = 15e3 + samples * 0.5 * core::exact_light_speed_mps / 1e6;
   simulation.time_end_s = (pulses - 0.5) / search_prf_hz;
   simulation.sample_rate_hz = 1e6;
   scene.simulations.push_back(simulation);
   return scene;
 }
 
-inline PulseRows pulse_rows_of(Scene scene) {
+inline PulseRows pulse_rows_of(scene::Scene scene) {
   scene.simulations[0] = compressed_simulation(scene.simulations[0]);
-  return pulse_rows_of_scene(std::make_shared<const Plan>(make_plan(scene, 0)));
+  return pulse_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)));
 }
 
 /// All intervals, kept.
@@ -81,4 +81,4 @@ inline const SearchDetection& strongest(const SearchInterval& interval) {
   return *std::ranges::max_element(interval.detections, {}, &SearchDetection::magnitude_v);
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -12,7 +12,7 @@
 #include "signal/stepped/stepped_overlay.hpp"
 #include "signal/stepped/velocity_search.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -22,15 +22,15 @@ constexpr double most_pixels = 0x1p26;
 
 // What the image is made from, besides the echoes.
 struct IsarPlan {
-  std::vector<TrackPoint> seen;
-  IsarPlane plane;
-  ImageAxis cross_range;
+  std::vector<signal::TrackPoint> seen;
+  signal::IsarPlane plane;
+  signal::ImageAxis cross_range;
   double from_m = 0.0;  // of the profiles
   double to_m = 0.0;
 };
 
 // A turning that is given takes the place of the scene's: the same plane, another angle for each pulse.
-void take_turn_rate(IsarPlane& plane, const std::vector<TrackPoint>& seen, double rate_radps) {
+void take_turn_rate(signal::IsarPlane& plane, const std::vector<signal::TrackPoint>& seen, double rate_radps) {
   const double middle_s = seen[seen.size() / 2].time_s;
   for (std::size_t p = 0; p < seen.size(); ++p) plane.lever[p] = std::sin(rate_radps * (seen[p].time_s - middle_s));
   plane.rate_radps = std::abs(rate_radps);
@@ -39,87 +39,88 @@ void take_turn_rate(IsarPlane& plane, const std::vector<TrackPoint>& seen, doubl
 
 // Where the first-order image shows a point of the target's frame: the straight line through its distances, less those
 // of the centre, against the lever.
-ImagePlace first_order_place(const IsarPlan& plan, const Vec3& point_m) {
+signal::ImagePlace first_order_place(const IsarPlan& plan, const core::Vec3& point_m) {
   double n = 0.0, sx = 0.0, sxx = 0.0, sy = 0.0, sxy = 0.0;
   for (std::size_t p = 0; p < plan.seen.size(); ++p) {
-    const Vec3& antenna = plan.seen[p].position_m;
+    const core::Vec3& antenna = plan.seen[p].position_m;
     const double x = plan.plane.lever[p];
-    const double y = norm(antenna - point_m) - norm(antenna);
+    const double y = core::norm(antenna - point_m) - core::norm(antenna);
     n += 1.0, sx += x, sxx += x * x, sy += y, sxy += x * y;
   }
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   return {slope, (sy - slope * sx) / n};
 }
 
-ImagePlace place_in_plane(const IsarPlan& plan, const IsarOptions& options, const Vec3& point_m) {
+signal::ImagePlace place_in_plane(const IsarPlan& plan, const IsarOptions& options, const core::Vec3& point_m) {
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && plan.plane.turn_rad > least_turn_rad)
     return first_order_place(plan, point_m);
-  return {dot(point_m, plan.plane.cross_range), dot(point_m, plan.plane.range)};
+  return {core::dot(point_m, plan.plane.cross_range), core::dot(point_m, plan.plane.range)};
 }
 
 // Half of the size of the picture that holds all points of the target, with some room.
-ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, const IsarOptions& options, double cell_x_m,
-                     double cell_y_m) {
+signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, const IsarOptions& options, double cell_x_m,
+                             double cell_y_m) {
   // Where the target is across the line of sight is not known without its path.
   const double aside_m = (options.motion == IsarOptions::Motion::estimated ? 36.0 : 12.0) * cell_x_m;
-  ImagePlace half{aside_m, 12.0 * cell_y_m};
-  const ResolvedScene& scene = *rows.plan->scene;
-  const auto include = [&](const Vec3& point_m) {
-    half.azimuth_m = std::max(half.azimuth_m, std::abs(dot(point_m, plan.plane.cross_range)) + aside_m);
-    half.range_m = std::max(half.range_m, std::abs(dot(point_m, plan.plane.range)) + 12.0 * cell_y_m);
+  signal::ImagePlace half{aside_m, 12.0 * cell_y_m};
+  const simulate::ResolvedScene& scene = *rows.plan->scene;
+  const auto include = [&](const core::Vec3& point_m) {
+    half.azimuth_m = std::max(half.azimuth_m, std::abs(core::dot(point_m, plan.plane.cross_range)) + aside_m);
+    half.range_m = std::max(half.range_m, std::abs(core::dot(point_m, plan.plane.range)) + 12.0 * cell_y_m);
   };
-  for (const Scatterer& s : scene.scatterers)
+  for (const simulate::Scatterer& s : scene.scatterers)
     if (s.platform == options.platform) include(s.position_m);
-  for (const ScattererSheet& sheet : scene.sheets)
+  for (const simulate::ScattererSheet& sheet : scene.sheets)
     if (sheet.platform == options.platform)
-      for (const Vec3& point : sheet.points_m) include(point);
+      for (const core::Vec3& point : sheet.points_m) include(point);
   if (options.cross_range_m) half.azimuth_m = 0.5 * *options.cross_range_m;
   if (options.range_m) half.range_m = 0.5 * *options.range_m;
   return half;
 }
 
-void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const ImagePlace& half,
+void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const signal::ImagePlace& half,
                  double wavelength_m) {
   if (plan.plane.turn_rad <= least_turn_rad) {
-    made.problems.push_back(
-        problem_of(Severity::error, "the target does not turn against the line of sight: there is no cross-range",
-                   fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / pi), "a target that turns or flies past",
-                   "choose the target's --platform, record for longer, or give --turn-rate"));
+    made.problems.push_back(core::problem_of(
+        core::Severity::error, "the target does not turn against the line of sight: there is no cross-range",
+        fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / core::pi), "a target that turns or flies past",
+        "choose the target's --platform, record for longer, or give --turn-rate"));
     return;
   }
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
                         (made.cross_range_resolution_m * made.range_resolution_m) *
                         static_cast<double>(options.oversampling * options.oversampling);
   if (!(half.azimuth_m > 0.0 && half.range_m > 0.0) || !(pixels < most_pixels)) {
-    made.problems.push_back(problem_of(Severity::error, "the image cannot be made this large",
-                                       fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
-                                       "above 0, and fewer than 67 million pixels",
-                                       "choose another --cross-range, --range or --oversampling"));
+    made.problems.push_back(core::problem_of(
+        core::Severity::error, "the image cannot be made this large",
+        fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
+        "above 0, and fewer than 67 million pixels", "choose another --cross-range, --range or --oversampling"));
     return;
   }
   if (2.0 * half.azimuth_m > made.unambiguous_cross_range_m)
-    made.problems.push_back(problem_of(
-        Severity::warning, "the image is wider than its Doppler frequencies are unambiguous: points appear again",
+    made.problems.push_back(core::problem_of(
+        core::Severity::warning, "the image is wider than its Doppler frequencies are unambiguous: points appear again",
         fmt::format("{:.4g} m", 2.0 * half.azimuth_m), fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m),
         "repeat bursts faster, or choose a smaller --cross-range"));
   const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;
   if (options.algorithm == IsarOptions::Algorithm::range_doppler && quadratic > 0.5)
-    made.problems.push_back(problem_of(
-        Severity::warning, "the target turns so far that points away from its centre blur",
-        fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge", plan.plane.turn_rad * 180.0 / pi, quadratic),
-        "half of pi", "use fewer --bursts, or --algorithm back-projection"));
+    made.problems.push_back(core::problem_of(core::Severity::warning,
+                                             "the target turns so far that points away from its centre blur",
+                                             fmt::format("{:.3g} degrees, {:.3g} pi of phase at the edge",
+                                                         plan.plane.turn_rad * 180.0 / core::pi, quadratic),
+                                             "half of pi", "use fewer --bursts, or --algorithm back-projection"));
 }
 
 IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options,
                  IsarImage& made) {
-  const SteppedBand& band = *rows.band;
+  const signal::SteppedBand& band = *rows.band;
   IsarPlan plan;
   plan.seen = seen_from_platform(rows, options.platform, first, count);
-  plan.plane = plane_of(plan.seen);
+  plan.plane = signal::plane_of(plan.seen);
   if (options.turn_rate_radps) take_turn_rate(plan.plane, plan.seen, *options.turn_rate_radps);
   const double c = band.waveform().light_speed_mps;
   const double wavelength_m = c / band.centre_hz();
-  const std::vector<PulseMotion> motion = motion_of_origin(plan.seen, c);
+  const std::vector<signal::PulseMotion> motion = signal::motion_of_origin(plan.seen, c);
   made.from_s = plan.seen.front().time_s;
   made.to_s = plan.seen.back().time_s;
   made.speed_mps = motion[motion.size() / 2].speed_mps;
@@ -130,18 +131,18 @@ IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, 
   // Each burst stands for its part of the turning.
   made.cross_range_resolution_m = 0.5 * wavelength_m / (plan.plane.turn_rad * bursts / std::max(1.0, bursts - 1.0));
   made.unambiguous_cross_range_m = made.cross_range_resolution_m * bursts;
-  ImagePlace half = half_size(rows, plan, options, made.cross_range_resolution_m, made.range_resolution_m);
+  signal::ImagePlace half = half_size(rows, plan, options, made.cross_range_resolution_m, made.range_resolution_m);
   if (options.motion == IsarOptions::Motion::estimated && !options.cross_range_m)
     half.azimuth_m = std::min(half.azimuth_m, 0.5 * made.unambiguous_cross_range_m);
   add_remarks(made, plan, options, half, wavelength_m);
-  if (has_errors(made.problems)) return plan;
+  if (core::has_errors(made.problems)) return plan;
   const double pixel_m = made.cross_range_resolution_m / static_cast<double>(options.oversampling);
   const double rows_aside = std::ceil(half.azimuth_m / pixel_m);
   plan.cross_range = {-rows_aside * pixel_m, pixel_m, static_cast<std::size_t>(2.0 * rows_aside) + 1, 0.0};
   plan.from_m = made.range_m - half.range_m;
   plan.to_m = made.range_m + half.range_m;
   for (std::size_t t = 0; t < rows.plan->scene->scatterers.size(); ++t) {
-    const Scatterer& s = rows.plan->scene->scatterers[t];
+    const simulate::Scatterer& s = rows.plan->scene->scatterers[t];
     if (s.platform == options.platform)
       made.points.push_back({t, place_in_plane(plan, options, s.position_m), 0.0, {}});
   }
@@ -155,10 +156,11 @@ void set_amplitudes(IsarImage& made, const SteppedRows& rows, std::size_t first,
 
 // Without the path only differences of places are known.
 void lay_upon_image(IsarImage& made) {
-  std::vector<OverlayPoint> points;
+  std::vector<signal::OverlayPoint> points;
   points.reserve(made.points.size());
   for (const HeldPoint& point : made.points) points.push_back({point.expected, point.amplitude});
-  const auto shift = shift_upon_image(made.image, points, {made.cross_range_resolution_m, made.range_resolution_m});
+  const auto shift =
+      signal::shift_upon_image(made.image, points, {made.cross_range_resolution_m, made.range_resolution_m});
   if (!shift) return;
   for (HeldPoint& point : made.points) {
     point.expected.azimuth_m += shift->azimuth_m;
@@ -168,29 +170,32 @@ void lay_upon_image(IsarImage& made) {
 
 void find_points(IsarImage& made) {
   made.points.resize(std::min(made.points.size(), most_held_targets));
-  const ImageReader reader = reader_of(made.image);
+  const signal::ImageReader reader = signal::reader_of(made.image);
   for (HeldPoint& point : made.points) {
     double search_m = 3.0 * std::min(made.cross_range_resolution_m, made.range_resolution_m);
     for (const HeldPoint& other : made.points)
       if (other.target != point.target)
         search_m = std::min(search_m, 0.5 * std::hypot(other.expected.azimuth_m - point.expected.azimuth_m,
                                                        other.expected.range_m - point.expected.range_m));
-    point.found = measure_point(made.image, reader, point.expected,
-                                std::max(search_m, std::max(made.image.azimuth.step_m, made.image.range.step_m)));
+    point.found =
+        signal::measure_point(made.image, reader, point.expected,
+                              std::max(search_m, std::max(made.image.azimuth.step_m, made.image.range.step_m)));
   }
 }
 
-WindowFunction over_unit(const SarWindow& window) {
-  if (window.kind == SarWindow::Kind::rectangular) return {};
-  return [weight = weight_of(window)](double x) { return weight(x - 0.5); };
+signal::WindowFunction over_unit(const signal::SarWindow& window) {
+  if (window.kind == signal::SarWindow::Kind::rectangular) return {};
+  return [weight = signal::weight_of(window)](double x) { return weight(x - 0.5); };
 }
 
-std::vector<PulseMotion> motion_for(const ProfileMaker& maker, const BurstEchoes& echoes, const IsarPlan& plan,
-                                    const IsarOptions& options, IsarImage& made, const WorkControl& control) {
+std::vector<signal::PulseMotion> motion_for(const signal::ProfileMaker& maker, const signal::BurstEchoes& echoes,
+                                            const IsarPlan& plan, const IsarOptions& options, IsarImage& made,
+                                            const core::WorkControl& control) {
   const double c = maker.band().waveform().light_speed_mps;
-  if (options.motion == IsarOptions::Motion::scene) return motion_of_origin(plan.seen, c);
-  made.speed_mps = estimate_velocity(maker, echoes, -options.fastest_mps, options.fastest_mps, control).speed_mps;
-  return motion_of_speed(echoes.time_s, plan.seen[plan.seen.size() / 2].time_s, made.speed_mps, c);
+  if (options.motion == IsarOptions::Motion::scene) return signal::motion_of_origin(plan.seen, c);
+  made.speed_mps =
+      signal::estimate_velocity(maker, echoes, -options.fastest_mps, options.fastest_mps, control).speed_mps;
+  return signal::motion_of_speed(echoes.time_s, plan.seen[plan.seen.size() / 2].time_s, made.speed_mps, c);
 }
 
 }  // namespace
@@ -203,22 +208,24 @@ IsarImage plan_isar_image(const SteppedRows& rows, std::size_t first, std::size_
 }
 
 IsarImage make_isar_image(const SteppedRows& rows, std::size_t first, std::size_t count, const IsarOptions& options,
-                          const WorkControl& control, const ProgressReport& progress) {
+                          const core::WorkControl& control, const core::ProgressReport& progress) {
   IsarImage made;
   const IsarPlan plan = plan_of(rows, first, count, options, made);
-  if (has_errors(made.problems)) throw std::invalid_argument(made.problems.front().message);
-  const ProfileMaker maker(*rows.band, over_unit(options.range_window), plan.from_m, plan.to_m, options.oversampling);
-  const BurstEchoes echoes = read_bursts(rows, first, count, control);
-  const std::vector<PulseMotion> motion = motion_for(maker, echoes, plan, options, made, control);
-  const IsarEchoes all{echoes.values, motion, over_unit(options.azimuth_window)};
-  made.image = options.algorithm == IsarOptions::Algorithm::back_projection
-                   ? isar_back_projection(maker, all, plan.seen, plan.plane, plan.cross_range, control, progress)
-                   : isar_range_doppler(maker, all, plan.plane, plan.cross_range, control, progress);
-  if (options.autofocus) made.image = autofocus(made.image, {}, control).image;
+  if (core::has_errors(made.problems)) throw std::invalid_argument(made.problems.front().message);
+  const signal::ProfileMaker maker(*rows.band, over_unit(options.range_window), plan.from_m, plan.to_m,
+                                   options.oversampling);
+  const signal::BurstEchoes echoes = read_bursts(rows, first, count, control);
+  const std::vector<signal::PulseMotion> motion = motion_for(maker, echoes, plan, options, made, control);
+  const signal::IsarEchoes all{echoes.values, motion, over_unit(options.azimuth_window)};
+  made.image =
+      options.algorithm == IsarOptions::Algorithm::back_projection
+          ? signal::isar_back_projection(maker, all, plan.seen, plan.plane, plan.cross_range, control, progress)
+          : signal::isar_range_doppler(maker, all, plan.plane, plan.cross_range, control, progress);
+  if (options.autofocus) made.image = signal::autofocus(made.image, {}, control).image;
   set_amplitudes(made, rows, first, count);
   if (options.motion == IsarOptions::Motion::estimated) lay_upon_image(made);
   find_points(made);
   return made;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -12,7 +12,7 @@
 #include "signal/stepped/stepped_isar.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// How an image of a turning target is made.
 struct IsarOptions {
@@ -29,23 +29,23 @@ struct IsarOptions {
   std::optional<double> cross_range_m{};    ///< Size of the image; nothing: as large as the target.
   std::optional<double> range_m{};
   std::size_t oversampling = 2;  ///< Pixels for each resolution cell.
-  SarWindow range_window{};
-  SarWindow azimuth_window{};
+  signal::SarWindow range_window{};
+  signal::SarWindow azimuth_window{};
   double fastest_mps = 500.0;  ///< Motion::estimated: searched from minus this to this.
   bool autofocus = false;
 };
 
 /// A target of the scene in an image.
 struct HeldPoint {
-  std::size_t target = 0;  ///< Position in the scene's list, from 0.
-  ImagePlace expected;     ///< Cross-range and range from the target's centre.
-  double amplitude = 0.0;  ///< Mean of its echoes, volts.
-  std::optional<PointResponse> found;
+  std::size_t target = 0;       ///< Position in the scene's list, from 0.
+  signal::ImagePlace expected;  ///< Cross-range and range from the target's centre.
+  double amplitude = 0.0;       ///< Mean of its echoes, volts.
+  std::optional<signal::PointResponse> found;
 };
 
 /// An image of a turning target and what it is of.
 struct IsarImage {
-  FocusedImage image;  ///< Rows along cross-range, columns along range, from the target's centre.
+  signal::FocusedImage image;  ///< Rows along cross-range, columns along range, from the target's centre.
   double from_s = 0.0;
   double to_s = 0.0;
   double speed_mps = 0.0;                  ///< Of the target's centre in the middle.
@@ -55,7 +55,7 @@ struct IsarImage {
   double cross_range_resolution_m = 0.0;   ///< wavelength/(2 turn)
   double unambiguous_cross_range_m = 0.0;  ///< wavelength/2 over the turn from burst to burst.
   std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `most_held_targets`.
-  Problems problems;                       ///< What limits this image.
+  core::Problems problems;                 ///< What limits this image.
 };
 
 /// The directions, times and sizes of an image, without values; `problems` says what stands against it (errors) and
@@ -66,7 +66,7 @@ struct IsarImage {
 
 /// Makes the image. Throws std::invalid_argument where `plan_isar_image` finds an error, Interrupted.
 [[nodiscard]] IsarImage make_isar_image(const SteppedRows& rows, std::size_t first, std::size_t count,
-                                        const IsarOptions& options, const WorkControl& control,
-                                        const ProgressReport& progress = {});
+                                        const IsarOptions& options, const core::WorkControl& control,
+                                        const core::ProgressReport& progress = {});
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

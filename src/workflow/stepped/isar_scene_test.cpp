@@ -5,34 +5,35 @@
 #include "core/maths/constants.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
 using testing::HasSubstr;
 
-const WorkControl two{2, nullptr};
+const core::WorkControl two{2, nullptr};
 
 // A ship of four points, 5 km away, that turns by 3 degrees a second; chirps in 8 steps, or on one carrier.
-Scene ship_scene(bool stepped) {
-  Scene scene;
-  scene.platforms.push_back(resting("Earth", {}));
-  scene.platforms.push_back(moving("Ship", {0.0, 5000.0, 0.0}, {4.0, 3.0, 0.0}));
-  scene.platforms.back().rotation_rate = {Angle{}, Angle{}, Angle::from_deg(3.0)};
-  for (const Vec3& place : {Vec3{}, Vec3{12.0, 4.0, 0.0}, Vec3{-9.0, -6.0, 0.0}, Vec3{4.0, -8.0, 3.0}})
-    scene.targets.push_back(target_on("Ship", place, place == Vec3{} ? 4.0 : 1.0));
-  Radar radar;
+scene::Scene ship_scene(bool stepped) {
+  scene::Scene scene;
+  scene.platforms.push_back(simulate::resting("Earth", {}));
+  scene.platforms.push_back(simulate::moving("Ship", {0.0, 5000.0, 0.0}, {4.0, 3.0, 0.0}));
+  scene.platforms.back().rotation_rate = {core::Angle{}, core::Angle{}, core::Angle::from_deg(3.0)};
+  for (const core::Vec3& place :
+       {core::Vec3{}, core::Vec3{12.0, 4.0, 0.0}, core::Vec3{-9.0, -6.0, 0.0}, core::Vec3{4.0, -8.0, 3.0}})
+    scene.targets.push_back(simulate::target_on("Ship", place, place == core::Vec3{} ? 4.0 : 1.0));
+  scene::Radar radar;
   radar.platform = "Earth";
-  radar.pulse = Radar::Pulse::chirp;
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.pulse_width_s = 5e-6;
   radar.carrier_hz = 9.4e9;
   radar.prf_hz = stepped ? 2000.0 : 400.0;
   radar.bandwidth_hz = stepped ? 18e6 : 130e6;
-  radar.carrier = stepped ? Radar::Carrier::stepped : Radar::Carrier::single;
+  radar.carrier = stepped ? scene::Radar::Carrier::stepped : scene::Radar::Carrier::single;
   radar.carrier_step_hz = 16e6;
   radar.carrier_steps = 8;
   radar.pulses_per_step = 1;
   scene.radars.push_back(radar);
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_start_m = 4940.0;
   simulation.range_end_m = 5060.0;
@@ -42,11 +43,13 @@ Scene ship_scene(bool stepped) {
   return scene;
 }
 
-SteppedRows rows_of(Scene scene) {
-  const Plan window = make_plan(scene, 0);
-  EXPECT_FALSE(has_errors(problems_of_stepped(window, SteppedUse::isar, false)));
+SteppedRows rows_of(scene::Scene scene) {
+  const simulate::Plan window = simulate::make_plan(scene, 0);
+  EXPECT_FALSE(core::has_errors(problems_of_stepped(window, SteppedUse::isar, false)));
   scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-  return stepped_rows_of_scene(std::make_shared<const Plan>(make_plan(scene, 0, nullptr, Engine::automatic)), window);
+  return stepped_rows_of_scene(
+      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic)),
+      window);
 }
 
 IsarOptions options_for(const SteppedRows& rows) {
@@ -56,9 +59,9 @@ IsarOptions options_for(const SteppedRows& rows) {
   return options;
 }
 
-std::string text_of(const Problems& problems) {
+std::string text_of(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -78,9 +81,9 @@ TEST(IsarImage, OfStepsOfChirpsAndOfChirpsOnOneCarrierHasItsPointsInPlace) {
     const IsarImage made = make_isar_image(rows, 0, rows.bursts, options_for(rows), two);
     EXPECT_EQ(text_of(made.problems), "");
     // 3 degrees a second, less what the line of sight turns with the ship: 4 m/s in 5 km.
-    EXPECT_NEAR(made.turn_rad / (made.to_s - made.from_s), 3.0 * pi / 180.0 - 4.0 / 5000.0, 2e-4);
+    EXPECT_NEAR(made.turn_rad / (made.to_s - made.from_s), 3.0 * core::pi / 180.0 - 4.0 / 5000.0, 2e-4);
     EXPECT_NEAR(made.speed_mps, 3.0, 0.01);
-    EXPECT_NEAR(made.range_resolution_m, exact_light_speed_mps / 2.0 / 130e6, 0.01);
+    EXPECT_NEAR(made.range_resolution_m, core::exact_light_speed_mps / 2.0 / 130e6, 0.01);
     expect_found(made, 0.1, 0.1);
   }
 }
@@ -125,8 +128,8 @@ TEST(IsarImage, FindsTheMotionInTheEchoes) {
 }
 
 TEST(IsarImage, HoldsTheFirstThousandTargetsAgainstIt) {
-  Scene scene = ship_scene(true);
-  while (scene.targets.size() < 1100) scene.targets.push_back(target_on("Ship", {1.0, 1.0, 0.0}, 1e-6));
+  scene::Scene scene = ship_scene(true);
+  while (scene.targets.size() < 1100) scene.targets.push_back(simulate::target_on("Ship", {1.0, 1.0, 0.0}, 1e-6));
   const SteppedRows rows = rows_of(scene);
   const IsarImage made = make_isar_image(rows, 0, 4, options_for(rows), two);
   ASSERT_EQ(made.points.size(), most_held_targets);
@@ -157,12 +160,12 @@ TEST(IsarImage, SaysWhatStandsAgainstIt) {
   EXPECT_THAT(said(options, rows), HasSubstr("points away from its centre blur"));
   options.algorithm = IsarOptions::Algorithm::back_projection;
   EXPECT_THAT(said(options, rows), testing::Not(HasSubstr("blur")));
-  Scene still = ship_scene(true);
-  still.platforms[1] = resting("Ship", {0.0, 5000.0, 0.0});
+  scene::Scene still = ship_scene(true);
+  still.platforms[1] = simulate::resting("Ship", {0.0, 5000.0, 0.0});
   const SteppedRows resting_rows = rows_of(still);
   EXPECT_THAT(said(options_for(resting_rows), resting_rows), HasSubstr("does not turn"));
   EXPECT_THROW((void)make_isar_image(resting_rows, 0, 3, options_for(resting_rows), two), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 
 #include "signal/sar/work_matrix.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::vector<double> times_of(const SteppedRows& rows, std::size_t burst) {
 
 double middle_of_scan(const ScanRecord& scan) { return 0.5 * (scan.from_s + scan.to_s); }
 
-ScanRecord record_of(const SteppedRows& rows, const ProfileSet& bursts) {
+ScanRecord record_of(const SteppedRows& rows, const signal::ProfileSet& bursts) {
   ScanRecord scan;
   scan.bursts = bursts;
   scan.from_s = times_of(rows, bursts.first).front();
@@ -30,15 +30,16 @@ ScanRecord record_of(const SteppedRows& rows, const ProfileSet& bursts) {
   return scan;
 }
 
-VelocityEstimate search_speed(const SteppedRows& rows, const ProfileMaker& maker, const ProfileSet& bursts,
-                              double fastest_mps, const WorkControl& control) {
+signal::VelocityEstimate search_speed(const SteppedRows& rows, const signal::ProfileMaker& maker,
+                                      const signal::ProfileSet& bursts, double fastest_mps,
+                                      const core::WorkControl& control) {
   const std::size_t count = std::min(bursts.count(), most_searched);
   const std::size_t first = bursts.first + (bursts.count() - count) / 2;
-  return estimate_velocity(maker, read_bursts(rows, first, count, control), -fastest_mps, fastest_mps, control);
+  return signal::estimate_velocity(maker, read_bursts(rows, first, count, control), -fastest_mps, fastest_mps, control);
 }
 
-void find_speed(ScanRecord& scan, const SteppedRows& rows, const ProfileMaker& maker, const SeriesOptions& options,
-                const WorkControl& control) {
+void find_speed(ScanRecord& scan, const SteppedRows& rows, const signal::ProfileMaker& maker,
+                const SeriesOptions& options, const core::WorkControl& control) {
   switch (options.velocity) {
     case SeriesOptions::Velocity::none: return;
     case SeriesOptions::Velocity::given: scan.speed_mps = options.speed_mps; return;
@@ -52,25 +53,26 @@ void find_speed(ScanRecord& scan, const SteppedRows& rows, const ProfileMaker& m
   }
 }
 
-std::vector<PulseMotion> motion_of(const SteppedRows& rows, const ScanRecord& scan, const SeriesOptions& options,
-                                   std::size_t burst) {
+std::vector<signal::PulseMotion> motion_of(const SteppedRows& rows, const ScanRecord& scan,
+                                           const SeriesOptions& options, std::size_t burst) {
   if (options.velocity == SeriesOptions::Velocity::none) return {};
   const std::vector<double> times = times_of(rows, burst);
-  const double at_s = options.align ? middle_of_scan(scan) : middle_of(times);
-  return motion_of_speed(times, at_s, scan.speed_mps, rows.band->waveform().light_speed_mps);
+  const double at_s = options.align ? middle_of_scan(scan) : signal::middle_of(times);
+  return signal::motion_of_speed(times, at_s, scan.speed_mps, rows.band->waveform().light_speed_mps);
 }
 
 void add_rows(ProfileSeries& series, const SteppedRows& rows) {
   for (std::size_t s = 0; s < series.scans.size(); ++s)
     for (std::size_t b = series.scans[s].bursts.first; b <= series.scans[s].bursts.last; ++b)
-      series.rows.push_back({b, s, middle_of(times_of(rows, b))});
+      series.rows.push_back({b, s, signal::middle_of(times_of(rows, b))});
 }
 
 // One row, its profile alone: of the rows first ... last of a series.
 void append_mean(ProfileSeries& means, const ProfileSeries& series, std::size_t first, std::size_t last,
                  std::size_t scan) {
   const std::size_t bins = series.axis.count;
-  const auto profile = mean_profile(std::span(series.values).subspan(first * bins, (last - first + 1) * bins), bins);
+  const auto profile =
+      signal::mean_profile(std::span(series.values).subspan(first * bins, (last - first + 1) * bins), bins);
   means.values.insert(means.values.end(), profile.begin(), profile.end());
   means.rows.push_back({series.rows[first].burst, scan, 0.5 * (series.rows[first].time_s + series.rows[last].time_s)});
 }
@@ -102,8 +104,8 @@ double search_around(const std::vector<HeldTarget>& targets, std::size_t index, 
 }  // namespace
 
 RangeStretch shown_ranges(const SteppedRows& rows) {
-  const SeenDelays seen = rows.band->seen_delays();
-  const SteppedWaveform& w = rows.band->waveform();
+  const signal::SeenDelays seen = rows.band->seen_delays();
+  const signal::SteppedWaveform& w = rows.band->waveform();
   const double half_c = 0.5 * w.light_speed_mps;
   const double rounding_m = 1e-6 * half_c / w.sample_rate_hz;
   RangeStretch shown{half_c * seen.first_s, half_c * seen.last_s};
@@ -112,26 +114,26 @@ RangeStretch shown_ranges(const SteppedRows& rows) {
   return shown;
 }
 
-ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options, const WorkControl& control,
-                            const ProgressReport& progress) {
+ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options, const core::WorkControl& control,
+                            const core::ProgressReport& progress) {
   const RangeStretch shown = shown_ranges(rows);
-  const ProfileMaker maker(*rows.band, options.window, options.from_m.value_or(shown.from_m),
-                           options.to_m.value_or(shown.to_m), options.oversampling);
+  const signal::ProfileMaker maker(*rows.band, options.window, options.from_m.value_or(shown.from_m),
+                                   options.to_m.value_or(shown.to_m), options.oversampling);
   ProfileSeries series;
   series.axis = maker.axis();
-  series.limits = limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
+  series.limits = signal::limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
   series.centre_hz = rows.band->centre_hz();
   series.band_hz = rows.band->band_hz();
-  for (const ProfileSet& bursts : scans_of(illumination_of(rows, control), options.illuminated_share)) {
+  for (const signal::ProfileSet& bursts : signal::scans_of(illumination_of(rows, control), options.illuminated_share)) {
     series.scans.push_back(record_of(rows, bursts));
     find_speed(series.scans.back(), rows, maker, options, control);
   }
   add_rows(series, rows);
   series.values.resize(series.rows.size() * series.axis.count);
-  WorkCounter counter(progress, series.values.size(), series.axis.count);
-  parallel_ranges(series.rows.size(), 1, control, [&](std::size_t i, std::size_t) {
+  signal::WorkCounter counter(progress, series.values.size(), series.axis.count);
+  core::parallel_ranges(series.rows.size(), 1, control, [&](std::size_t i, std::size_t) {
     const ProfileRow& row = series.rows[i];
-    const BurstEchoes echoes = read_bursts(rows, row.burst, 1, {1, control.stop});
+    const signal::BurstEchoes echoes = read_bursts(rows, row.burst, 1, {1, control.stop});
     maker.make(echoes.values, motion_of(rows, series.scans[row.scan], options, row.burst),
                std::span(series.values).subspan(i * series.axis.count, series.axis.count));
     counter.add(series.axis.count);
@@ -160,7 +162,7 @@ ProfileSeries mean_of_encounter(const ProfileSeries& series) {
   const auto bins = static_cast<std::ptrdiff_t>(series.axis.count);
   std::vector<double> power(series.axis.count);
   for (std::size_t i = 0; i < scans.rows.size(); ++i) {
-    const std::ptrdiff_t shift = shift_onto(scans.row(i), scans.row(strongest));
+    const std::ptrdiff_t shift = signal::shift_onto(scans.row(i), scans.row(strongest));
     const auto bursts = static_cast<double>(series.scans[scans.rows[i].scan].bursts.count());
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, -shift); k < bins - std::max<std::ptrdiff_t>(0, shift); ++k)
       power[static_cast<std::size_t>(k + shift)] += bursts * std::norm(scans.row(i)[static_cast<std::size_t>(k)]);
@@ -188,8 +190,8 @@ std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const Profil
     targets.push_back(target);
   }
   for (std::size_t i = 0; i < targets.size(); ++i)
-    targets[i].found = peak_near(series.row(row), series.axis, targets[i].expected_m,
-                                 search_around(targets, i, series.limits.resolution_m));
+    targets[i].found = signal::peak_near(series.row(row), series.axis, targets[i].expected_m,
+                                         search_around(targets, i, series.limits.resolution_m));
   return targets;
 }
 
@@ -197,7 +199,7 @@ std::size_t typical_row(const ProfileSeries& series) {
   double strongest = -1.0;
   std::size_t typical = 0;
   for (std::size_t s = 0; s < series.scans.size(); ++s) {
-    const ProfileSet& bursts = series.scans[s].bursts;
+    const signal::ProfileSet& bursts = series.scans[s].bursts;
     for (std::size_t i = 0; i < series.rows.size(); ++i) {
       if (series.rows[i].scan != s || series.rows[i].burst != bursts.first + bursts.count() / 2) continue;
       if (!(energy_of(series.row(i)) > strongest)) continue;
@@ -208,4 +210,4 @@ std::size_t typical_row(const ProfileSeries& series) {
   return typical;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

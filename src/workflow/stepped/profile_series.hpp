@@ -13,7 +13,7 @@
 #include "signal/stepped/velocity_search.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// How the profiles of a recording are made.
 struct SeriesOptions {
@@ -23,8 +23,8 @@ struct SeriesOptions {
     scene,      ///< Of each scan the mean speed of the scene's targets, weighted by the power of their echoes.
     estimated,  ///< Of each scan the speed that makes its profiles sharpest.
   };
-  WindowFunction window;         ///< Over the band; empty: none.
-  std::optional<double> from_m;  ///< Ranges; nothing: `shown_ranges`.
+  signal::WindowFunction window;  ///< Over the band; empty: none.
+  std::optional<double> from_m;   ///< Ranges; nothing: `shown_ranges`.
   std::optional<double> to_m;
   std::size_t oversampling = 4;     ///< Bins for each resolution cell.
   double illuminated_share = 0.25;  ///< Of the strongest burst's power: what counts as illuminated.
@@ -36,11 +36,11 @@ struct SeriesOptions {
 
 /// A scan and what was taken out of it.
 struct ScanRecord {
-  ProfileSet bursts;  ///< Of the recording.
+  signal::ProfileSet bursts;  ///< Of the recording.
   double from_s = 0.0;
   double to_s = 0.0;
   double speed_mps = 0.0;  ///< That was compensated.
-  std::optional<VelocityEstimate> estimate;
+  std::optional<signal::VelocityEstimate> estimate;
 };
 
 /// One profile and what it is of.
@@ -52,8 +52,8 @@ struct ProfileRow {
 
 /// The profiles of an encounter, burst after burst, scan after scan.
 struct ProfileSeries {
-  ProfileAxis axis;
-  SteppedLimits limits;
+  signal::ProfileAxis axis;
+  signal::SteppedLimits limits;
   double centre_hz = 0.0;
   double band_hz = 0.0;
   std::vector<ScanRecord> scans;
@@ -80,7 +80,7 @@ struct RangeStretch {
 /// Makes the profiles of all illuminated bursts. The same bytes for any number of threads. Throws Interrupted, and
 /// std::invalid_argument where the ranges are none.
 [[nodiscard]] ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& options,
-                                          const WorkControl& control, const ProgressReport& progress = {});
+                                          const core::WorkControl& control, const core::ProgressReport& progress = {});
 
 /// A series of which each scan has become one profile: the root mean square over its bursts.
 [[nodiscard]] ProfileSeries mean_of_scans(const ProfileSeries& series);
@@ -94,8 +94,8 @@ struct HeldTarget {
   BurstTruth truth;
   double expected_m = 0.0;  ///< Its range, where its profile shows it, and what speed that is left shifts it by.
   double expected_bin = 0.0;
-  double smear_cells = 0.0;          ///< By the speed that is left.
-  std::optional<ProfilePeak> found;  ///< The largest peak within half the distance to the next target.
+  double smear_cells = 0.0;                  ///< By the speed that is left.
+  std::optional<signal::ProfilePeak> found;  ///< The largest peak within half the distance to the next target.
 };
 
 /// The targets of the scene, as the profile of one burst shows them; those without echoes left out. Of many the first
@@ -107,4 +107,4 @@ struct HeldTarget {
 /// The row to hold against the scene where nothing else is said: in the middle of the scan with the strongest echoes.
 [[nodiscard]] std::size_t typical_row(const ProfileSeries& series);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -6,40 +6,40 @@
 
 #include "workflow/stepped/stepped_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
-constexpr double c = exact_light_speed_mps;
+constexpr double c = core::exact_light_speed_mps;
 
 // Pulses of 30 m, samples 15 m apart over 126 m: eight of them.
-Scene short_scene(Simulation::PulsePosition position) {
-  Scene scene = stepped_scene();
-  scene.targets.push_back(target_on("Earth", {1000.0, 0.0, 0.0}));
-  Simulation& simulation = scene.simulations[0];
+scene::Scene short_scene(scene::Simulation::PulsePosition position) {
+  scene::Scene scene = stepped_scene();
+  scene.targets.push_back(simulate::target_on("Earth", {1000.0, 0.0, 0.0}));
+  scene::Simulation& simulation = scene.simulations[0];
   simulation.range_start_m = 950.0;
   simulation.range_end_m = 1076.0;
   simulation.pulse_position = position;
   return scene;
 }
 
-SteppedRows recorded(const Scene& scene) {
-  return stepped_rows_of_recording(std::make_shared<const Plan>(make_plan(scene, 0)), {});
+SteppedRows recorded(const scene::Scene& scene) {
+  return stepped_rows_of_recording(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)), {});
 }
 
 double last_sample_m(const SteppedRows& rows) {
-  const SteppedWaveform& w = rows.band->waveform();
+  const signal::SteppedWaveform& w = rows.band->waveform();
   return 0.5 * c * (w.first_sample_s + (static_cast<double>(w.samples) - 1.0) / w.sample_rate_hz);
 }
 
 TEST(ShownRanges, OfARecordingEndWithTheEchoThatTheLastSampleHoldsTheBeginningOf) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
     const SteppedRows rows = recorded(short_scene(position));
     const RangeStretch shown = shown_ranges(rows);
-    const double ahead_m = position == Simulation::PulsePosition::centre ? 0.25 * c * 200e-9 : 0.0;
+    const double ahead_m = position == scene::Simulation::PulsePosition::centre ? 0.25 * c * 200e-9 : 0.0;
     EXPECT_EQ(shown.from_m, 950.0);
     EXPECT_NEAR(shown.to_m, last_sample_m(rows) + ahead_m, 1e-6);
     EXPECT_LT(shown.to_m, 1075.0);
-    const ProfileAxis axis = ProfileMaker(*rows.band, {}, shown.from_m, shown.to_m, 4).axis();
+    const signal::ProfileAxis axis = signal::ProfileMaker(*rows.band, {}, shown.from_m, shown.to_m, 4).axis();
     for (std::size_t k = 0; k < axis.count; ++k)
       EXPECT_LT(rows.band->gate_of(2.0 * axis.at(static_cast<double>(k)) / c), rows.band->gates()) << k;
     EXPECT_EQ(rows.band->gate_of(2.0 * (shown.to_m + 0.1) / c), rows.band->gates());
@@ -47,11 +47,12 @@ TEST(ShownRanges, OfARecordingEndWithTheEchoThatTheLastSampleHoldsTheBeginningOf
 }
 
 TEST(ShownRanges, OfASceneAreAllOfItsWindow) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre}) {
-    Scene scene = short_scene(position);
-    const Plan window = make_plan(scene, 0);
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
+    scene::Scene scene = short_scene(position);
+    const simulate::Plan window = simulate::make_plan(scene, 0);
     scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-    const SteppedRows rows = stepped_rows_of_scene(std::make_shared<const Plan>(make_plan(scene, 0)), window);
+    const SteppedRows rows =
+        stepped_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)), window);
     const RangeStretch shown = shown_ranges(rows);
     EXPECT_EQ(shown.from_m, 950.0);
     EXPECT_EQ(shown.to_m, 1076.0);
@@ -59,8 +60,8 @@ TEST(ShownRanges, OfASceneAreAllOfItsWindow) {
 }
 
 TEST(ShownRanges, AreNoneWhereNoChirpIsRecordedByHalf) {
-  Scene scene = short_scene(Simulation::PulsePosition::begin);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+  scene::Scene scene = short_scene(scene::Simulation::PulsePosition::begin);
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 6e6;
   scene.radars[0].pulse_width_s = 10e-6;
   const SteppedRows rows = recorded(scene);
@@ -69,4 +70,4 @@ TEST(ShownRanges, AreNoneWhereNoChirpIsRecordedByHalf) {
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

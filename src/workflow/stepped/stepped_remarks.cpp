@@ -8,11 +8,11 @@
 #include "simulate/plan/target_ranges.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
-std::string hz_text(double hz) { return with_prefix(hz, "Hz"); }
+std::string hz_text(double hz) { return core::with_prefix(hz, "Hz"); }
 
 // Speeds of the targets that are in the burst in the middle.
 struct SpeedRange {
@@ -32,48 +32,49 @@ SpeedRange speeds_of(const std::vector<BurstTruth>& truth) {
   return range;
 }
 
-void remark_on_band(Problems& problems, const SteppedBand& band, const SteppedLimits& limits) {
-  const SteppedWaveform& w = band.waveform();
+void remark_on_band(core::Problems& problems, const signal::SteppedBand& band, const signal::SteppedLimits& limits) {
+  const signal::SteppedWaveform& w = band.waveform();
   if (w.steps < 2) return;
   const double step_hz = std::abs(w.carrier_step_hz);
   if (w.subband_hz > 0.0 && band.gap_share() > 1e-9 && w.subband_hz < step_hz * (1.0 - 1e-9))
-    problems.push_back(
-        problem_of(Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
-                   fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
-                   "steps up to the bandwidth of the pulse",
-                   fmt::format("every target gets false ones {:.4g} m apart; use smaller steps or a wider chirp",
-                               limits.unambiguous_range_m)));
+    problems.push_back(core::problem_of(
+        core::Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
+        fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
+        "steps up to the bandwidth of the pulse",
+        fmt::format("every target gets false ones {:.4g} m apart; use smaller steps or a wider chirp",
+                    limits.unambiguous_range_m)));
   if (w.subband_hz > 0.0 || limits.seen_m <= limits.unambiguous_range_m * (1.0 + 1e-9)) return;
-  problems.push_back(problem_of(
-      Severity::warning, "one range gate sees more than a profile is long: targets may fold onto each other",
+  problems.push_back(core::problem_of(
+      core::Severity::warning, "one range gate sees more than a profile is long: targets may fold onto each other",
       fmt::format("a gate sees {:.4g} m, a profile is {:.4g} m long", limits.seen_m, limits.unambiguous_range_m),
       fmt::format("steps up to {} or a pulse up to {:.4g} ns", hz_text(1.0 / w.pulse_width_s), 1e9 / step_hz),
       "use smaller steps, a shorter pulse or chirps"));
 }
 
-void remark_on_gates(Problems& problems, const SteppedBand& band) {
-  const SteppedWaveform& w = band.waveform();
+void remark_on_gates(core::Problems& problems, const signal::SteppedBand& band) {
+  const signal::SteppedWaveform& w = band.waveform();
   if (w.subband_hz > 0.0 || w.sample_rate_hz * (w.seen_to_s - w.seen_from_s) >= 1.0 - 1e-9) return;
-  problems.push_back(problem_of(
-      Severity::warning, "the range gates are farther apart than the pulse is long: targets between them are lost",
+  problems.push_back(core::problem_of(
+      core::Severity::warning,
+      "the range gates are farther apart than the pulse is long: targets between them are lost",
       fmt::format("gates {:.4g} m apart", 0.5 * w.light_speed_mps / w.sample_rate_hz),
       fmt::format("at least {}", hz_text(1.0 / (w.seen_to_s - w.seen_from_s))), "raise the sampling frequency"));
 }
 
-void remark_on_targets(Problems& problems, const SteppedRows& rows, const SteppedLimits& limits) {
-  const SteppedWaveform& w = rows.band->waveform();
+void remark_on_targets(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits) {
+  const signal::SteppedWaveform& w = rows.band->waveform();
   if (w.subband_hz > 0.0 || w.steps < 2) return;
-  const RangeExtent extent = target_ranges(*rows.plan->scene, rows.plan->radar, rows.plan->pulses);
+  const simulate::RangeExtent extent = simulate::target_ranges(*rows.plan->scene, rows.plan->radar, rows.plan->pulses);
   const double extent_m = extent.farthest_m - extent.nearest_m;
   // Within what one gate sees, targets so far apart share their bins.
   if (extent.empty() || extent_m <= limits.unambiguous_range_m || limits.seen_m <= limits.unambiguous_range_m) return;
-  problems.push_back(problem_of(Severity::warning, "the targets reach farther than a profile is long",
-                                fmt::format("{:.4g} m", extent_m),
-                                fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m),
-                                "some of them appear in the wrong place; use smaller steps"));
+  problems.push_back(core::problem_of(core::Severity::warning, "the targets reach farther than a profile is long",
+                                      fmt::format("{:.4g} m", extent_m),
+                                      fmt::format("up to {:.4g} m, c/2 over the step", limits.unambiguous_range_m),
+                                      "some of them appear in the wrong place; use smaller steps"));
 }
 
-void remark_on_speed(Problems& problems, const SteppedRows& rows, const SteppedLimits& limits,
+void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits,
                      std::optional<double> compensated_mps) {
   const SpeedRange speeds = speeds_of(truth_of_burst(rows, rows.bursts / 2));
   const double taken = compensated_mps.value_or(0.0);
@@ -85,34 +86,35 @@ void remark_on_speed(Problems& problems, const SteppedRows& rows, const SteppedL
   const double smear = limits.smear_cells(widest);
   const double shift = limits.shift_m(widest);
   if (smear <= 0.5 + 1e-9 && std::abs(shift) < limits.resolution_m) return;
-  problems.push_back(
-      problem_of(Severity::warning,
-                 fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m",
-                             smear, shift),
-                 fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""),
-                 fmt::format("up to {:.3g} m/s", limits.tolerable_mps),
-                 compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
-                                 : "compensate it: --velocity scene, estimated or a number"));
+  problems.push_back(core::problem_of(
+      core::Severity::warning,
+      fmt::format("targets move during a burst: they are smeared over {:.3g} cells and shifted by {:.4g} m", smear,
+                  shift),
+      fmt::format("{:.4g} m/s{}", widest, compensated_mps ? " beyond the speed that is compensated" : ""),
+      fmt::format("up to {:.3g} m/s", limits.tolerable_mps),
+      compensated_mps ? "the targets have speeds of their own; compensate the one that matters"
+                      : "compensate it: --velocity scene, estimated or a number"));
   if (rows.band->waveform().subband_hz > 0.0 || std::abs(shift) <= 0.5 * limits.seen_m) return;
-  problems.push_back(problem_of(
-      Severity::warning, "targets are so fast that they appear outside the range gates that see them: they are lost",
-      fmt::format("shifted by {:.4g} m", shift),
-      fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m),
-      "compensate their speed: --velocity scene, estimated or a number"));
+  problems.push_back(
+      core::problem_of(core::Severity::warning,
+                       "targets are so fast that they appear outside the range gates that see them: they are lost",
+                       fmt::format("shifted by {:.4g} m", shift),
+                       fmt::format("up to {:.4g} m, half of what a gate sees", 0.5 * limits.seen_m),
+                       "compensate their speed: --velocity scene, estimated or a number"));
 }
 
 }  // namespace
 
-Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded) {
-  Problems problems;
+core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, bool recorded) {
+  core::Problems problems;
   const auto add = [&](std::string message, std::string found, std::string expected, std::string hint) {
-    problems.push_back(
-        problem_of(Severity::error, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                                        std::move(expected), std::move(hint)));
   };
-  const CarrierPlan& carrier = plan.radar.carrier;
+  const radar::CarrierPlan& carrier = plan.radar.carrier;
   const bool changes = carrier.lowest_hz() != carrier.highest_hz();
   const bool listed = carrier.steps() < 2 && changes;
-  const bool mono = plan.radar.pulse.kind == Pulse::Kind::mono;
+  const bool mono = plan.radar.pulse.kind == radar::Pulse::Kind::mono;
   if (listed)
     add("the carrier does not step evenly", "a list of carriers", "STEPPED", "use carriers in equal steps");
   else if (carrier.steps() > 1 && carrier.step_hz() == 0.0)
@@ -123,34 +125,34 @@ Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded) {
   else if (use == SteppedUse::isar && carrier.steps() < 2 && mono)
     add("neither does the carrier step nor is the pulse modulated: there is no resolution in range", "MONO, SINGLE",
         "STEPPED, or a modulated pulse", "");
-  if (recorded && plan.simulation.processing == Processing::srp)
+  if (recorded && plan.simulation.processing == scene::Processing::srp)
     add("the file holds range profiles already, not the echoes of single pulses", "SRP", "RAW or MATCHED_FILTER",
         "record the pulses with processing RAW");
-  if (recorded && plan.simulation.processing == Processing::matched_filter &&
-      plan.scene->conventions.compression != Conventions::Compression::keeps_peak)
+  if (recorded && plan.simulation.processing == scene::Processing::matched_filter &&
+      plan.scene->conventions.compression != simulate::Conventions::Compression::keeps_peak)
     add("the classic profile repeats or leaves out samples of this compressed recording", "", "",
         "use raw data, or the physical profile");
   const std::int64_t burst = plan.burst_pulses();
-  const std::int64_t first = floor_divide(plan.pulses.first + burst - 1, burst);
-  if (floor_divide(plan.pulses.last + 1, burst) <= first)
+  const std::int64_t first = radar::floor_divide(plan.pulses.first + burst - 1, burst);
+  if (radar::floor_divide(plan.pulses.last + 1, burst) <= first)
     add("the recording holds no whole burst", fmt::format("pulses {} to {}", plan.pulses.first, plan.pulses.last),
         fmt::format("all {0} pulses of a burst; a burst begins at each multiple of {0}", burst),
         "lengthen the azimuth window");
   return problems;
 }
 
-Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
-  Problems problems;
-  const SteppedLimits limits = limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
+core::Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
+  core::Problems problems;
+  const signal::SteppedLimits limits = signal::limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
   remark_on_band(problems, *rows.band, limits);
   remark_on_gates(problems, *rows.band);
   remark_on_targets(problems, rows, limits);
   // Images take the motion of each pulse out.
   if (use == SteppedUse::profiles) remark_on_speed(problems, rows, limits, speed_mps);
   if (rows.dropped_pulses > 0)
-    problems.push_back(problem_of(Severity::note, "pulses of incomplete bursts at the ends are left out",
-                                  fmt::format("{}", rows.dropped_pulses), "", ""));
+    problems.push_back(core::problem_of(core::Severity::note, "pulses of incomplete bursts at the ends are left out",
+                                        fmt::format("{}", rows.dropped_pulses), "", ""));
   return problems;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -7,24 +7,25 @@
 #include "core/task/worker_pool.hpp"
 #include "signal/sar/work_matrix.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
 // One frequency has no profile but that of its pulse.
-bool one_sample_each(const Plan& plan) {
-  return plan.radar.pulse.kind == Pulse::Kind::mono && plan.radar.carrier.steps() > 1;
+bool one_sample_each(const simulate::Plan& plan) {
+  return plan.radar.pulse.kind == radar::Pulse::Kind::mono && plan.radar.carrier.steps() > 1;
 }
 
-CompressionFilter plain_filter(const Plan& plan) {
-  const BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
-  return matched_filter(
+signal::CompressionFilter plain_filter(const simulate::Plan& plan) {
+  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  return signal::matched_filter(
       plan.radar.pulse, band_limited, [](double) { return 1.0; }, 1.0 / plan.raw_grid.interval_s);
 }
 
 // The filter's answer to a resting echo of amplitude 1: y[i] = sum over k of taps[k] p[i + k]. The plain filter is the
 // conjugate pulse over its energy, and 1 over the sum of its squares is that energy.
-void set_response(SteppedWaveform& w, const CompressionFilter& plain, const CompressionFilter& used) {
+void set_response(signal::SteppedWaveform& w, const signal::CompressionFilter& plain,
+                  const signal::CompressionFilter& used) {
   double squares = 0.0;
   for (const auto& tap : plain.taps) squares += std::norm(tap);
   const auto length = static_cast<std::ptrdiff_t>(plain.taps.size());
@@ -43,10 +44,10 @@ void set_response(SteppedWaveform& w, const CompressionFilter& plain, const Comp
 }
 
 // @param compressed  the rows that are read hold compressed echoes
-SteppedWaveform waveform_of(const Plan& plan, bool compressed) {
-  const CarrierPlan& carrier = plan.radar.carrier;
-  const Pulse& pulse = plan.radar.pulse;
-  SteppedWaveform w;
+signal::SteppedWaveform waveform_of(const simulate::Plan& plan, bool compressed) {
+  const radar::CarrierPlan& carrier = plan.radar.carrier;
+  const radar::Pulse& pulse = plan.radar.pulse;
+  signal::SteppedWaveform w;
   w.first_carrier_hz = carrier.carrier_hz(carrier.steps() > 1 ? 0 : plan.pulses.first);
   w.carrier_step_hz = carrier.steps() > 1 ? carrier.step_hz() : 0.0;
   w.steps = static_cast<std::size_t>(carrier.steps());
@@ -65,22 +66,22 @@ SteppedWaveform waveform_of(const Plan& plan, bool compressed) {
     return w;
   }
   w.first_sample_s += lead_s;
-  w.subband_hz = bandwidth_hz(pulse);
+  w.subband_hz = radar::bandwidth_hz(pulse);
   w.sweep_rate_hz_per_s = pulse.sweep_rate_hz_per_s();
-  const CompressionFilter plain = plain_filter(plan);
+  const signal::CompressionFilter plain = plain_filter(plan);
   set_response(w, plain, compressed ? plan.compressor->filter() : plain);
   if (!compressed) w.filter = plain.taps;
   return w;
 }
 
-SteppedRows rows_without_reader(std::shared_ptr<const Plan> plan, bool compressed) {
+SteppedRows rows_without_reader(std::shared_ptr<const simulate::Plan> plan, bool compressed) {
   SteppedRows rows;
   rows.plan = std::move(plan);
-  rows.band = std::make_shared<const SteppedBand>(waveform_of(*rows.plan, compressed));
+  rows.band = std::make_shared<const signal::SteppedBand>(waveform_of(*rows.plan, compressed));
   const std::int64_t burst = rows.plan->burst_pulses();
-  const PulseRange& pulses = rows.plan->pulses;
-  const std::int64_t first = floor_divide(pulses.first + burst - 1, burst);
-  const std::int64_t bursts = std::max<std::int64_t>(0, floor_divide(pulses.last + 1, burst) - first);
+  const radar::PulseRange& pulses = rows.plan->pulses;
+  const std::int64_t first = radar::floor_divide(pulses.first + burst - 1, burst);
+  const std::int64_t bursts = std::max<std::int64_t>(0, radar::floor_divide(pulses.last + 1, burst) - first);
   rows.first_pulse = first * burst;
   rows.bursts = static_cast<std::size_t>(bursts);
   rows.dropped_pulses = pulses.count() - bursts * burst;
@@ -91,9 +92,9 @@ SteppedRows rows_without_reader(std::shared_ptr<const Plan> plan, bool compresse
 
 }  // namespace
 
-Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan) {
-  Simulation recorded = simulation;
-  recorded.processing = Processing::raw;
+scene::Simulation recorded_for_stepped(const scene::Simulation& simulation, const simulate::Plan& plan) {
+  scene::Simulation recorded = simulation;
+  recorded.processing = scene::Processing::raw;
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
   const double sample_m = 0.5 * plan.scene->conventions.light_speed_mps * interval_s;
@@ -103,20 +104,21 @@ Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan) 
   return recorded;
 }
 
-SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window) {
+SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Plan>& plan, const simulate::Plan& window) {
   SteppedRows rows = rows_without_reader(plan, false);
   rows.from_m = window.simulation.range_start_m;
   rows.to_m = window.simulation.range_end_m;
-  const auto makers = std::make_shared<WorkerPool<RowMaker>>([plan] { return std::make_unique<RowMaker>(*plan); });
+  const auto makers = std::make_shared<core::WorkerPool<simulate::RowMaker>>(
+      [plan] { return std::make_unique<simulate::RowMaker>(*plan); });
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
   rows.read = [plan, makers, skipped](std::size_t pulse, std::span<std::complex<double>> out) {
-    makers->lend([&](RowMaker& maker) { maker.make_row(skipped + pulse, out); });
+    makers->lend([&](simulate::RowMaker& maker) { maker.make_row(skipped + pulse, out); });
   };
   return rows;
 }
 
-SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read) {
-  SteppedRows rows = rows_without_reader(plan, plan->simulation.processing == Processing::matched_filter);
+SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan, RecordedRows read) {
+  SteppedRows rows = rows_without_reader(plan, plan->simulation.processing == scene::Processing::matched_filter);
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
   rows.read = [skipped, read = std::move(read)](std::size_t pulse, std::span<std::complex<double>> out) {
     read(skipped + pulse, out);
@@ -124,17 +126,17 @@ SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, R
   return rows;
 }
 
-BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count, const WorkControl& control,
-                        const ProgressReport& progress) {
+signal::BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
+                                const core::WorkControl& control, const core::ProgressReport& progress) {
   constexpr std::size_t grain = 8;
   const std::size_t per_burst = rows.band->waveform().burst_pulses();
   const std::size_t pulses = count * per_burst;
   const std::size_t size = rows.band->values_per_pulse();
-  BurstEchoes echoes;
+  signal::BurstEchoes echoes;
   echoes.values.resize(pulses * size);
   for (std::size_t p = 0; p < pulses; ++p) echoes.time_s.push_back(rows.pulse_time_s(first * per_burst + p));
-  WorkCounter counter(progress, pulses * rows.plan->columns, rows.plan->columns);
-  parallel_ranges(pulses, grain, control, [&](std::size_t begin, std::size_t end) {
+  signal::WorkCounter counter(progress, pulses * rows.plan->columns, rows.plan->columns);
+  core::parallel_ranges(pulses, grain, control, [&](std::size_t begin, std::size_t end) {
     std::vector<std::complex<double>> row(rows.plan->columns);
     for (std::size_t p = begin; p < end; ++p) {
       rows.read(first * per_burst + p, row);
@@ -145,4 +147,4 @@ BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t 
   return echoes;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

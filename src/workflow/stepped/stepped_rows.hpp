@@ -21,12 +21,12 @@
 
 /// From simulations of stepped carriers and their recordings to what range profiles and images of turning targets are
 /// made from (docs/theory/stepped-frequency.md).
-namespace sarsim {
+namespace sarsim::workflow {
 
 /// Whole bursts of a recording, read or computed when they are asked for.
 struct SteppedRows {
-  std::shared_ptr<const Plan> plan;
-  std::shared_ptr<const SteppedBand> band;
+  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const signal::SteppedBand> band;
   std::int64_t first_pulse = 0;     ///< Of the first whole burst: its number in the schedule.
   std::size_t bursts = 0;           ///< Whole ones.
   std::int64_t dropped_pulses = 0;  ///< Of incomplete bursts at either end.
@@ -49,27 +49,31 @@ enum class SteppedUse {
 /// What keeps a simulation from being used, all at once (errors): a carrier that does not step evenly, no whole burst,
 /// profiles instead of echoes, samples that the classic profile places unevenly.
 /// @param recorded  a file holds the echoes, which therefore must not be profiles already
-[[nodiscard]] Problems problems_of_stepped(const Plan& plan, SteppedUse use, bool recorded);
+[[nodiscard]] core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, bool recorded);
 
 /// What makes profiles ambiguous, lost or blurred (warnings): steps wider than the pulse's band, gates that leave out
 /// echoes, targets that fold onto each other, and of profiles targets whose speed shifts and smears them.
 /// @param speed_mps  that is compensated; nothing: none
-[[nodiscard]] Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps);
+[[nodiscard]] core::Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use,
+                                                std::optional<double> speed_mps);
 
 /// The simulation as it is wanted recorded: raw, longer by a pulse at its end and, for CENTRE, by half a pulse, in
 /// whole samples, at its start. The sampling frequency stays the script's.
-[[nodiscard]] Simulation recorded_for_stepped(const Simulation& simulation, const Plan& plan);
+[[nodiscard]] scene::Simulation recorded_for_stepped(const scene::Simulation& simulation, const simulate::Plan& plan);
 
 /// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
 /// @param window  the plan of the script's own window
-[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const Plan>& plan, const Plan& window);
+[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Plan>& plan,
+                                                const simulate::Plan& window);
 
 /// Rows of a recording, raw or compressed, that a plan describes.
-[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const Plan>& plan, RecordedRows read);
+[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan,
+                                                    RecordedRows read);
 
 /// Reads bursts [first, first + count), their pulses placed in the band.
-[[nodiscard]] BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
-                                      const WorkControl& control, const ProgressReport& progress = {});
+[[nodiscard]] signal::BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,
+                                              const core::WorkControl& control,
+                                              const core::ProgressReport& progress = {});
 
 /// Of many targets so many are held against profiles and images.
 inline constexpr std::size_t most_held_targets = 1000;
@@ -86,7 +90,7 @@ struct BurstTruth {
 [[nodiscard]] std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burst);
 
 /// Two-way power of the strongest target's echo in the middle of each burst.
-[[nodiscard]] std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& control);
+[[nodiscard]] std::vector<double> illumination_of(const SteppedRows& rows, const core::WorkControl& control);
 
 /// The fastest speed that a search for the sharpest profiles can look through, to either side of 0
 /// (signal/stepped/velocity_search.hpp).
@@ -97,10 +101,10 @@ struct BurstTruth {
 
 /// The platform that carries the strongest targets (by cross-section), the radar's own left out; nothing where there
 /// are no others.
-[[nodiscard]] std::optional<std::size_t> platform_of_targets(const Plan& plan);
+[[nodiscard]] std::optional<std::size_t> platform_of_targets(const simulate::Plan& plan);
 
 /// The antenna in the frame of a platform, pulse by pulse of some bursts.
-[[nodiscard]] std::vector<TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform,
-                                                         std::size_t first, std::size_t count);
+[[nodiscard]] std::vector<signal::TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform,
+                                                                 std::size_t first, std::size_t count);
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

@@ -8,41 +8,42 @@
 #include "workflow/stepped/profile_series.hpp"
 #include "workflow/stepped/stepped_test_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr double c = exact_light_speed_mps;
-const WorkControl one{1, nullptr};
+constexpr double c = core::exact_light_speed_mps;
+const core::WorkControl one{1, nullptr};
 
-void make_chirped(Scene& scene) {
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::chirp;
+void make_chirped(scene::Scene& scene) {
+  scene::Radar& radar = scene.radars[0];
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 6e6;
   radar.pulse_width_s = 10e-6;
 }
 
-SteppedRows rows_of(Scene scene, Engine engine = Engine::reference) {
-  const Plan window = make_plan(scene, 0);
-  EXPECT_FALSE(has_errors(problems_of_stepped(window, SteppedUse::profiles, false)));
+SteppedRows rows_of(scene::Scene scene, simulate::Engine engine = simulate::Engine::reference) {
+  const simulate::Plan window = simulate::make_plan(scene, 0);
+  EXPECT_FALSE(core::has_errors(problems_of_stepped(window, SteppedUse::profiles, false)));
   scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-  return stepped_rows_of_scene(std::make_shared<const Plan>(make_plan(scene, 0, nullptr, engine)), window);
+  return stepped_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, engine)),
+                               window);
 }
 
-std::string text_of(const Problems& problems) {
+std::string text_of(const core::Problems& problems) {
   std::string text;
-  for (const Problem& problem : problems) text += to_string(problem) + "\n";
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
   return text;
 }
 
 double cell_of(const SteppedRows& rows) { return c / (2.0 * rows.band->band_hz()); }
 
 TEST(SteppedRows, AreWholeBurstsOnly) {
-  Scene scene = stepped_scene();
+  scene::Scene scene = stepped_scene();
   scene.simulations[0].time_start_s = 5.0 / 4000.0;
   scene.simulations[0].time_end_s = 140.0 / 4000.0;
-  scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));
   const SteppedRows rows = rows_of(scene);
   EXPECT_EQ(rows.first_pulse, 32);
   EXPECT_EQ(rows.bursts, 3u);
@@ -52,15 +53,15 @@ TEST(SteppedRows, AreWholeBurstsOnly) {
 
 // For both positions of the pulse and all kinds of pulses: the peak stands at the target, with its amplitude.
 TEST(ProfileSeries, ShowsTargetsWhereTheyAreForEveryKindOfPulse) {
-  for (const auto position : {Simulation::PulsePosition::begin, Simulation::PulsePosition::centre})
-    for (const auto kind : {Radar::Pulse::mono, Radar::Pulse::chirp, Radar::Pulse::barker}) {
-      Scene scene = stepped_scene(0.02);
-      if (kind != Radar::Pulse::mono) make_chirped(scene);
+  for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre})
+    for (const auto kind : {scene::Radar::Pulse::mono, scene::Radar::Pulse::chirp, scene::Radar::Pulse::barker}) {
+      scene::Scene scene = stepped_scene(0.02);
+      if (kind != scene::Radar::Pulse::mono) make_chirped(scene);
       scene.radars[0].pulse = kind;
-      if (kind == Radar::Pulse::barker) scene.radars[0].pulse_width_s = 2e-6;  // 13 chips: 6.5 MHz
+      if (kind == scene::Radar::Pulse::barker) scene.radars[0].pulse_width_s = 2e-6;  // 13 chips: 6.5 MHz
       scene.simulations[0].pulse_position = position;
-      scene.targets.push_back(target_on("Earth", {3003.3, 0.0, 0.0}));
-      scene.targets.push_back(target_on("Earth", {3041.0, 0.0, 0.0}));
+      scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
+      scene.targets.push_back(simulate::target_on("Earth", {3041.0, 0.0, 0.0}));
       const SteppedRows rows = rows_of(scene);
       SeriesOptions options;
       options.window = rows.plan->radar.window;
@@ -72,22 +73,23 @@ TEST(ProfileSeries, ShowsTargetsWhereTheyAreForEveryKindOfPulse) {
         EXPECT_NEAR(target.expected_m, target.truth.range_m, 1e-9);
         EXPECT_NEAR(target.found->range_m, target.expected_m, 0.05 * cell_of(rows));
         // Chips of 154 ns, sampled every 100 ns, are not the same at every delay.
-        EXPECT_NEAR(target.found->amplitude / target.truth.amplitude, 1.0, kind == Radar::Pulse::barker ? 0.1 : 0.05)
+        EXPECT_NEAR(target.found->amplitude / target.truth.amplitude, 1.0,
+                    kind == scene::Radar::Pulse::barker ? 0.1 : 0.05)
             << static_cast<int>(kind) << static_cast<int>(position) << target.truth.target;
       }
     }
 }
 
 TEST(ProfileSeries, IsTheSameOfARecordingRawOrCompressed) {
-  for (const auto processing : {Processing::raw, Processing::matched_filter}) {
-    Scene scene = stepped_scene(0.02);
+  for (const auto processing : {scene::Processing::raw, scene::Processing::matched_filter}) {
+    scene::Scene scene = stepped_scene(0.02);
     make_chirped(scene);
-    scene.radars[0].window = Radar::Window::hamming;
+    scene.radars[0].window = scene::Radar::Window::hamming;
     scene.simulations[0].range_end_m += 1600.0;  // Room for whole echoes.
     scene.simulations[0].processing = processing;
-    scene.targets.push_back(target_on("Earth", {3003.3, 0.0, 0.0}));
-    const auto plan = std::make_shared<const Plan>(make_plan(scene, 0));
-    const Recording recording = record(*plan);
+    scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
+    const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
+    const simulate::Recording recording = simulate::record(*plan);
     const auto read = [&](std::size_t row, std::span<std::complex<double>> out) {
       std::copy_n(recording.samples.begin() + static_cast<std::ptrdiff_t>(row * plan->columns), out.size(),
                   out.begin());
@@ -105,11 +107,11 @@ TEST(ProfileSeries, IsTheSameOfARecordingRawOrCompressed) {
 }
 
 TEST(ProfileSeries, ShowsTargetsWithTheReceiversGainOverTime) {
-  for (const auto kind : {Radar::Pulse::mono, Radar::Pulse::chirp}) {
-    Scene scene = stepped_scene(0.02);
-    if (kind == Radar::Pulse::chirp) make_chirped(scene);
-    scene.radars[0].stc = Radar::Stc::range_law;
-    scene.targets.push_back(target_on("Earth", {3003.3, 0.0, 0.0}));
+  for (const auto kind : {scene::Radar::Pulse::mono, scene::Radar::Pulse::chirp}) {
+    scene::Scene scene = stepped_scene(0.02);
+    if (kind == scene::Radar::Pulse::chirp) make_chirped(scene);
+    scene.radars[0].stc = scene::Radar::Stc::range_law;
+    scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
     const SteppedRows rows = rows_of(scene);
     SeriesOptions options;
     options.window = rows.plan->radar.window;
@@ -119,15 +121,15 @@ TEST(ProfileSeries, ShowsTargetsWithTheReceiversGainOverTime) {
     ASSERT_TRUE(held[0].found);
     EXPECT_NEAR(held[0].found->amplitude / held[0].truth.amplitude, 1.0, 0.05) << static_cast<int>(kind);
     // R^2 at the middle of an echo of 30 m undoes the spreading of R^2.
-    if (kind == Radar::Pulse::chirp) continue;
+    if (kind == scene::Radar::Pulse::chirp) continue;
     const double wavelength_m = c / (9e9 + 15.5 * 5e6);
-    EXPECT_NEAR(held[0].truth.amplitude / equation_amplitude(1.0, 1.0, wavelength_m), 1.01, 0.01);
+    EXPECT_NEAR(held[0].truth.amplitude / simulate::equation_amplitude(1.0, 1.0, wavelength_m), 1.01, 0.01);
   }
 }
 
 TEST(ProfileSeries, IsHeldAgainstTheFirstThousandTargets) {
-  Scene scene = stepped_scene(0.02);
-  for (int i = 0; i < 1100; ++i) scene.targets.push_back(target_on("Earth", {3000.0 + 0.01 * i, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene(0.02);
+  for (int i = 0; i < 1100; ++i) scene.targets.push_back(simulate::target_on("Earth", {3000.0 + 0.01 * i, 0.0, 0.0}));
   const SteppedRows rows = rows_of(scene);
   const ProfileSeries series = make_profiles(rows, {}, one);
   const std::vector<HeldTarget> held = hold_against_scene(rows, series, {}, 0);
@@ -141,19 +143,21 @@ TEST(FastestSearchedSpeed, IsTenThousandStepsOfAQuarterOfACellInABurst) {
 }
 
 TEST(MeanSpeed, IsThatOfSurfacesToo) {
-  Scene scene = stepped_scene();
-  scene.platforms.push_back(moving("Ship", {3000.0, 0.0, 0.0}, {-7.0, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene();
+  scene.platforms.push_back(simulate::moving("Ship", {3000.0, 0.0, 0.0}, {-7.0, 0.0, 0.0}));
   // Towards the radar and away from it: one of them shows it its back.
-  scene.surfaces.push_back({"Ship", {Vec3{0.0, -2.0, 0.0}, Vec3{0.0, 2.0, 0.0}, Vec3{0.0, 0.0, 4.0}}});
-  scene.surfaces.push_back({"Ship", {Vec3{0.0, 2.0, 0.0}, Vec3{0.0, -2.0, 0.0}, Vec3{0.0, 0.0, 4.0}}});
+  scene.surfaces.push_back(
+      {"Ship", {core::Vec3{0.0, -2.0, 0.0}, core::Vec3{0.0, 2.0, 0.0}, core::Vec3{0.0, 0.0, 4.0}}});
+  scene.surfaces.push_back(
+      {"Ship", {core::Vec3{0.0, 2.0, 0.0}, core::Vec3{0.0, -2.0, 0.0}, core::Vec3{0.0, 0.0, 4.0}}});
   const SteppedRows rows = rows_of(scene);
   EXPECT_NEAR(mean_speed_mps(rows, 0, rows.bursts), -7.0, 1e-3);
 }
 
 TEST(ProfileSeries, ShiftsAndSmearsMovingTargetsAndCompensatesThem) {
-  Scene scene = stepped_scene(0.1);
-  scene.platforms.push_back(moving("Jet", {3010.0, 0.0, 0.0}, {4.0, 0.0, 0.0}));
-  scene.targets.push_back(target_on("Jet", {0.0, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene(0.1);
+  scene.platforms.push_back(simulate::moving("Jet", {3010.0, 0.0, 0.0}, {4.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Jet", {0.0, 0.0, 0.0}));
   const SteppedRows rows = rows_of(scene);
   SeriesOptions options;
   const ProfileSeries plain = make_profiles(rows, options, one);
@@ -185,14 +189,14 @@ TEST(ProfileSeries, ShiftsAndSmearsMovingTargetsAndCompensatesThem) {
 }
 
 TEST(ProfileSeries, HasAScanForEachSweepOfTheBeam) {
-  Scene scene = stepped_scene(2.0);
-  Radar& radar = scene.radars[0];
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(12.0);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(30.0);
-  radar.beam = Radar::Beam::rotating;
-  radar.beam_rate = Angle::from_deg(360.0);
-  scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));  // Azimuth 90 degrees: at 0.25 and 1.25 s.
+  scene::Scene scene = stepped_scene(2.0);
+  scene::Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(12.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(30.0);
+  radar.beam = scene::Radar::Beam::rotating;
+  radar.beam_rate = core::Angle::from_deg(360.0);
+  scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));  // Azimuth 90 degrees: at 0.25 and 1.25 s.
   const SteppedRows rows = rows_of(scene);
   const ProfileSeries series = make_profiles(rows, {}, one);
   ASSERT_EQ(series.scans.size(), 2u);
@@ -214,18 +218,18 @@ TEST(ProfileSeries, HasAScanForEachSweepOfTheBeam) {
 
 // 0.8 m from burst to burst, and 100 m between the scans: aligned, neither widens the mean.
 TEST(ProfileSeries, OfAnEncounterLaysItsScansUponEachOther) {
-  Scene scene = stepped_scene(2.0);
-  Radar& radar = scene.radars[0];
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(12.0);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(30.0);
-  radar.beam = Radar::Beam::rotating;
-  radar.beam_rate = Angle::from_deg(360.0);
+  scene::Scene scene = stepped_scene(2.0);
+  scene::Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(12.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(30.0);
+  radar.beam = scene::Radar::Beam::rotating;
+  radar.beam_rate = core::Angle::from_deg(360.0);
   scene.simulations[0].range_start_m = 2900.0;
   scene.simulations[0].range_end_m = 3200.0;
-  scene.platforms.push_back(moving("Jet", {3150.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}));
-  scene.targets.push_back(target_on("Jet", {0.0, 0.0, 0.0}));
-  scene.targets.push_back(target_on("Jet", {8.0, 0.0, 0.0}));
+  scene.platforms.push_back(simulate::moving("Jet", {3150.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Jet", {0.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Jet", {8.0, 0.0, 0.0}));
   const SteppedRows rows = rows_of(scene);
   SeriesOptions options;
   options.velocity = SeriesOptions::Velocity::scene;
@@ -233,18 +237,18 @@ TEST(ProfileSeries, OfAnEncounterLaysItsScansUponEachOther) {
   const ProfileSeries series = make_profiles(rows, options, one);
   ASSERT_EQ(series.scans.size(), 2u);
   const ProfileSeries mean = mean_of_encounter(series);
-  const auto peaks = highest_peaks(mean.row(0), mean.axis, 10, 2.0, 0.4);
+  const auto peaks = signal::highest_peaks(mean.row(0), mean.axis, 10, 2.0, 0.4);
   ASSERT_EQ(peaks.size(), 2u);
   EXPECT_NEAR(std::abs(peaks[0].range_m - peaks[1].range_m), 8.0, 0.1);
-  for (const ProfilePeak& peak : peaks) EXPECT_NEAR(peak.width_m, 0.886 * cell_of(rows), 0.15 * cell_of(rows));
+  for (const signal::ProfilePeak& peak : peaks) EXPECT_NEAR(peak.width_m, 0.886 * cell_of(rows), 0.15 * cell_of(rows));
 }
 
 TEST(ProfileSeries, DoesNotDependOnTheNumberOfThreads) {
-  Scene scene = stepped_scene(0.05);
+  scene::Scene scene = stepped_scene(0.05);
   make_chirped(scene);
   scene.radars[0].noise_temperature_k = 300.0;
-  scene.targets.push_back(target_on("Earth", {3003.3, 0.0, 0.0}));
-  const SteppedRows rows = rows_of(scene, Engine::automatic);
+  scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
+  const SteppedRows rows = rows_of(scene, simulate::Engine::automatic);
   SeriesOptions options;
   options.velocity = SeriesOptions::Velocity::estimated;
   options.fastest_mps = 30.0;
@@ -254,61 +258,61 @@ TEST(ProfileSeries, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(ProfileSeries, IsEmptyWithoutTargetsThatEcho) {
-  Scene scene = stepped_scene();
-  scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene();
+  scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));
   scene.targets.back().rcs_m2 = 0.0;
   EXPECT_TRUE(make_profiles(rows_of(scene), {}, one).rows.empty());
 }
 
 TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
-  const auto problems = [](Scene scene, SteppedUse use = SteppedUse::profiles, bool recorded = false) {
-    return text_of(problems_of_stepped(make_plan(scene, 0), use, recorded));
+  const auto problems = [](scene::Scene scene, SteppedUse use = SteppedUse::profiles, bool recorded = false) {
+    return text_of(problems_of_stepped(simulate::make_plan(scene, 0), use, recorded));
   };
-  Scene scene = stepped_scene();
+  scene::Scene scene = stepped_scene();
   EXPECT_EQ(problems(scene), "");
-  scene.radars[0].carrier = Radar::Carrier::single;
+  scene.radars[0].carrier = scene::Radar::Carrier::single;
   EXPECT_THAT(problems(scene), HasSubstr("at least two frequency steps"));
   EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("no resolution in range"));
   make_chirped(scene);
   EXPECT_EQ(problems(scene, SteppedUse::isar), "");
-  scene.radars[0].carrier = Radar::Carrier::user;
+  scene.radars[0].carrier = scene::Radar::Carrier::user;
   scene.radars[0].carrier_list_hz.part[0].knots = {{0.0, 9e9}, {1.0, 9.1e9}};
   EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("does not step evenly"));
   scene = stepped_scene(0.007);
   EXPECT_THAT(problems(scene), HasSubstr("no whole burst"));
   scene = stepped_scene();
-  scene.simulations[0].processing = Processing::srp;
+  scene.simulations[0].processing = scene::Processing::srp;
   EXPECT_THAT(problems(scene, SteppedUse::profiles, true), HasSubstr("range profiles already"));
   scene = stepped_scene();
   make_chirped(scene);
-  scene.options.profile = Profile::classic;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.options.profile = scene::Profile::classic;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   EXPECT_THAT(problems(scene, SteppedUse::profiles, true), HasSubstr("classic profile"));
   EXPECT_EQ(problems(scene, SteppedUse::profiles, false), "");
 }
 
 TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
-  const auto remarks = [](const Scene& scene, std::optional<double> speed = {}) {
+  const auto remarks = [](const scene::Scene& scene, std::optional<double> speed = {}) {
     return text_of(remarks_on_stepped(rows_of(scene), SteppedUse::profiles, speed));
   };
-  Scene scene = stepped_scene(0.064 - 1.0 / 4000.0);
-  scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene(0.064 - 1.0 / 4000.0);
+  scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));
   EXPECT_EQ(remarks(scene), "");
-  Scene gaps = scene;
+  scene::Scene gaps = scene;
   make_chirped(gaps);
   gaps.radars[0].bandwidth_hz = 4e6;
   EXPECT_THAT(remarks(gaps), HasSubstr("the joined band has gaps"));
-  Scene folds = scene;
+  scene::Scene folds = scene;
   folds.radars[0].pulse_width_s = 300e-9;
   EXPECT_THAT(remarks(folds), HasSubstr("targets may fold"));
   EXPECT_THAT(remarks(folds), testing::Not(HasSubstr("reach farther")));
-  folds.targets.push_back(target_on("Earth", {3040.0, 0.0, 0.0}));
+  folds.targets.push_back(simulate::target_on("Earth", {3040.0, 0.0, 0.0}));
   EXPECT_THAT(remarks(folds), HasSubstr("the targets reach farther than a profile is long"));
-  Scene sparse = scene;
+  scene::Scene sparse = scene;
   sparse.simulations[0].sample_rate_hz = 4e6;
   EXPECT_THAT(remarks(sparse), HasSubstr("targets between them are lost"));
-  Scene fast = scene;
-  fast.platforms.push_back(moving("Jet", {3010.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}));
+  scene::Scene fast = scene;
+  fast.platforms.push_back(simulate::moving("Jet", {3010.0, 0.0, 0.0}, {-100.0, 0.0, 0.0}));
   fast.targets[0].platform = "Jet";
   fast.targets[0].position_m = {};
   EXPECT_THAT(remarks(fast), HasSubstr("targets move during a burst"));
@@ -320,31 +324,32 @@ TEST(RemarksOnStepped, SayWhatMakesProfilesAmbiguousOrBlurred) {
 }
 
 TEST(SeenFromPlatform, HasVelocitiesThatAreTheDerivativesOfItsPositions) {
-  Scene scene = stepped_scene(0.03);
-  scene.platforms.push_back(moving("Ship", {3000.0, 50.0, 20.0}, {30.0, -8.0, 2.0}));
-  scene.platforms.back().rotation_rate = {Angle::from_deg(2.0), Angle::from_deg(-3.0), Angle::from_deg(5.0)};
-  scene.targets.push_back(target_on("Ship", {}));
+  scene::Scene scene = stepped_scene(0.03);
+  scene.platforms.push_back(simulate::moving("Ship", {3000.0, 50.0, 20.0}, {30.0, -8.0, 2.0}));
+  scene.platforms.back().rotation_rate = {core::Angle::from_deg(2.0), core::Angle::from_deg(-3.0),
+                                          core::Angle::from_deg(5.0)};
+  scene.targets.push_back(simulate::target_on("Ship", {}));
   const SteppedRows rows = rows_of(scene);
   const auto seen = seen_from_platform(rows, 1, 0, 3);
   ASSERT_EQ(seen.size(), 96u);
   const double interval_s = seen[41].time_s - seen[39].time_s;
-  const Vec3 slope = (1.0 / interval_s) * (seen[41].position_m - seen[39].position_m);
-  EXPECT_LT(norm(slope - seen[40].velocity_mps), 1e-3);
-  EXPECT_GT(norm(seen[40].velocity_mps), 200.0);  // 5 degrees a second, 3 km away.
+  const core::Vec3 slope = (1.0 / interval_s) * (seen[41].position_m - seen[39].position_m);
+  EXPECT_LT(core::norm(slope - seen[40].velocity_mps), 1e-3);
+  EXPECT_GT(core::norm(seen[40].velocity_mps), 200.0);  // 5 degrees a second, 3 km away.
 }
 
 TEST(PlatformOfTargets, CarriesTheStrongestAndIsNotTheRadars) {
-  Scene scene = stepped_scene();
-  scene.platforms.push_back(resting("Ship", {3000.0, 0.0, 0.0}));
-  scene.platforms.push_back(resting("Buoy", {3020.0, 0.0, 0.0}));
+  scene::Scene scene = stepped_scene();
+  scene.platforms.push_back(simulate::resting("Ship", {3000.0, 0.0, 0.0}));
+  scene.platforms.push_back(simulate::resting("Buoy", {3020.0, 0.0, 0.0}));
   EXPECT_FALSE(platform_of_targets(*rows_of(scene).plan));
-  scene.targets.push_back(target_on("Earth", {3000.0, 0.0, 0.0}));
+  scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));
   EXPECT_FALSE(platform_of_targets(*rows_of(scene).plan));
-  scene.targets.push_back(target_on("Buoy", {}));
-  scene.targets.push_back(target_on("Ship", {}));
+  scene.targets.push_back(simulate::target_on("Buoy", {}));
+  scene.targets.push_back(simulate::target_on("Ship", {}));
   scene.targets.back().rcs_m2 = 3.0;
   EXPECT_EQ(platform_of_targets(*rows_of(scene).plan), 1u);
 }
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::workflow

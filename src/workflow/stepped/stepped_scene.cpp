@@ -7,7 +7,7 @@
 #include "workflow/focus/recorded_gain.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
-namespace sarsim {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -18,27 +18,27 @@ std::int64_t pulse_of(const SteppedRows& rows, std::size_t burst, std::size_t in
 }
 
 // Columns of a matrix as rows: the rate at which a frame turns, as a vector. W = R' R^T is antisymmetric.
-Vec3 turn_rate_radps(const Pose& pose) {
-  const Mat3 w = pose.world_from_platform_rate * transposed(pose.world_from_platform);
+core::Vec3 turn_rate_radps(const radar::Pose& pose) {
+  const core::Mat3 w = pose.world_from_platform_rate * core::transposed(pose.world_from_platform);
   return {0.5 * (w.row[2].y - w.row[1].z), 0.5 * (w.row[0].z - w.row[2].x), 0.5 * (w.row[1].x - w.row[0].y)};
 }
 
 }  // namespace
 
 std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burst) {
-  const Plan& plan = *rows.plan;
+  const simulate::Plan& plan = *rows.plan;
   const std::size_t pulses = rows.band->waveform().burst_pulses();
   const double half_light_mps = 0.5 * plan.scene->conventions.light_speed_mps;
   std::vector<BurstTruth> truth(plan.scene->scatterers.size());
-  PulseGeometry geometry(*plan.scene, plan.radar);
-  const bool compressed = plan.simulation.processing == Processing::matched_filter;
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  const bool compressed = plan.simulation.processing == scene::Processing::matched_filter;
   const RecordedGain gain(
       plan, plan.columns, compressed ? plan.radar.window : [](double) { return 1.0; });
   for (std::size_t p = 0; p < pulses; ++p) {
     geometry.set_pulse(pulse_of(rows, burst, p));
-    const Pointing pointing = geometry.pointing();
+    const radar::Pointing pointing = geometry.pointing();
     for (std::size_t t = 0; t < truth.size(); ++t) {
-      const ScattererView view = geometry.view(t, pointing);
+      const simulate::ScattererView view = geometry.view(t, pointing);
       truth[t].amplitude += view.amplitude_sqrt_w * gain.gain(view.delay_s) / static_cast<double>(pulses);
       // The middle of the burst lies on the pulse there, or between two.
       const double share = p == (pulses - 1) / 2 || p == pulses / 2 ? (pulses % 2 == 1 ? 1.0 : 0.5) : 0.0;
@@ -50,15 +50,15 @@ std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burs
   return truth;
 }
 
-std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& control) {
-  const Plan& plan = *rows.plan;
+std::vector<double> illumination_of(const SteppedRows& rows, const core::WorkControl& control) {
+  const simulate::Plan& plan = *rows.plan;
   const std::size_t targets = plan.scene->scatterers.size();
   std::vector<double> power(rows.bursts);
-  parallel_ranges(rows.bursts, 16, control, [&](std::size_t begin, std::size_t end) {
-    PulseGeometry geometry(*plan.scene, plan.radar);
+  core::parallel_ranges(rows.bursts, 16, control, [&](std::size_t begin, std::size_t end) {
+    simulate::PulseGeometry geometry(*plan.scene, plan.radar);
     for (std::size_t b = begin; b < end; ++b) {
       geometry.set_pulse(pulse_of(rows, b, rows.band->waveform().burst_pulses() / 2));
-      const Pointing pointing = geometry.pointing();
+      const radar::Pointing pointing = geometry.pointing();
       for (std::size_t t = 0; t < targets; t += targets / most_targets + 1) {
         const double amplitude = geometry.view(t, pointing).amplitude_sqrt_w;
         power[b] = std::max(power[b], amplitude * amplitude);
@@ -73,20 +73,20 @@ std::vector<double> illumination_of(const SteppedRows& rows, const WorkControl& 
 double fastest_searched_mps(const SteppedRows& rows) {
   const std::size_t pulses = rows.band->waveform().burst_pulses();
   const double span_s = rows.pulse_time_s(pulses - 1) - rows.pulse_time_s(0);
-  return span_s > 0.0 ? 0.5 * most_searched_speeds * first_speed_step_mps(*rows.band, span_s)
+  return span_s > 0.0 ? 0.5 * signal::most_searched_speeds * signal::first_speed_step_mps(*rows.band, span_s)
                       : std::numeric_limits<double>::infinity();
 }
 
 double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count) {
   constexpr std::size_t most_looks = 17;
   const std::size_t looks = std::min(count, most_looks);
-  PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   double power = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < looks; ++i) {
     const std::size_t burst = first + (looks > 1 ? i * (count - 1) / (looks - 1) : 0);
     geometry.set_pulse(pulse_of(rows, burst, rows.band->waveform().burst_pulses() / 2));
-    each_sampled_view(*rows.plan->scene, geometry, most_targets, [&](const ScattererView& view) {
+    simulate::each_sampled_view(*rows.plan->scene, geometry, most_targets, [&](const simulate::ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum += weight * view.speed_mps;
@@ -95,10 +95,10 @@ double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t co
   return power > 0.0 ? sum / power : 0.0;
 }
 
-std::optional<std::size_t> platform_of_targets(const Plan& plan) {
+std::optional<std::size_t> platform_of_targets(const simulate::Plan& plan) {
   std::vector<double> rcs_m2(plan.scene->platforms.size());
-  for (const Scatterer& s : plan.scene->scatterers) rcs_m2[s.platform] += s.rcs_m2;
-  for (const ScattererSheet& sheet : plan.scene->sheets)
+  for (const simulate::Scatterer& s : plan.scene->scatterers) rcs_m2[s.platform] += s.rcs_m2;
+  for (const simulate::ScattererSheet& sheet : plan.scene->sheets)
     rcs_m2[sheet.platform] += sheet.point_rcs_m2 * static_cast<double>(sheet.points_m.size());
   rcs_m2[plan.radar.platform] = 0.0;
   const auto strongest = std::ranges::max_element(rcs_m2);
@@ -106,22 +106,22 @@ std::optional<std::size_t> platform_of_targets(const Plan& plan) {
   return static_cast<std::size_t>(strongest - rcs_m2.begin());
 }
 
-std::vector<TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform, std::size_t first,
-                                           std::size_t count) {
-  const Plan& plan = *rows.plan;
+std::vector<signal::TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform, std::size_t first,
+                                                   std::size_t count) {
+  const simulate::Plan& plan = *rows.plan;
   const std::size_t per_burst = rows.band->waveform().burst_pulses();
-  SarEchoes echoes;
-  std::vector<TargetPose> poses;
+  signal::SarEchoes echoes;
+  std::vector<signal::TargetPose> poses;
   for (std::size_t p = 0; p < count * per_burst; ++p) {
     const std::int64_t pulse = pulse_of(rows, first, p);
     const double time_s = plan.radar.repetition.send_time_s(pulse);
-    const Pose radar = plan.scene->platforms[plan.radar.platform].track.at(time_s, pulse);
-    const Pose target = plan.scene->platforms[platform].track.at(time_s, pulse);
+    const radar::Pose radar = plan.scene->platforms[plan.radar.platform].track.at(time_s, pulse);
+    const radar::Pose target = plan.scene->platforms[platform].track.at(time_s, pulse);
     echoes.track.push_back({time_s, radar.position_world_m, radar.velocity_world_mps});
     poses.push_back(
         {target.position_world_m, target.velocity_world_mps, target.world_from_platform, turn_rate_radps(target)});
   }
-  return seen_from_target(echoes, poses).track;
+  return signal::seen_from_target(echoes, poses).track;
 }
 
-}  // namespace sarsim
+}  // namespace sarsim::workflow

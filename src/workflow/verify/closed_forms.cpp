@@ -11,23 +11,23 @@
 #include "workflow/verify/response.hpp"
 #include "workflow/verify/scenes.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
 constexpr double carrier_hz = 1e9;
-constexpr double wavelength_m = exact_light_speed_mps / carrier_hz;
+constexpr double wavelength_m = core::exact_light_speed_mps / carrier_hz;
 
 // sqrt(P lambda^2 sigma/((4 pi)^3 d^4)) of the radar of `radar_at_origin`.
 double amplitude_v(double range_m, double rcs_m2 = 1.0) {
-  return std::sqrt(1000.0 * rcs_m2) * wavelength_m / (std::pow(4.0 * pi, 1.5) * range_m * range_m);
+  return std::sqrt(1000.0 * rcs_m2) * wavelength_m / (std::pow(4.0 * core::pi, 1.5) * range_m * range_m);
 }
 
 // Looks at one target in the middle of a raw pulse of 5 us.
-std::complex<double> echo_of(const Vec3& position_m, double rcs_m2 = 1.0) {
-  Scene scene = radar_at_origin();
+std::complex<double> echo_of(const core::Vec3& position_m, double rcs_m2 = 1.0) {
+  scene::Scene scene = radar_at_origin();
   add_target(scene, position_m, rcs_m2);
-  const double range_m = std::sqrt(dot(position_m, position_m));
+  const double range_m = std::sqrt(core::dot(position_m, position_m));
   set_window(scene, range_m + 100.0, range_m + 200.0, 4e6);
   return recorded(scene).samples.front();
 }
@@ -41,21 +41,21 @@ void measure_radar_equation(Record& record) {
   record.near("Amplitude of 4 m2 over that of 1 m2", "", 2.0,
               std::abs(echo_of({1000.0, 0.0, 0.0}, 4.0)) / std::abs(echo_of({1000.0, 0.0, 0.0})), 1e-12, "sqrt(sigma)");
   const double turns = std::remainder(2.0 * 1000.0 / wavelength_m, 1.0);
-  record.near("Phase of a target at 1 km", "deg", -360.0 * turns, deg_per_rad * std::arg(echo_of({1000.0, 0.0, 0.0})),
-              1e-6, "-2 pi f 2 d/c");
+  record.near("Phase of a target at 1 km", "deg", -360.0 * turns,
+              core::deg_per_rad * std::arg(echo_of({1000.0, 0.0, 0.0})), 1e-6, "-2 pi f 2 d/c");
   double worst_rad = 0.0;
   for (int i = 1; i <= 20; ++i) {
     const double range_m = 1000.0 + 0.37 * i;
-    const double expected_rad = -2.0 * pi * std::remainder(2.0 * range_m / wavelength_m, 1.0);
+    const double expected_rad = -2.0 * core::pi * std::remainder(2.0 * range_m / wavelength_m, 1.0);
     worst_rad = std::max(worst_rad, std::abs(wrapped_rad(std::arg(echo_of({range_m, 0.0, 0.0})) - expected_rad)));
   }
-  record.at_most("Largest error of the phase at 20 ranges", "deg", 1e-6, deg_per_rad * worst_rad,
+  record.at_most("Largest error of the phase at 20 ranges", "deg", 1e-6, core::deg_per_rad * worst_rad,
                  "delays are never rounded to samples");
 }
 
 void measure_doppler(Record& record) {
   constexpr double speed_mps = 50.0;
-  Scene scene = radar_at_origin();
+  scene::Scene scene = radar_at_origin();
   scene.radars[0].carrier_hz = carrier_hz;
   add_mover(scene, "Car", {1000.0, 0.0, 0.0}, {speed_mps, 0.0, 0.0});
   add_target(scene, {0.0, 0.0, 0.0}, 1.0, "Car");
@@ -64,24 +64,24 @@ void measure_doppler(Record& record) {
   const auto samples = column(recorded(scene), 0);
   // The delay is 2 d/(c - v), so d = v/PRF more make 2 v/((c - v) PRF) more of it; within the pulse the echo is shifted
   // by 2 v f/c, which the same sample sees that much later.
-  const double later_s = 2.0 * speed_mps / ((exact_light_speed_mps - speed_mps) * 1000.0);
-  const double shift_hz = 2.0 * speed_mps * carrier_hz / exact_light_speed_mps;
-  const double expected_rad = wrapped_rad(-2.0 * pi * (carrier_hz - shift_hz) * later_s);
-  record.near("Phase step of 50 m/s at 1 GHz and 1 kHz", "deg", deg_per_rad * expected_rad,
-              deg_per_rad * wrapped_rad(std::arg(samples[1]) - std::arg(samples[0])), 1e-5,
+  const double later_s = 2.0 * speed_mps / ((core::exact_light_speed_mps - speed_mps) * 1000.0);
+  const double shift_hz = 2.0 * speed_mps * carrier_hz / core::exact_light_speed_mps;
+  const double expected_rad = wrapped_rad(-2.0 * core::pi * (carrier_hz - shift_hz) * later_s);
+  record.near("Phase step of 50 m/s at 1 GHz and 1 kHz", "deg", core::deg_per_rad * expected_rad,
+              core::deg_per_rad * wrapped_rad(std::arg(samples[1]) - std::arg(samples[0])), 1e-5,
               "-2 pi f 2 v/((c - v) PRF), Doppler within the pulse");
 }
 
 void measure_antenna(Record& record) {
-  Scene scene = radar_at_origin();
-  Radar& radar = scene.radars[0];
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(10.0);
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(10.0);
-  const double offset_rad = 5.0 / deg_per_rad;
+  scene::Scene scene = radar_at_origin();
+  scene::Radar& radar = scene.radars[0];
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(10.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(10.0);
+  const double offset_rad = 5.0 / core::deg_per_rad;
   add_target(scene, {1000.0 * std::sin(offset_rad), 1000.0 * std::cos(offset_rad), 0.0});
   set_window(scene, 1100.0, 1200.0, 4e6);
-  const double x = 0.88 * pi * std::sin(offset_rad) / (10.0 / deg_per_rad);
+  const double x = 0.88 * core::pi * std::sin(offset_rad) / (10.0 / core::deg_per_rad);
   record.near("Two-way gain of a sin(x)/x beam half a width off", "dB", 40.0 * std::log10(std::sin(x) / x),
               20.0 * std::log10(std::abs(recorded(scene).samples.front()) / amplitude_v(1000.0)), 1e-9,
               "x = 0.88 pi sin(offset)/width, one way");
@@ -90,9 +90,9 @@ void measure_antenna(Record& record) {
 constexpr double bandwidth_hz = 50e6;
 constexpr double fine = 64.0;  // samples per 1/B
 
-Scene chirp(double time_bandwidth) {
-  Scene scene = radar_at_origin();
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+scene::Scene chirp(double time_bandwidth) {
+  scene::Scene scene = radar_at_origin();
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = bandwidth_hz;
   scene.radars[0].pulse_width_s = time_bandwidth / bandwidth_hz;
   scene.simulations[0].sample_rate_hz = fine * bandwidth_hz;
@@ -102,7 +102,7 @@ Scene chirp(double time_bandwidth) {
 // Autocorrelation of a chirp of rectangular envelope (Cook and Bernfeld 1967).
 double autocorrelation(double lag_s, double width_s) {
   if (lag_s == 0.0) return 1.0;
-  const double x = pi * bandwidth_hz * lag_s;
+  const double x = core::pi * bandwidth_hz * lag_s;
   return std::abs(std::sin(x * (1.0 - std::abs(lag_s) / width_s)) / x);
 }
 
@@ -127,7 +127,7 @@ void measure_compression(Record& record) {
   // A sum over N samples for an integral, and lags to the left that overlap by one sample less.
   const double samples = fine * time_bandwidth;
   record.at_most("Compressed chirp: largest deviation from its autocorrelation", "",
-                 1.0 / samples + pi * 8.0 / (6.0 * samples * samples), worst,
+                 1.0 / samples + core::pi * 8.0 / (6.0 * samples * samples), worst,
                  "sin(pi B s (1 - |s|/Tp))/(pi B s), Cook and Bernfeld 1967");
   record.near("Compressed chirp: peak side lobe, B Tp = 100", "dB", -13.39, side_lobe_db(r), 0.02, "same formula");
   record.near("Compressed chirp: half-power width times B", "", 0.8845, half_power_width_s(r) * bandwidth_hz, 0.0005,
@@ -144,16 +144,16 @@ void measure_compression(Record& record) {
 void measure_windows(Record& record) {
   struct Weighting {
     const char* name;
-    Radar::Window window;
+    scene::Radar::Window window;
     double side_lobe_db;
     double width;
   };
   // The longer the chirp, the nearer its spectrum is to the rectangle that the textbooks weight.
   const double time_bandwidth = 20000.0;
-  for (const Weighting& w : {Weighting{"Hanning", Radar::Window::hanning, -31.47, 1.441},
-                             Weighting{"Hamming", Radar::Window::hamming, -42.68, 1.303},
-                             Weighting{"Bartlett", Radar::Window::bartlett, -26.52, 1.276}}) {
-    Scene scene = chirp(time_bandwidth);
+  for (const Weighting& w : {Weighting{"Hanning", scene::Radar::Window::hanning, -31.47, 1.441},
+                             Weighting{"Hamming", scene::Radar::Window::hamming, -42.68, 1.303},
+                             Weighting{"Bartlett", scene::Radar::Window::bartlett, -26.52, 1.276}}) {
+    scene::Scene scene = chirp(time_bandwidth);
     scene.simulations[0].sample_rate_hz = 32.0 * bandwidth_hz;
     scene.radars[0].window = w.window;
     scene.radars[0].hanning_pedestal = 0.0;
@@ -166,8 +166,8 @@ void measure_windows(Record& record) {
 }
 
 void measure_codes(Record& record) {
-  Scene scene = radar_at_origin();
-  scene.radars[0].pulse = Radar::Pulse::barker;
+  scene::Scene scene = radar_at_origin();
+  scene.radars[0].pulse = scene::Radar::Pulse::barker;
   scene.radars[0].barker_code = 6;
   scene.radars[0].pulse_width_s = 1.3e-6;
   scene.simulations[0].sample_rate_hz = 100e6;
@@ -176,7 +176,7 @@ void measure_codes(Record& record) {
 }
 
 void measure_converter(Record& record) {
-  Scene scene = chirp(4000.0);
+  scene::Scene scene = chirp(4000.0);
   add_target(scene, {1100.0, 0.0, 0.0});
   add_target(scene, {1137.3, 0.0, 0.0}, 0.4);
   set_window(scene, 1000.0, 15000.0, 1.7 * bandwidth_hz);
@@ -210,4 +210,4 @@ void measure_closed_forms(Record& record) {
   measure_converter(record);
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -10,23 +10,23 @@
 #include "workflow/verify/scenes.hpp"
 #include "workflow/verify/textbook.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
 using Row = std::vector<std::complex<double>>;
 
 // Targets on a platform that passes and turns, seen by a chirp.
-Scene busy_scene(std::size_t targets, PulseDefinition pulse, double tolerance) {
-  Scene scene = radar_at_origin();
+scene::Scene busy_scene(std::size_t targets, scene::PulseDefinition pulse, double tolerance) {
+  scene::Scene scene = radar_at_origin();
   scene.options.pulse = pulse;
   scene.options.tolerance = tolerance;
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::chirp;
+  scene::Radar& radar = scene.radars[0];
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 50e6;
   radar.pulse_width_s = 4e-6;
-  Platform& ship = add_mover(scene, "Ship", {3000.0, 0.0, 0.0}, {12.0, 60.0, 0.0});
-  ship.rotation_rate[2] = Angle::from_deg(5.0);
+  scene::Platform& ship = add_mover(scene, "Ship", {3000.0, 0.0, 0.0}, {12.0, 60.0, 0.0});
+  ship.rotation_rate[2] = core::Angle::from_deg(5.0);
   for (std::size_t i = 0; i < targets; ++i) {
     const auto place = static_cast<double>(i);
     add_target(scene, {std::fmod(7.31 * place, 400.0), std::fmod(3.17 * place, 120.0), std::fmod(place, 9.0)},
@@ -38,26 +38,26 @@ Scene busy_scene(std::size_t targets, PulseDefinition pulse, double tolerance) {
 }
 
 // Root of the sum of |a|^2 over the echoes of a row that touch it.
-double strength_v(const Plan& plan, std::size_t row) {
-  PulseGeometry geometry(*plan.scene, plan.radar);
+double strength_v(const simulate::Plan& plan, std::size_t row) {
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   geometry.set_pulse(plan.first_pulse_of_row(row));
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   geometry.echoes(echoes);
   double squares = 0.0;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
-    const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
+    const radar::SampleSpan on = radar::touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
     if (on.begin < on.end) squares += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
   }
   return std::sqrt(squares);
 }
 
 // The largest over the pulses of |s - s_ref|/sqrt(sum |a|^2 |p|^2): what --tolerance promises.
-double relative_error(const Scene& scene, Engine engine) {
-  const auto resolved = std::make_shared<const ResolvedScene>(resolve(scene));
-  const Plan fast = make_plan(scene, 0, resolved, engine);
-  const Plan plain = make_plan(scene, 0, resolved, Engine::reference);
-  RowMaker fast_rows(fast);
-  RowMaker plain_rows(plain);
+double relative_error(const scene::Scene& scene, simulate::Engine engine) {
+  const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene));
+  const simulate::Plan fast = simulate::make_plan(scene, 0, resolved, engine);
+  const simulate::Plan plain = simulate::make_plan(scene, 0, resolved, simulate::Engine::reference);
+  simulate::RowMaker fast_rows(fast);
+  simulate::RowMaker plain_rows(plain);
   Row a(fast.columns);
   Row b(plain.columns);
   double worst = 0.0;
@@ -78,10 +78,10 @@ void measure_accuracy(Record& record) {
   if (!record.quick()) tolerances = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
   Chart chart{{}, "Errors of the fast engines", "--tolerance", "relative error", {}, true, true};
   Curve allowed{"allowed", tolerances, tolerances, false};
-  for (const PulseDefinition pulse : {PulseDefinition::ideal, PulseDefinition::band_limited})
-    for (const Engine engine : {Engine::direct, Engine::spectral}) {
-      const std::string name =
-          fmt::format("{}, {} pulses", name_of(engine), pulse == PulseDefinition::ideal ? "ideal" : "band-limited");
+  for (const scene::PulseDefinition pulse : {scene::PulseDefinition::ideal, scene::PulseDefinition::band_limited})
+    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+      const std::string name = fmt::format("{}, {} pulses", simulate::name_of(engine),
+                                           pulse == scene::PulseDefinition::ideal ? "ideal" : "band-limited");
       Curve curve{name, {}, {}, true};
       for (const double tolerance : tolerances) {
         const double error = relative_error(busy_scene(targets, pulse, tolerance), engine);
@@ -97,14 +97,14 @@ void measure_accuracy(Record& record) {
 }
 
 void measure_textbook(Record& record) {
-  const Scene scene = busy_scene(40, PulseDefinition::ideal, 1e-6);
-  const Plan plan = make_plan(scene, 0);
-  RowMaker rows(plan);
+  const scene::Scene scene = busy_scene(40, scene::PulseDefinition::ideal, 1e-6);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
+  simulate::RowMaker rows(plan);
   Row got(plan.columns);
   rows.make_row(3, got);
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   geometry.set_pulse(plan.first_pulse_of_row(3));
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   geometry.echoes(echoes);
   Row expected(plan.columns);
   add_textbook_echoes(expected, plan.raw_grid, plan.pulse, geometry.carrier_hz(), echoes);
@@ -118,10 +118,10 @@ void measure_textbook(Record& record) {
                  "one sine and one cosine for each echo and sample");
 }
 
-Scene noisy_scene() {
-  Scene scene = busy_scene(50, PulseDefinition::ideal, 1e-6);
+scene::Scene noisy_scene() {
+  scene::Scene scene = busy_scene(50, scene::PulseDefinition::ideal, 1e-6);
   scene.radars[0].noise_temperature_k = 300.0;
-  for (Target& target : scene.targets) target.rcs_stddev_m2 = 0.1;
+  for (scene::Target& target : scene.targets) target.rcs_stddev_m2 = 0.1;
   scene.platforms.back().position_stddev_m = {0.01, 0.01, 0.01};
   set_pulses(scene, 0, 63);
   return scene;
@@ -134,19 +134,21 @@ double differing(const Row& a, const Row& b) {
 }
 
 void measure_repeatability(Record& record) {
-  const Scene scene = noisy_scene();
+  const scene::Scene scene = noisy_scene();
   const auto recorded_by = [&](unsigned threads) {
-    RunControl control;
+    simulate::RunControl control;
     control.threads = threads;
     control.stop = record.rules().stop;
-    return sarsim::record(make_plan(scene, 0, nullptr, Engine::automatic), control).samples;
+    return sarsim::simulate::record(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic), control)
+        .samples;
   };
   const Row alone = recorded_by(1);
   record.near("Samples that differ between 1 and 4 threads", "", 0.0, differing(alone, recorded_by(4)), 0.0,
               "same input, same bytes");
-  Scene later = scene;
+  scene::Scene later = scene;
   set_pulses(later, 20, 29);
-  const Row part = sarsim::record(make_plan(later, 0, nullptr, Engine::automatic)).samples;
+  const Row part =
+      sarsim::simulate::record(simulate::make_plan(later, 0, nullptr, simulate::Engine::automatic)).samples;
   const std::size_t columns = part.size() / 10;
   const Row same(alone.begin() + static_cast<std::ptrdiff_t>(20 * columns),
                  alone.begin() + static_cast<std::ptrdiff_t>(30 * columns));
@@ -162,4 +164,4 @@ void measure_engines(Record& record) {
   measure_repeatability(record);
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -12,21 +12,21 @@
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/scenes.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
 constexpr double focusing_carrier_hz = 5.3e9;
 constexpr double prf_hz = 600.0;
-constexpr Vec3 target_m{3.0, -31.0, 0.0};
+constexpr core::Vec3 target_m{3.0, -31.0, 0.0};
 
 // Thesis 7.1: an aircraft 2000 m high at 200 m/s along y, the target 10 km away along x; 100 MHz and 800 ns.
-Scene strip() {
-  Scene scene = radar_at_origin();
+scene::Scene strip() {
+  scene::Scene scene = radar_at_origin();
   add_mover(scene, "Plane", {-10000.0, 0.0, 2000.0}, {0.0, 200.0, 0.0});
-  Radar& radar = scene.radars[0];
+  scene::Radar& radar = scene.radars[0];
   radar.platform = "Plane";
-  radar.pulse = Radar::Pulse::chirp;
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 100e6;
   radar.pulse_width_s = 800e-9;
   radar.prf_hz = prf_hz;
@@ -39,21 +39,22 @@ Scene strip() {
 }
 
 struct Echoes {
-  std::shared_ptr<const Plan> plan;
-  EchoRows rows;
+  std::shared_ptr<const simulate::Plan> plan;
+  signal::EchoRows rows;
 };
 
 Echoes recorded_strip() {
-  Scene scene = strip();
-  const Plan window = make_plan(scene, 0);
+  scene::Scene scene = strip();
+  const simulate::Plan window = simulate::make_plan(scene, 0);
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
-  auto plan = std::make_shared<const Plan>(make_plan(scene, 0, nullptr, Engine::automatic));
-  EchoRows rows = sar_rows_of_scene(plan, window.columns);
+  auto plan =
+      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic));
+  signal::EchoRows rows = sar_rows_of_scene(plan, window.columns);
   return {std::move(plan), std::move(rows)};
 }
 
-void measure_cut(Record& record, const std::string& name, const std::optional<ResponseFigures>& theory,
-                 const ResponseFigures& found) {
+void measure_cut(Record& record, const std::string& name, const std::optional<signal::ResponseFigures>& theory,
+                 const signal::ResponseFigures& found) {
   if (!theory) throw std::runtime_error("there is no theory of the " + name);
   record.near(name + ": half-power width", "m", theory->width, found.width, 0.01 * theory->width,
               "docs/theory/focusing.md");
@@ -61,19 +62,20 @@ void measure_cut(Record& record, const std::string& name, const std::optional<Re
   record.near(name + ": integrated side lobes", "dB", theory->islr_db, found.islr_db, 0.3, "docs/theory/focusing.md");
 }
 
-void measure_method(Record& record, const Echoes& echoes, FocusMethod method, const std::string& name) {
-  const FocusOptions options{.method = method};
-  const WorkControl control{2, record.rules().stop};
-  const FocusedImage image = focus(sar_echoes(echoes.rows, control), options, control);
-  const ImagePlace place = place_of(image.frame, target_m);
+void measure_method(Record& record, const Echoes& echoes, signal::FocusMethod method, const std::string& name) {
+  const signal::FocusOptions options{.method = method};
+  const core::WorkControl control{2, record.rules().stop};
+  const signal::FocusedImage image = signal::focus(signal::sar_echoes(echoes.rows, control), options, control);
+  const signal::ImagePlace place = signal::place_of(image.frame, target_m);
   // The track passes the target at this distance, whatever the frame says.
   const double closest_m = std::hypot(10000.0 + target_m.x, 2000.0);
-  const auto found = measure_point(image, reader_of(image), place, 2.0);
+  const auto found = signal::measure_point(image, signal::reader_of(image), place, 2.0);
   if (!found) throw std::runtime_error("the target is not in the image made by " + name);
   record.near(name + ": range of the target", "m", closest_m, found->place.range_m, 0.03, "closest approach");
   record.near(name + ": azimuth of the target", "m", place.azimuth_m, found->place.azimuth_m, 0.02,
               "where the track passes it");
-  const double expected_rad = wrapped_rad(-4.0 * pi * focusing_carrier_hz * closest_m / exact_light_speed_mps);
+  const double expected_rad =
+      wrapped_rad(-4.0 * core::pi * focusing_carrier_hz * closest_m / core::exact_light_speed_mps);
   record.near(name + ": error of the phase", "rad", 0.0, wrapped_rad(found->phase_rad - expected_rad), 0.01,
               "-4 pi f R0/c");
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, options).at(0);
@@ -87,10 +89,10 @@ void measure_method(Record& record, const Echoes& echoes, FocusMethod method, co
 
 void measure_focusing(Record& record) {
   const Echoes echoes = recorded_strip();
-  measure_method(record, echoes, FocusMethod::omega_k, "Omega-k");
+  measure_method(record, echoes, signal::FocusMethod::omega_k, "Omega-k");
   if (record.quick()) return;
-  measure_method(record, echoes, FocusMethod::range_doppler, "Range-Doppler");
-  measure_method(record, echoes, FocusMethod::chirp_scaling, "Chirp scaling");
+  measure_method(record, echoes, signal::FocusMethod::range_doppler, "Range-Doppler");
+  measure_method(record, echoes, signal::FocusMethod::chirp_scaling, "Chirp scaling");
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -2,7 +2,7 @@
 
 #include "workflow/verify/thesis_numbers.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 Record verify_all(const Rules& rules) {
   Record record(rules);
@@ -17,12 +17,12 @@ Record verify_all(const Rules& rules) {
 
 void measure_thesis(Record& record) {
   for (const ThesisNumber& number : thesis_numbers())
-    for (const Profile profile : {Profile::classic, Profile::physical}) {
-      const bool classic = profile == Profile::classic;
+    for (const scene::Profile profile : {scene::Profile::classic, scene::Profile::physical}) {
+      const bool classic = profile == scene::Profile::classic;
       record.near(number.what + (classic ? ", classic" : ", physical"), number.unit,
                   classic ? number.classic : number.physical, number.value(profile), number.tolerance,
                   "docs/theory/thesis-numbers.md");
     }
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

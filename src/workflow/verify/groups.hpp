@@ -3,7 +3,7 @@
 #include "workflow/verify/record.hpp"
 
 /// What `sarsim verify` measures, one function for each group. All work on scenes that are made here.
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// Radar equation, phase, Doppler, pulses and their compression, antenna, converter: each against its formula.
 void measure_closed_forms(Record& record);
@@ -27,4 +27,4 @@ void measure_speed(Record& record);
 /// All of them in this order; without speed where the rules say quick.
 [[nodiscard]] Record verify_all(const Rules& rules);
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

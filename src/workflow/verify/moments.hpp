@@ -6,7 +6,7 @@
 
 /// Sample moments, and how far they may lie from the truth by chance: five standard deviations, which one sound test in
 /// two million exceeds. Seeds are fixed, so what holds once holds for ever.
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 inline constexpr double gate_sigmas = 5.0;
 
@@ -51,4 +51,4 @@ inline double variance_gate(double variance, std::size_t n) {
 /// Gate of a correlation coefficient of n independent pairs that are not correlated.
 inline double correlation_gate(std::size_t n) { return gate_sigmas / std::sqrt(static_cast<double>(n)); }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

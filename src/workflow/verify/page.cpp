@@ -7,7 +7,7 @@
 
 #include "workflow/verify/svg.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string page_of(const Record& record, const Facts& facts) {
   return html + "</body>\n</html>\n";
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

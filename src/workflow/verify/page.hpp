@@ -5,7 +5,7 @@
 
 #include "workflow/verify/record.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// What a page says of the machine and the program, line by line: "Processor", "...".
 using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -21,4 +21,4 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 /// How many findings hold.
 [[nodiscard]] std::size_t holding(const Record& record);
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

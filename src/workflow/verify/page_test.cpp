@@ -6,7 +6,7 @@
 
 #include "workflow/verify/svg.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 namespace {
 
 using testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST(VerifySvg, PutsTicksAtRoundNumbers) {
 }
 
 }  // namespace
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

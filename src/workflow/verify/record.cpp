@@ -4,14 +4,14 @@
 #include <exception>
 #include <utility>
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 void Record::group(const std::string& name, const std::function<void(Record&)>& measure) {
-  if (rules_.stop != nullptr && rules_.stop->requested()) throw Interrupted();
+  if (rules_.stop != nullptr && rules_.stop->requested()) throw core::Interrupted();
   group_ = name;
   try {
     measure(*this);
-  } catch (const Interrupted&) {
+  } catch (const core::Interrupted&) {
     throw;
   } catch (const std::exception& error) {
     Finding finding;
@@ -56,4 +56,4 @@ void Record::add(Finding finding) {
   findings_.push_back(std::move(finding));
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -7,7 +7,7 @@
 #include "core/task/stop.hpp"
 
 /// The simulator held against what must come out, on the machine where it stands.
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// How a measured value is judged.
 enum class Bound {
@@ -52,7 +52,7 @@ struct Chart {
 /// How much is measured, and with what.
 struct Rules {
   bool quick = false;  ///< Fewer samples, with the wider tolerances that go with them; no measurement of speed.
-  const StopFlag* stop = nullptr;
+  const core::StopFlag* stop = nullptr;
 };
 
 /// Gathers findings and charts of one group after the other.
@@ -92,4 +92,4 @@ class Record {
   std::vector<Chart> charts_;
 };
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -8,7 +8,7 @@
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/page.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -52,9 +52,9 @@ TEST(VerifyRecord, GoesOnBehindAGroupThatEndsEarly) {
 }
 
 TEST(VerifyRecord, EndsWhereItIsToldTo) {
-  StopFlag stop;
+  core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)verify_all({true, &stop}), Interrupted);
+  EXPECT_THROW((void)verify_all({true, &stop}), core::Interrupted);
 }
 
 TEST(VerifyAll, QuicklyMeasuresEveryGroupButSpeed) {
@@ -73,4 +73,4 @@ TEST(VerifyAll, QuicklyMeasuresEveryGroupButSpeed) {
 }
 
 }  // namespace
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

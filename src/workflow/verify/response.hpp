@@ -6,7 +6,7 @@
 
 #include "workflow/verify/scenes.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// The compressed echo of one point, sampled finely about its peak.
 struct Response {
@@ -51,12 +51,12 @@ inline double half_power_width_s(const Response& r) {
 
 /// Compresses the echo of a point that stands `margin` samples into the window, at the scene's sampling rate, through
 /// the whole recording path. The scene's radar and its simulation's sampling rate decide; its targets are replaced.
-inline Response point_response(Scene scene, std::size_t margin) {
-  const double light_speed_mps = make_plan(
+inline Response point_response(scene::Scene scene, std::size_t margin) {
+  const double light_speed_mps = simulate::make_plan(
                                      [&] {
-                                       Scene any = scene;
+                                       scene::Scene any = scene;
                                        set_window(any, 0.0, 1000.0, 1e6);
-                                       any.simulations[0].processing = Processing::raw;
+                                       any.simulations[0].processing = scene::Processing::raw;
                                        return any;
                                      }(),
                                      0)
@@ -67,9 +67,9 @@ inline Response point_response(Scene scene, std::size_t margin) {
   add_target(scene, {start_m + static_cast<double>(margin) * spacing_m, 0.0, 0.0});
   scene.simulations[0].range_start_m = start_m;
   scene.simulations[0].range_end_m = start_m + static_cast<double>(2 * margin + 1) * spacing_m;
-  scene.simulations[0].processing = Processing::raw;
+  scene.simulations[0].processing = scene::Processing::raw;
   const double raw_v = recorded(scene).report.maximum_v;
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   const auto samples = recorded(scene).samples;
   Response response;
   for (const auto& sample : samples) response.amplitude.push_back(std::abs(sample) / raw_v);
@@ -78,4 +78,4 @@ inline Response point_response(Scene scene, std::size_t margin) {
   return response;
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

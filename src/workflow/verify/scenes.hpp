@@ -9,16 +9,16 @@
 #include "simulate/run/run.hpp"
 
 /// Small scenes to measure with: a radar at the world's origin, a few targets, one simulation.
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// "Earth" at rest with the radar "Radar1" (1 kW, 1 GHz, 1 kHz, monochrome, isotropic) and a simulation of it that
 /// records one pulse from 0 to 2 km at 4 MHz.
-inline Scene radar_at_origin(Profile profile = Profile::physical) {
-  Scene scene;
+inline scene::Scene radar_at_origin(scene::Profile profile = scene::Profile::physical) {
+  scene::Scene scene;
   scene.options.profile = profile;
   scene.platforms.emplace_back();
   scene.radars.emplace_back();
-  Simulation simulation;
+  scene::Simulation simulation;
   simulation.radar = "Radar1";
   simulation.range_end_m = 2000.0;
   simulation.time_end_s = 0.0;
@@ -28,9 +28,9 @@ inline Scene radar_at_origin(Profile profile = Profile::physical) {
 }
 
 /// Adds an isotropic point.
-inline Target& add_target(Scene& scene, const Vec3& position_m, double rcs_m2 = 1.0,
-                          const std::string& platform = "Earth") {
-  Target target;
+inline scene::Target& add_target(scene::Scene& scene, const core::Vec3& position_m, double rcs_m2 = 1.0,
+                                 const std::string& platform = "Earth") {
+  scene::Target target;
   target.platform = platform;
   target.position_m = position_m;
   target.rcs_m2 = rcs_m2;
@@ -39,28 +39,29 @@ inline Target& add_target(Scene& scene, const Vec3& position_m, double rcs_m2 = 
 }
 
 /// A straight line through `start_m` at t = 0.
-inline UserFunction<3> straight_path(const Vec3& start_m, const Vec3& velocity_mps) {
+inline scene::UserFunction<3> straight_path(const core::Vec3& start_m, const core::Vec3& velocity_mps) {
   const auto axis = [](double start, double speed) {
-    return SampledFunction{Interpolation::linear, {{-1.0, start - speed}, {1.0, start + speed}}};
+    return core::SampledFunction{core::Interpolation::linear, {{-1.0, start - speed}, {1.0, start + speed}}};
   };
-  UserFunction<3> path;
+  scene::UserFunction<3> path;
   path.part = {axis(start_m.x, velocity_mps.x), axis(start_m.y, velocity_mps.y), axis(start_m.z, velocity_mps.z)};
   return path;
 }
 
 /// Adds a platform that is at `start_m` at t = 0 and moves straight on.
-inline Platform& add_mover(Scene& scene, const std::string& name, const Vec3& start_m, const Vec3& velocity_mps) {
-  Platform platform;
+inline scene::Platform& add_mover(scene::Scene& scene, const std::string& name, const core::Vec3& start_m,
+                                  const core::Vec3& velocity_mps) {
+  scene::Platform platform;
   platform.name = name;
-  platform.path = Platform::Path::trajectory;
+  platform.path = scene::Platform::Path::trajectory;
   platform.trajectory_m = straight_path(start_m, velocity_mps);
   scene.platforms.push_back(platform);
   return scene.platforms.back();
 }
 
 /// Adds a platform that rests.
-inline Platform& add_platform(Scene& scene, const std::string& name, const Vec3& position_m) {
-  Platform platform;
+inline scene::Platform& add_platform(scene::Scene& scene, const std::string& name, const core::Vec3& position_m) {
+  scene::Platform platform;
   platform.name = name;
   platform.position_m = position_m;
   scene.platforms.push_back(platform);
@@ -68,24 +69,26 @@ inline Platform& add_platform(Scene& scene, const std::string& name, const Vec3&
 }
 
 /// Sets the window of the scene's simulation.
-inline void set_window(Scene& scene, double start_m, double end_m, double sample_rate_hz) {
-  Simulation& simulation = scene.simulations[0];
+inline void set_window(scene::Scene& scene, double start_m, double end_m, double sample_rate_hz) {
+  scene::Simulation& simulation = scene.simulations[0];
   simulation.range_start_m = start_m;
   simulation.range_end_m = end_m;
   simulation.sample_rate_hz = sample_rate_hz;
 }
 
 /// Records pulses first ... last of a radar with constant repetition.
-inline void set_pulses(Scene& scene, int first, int last) {
+inline void set_pulses(scene::Scene& scene, int first, int last) {
   scene.simulations[0].time_start_s = first / scene.radars[0].prf_hz;
   scene.simulations[0].time_end_s = last / scene.radars[0].prf_hz;
 }
 
 /// The scene's first simulation in volts.
-inline Recording recorded(const Scene& scene) { return record(make_plan(scene, 0)); }
+inline simulate::Recording recorded(const scene::Scene& scene) {
+  return simulate::record(simulate::make_plan(scene, 0));
+}
 
 /// One column of a recording: slow time at one range.
-inline std::vector<std::complex<double>> column(const Recording& recording, std::size_t index) {
+inline std::vector<std::complex<double>> column(const simulate::Recording& recording, std::size_t index) {
   std::vector<std::complex<double>> samples;
   for (std::size_t row = 0; row < recording.report.rows; ++row)
     samples.push_back(recording.samples[row * recording.report.columns + index]);
@@ -101,6 +104,6 @@ inline std::size_t peak_index(const std::vector<std::complex<double>>& samples) 
 }
 
 /// Angle brought into (-pi, pi].
-inline double wrapped_rad(double angle_rad) { return std::remainder(angle_rad, 2.0 * pi); }
+inline double wrapped_rad(double angle_rad) { return std::remainder(angle_rad, 2.0 * core::pi); }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

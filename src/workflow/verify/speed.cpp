@@ -12,7 +12,7 @@
 #include "workflow/verify/scenes.hpp"
 #include "workflow/verify/textbook.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
@@ -22,21 +22,21 @@ using Row = std::vector<std::complex<double>>;
 double best_s(int tries, const std::function<void()>& work) {
   double best = 1e300;
   for (int i = 0; i < tries; ++i) {
-    const double begin_s = now_s();
+    const double begin_s = core::now_s();
     work();
-    best = std::min(best, now_s() - begin_s);
+    best = std::min(best, core::now_s() - begin_s);
   }
   return best;
 }
 
-Scene crowd(std::size_t targets) {
-  Scene scene = radar_at_origin();
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::chirp;
+scene::Scene crowd(std::size_t targets) {
+  scene::Scene scene = radar_at_origin();
+  scene::Radar& radar = scene.radars[0];
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 50e6;
   radar.pulse_width_s = 5e-6;
-  Platform& field = add_mover(scene, "Field", {5000.0, 0.0, 0.0}, {3.0, 40.0, 0.0});
-  field.rotation_rate[2] = Angle::from_deg(1.0);
+  scene::Platform& field = add_mover(scene, "Field", {5000.0, 0.0, 0.0}, {3.0, 40.0, 0.0});
+  field.rotation_rate[2] = core::Angle::from_deg(1.0);
   for (std::size_t i = 0; i < targets; ++i) {
     const auto place = static_cast<double>(i);
     add_target(scene, {std::fmod(7.31 * place, 900.0), std::fmod(3.17 * place, 500.0), 0.0}, 1.0, "Field");
@@ -47,12 +47,12 @@ Scene crowd(std::size_t targets) {
 }
 
 // Seconds of a pulse by the textbook's listing; a part of the echoes is enough.
-double textbook_pulse_s(const Plan& plan) {
-  PulseGeometry geometry(*plan.scene, plan.radar);
+double textbook_pulse_s(const simulate::Plan& plan) {
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   geometry.set_pulse(plan.first_pulse_of_row(0));
-  EchoBatch echoes;
+  radar::EchoBatch echoes;
   geometry.echoes(echoes);
-  EchoBatch part;
+  radar::EchoBatch part;
   const std::size_t stride = echoes.size() / 300 + 1;
   for (std::size_t k = 0; k < echoes.size(); k += stride)
     part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.speed_mps[k]);
@@ -62,8 +62,8 @@ double textbook_pulse_s(const Plan& plan) {
   return seconds * static_cast<double>(echoes.size()) / static_cast<double>(part.size());
 }
 
-double engine_pulse_s(const Plan& plan) {
-  RowMaker rows(plan);
+double engine_pulse_s(const simulate::Plan& plan) {
+  simulate::RowMaker rows(plan);
   Row row(plan.columns);
   rows.make_row(0, row);
   const double seconds = best_s(5, [&] {
@@ -75,12 +75,13 @@ double engine_pulse_s(const Plan& plan) {
 }  // namespace
 
 void measure_speed(Record& record) {
-  Chart chart{{}, fmt::format("Time of a pulse on one thread, {}", simd_level()), "targets", "s", {}, true, true};
+  Chart chart{{},  fmt::format("Time of a pulse on one thread, {}", simulate::simd_level()), "targets", "s", {}, true,
+              true};
   Curve textbook{"textbook's loop", {}, {}, false};
   Curve engine{"sarsim", {}, {}, false};
   for (const std::size_t targets : {std::size_t{30}, std::size_t{1000}, std::size_t{30000}}) {
-    const Scene scene = crowd(targets);
-    const Plan plan = make_plan(scene, 0, nullptr, Engine::automatic);
+    const scene::Scene scene = crowd(targets);
+    const simulate::Plan plan = simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic);
     const double fast_s = engine_pulse_s(plan);
     const double slow_s = textbook_pulse_s(plan);
     textbook.x.push_back(static_cast<double>(targets));
@@ -90,10 +91,10 @@ void measure_speed(Record& record) {
     record.at_least(fmt::format("{} targets: times as fast as a textbook's loop", targets), "", 3.0, slow_s / fast_s,
                     fmt::format("{} engine, {}, one thread; the loop takes one sine and one cosine for each echo and "
                                 "sample",
-                                name_of(plan.engine.engine), simd_level()));
+                                simulate::name_of(plan.engine.engine), simulate::simd_level()));
   }
   chart.curves = {textbook, engine};
   record.chart(std::move(chart));
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

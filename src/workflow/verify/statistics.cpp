@@ -12,7 +12,7 @@
 #include "workflow/verify/moments.hpp"
 #include "workflow/verify/scenes.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
@@ -21,10 +21,11 @@ constexpr double sample_rate_hz = 20e6;
 constexpr std::size_t columns = 1000;
 
 // Nothing but noise.
-Scene noisy_scene(int pulses) {
-  Scene scene = radar_at_origin();
+scene::Scene noisy_scene(int pulses) {
+  scene::Scene scene = radar_at_origin();
   scene.radars[0].noise_temperature_k = temperature_k;
-  set_window(scene, 0.0, static_cast<double>(columns) * 0.5 * exact_light_speed_mps / sample_rate_hz, sample_rate_hz);
+  set_window(scene, 0.0, static_cast<double>(columns) * 0.5 * core::exact_light_speed_mps / sample_rate_hz,
+             sample_rate_hz);
   set_pulses(scene, 0, pulses - 1);
   return scene;
 }
@@ -35,7 +36,7 @@ struct Parts {
 };
 
 // I and Q in units of their standard deviation.
-Parts parts_of(const Recording& recording, double stddev_v) {
+Parts parts_of(const simulate::Recording& recording, double stddev_v) {
   Parts parts;
   for (const auto& sample : recording.samples) {
     parts.in_phase.push_back(sample.real() / stddev_v);
@@ -68,7 +69,7 @@ void add_histogram(Record& record, std::span<const double> x) {
   Curve normal{"normal", {}, {}, false};
   for (double v = -4.0; v <= 4.0; v += 0.05) {
     normal.x.push_back(v);
-    normal.y.push_back(std::exp(-0.5 * v * v) / std::sqrt(2.0 * pi));
+    normal.y.push_back(std::exp(-0.5 * v * v) / std::sqrt(2.0 * core::pi));
   }
   record.chart({{}, "Receiver noise, I", "standard deviations", "density", {normal, measured}, false, false});
 }
@@ -93,8 +94,8 @@ void measure_moments(Record& record, const Parts& parts) {
                 "", 0.0, mean_product(parts.in_phase, lag), correlation_gate(n - lag), five);
 }
 
-void measure_spectrum(Record& record, const Recording& recording) {
-  const Fft fft(columns);
+void measure_spectrum(Record& record, const simulate::Recording& recording) {
+  const core::Fft fft(columns);
   std::vector<double> power(10, 0.0);
   const std::size_t rows = recording.report.rows;
   for (std::size_t row = 0; row < rows; ++row) {
@@ -104,7 +105,7 @@ void measure_spectrum(Record& record, const Recording& recording) {
     for (std::size_t k = 0; k < columns; ++k) power[k / 100] += std::norm(spectrum[k]);
   }
   const double bins = static_cast<double>(rows) * 100.0;
-  const double expected = boltzmann_j_per_k * temperature_k * sample_rate_hz * static_cast<double>(columns);
+  const double expected = core::boltzmann_j_per_k * temperature_k * sample_rate_hz * static_cast<double>(columns);
   double worst = 0.0;
   for (const double p : power) worst = std::max(worst, std::abs(p / bins / expected - 1.0));
   record.at_most("Noise: largest deviation of ten bands from a flat spectrum", "", gate_sigmas / std::sqrt(bins), worst,
@@ -112,20 +113,20 @@ void measure_spectrum(Record& record, const Recording& recording) {
 }
 
 void measure_filtered(Record& record, int pulses) {
-  Scene scene = noisy_scene(pulses);
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Recording recording = recorded(scene);
+  scene::Scene scene = noisy_scene(pulses);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Recording recording = recorded(scene);
   std::vector<double> apart;  // Samples that are a pulse apart are independent.
   for (std::size_t i = 0; i < recording.samples.size(); i += 100) apart.push_back(recording.samples[i].real());
-  const double variance = 0.5 * boltzmann_j_per_k * temperature_k / scene.radars[0].pulse_width_s;
+  const double variance = 0.5 * core::boltzmann_j_per_k * temperature_k / scene.radars[0].pulse_width_s;
   record.near("Noise after the matched filter over kT/(2 Tp)", "", 1.0, mean_square(apart) / variance,
               variance_gate(1.0, apart.size()), "signal to noise P Tp/(kT); five standard deviations");
 }
 
 void measure_seeds(Record& record, const Parts& first) {
-  Scene scene = noisy_scene(static_cast<int>(first.in_phase.size() / columns));
+  scene::Scene scene = noisy_scene(static_cast<int>(first.in_phase.size() / columns));
   scene.options.seed = 2;
-  const double stddev_v = std::sqrt(0.5 * boltzmann_j_per_k * temperature_k * sample_rate_hz);
+  const double stddev_v = std::sqrt(0.5 * core::boltzmann_j_per_k * temperature_k * sample_rate_hz);
   const Parts second = parts_of(recorded(scene), stddev_v);
   record.near("Noise: correlation of seeds 1 and 2", "", 0.0, correlation_coefficient(first.in_phase, second.in_phase),
               correlation_gate(first.in_phase.size()), five);
@@ -133,17 +134,18 @@ void measure_seeds(Record& record, const Parts& first) {
 
 // A target that jitters along the line of sight by a little of a wavelength turns the phase of its echo.
 void measure_jitter(Record& record, int pulses) {
-  Scene scene = radar_at_origin();
-  Target& target = add_target(scene, {1000.0, 0.0, 0.0});
+  scene::Scene scene = radar_at_origin();
+  scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
   constexpr double stddev_m = 1e-3;
   target.position_stddev_m = {stddev_m, 0.0, 0.0};
   set_window(scene, 1100.0, 1200.0, 4e6);
   set_pulses(scene, 0, pulses - 1);
   const auto samples = column(recorded(scene), 0);
-  const double still_rad = -2.0 * pi * std::remainder(2000.0 * 1e9 / exact_light_speed_mps, 1.0);
+  const double still_rad = -2.0 * core::pi * std::remainder(2000.0 * 1e9 / core::exact_light_speed_mps, 1.0);
   std::vector<double> moved_m;
   for (const auto& sample : samples)
-    moved_m.push_back(wrapped_rad(std::arg(sample) - still_rad) * exact_light_speed_mps / (-4.0 * pi * 1e9) / stddev_m);
+    moved_m.push_back(wrapped_rad(std::arg(sample) - still_rad) * core::exact_light_speed_mps /
+                      (-4.0 * core::pi * 1e9) / stddev_m);
   record.near("Jitter of a target: mean", "sigma", 0.0, mean(moved_m), mean_gate(1.0, moved_m.size()), five);
   record.near("Jitter of a target: variance", "sigma^2", 1.0, mean_square(moved_m), variance_gate(1.0, moved_m.size()),
               five);
@@ -155,8 +157,8 @@ void measure_jitter(Record& record, int pulses) {
 
 void measure_statistics(Record& record) {
   const int pulses = record.quick() ? 16 : 128;
-  const double stddev_v = std::sqrt(0.5 * boltzmann_j_per_k * temperature_k * sample_rate_hz);
-  const Recording recording = recorded(noisy_scene(pulses));
+  const double stddev_v = std::sqrt(0.5 * core::boltzmann_j_per_k * temperature_k * sample_rate_hz);
+  const simulate::Recording recording = recorded(noisy_scene(pulses));
   const Parts parts = parts_of(recording, stddev_v);
   measure_moments(record, parts);
   measure_spectrum(record, recording);
@@ -166,4 +168,4 @@ void measure_statistics(Record& record) {
   add_histogram(record, parts.in_phase);
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

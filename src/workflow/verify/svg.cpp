@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::string svg_of(const Chart& chart) {
   return svg + "</svg>\n";
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -4,7 +4,7 @@
 
 #include "workflow/verify/record.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// A chart as an SVG element for a page: axes with ticks, curves with a legend. Values that are not finite, and on
 /// logarithmic axes those that are not positive, are left out.
@@ -13,4 +13,4 @@ namespace sarsim::verify {
 /// Text with the characters that mean something to XML written as entities.
 [[nodiscard]] std::string xml_text(const std::string& text);
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

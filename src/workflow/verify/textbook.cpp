@@ -4,22 +4,23 @@
 
 #include "core/maths/constants.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
-void add_textbook_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, const EchoPulse& pulse,
-                         double carrier_hz, const EchoBatch& echoes) {
+void add_textbook_echoes(std::span<std::complex<double>> row, const radar::SampleGrid& grid,
+                         const radar::EchoPulse& pulse, double carrier_hz, const radar::EchoBatch& echoes) {
   const double rate_hz_per_s = pulse.pulse.sweep_rate_hz_per_s();
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const double doppler = 2.0 * echoes.speed_mps[k] / pulse.light_speed_mps;
-    const SampleSpan on = touched_samples(pulse, grid, echoes.delay_s[k]);
+    const radar::SampleSpan on = radar::touched_samples(pulse, grid, echoes.delay_s[k]);
     for (std::size_t n = on.begin; n < on.end; ++n) {
       const double u = grid.time_s(n) - echoes.delay_s[k] + pulse.lead_s - 0.5 * pulse.pulse.width_s;
       const double sweep = 0.5 * rate_hz_per_s * u * u;
-      const double phase = 2.0 * pi * (sweep - carrier_hz * echoes.delay_s[k] - doppler * (carrier_hz * u + sweep));
+      const double phase =
+          2.0 * core::pi * (sweep - carrier_hz * echoes.delay_s[k] - doppler * (carrier_hz * u + sweep));
       row[n] += std::complex<double>(echoes.amplitude_sqrt_w[k] * std::cos(phase),
                                      echoes.amplitude_sqrt_w[k] * std::sin(phase));
     }
   }
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -13,23 +13,23 @@
 #include "workflow/verify/counts.hpp"
 #include "workflow/verify/scenes.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
 
-double largest_v(const Scene& scene) { return recorded(scene).report.maximum_v; }
+double largest_v(const scene::Scene& scene) { return recorded(scene).report.maximum_v; }
 
 // Angle of the strongest sample, in degrees within (-180, 180].
-double phase_deg(const Samples& samples) { return deg_per_rad * std::arg(samples[peak_index(samples)]); }
+double phase_deg(const Samples& samples) { return core::deg_per_rad * std::arg(samples[peak_index(samples)]); }
 
 // ---- Chapter 3 and 4 ------------------------------------------------------------------------------------------
 
 // Table 3.1.
-Scene chapter_3(Profile profile) {
-  Scene scene = radar_at_origin(profile);
-  scene.radars[0].pulse = Radar::Pulse::chirp;
+scene::Scene chapter_3(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 50e6;
   scene.radars[0].pulse_width_s = 5e-6;
   add_target(scene, {3000.0, 0.0, 0.0}, 3.0);
@@ -38,125 +38,127 @@ Scene chapter_3(Profile profile) {
 }
 
 // The example of 4.4: monochrome, 1 us, 100 K, 1 m^2 at 1 km; sampled at the pulse's bandwidth 1/Tp.
-Scene section_4_4(Profile profile) {
-  Scene scene = radar_at_origin(profile);
+scene::Scene section_4_4(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
   scene.radars[0].pulse_width_s = 1e-6;
   add_target(scene, {1000.0, 0.0, 0.0});
   set_window(scene, 0.0, 2000.0, 1e6);
   return scene;
 }
 
-double noise_stddev_4_4_v(Profile profile) {
-  Scene scene = section_4_4(profile);
+double noise_stddev_4_4_v(scene::Profile profile) {
+  scene::Scene scene = section_4_4(profile);
   scene.radars[0].noise_temperature_k = 100.0;
-  return make_plan(scene, 0).noise_stddev_v;
+  return simulate::make_plan(scene, 0).noise_stddev_v;
 }
 
 // N of (4.1): in the classic profile that of I and of Q, in the physical one that of both together at fs = 1/Tp.
-double noise_power_4_4_w(Profile profile) {
+double noise_power_4_4_w(scene::Profile profile) {
   const double stddev_v = noise_stddev_4_4_v(profile);
-  return stddev_v * stddev_v * (profile == Profile::classic ? 1.0 : 2.0);
+  return stddev_v * stddev_v * (profile == scene::Profile::classic ? 1.0 : 2.0);
 }
 
-double signal_power_4_4_w(Profile profile) {
+double signal_power_4_4_w(scene::Profile profile) {
   const double amplitude_v = largest_v(section_4_4(profile));
   return amplitude_v * amplitude_v;
 }
 
 // Section 4.5.1: a pulse of 1 us sampled at 500 MHz, in a window of a thousand samples.
-double samples_on_4_5_1(Profile profile) {
-  Scene scene = section_4_4(profile);
+double samples_on_4_5_1(scene::Profile profile) {
+  scene::Scene scene = section_4_4(profile);
   set_window(scene, 900.0, 1199.7925, 500e6);
-  const Recording recording = recorded(scene);
+  const simulate::Recording recording = recorded(scene);
   return static_cast<double>(recording.samples.size() - recording.report.zero);
 }
 
-double pulse_length_4_5_1_m(Profile profile) {
-  Scene scene = section_4_4(profile);
+double pulse_length_4_5_1_m(scene::Profile profile) {
+  scene::Scene scene = section_4_4(profile);
   set_window(scene, 900.0, 1199.7925, 500e6);
-  const Plan plan = make_plan(scene, 0);
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   return samples_on_4_5_1(profile) * (plan.column_range_m[1] - plan.column_range_m[0]);
 }
 
 // Section 4.5.2: a recording whose largest magnitude is 6.39369e-5 mV, LSB left to be estimated.
-Scene section_4_5_2(Profile profile) {
-  Scene scene = section_4_4(profile);
+scene::Scene section_4_5_2(scene::Profile profile) {
+  scene::Scene scene = section_4_4(profile);
   const double amplitude_v = largest_v(scene);
   scene.radars[0].power_w *= std::pow(6.39369e-8 / amplitude_v, 2);
   return scene;
 }
 
-double lsb_4_5_2_mv(Profile profile) { return 1e3 * resolved_lsb_v(make_plan(section_4_5_2(profile), 0), {}); }
+double lsb_4_5_2_mv(scene::Profile profile) {
+  return 1e3 * simulate::resolved_lsb_v(simulate::make_plan(section_4_5_2(profile), 0), {});
+}
 
-double code_4_5_2(Profile profile) {
+double code_4_5_2(scene::Profile profile) {
   const Samples one{{1.2e-8, 0.0}};
-  return converted(one, 8, 1e-3 * lsb_4_5_2_mv(profile))[0].real() + full_scale_count(8);
+  return converted(one, 8, 1e-3 * lsb_4_5_2_mv(profile))[0].real() + radar::full_scale_count(8);
 }
 
 // The window of figure 4.9: 120 MHz, 1279 m, 400 Hz, 1.279 s.
-Plan figure_4_9(Profile profile) {
-  Scene scene = radar_at_origin(profile);
+simulate::Plan figure_4_9(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
   scene.radars[0].prf_hz = 400.0;
   add_target(scene, {5600.0, 0.0, 0.0});
   set_window(scene, 5000.0, 6279.0, 120e6);
   scene.simulations[0].time_start_s = -0.64;
   scene.simulations[0].time_end_s = 0.639;
-  return make_plan(scene, 0);
+  return simulate::make_plan(scene, 0);
 }
 
 // ---- Appendix A.2 ---------------------------------------------------------------------------------------------
 
 // 53 samples need 4 MHz: 20 times 1/Tp. (The 8 MHz of the text count a Nyquist rate of 2/Tp and would give 107.)
-Scene appendix_a2(Profile profile) {
-  Scene scene = radar_at_origin(profile);
+scene::Scene appendix_a2(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
   add_target(scene, {1000.0, 0.0, 0.0});
   return scene;
 }
 
-std::complex<double> counts_a2(Profile profile, double lsb_mv) {
-  const Recording recording = recorded(appendix_a2(profile));
+std::complex<double> counts_a2(scene::Profile profile, double lsb_mv) {
+  const simulate::Recording recording = recorded(appendix_a2(profile));
   return converted(recording.samples, 8, 1e-3 * lsb_mv)[peak_index(recording.samples)];
 }
 
 // Sampled at 100 times 1/Tp, with a window that starts a whole number of samples before the echo.
-Samples compressed_a2(Profile profile) {
-  Scene scene = appendix_a2(profile);
-  const double light_speed_mps = make_plan(scene, 0).scene->conventions.light_speed_mps;
+Samples compressed_a2(scene::Profile profile) {
+  scene::Scene scene = appendix_a2(profile);
+  const double light_speed_mps = simulate::make_plan(scene, 0).scene->conventions.light_speed_mps;
   set_window(scene, 1000.0 - 4000.0 * light_speed_mps / (2.0 * 400e6), 1750.0, 400e6);
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   return recorded(scene).samples;
 }
 
-double compressed_gain_a2(Profile profile) {
+double compressed_gain_a2(scene::Profile profile) {
   const Samples compressed = compressed_a2(profile);
   return std::abs(compressed[peak_index(compressed)]) / largest_v(appendix_a2(profile));
 }
 
-double compressed_turn_a2_deg(Profile profile) {
+double compressed_turn_a2_deg(scene::Profile profile) {
   return phase_deg(compressed_a2(profile)) - phase_deg(recorded(appendix_a2(profile)).samples);
 }
 
 // ---- Appendix A.3 ---------------------------------------------------------------------------------------------
 
-Scene appendix_a3(Profile profile, const std::vector<double>& offsets_m) {
-  Scene scene = radar_at_origin(profile);
-  Radar& radar = scene.radars[0];
-  radar.pulse = Radar::Pulse::chirp;
+scene::Scene appendix_a3(scene::Profile profile, const std::vector<double>& offsets_m) {
+  scene::Scene scene = radar_at_origin(profile);
+  scene::Radar& radar = scene.radars[0];
+  radar.pulse = scene::Radar::Pulse::chirp;
   radar.bandwidth_hz = 100e6;
   radar.pulse_width_s = 2.5e-6;
   radar.carrier_hz = 0.5e9;
   add_mover(scene, "Test", {300.0, 0.0, 0.0}, {50.0, 0.0, 0.0});
   for (const double offset_m : offsets_m) add_target(scene, {offset_m, 0.0, 0.0}, 1.0, "Test");
   set_window(scene, 296.0, 312.0, 20e9);
-  scene.simulations[0].processing = Processing::matched_filter;
+  scene.simulations[0].processing = scene::Processing::matched_filter;
   return scene;
 }
 
 // Mean turn per pulse of the compressed echo over the first nine pulses, looked at where the first one peaks.
-double phase_step_a3_rad(Profile profile) {
-  Scene scene = appendix_a3(profile, {0.0});
+double phase_step_a3_rad(scene::Profile profile) {
+  scene::Scene scene = appendix_a3(profile, {0.0});
   set_pulses(scene, 0, 8);
-  const Recording recording = recorded(scene);
+  const simulate::Recording recording = recorded(scene);
   const Samples first(recording.samples.begin(),
                       recording.samples.begin() + static_cast<std::ptrdiff_t>(recording.report.columns));
   const Samples pulses = column(recording, peak_index(first));
@@ -167,9 +169,9 @@ double phase_step_a3_rad(Profile profile) {
 }
 
 // Distance from the peak of a compressed point to its first zero.
-double resolution_a3_m(Profile profile) {
-  const Scene scene = appendix_a3(profile, {0.0});
-  const Plan plan = make_plan(scene, 0);
+double resolution_a3_m(scene::Profile profile) {
+  const scene::Scene scene = appendix_a3(profile, {0.0});
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   const Samples samples = recorded(scene).samples;
   const std::size_t peak = peak_index(samples);
   std::size_t zero = peak;
@@ -178,9 +180,9 @@ double resolution_a3_m(Profile profile) {
 }
 
 // Range of the strongest sample between two ranges.
-double peak_a3_m(Profile profile, double from_m, double to_m) {
-  const Scene scene = appendix_a3(profile, {0.0, 8.0});
-  const Plan plan = make_plan(scene, 0);
+double peak_a3_m(scene::Profile profile, double from_m, double to_m) {
+  const scene::Scene scene = appendix_a3(profile, {0.0, 8.0});
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   Samples samples = recorded(scene).samples;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (plan.column_range_m[i] < from_m || plan.column_range_m[i] > to_m) samples[i] = 0.0;
@@ -190,16 +192,16 @@ double peak_a3_m(Profile profile, double from_m, double to_m) {
 // ---- Appendix A.4 ---------------------------------------------------------------------------------------------
 
 // The beam meets the target's azimuth of 45 deg at 1.875 s, which is pulse 750.
-Scene appendix_a4(Profile profile) {
-  Scene scene = radar_at_origin(profile);
-  Radar& radar = scene.radars[0];
+scene::Scene appendix_a4(scene::Profile profile) {
+  scene::Scene scene = radar_at_origin(profile);
+  scene::Radar& radar = scene.radars[0];
   radar.prf_hz = 400.0;
-  radar.transmit_antenna.pattern = Antenna::Pattern::sinx;
-  radar.transmit_antenna.elevation_beamwidth = Angle::from_deg(30.0);
-  radar.transmit_antenna.azimuth_beamwidth = Angle::from_deg(1.0);
-  radar.beam = Radar::Beam::rotating;
-  radar.beam_elevation = Angle::from_deg(30.0);
-  radar.beam_rate = Angle::from_deg(24.0);
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(30.0);
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(1.0);
+  radar.beam = scene::Radar::Beam::rotating;
+  radar.beam_elevation = core::Angle::from_deg(30.0);
+  radar.beam_rate = core::Angle::from_deg(24.0);
   add_target(scene, {1000.0, 1000.0, 816.0});
   set_window(scene, 1600.0, 2400.0, 1e6);
   set_pulses(scene, 690, 810);
@@ -207,30 +209,30 @@ Scene appendix_a4(Profile profile) {
 }
 
 // Slow time at a range inside the pulse.
-Samples passage_a4(Profile profile) { return column(recorded(appendix_a4(profile)), 2); }
+Samples passage_a4(scene::Profile profile) { return column(recorded(appendix_a4(profile)), 2); }
 
-double phase_a4_deg(Profile profile) {
+double phase_a4_deg(scene::Profile profile) {
   const double phase = phase_deg(passage_a4(profile));
   return phase < 0.0 ? phase + 360.0 : phase;
 }
 
-double side_lobe_a4_db(Profile profile) {
+double side_lobe_a4_db(scene::Profile profile) {
   const Samples passage = passage_a4(profile);
   std::size_t i = peak_index(passage);
   const double peak = std::abs(passage[i]);
   while (std::norm(passage[i + 1]) < std::norm(passage[i])) ++i;
   double side = 0.0;
   for (; i < passage.size(); ++i) side = std::max(side, std::abs(passage[i]));
-  return amplitude_db(side / peak);
+  return core::amplitude_db(side / peak);
 }
 
 // Width at half amplitude of the compressed echo: of the triangle with base c Tp it is c Tp/2.
-double resolution_a4_m(Profile profile) {
-  Scene scene = appendix_a4(profile);
+double resolution_a4_m(scene::Profile profile) {
+  scene::Scene scene = appendix_a4(profile);
   set_pulses(scene, 750, 750);
   set_window(scene, 600.0, 2600.0, 100e6);
-  scene.simulations[0].processing = Processing::matched_filter;
-  const Plan plan = make_plan(scene, 0);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  const simulate::Plan plan = simulate::make_plan(scene, 0);
   const Samples samples = recorded(scene).samples;
   const double half = 0.5 * std::abs(samples[peak_index(samples)]);
   const auto wide = std::ranges::count_if(samples, [half](const auto& s) { return std::abs(s) >= half; });
@@ -253,13 +255,13 @@ $RADAR RADAR1 PLANE CHIRP 0.1 800 RECT CONSTANT 300 SINGLE 5.3 1 0 0
 $SIMULATION RADAR1 10010 10510 -0.5 1.499 8 0.15 1.68257E-07 ASCII RAW SIM1.ASC BEGIN
 )";
 
-Plan figure_7_5(Profile profile) {
-  ScriptReading reading = read_script(figure_7_5_script, "figure-7.5.scr", {});
+simulate::Plan figure_7_5(scene::Profile profile) {
+  scene::ScriptReading reading = scene::read_script(figure_7_5_script, "figure-7.5.scr", {});
   reading.scene.options.profile = profile;
-  return make_plan(reading.scene, 0);
+  return simulate::make_plan(reading.scene, 0);
 }
 
-ThesisNumber made(std::string name, std::function<double(Profile)> value) {
+ThesisNumber made(std::string name, std::function<double(scene::Profile)> value) {
   ThesisNumber number;
   number.name = std::move(name);
   number.value = std::move(value);
@@ -267,48 +269,49 @@ ThesisNumber made(std::string name, std::function<double(Profile)> value) {
 }
 
 void add_chapters_3_and_4(std::vector<ThesisNumber>& numbers) {
-  const auto add = [&](const char* name, std::function<double(Profile)> value) {
+  const auto add = [&](const char* name, std::function<double(scene::Profile)> value) {
     numbers.push_back(made(name, std::move(value)));
   };
-  add("Chapter3Power", [](Profile p) { return std::pow(largest_v(chapter_3(p)), 2); });
-  add("Chapter3Magnitude", [](Profile p) { return 1e3 * largest_v(chapter_3(p)); });
+  add("Chapter3Power", [](scene::Profile p) { return std::pow(largest_v(chapter_3(p)), 2); });
+  add("Chapter3Magnitude", [](scene::Profile p) { return 1e3 * largest_v(chapter_3(p)); });
   add("Section44SignalPower", signal_power_4_4_w);
   add("Section44NoisePower", noise_power_4_4_w);
-  add("Section44Snr", [](Profile p) { return signal_power_4_4_w(p) / noise_power_4_4_w(p); });
-  add("Section44NoiseVoltage", [](Profile p) { return std::sqrt(noise_power_4_4_w(p)); });
-  add("Section44AmplitudeRatio", [](Profile p) { return std::sqrt(signal_power_4_4_w(p) / noise_power_4_4_w(p)); });
+  add("Section44Snr", [](scene::Profile p) { return signal_power_4_4_w(p) / noise_power_4_4_w(p); });
+  add("Section44NoiseVoltage", [](scene::Profile p) { return std::sqrt(noise_power_4_4_w(p)); });
+  add("Section44AmplitudeRatio",
+      [](scene::Profile p) { return std::sqrt(signal_power_4_4_w(p) / noise_power_4_4_w(p)); });
   add("Section451Samples", samples_on_4_5_1);
   add("Section451Length", pulse_length_4_5_1_m);
   add("Section452Lsb", lsb_4_5_2_mv);
   add("Section452Code", code_4_5_2);
-  add("Figure49Samples", [](Profile p) { return static_cast<double>(figure_4_9(p).columns); });
-  add("Figure49Pulses", [](Profile p) { return static_cast<double>(figure_4_9(p).rows); });
+  add("Figure49Samples", [](scene::Profile p) { return static_cast<double>(figure_4_9(p).columns); });
+  add("Figure49Pulses", [](scene::Profile p) { return static_cast<double>(figure_4_9(p).rows); });
 }
 
 void add_appendix(std::vector<ThesisNumber>& numbers) {
-  const auto add = [&](const char* name, std::function<double(Profile)> value) {
+  const auto add = [&](const char* name, std::function<double(scene::Profile)> value) {
     numbers.push_back(made(name, std::move(value)));
   };
-  add("A1Samples", [](Profile p) { return static_cast<double>(recorded(appendix_a2(p)).report.columns); });
-  add("A1Spacing", [](Profile p) {
-    const Plan plan = make_plan(appendix_a2(p), 0);
+  add("A1Samples", [](scene::Profile p) { return static_cast<double>(recorded(appendix_a2(p)).report.columns); });
+  add("A1Spacing", [](scene::Profile p) {
+    const simulate::Plan plan = simulate::make_plan(appendix_a2(p), 0);
     return plan.column_range_m[1] - plan.column_range_m[0];
   });
-  add("A1CountI", [](Profile p) { return counts_a2(p, 1.67572e-6).real(); });
-  add("A1CountQ", [](Profile p) { return counts_a2(p, 1.67572e-6).imag(); });
-  add("A2CountI", [](Profile p) { return counts_a2(p, 1.72599475e-6).real(); });
-  add("A2CountQ", [](Profile p) { return counts_a2(p, 1.72599475e-6).imag(); });
-  add("A2Power", [](Profile p) { return std::pow(largest_v(appendix_a2(p)), 2); });
-  add("A2Magnitude", [](Profile p) { return 1e3 * largest_v(appendix_a2(p)); });
-  add("A2Phase", [](Profile p) { return phase_deg(recorded(appendix_a2(p)).samples); });
+  add("A1CountI", [](scene::Profile p) { return counts_a2(p, 1.67572e-6).real(); });
+  add("A1CountQ", [](scene::Profile p) { return counts_a2(p, 1.67572e-6).imag(); });
+  add("A2CountI", [](scene::Profile p) { return counts_a2(p, 1.72599475e-6).real(); });
+  add("A2CountQ", [](scene::Profile p) { return counts_a2(p, 1.72599475e-6).imag(); });
+  add("A2Power", [](scene::Profile p) { return std::pow(largest_v(appendix_a2(p)), 2); });
+  add("A2Magnitude", [](scene::Profile p) { return 1e3 * largest_v(appendix_a2(p)); });
+  add("A2Phase", [](scene::Profile p) { return phase_deg(recorded(appendix_a2(p)).samples); });
   add("A2CompressedGain", compressed_gain_a2);
   add("A2CompressedTurn", compressed_turn_a2_deg);
   add("A3PhaseStep", phase_step_a3_rad);
   add("A3Resolution", resolution_a3_m);
-  add("A3FirstPeak", [](Profile p) { return peak_a3_m(p, 296.0, 304.0); });
-  add("A3SecondPeak", [](Profile p) { return peak_a3_m(p, 304.0, 312.0); });
-  add("A4Power", [](Profile p) { return std::pow(largest_v(appendix_a4(p)), 2); });
-  add("A4Magnitude", [](Profile p) { return 1e3 * largest_v(appendix_a4(p)); });
+  add("A3FirstPeak", [](scene::Profile p) { return peak_a3_m(p, 296.0, 304.0); });
+  add("A3SecondPeak", [](scene::Profile p) { return peak_a3_m(p, 304.0, 312.0); });
+  add("A4Power", [](scene::Profile p) { return std::pow(largest_v(appendix_a4(p)), 2); });
+  add("A4Magnitude", [](scene::Profile p) { return 1e3 * largest_v(appendix_a4(p)); });
   add("A4Phase", phase_a4_deg);
   add("A4SideLobe", side_lobe_a4_db);
   add("A4Resolution", resolution_a4_m);
@@ -378,11 +381,12 @@ ThesisNumber completed(ThesisNumber number) {
 std::vector<ThesisNumber> thesis_numbers() {
   std::vector<ThesisNumber> numbers;
   add_chapters_3_and_4(numbers);
-  numbers.push_back(made("Figure75Samples", [](Profile p) { return static_cast<double>(figure_7_5(p).columns); }));
-  numbers.push_back(made("Figure75Pulses", [](Profile p) { return static_cast<double>(figure_7_5(p).rows); }));
+  numbers.push_back(
+      made("Figure75Samples", [](scene::Profile p) { return static_cast<double>(figure_7_5(p).columns); }));
+  numbers.push_back(made("Figure75Pulses", [](scene::Profile p) { return static_cast<double>(figure_7_5(p).rows); }));
   add_appendix(numbers);
   for (ThesisNumber& number : numbers) number = completed(std::move(number));
   return numbers;
 }
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify

@@ -6,7 +6,7 @@
 
 #include "scene/model/scene.hpp"
 
-namespace sarsim::verify {
+namespace sarsim::workflow::verify {
 
 /// One number that the thesis prints, and how the simulator arrives at it.
 struct ThesisNumber {
@@ -16,10 +16,10 @@ struct ThesisNumber {
   double classic = 0.0;  ///< What is expected in either profile.
   double physical = 0.0;
   double tolerance = 0.0;
-  std::function<double(Profile)> value;
+  std::function<double(scene::Profile)> value;
 };
 
 /// All of them, in the order of the table.
 [[nodiscard]] std::vector<ThesisNumber> thesis_numbers();
 
-}  // namespace sarsim::verify
+}  // namespace sarsim::workflow::verify
