@@ -16,7 +16,7 @@ WORD = re.compile(r'\{\s*"([A-Z0-9_]+)",\s*[\w:]+')
 FIELD = re.compile(r'inline constexpr Field (\w+)\{\s*"[^"]*",\s*"([^"]+)"')
 BLOCK = re.compile(r'inline constexpr FunctionBlock \w+\{\s*"([^"]+)"')
 # How a value is read; choices and blocks are in the diagrams by their words.
-VALUE = re.compile(r"reader\.(?:number|integer|seed|text|leading_name|angle|angles|vector|decibels)\(\w+_grammar::(\w+)")
+VALUE = re.compile(r"reader\.(?:number|integer|seed|text|leading_name|angle|angles|vector|decibels)\((?:\w+_)?grammar::(\w+)")
 
 
 def without_breaks(source):

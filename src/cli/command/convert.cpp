@@ -42,13 +42,13 @@ std::optional<scene::FileFormat> output_format(const ConvertArguments& arguments
   if (const auto format = raster::format_from_path(arguments.output)) return *format;
   if (core::equal_ignoring_case(std::filesystem::path(arguments.output).extension().string(), ".img")) {
     if (image && !arguments.counts) return std::nullopt;
-    throw BadInput(
+    throw core::Refused(
         image ? fmt::format("--counts: an image such as '{}' holds volts", arguments.output)
               : fmt::format("'{}' has no header that makes it an image as '{}'", arguments.input, arguments.output),
         "say another format with --to ascii, binary, bracket, hdf5, csv or npy");
   }
-  throw BadInput(fmt::format("the extension of '{}' names no format", arguments.output),
-                 "say it with --to ascii, binary, bracket, hdf5, csv or npy");
+  throw core::Refused(fmt::format("the extension of '{}' names no format", arguments.output),
+                      "say it with --to ascii, binary, bracket, hdf5, csv or npy");
 }
 
 // The description of the recording as far as its file gives it.
@@ -184,7 +184,7 @@ class Conversion {
     if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
-    if (!problems.empty()) throw BadInput(std::move(problems));
+    if (!problems.empty()) throw core::Refused(std::move(problems));
     if (product_.lsb_v <= 0.0) product_.unknown.emplace_back("lsb_v");
     if (product_.bits > 0) return;
     // Enough for all counts; volts have none.
@@ -258,7 +258,7 @@ class Conversion {
 
 ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
   if (arguments.simulation && arguments.sample.script.empty())
-    throw BadInput("--simulation is a number in a script", "name it with --script");
+    throw core::Refused("--simulation is a number in a script", "name it with --script");
   const raster::SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
   const raster::SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);

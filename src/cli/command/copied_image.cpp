@@ -60,7 +60,7 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::SampleFileInfo& info) {
   if (info.format && (*info.format != scene::FileFormat::npy || !raster::has_envi_header(path))) return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
-  if (!image) throw BadInput(std::move(problems));
+  if (!image) throw core::Refused(std::move(problems));
   const raster::EnviHeader& header = image->header();
   if (header.lines != info.rows || header.samples != info.columns) return std::nullopt;
   return header;

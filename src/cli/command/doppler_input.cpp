@@ -7,7 +7,8 @@ namespace {
 // Synthetic range profiles have to be refused before they are planned as pulses.
 void expect_pulses(const scene::Simulation& simulation) {
   if (simulation.processing == scene::Processing::srp)
-    throw BadInput("synthetic range profiles hold no pulses", "take a simulation of RAW or MATCHED_FILTER processing");
+    throw core::Refused("synthetic range profiles hold no pulses",
+                        "take a simulation of RAW or MATCHED_FILTER processing");
 }
 
 PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {

@@ -13,7 +13,7 @@ struct PulseInput {
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
-/// Opens what the arguments name; throws BadInput with all problems where it has no pulses.
+/// Opens what the arguments name; throws core::Refused with all problems where it has no pulses.
 [[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
 }  // namespace sarsim::cli

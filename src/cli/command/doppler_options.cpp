@@ -149,7 +149,7 @@ workflow::SearchOptions search_options(const SearchArguments& a, const workflow:
                 "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
   }
   take_detector(a, *rows.plan, options, problems);
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
   return options;
 }
 

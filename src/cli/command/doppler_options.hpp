@@ -44,7 +44,7 @@ struct SearchArguments {
 void add_search_arguments(CLI::App& app, SearchArguments& arguments, const std::string& output,
                           const std::string& usual_pulses);
 
-/// The options of the work; throws BadInput with every mistake.
+/// The options of the work; throws core::Refused with every mistake.
 /// @param usual_pulses  of an interval, where none are given
 [[nodiscard]] workflow::SearchOptions search_options(const SearchArguments& arguments, const workflow::PulseRows& rows,
                                                      std::size_t usual_pulses);

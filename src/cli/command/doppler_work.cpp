@@ -57,7 +57,7 @@ std::vector<fs::path> PulseWork::files() const {
 
 void PulseWork::expect_free_outputs(const std::vector<fs::path>& sources) const {
   const std::vector<fs::path> paths = files();
-  if (paths.empty()) throw BadInput("--no-map with --cfar none leaves nothing to do", "leave out one of them");
+  if (paths.empty()) throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
   cli::expect_free_outputs(paths, {sources, arguments_.force, "--out or --detections"});
 }
 
@@ -85,7 +85,7 @@ void PulseWork::find_problems(double more_bytes) {
     problem.hint = "take fewer pulses, frequencies or pixels at once";
     problems.push_back(problem);
   }
-  if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   std::ranges::move(workflow::remarks_on_search(plan(), options_, control_), std::back_inserter(problems));
   problems = core::ranked(std::move(problems));
   if (!arguments_.quiet) print_problems(streams_, problems);

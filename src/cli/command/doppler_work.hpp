@@ -20,7 +20,7 @@ class PulseWork {
   /// @param suffix  of the usual name of the image: "-doppler" for "scene-doppler.img"
   PulseWork(const SearchArguments& arguments, Streams& streams, std::string suffix);
 
-  /// Opens the input and decides the options; throws BadInput with all problems. Warnings are printed.
+  /// Opens the input and decides the options; throws core::Refused with all problems. Warnings are printed.
   /// @param usual_pulses  of an interval
   /// @param more_bytes    that the command holds besides the intervals
   void open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,

@@ -76,7 +76,8 @@ class FocusRun {
     given_centroid_hz_ = core::parse_number(text);
     centroid_is_measured_ = core::equal_ignoring_case(text, "measured");
     if (!given_centroid_hz_ && !centroid_is_measured_ && !core::equal_ignoring_case(text, "geometry"))
-      throw BadInput(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
+      throw core::Refused(fmt::format("--doppler-centroid: '{}' is none", text),
+                          "geometry, measured or a number of Hz");
   }
 
   [[nodiscard]] FocusAlgorithm algorithm() const { return arguments_.algorithm.value_or(FocusAlgorithm::omega_k); }
@@ -98,23 +99,23 @@ class FocusRun {
   void expect_sense() const {
     const bool back_projection = algorithm() == FocusAlgorithm::back_projection;
     if (!back_projection && on_ground())
-      throw BadInput("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
+      throw core::Refused("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
     if (!back_projection && arguments_.start_stop)
-      throw BadInput("--start-stop is for back-projection", "add --algorithm back-projection");
+      throw core::Refused("--start-stop is for back-projection", "add --algorithm back-projection");
     if (back_projection && arguments_.motion.value_or(MotionOrder::none) != MotionOrder::none)
-      throw BadInput("back-projection takes the track as it is, and needs no motion compensation",
-                     "leave out --motion-compensation");
+      throw core::Refused("back-projection takes the track as it is, and needs no motion compensation",
+                          "leave out --motion-compensation");
     if (on_ground() && arguments_.autofocus)
-      throw BadInput("--autofocus needs an image of slant range", "leave out --grid ground");
+      throw core::Refused("--autofocus needs an image of slant range", "leave out --grid ground");
     if (!arguments_.autofocus && (arguments_.autofocus_piece_m || !arguments_.autofocus_phase.empty()))
-      throw BadInput("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+      throw core::Refused("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
     if (arguments_.autofocus_piece_m && !(*arguments_.autofocus_piece_m > 0.0))
-      throw BadInput("--autofocus-piece must be above 0", "give metres along the track");
+      throw core::Refused("--autofocus-piece must be above 0", "give metres along the track");
   }
 
   void expect_free_outputs() const {
     if (arguments_.magnitude && !is_envi(output()))
-      throw BadInput("--magnitude makes ENVI images", "name the output .img");
+      throw core::Refused("--magnitude makes ENVI images", "name the output .img");
     const std::vector<fs::path> paths = outputs();
     OutputCare care{named_sources(arguments_.input), arguments_.force, "--out"};
     if (arguments_.force)  // Otherwise nothing that exists is replaced.
@@ -124,8 +125,8 @@ class FocusRun {
       const fs::path folder = first_that_exists(path.parent_path());
       std::error_code ignored;
       if (!folder.empty() && !fs::is_directory(folder, ignored))
-        throw BadInput(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
-                       "give the output another name");
+        throw core::Refused(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
+                            "give the output another name");
     }
   }
 
@@ -168,7 +169,7 @@ class FocusRun {
     });
     if (!problems.empty()) {
       std::ranges::copy(input_.problems, std::back_inserter(problems));
-      throw BadInput(core::ranked(std::move(problems)));
+      throw core::Refused(core::ranked(std::move(problems)));
     }
     if (!arguments_.autofocus || !has_speed()) return;
     expect_autofocus(
@@ -210,7 +211,7 @@ class FocusRun {
   void find_problems() {
     core::Problems& problems = input_.problems;
     std::ranges::move(problems_of_echoes(), std::back_inserter(problems));
-    if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
+    if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
     const workflow::DopplerBand kept{options_.doppler_centroid_hz, options_.doppler_bandwidth_hz};
     std::ranges::move(workflow::remarks_on_sar(*input_.plan, input_.echoes, kept, control_),
                       std::back_inserter(problems));

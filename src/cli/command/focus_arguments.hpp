@@ -50,8 +50,8 @@ struct FocusArguments {
 /// Adds them all to a command.
 void add_focus_arguments(CLI::App& app, FocusArguments& arguments);
 
-/// Bytes of --memory: a number with K, M, G or T (of 1024) behind it; half of what is free where it is empty. BadInput
-/// where it is no size.
+/// Bytes of --memory: a number with K, M, G or T (of 1024) behind it; half of what is free where it is empty.
+/// core::Refused where it is no size.
 [[nodiscard]] std::size_t memory_of(const std::string& text);
 
 }  // namespace sarsim::cli

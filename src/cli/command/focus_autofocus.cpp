@@ -53,9 +53,9 @@ void expect_memory(const signal::FocusedImage& image, double piece_m, std::size_
   const double rows = static_cast<double>(image.azimuth.count);
   const double bytes = columns * (3.0 * 8.0 * rows + 3.0 * 16.0 * piece_m / image.azimuth.step_m);
   if (memory_bytes == 0 || bytes <= static_cast<double>(memory_bytes)) return;
-  throw BadInput(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}", core::bytes_text(bytes),
-                             core::bytes_text(static_cast<double>(memory_bytes))),
-                 "allow more, or do without --autofocus");
+  throw core::Refused(fmt::format("autofocus holds the image in memory, {}, but --memory allows {}",
+                                  core::bytes_text(bytes), core::bytes_text(static_cast<double>(memory_bytes))),
+                      "allow more, or do without --autofocus");
 }
 
 // Of a piece, in metres.
@@ -65,12 +65,12 @@ double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice,
   const double least_m = least_rows * axes.azimuth.step_m;
   const double length_m = static_cast<double>(axes.azimuth.count) * axes.azimuth.step_m;
   if (!(length_m >= least_m))
-    throw BadInput(
+    throw core::Refused(
         fmt::format("autofocus needs an image of {:.0f} rows or more; this one has {}", least_rows, axes.azimuth.count),
         "record more pulses, or do without --autofocus");
   if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, least_m, length_m);
   if (!(choice.piece_m >= least_m && choice.piece_m <= length_m))
-    throw BadInput(
+    throw core::Refused(
         fmt::format("autofocus cannot work on pieces of {:.4g} m", choice.piece_m),
         fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", least_m, length_m));
   return choice.piece_m;

@@ -28,12 +28,12 @@ struct AutofocusChoice {
   std::size_t memory_bytes = 0;  ///< 0: no limit.
 };
 
-/// Throws BadInput where an image with these axes is too short for the pieces, or the memory too small for it.
+/// Throws core::Refused where an image with these axes is too short for the pieces, or the memory too small for it.
 void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
                       const signal::FocusOptions& options, const core::WorkControl& control);
 
 /// Phase gradient autofocus of a strip (signal/sar/autofocus.hpp), in memory, at the Doppler frequencies that the
-/// targets have. BadInput as above.
+/// targets have. core::Refused as above.
 [[nodiscard]] signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInput& input,
                                               const AutofocusChoice& choice, const signal::FocusOptions& options,
                                               const core::WorkControl& control, AutofocusFinding& finding);

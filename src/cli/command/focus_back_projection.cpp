@@ -86,12 +86,12 @@ void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackP
     return;
   }
   if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
-    throw BadInput("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
-                   "leave out --grid ground");
+    throw core::Refused("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
+                        "leave out --grid ground");
   try {
     axes = signal::on_ground(axes, scene_m);
   } catch (const std::invalid_argument& error) {
-    throw BadInput(error.what(), "give the ground another --height, or leave out --grid ground");
+    throw core::Refused(error.what(), "give the ground another --height, or leave out --grid ground");
   }
 }
 
@@ -117,9 +117,10 @@ signal::FocusedRows back_projected(const FocusInput& input, const BackProjection
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.samples) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
   if (options.memory_bytes > 0 && bytes > static_cast<double>(options.memory_bytes))
-    throw BadInput(fmt::format("back projection holds echoes and image in memory, {}, but --memory allows {}",
-                               core::bytes_text(bytes), core::bytes_text(static_cast<double>(options.memory_bytes))),
-                   "allow more, or use another --algorithm");
+    throw core::Refused(
+        fmt::format("back projection holds echoes and image in memory, {}, but --memory allows {}",
+                    core::bytes_text(bytes), core::bytes_text(static_cast<double>(options.memory_bytes))),
+        "allow more, or use another --algorithm");
   signal::SarEchoes echoes = signal::sar_echoes(input.echoes, control);
   if (options.doppler_bandwidth_hz <= 0.0) weigh_pulses(echoes, options.azimuth_window);
   const auto image = std::make_shared<const signal::FocusedImage>(

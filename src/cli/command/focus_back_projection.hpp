@@ -25,7 +25,8 @@ struct BackProjectionChoice {
 /// bandwidth keeps the pulses that see a point at such frequencies from the line of flight; the azimuth window is over
 /// them, or, where all are kept, over the record. Amplitudes are means over the pulses that are there: near the ends of
 /// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
-/// image of level ground. Throws BadInput where the echoes need more memory than allowed or the ground is out of reach.
+/// image of level ground. Throws core::Refused where the echoes need more memory than allowed or the ground is out of
+/// reach.
 [[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
                                                  const signal::FocusOptions& options, const core::WorkControl& control,
                                                  const core::ProgressReport& progress);

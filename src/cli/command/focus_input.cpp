@@ -15,7 +15,7 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
   const simulate::Plan window = simulate::make_plan(input.scene, simulation, input.resolved);
   focus.problems = std::move(input.problems);
   std::ranges::move(workflow::problems_of_sar(window, false), std::back_inserter(focus.problems));
-  if (core::has_errors(focus.problems)) throw BadInput(core::ranked(std::move(focus.problems)));
+  if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
   scene::Simulation& recorded = input.scene.simulations[simulation];
   recorded = workflow::recorded_for_sar(recorded, window);
   focus.plan = std::make_shared<const simulate::Plan>(

@@ -16,7 +16,7 @@ struct FocusInput {
   core::Problems problems;     ///< Warnings about script and file.
 };
 
-/// Opens what the arguments name; throws BadInput with all problems where it cannot be focused.
+/// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
 [[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
 }  // namespace sarsim::cli

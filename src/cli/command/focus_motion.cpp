@@ -27,8 +27,8 @@ void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::Motion
     return std::abs(ground_m.z - how.scene_m.z) < 1e-6 * last_m;
   };
   if (reaches(echoes.track.front()) || reaches(echoes.track.back())) return;
-  throw BadInput("motion compensation: the ground is farther away than all ranges of the recording",
-                 "give the ground another --height, or leave it out with --motion-compensation none");
+  throw core::Refused("motion compensation: the ground is farther away than all ranges of the recording",
+                      "give the ground another --height, or leave it out with --motion-compensation none");
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ bool wants_compensation(const signal::EchoRows& echoes, const signal::FocusOptio
 void expect_one_way(const signal::EchoRows& echoes) {
   const signal::ReferenceTrack line = signal::fitted_track(echoes.track);
   if (core::norm(line.velocity_mps) > 0.0 && std::isinf(signal::unevenness(echoes.track, line)))
-    throw BadInput("the antenna turns back along its line: no motion compensation can put its pulses in order",
-                   "use --algorithm back-projection");
+    throw core::Refused("the antenna turns back along its line: no motion compensation can put its pulses in order",
+                        "use --algorithm back-projection");
 }
 
 void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m,
@@ -61,7 +61,7 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
   const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;
   expect_one_way(input.echoes);
   if (uneven > most_uneven)
-    throw BadInput(
+    throw core::Refused(
         fmt::format(
             "the distance between pulses changes by up to {:.3g} % from one to the next: no motion compensation "
             "can interpolate between them",

@@ -20,11 +20,11 @@ enum class MotionOrder {
 /// Whether a track leaves the straight line, or is sampled so unevenly, that focusing in the frequency domain suffers.
 [[nodiscard]] bool wants_compensation(const signal::EchoRows& echoes, const signal::FocusOptions& options);
 
-/// BadInput where the antenna does not fly the line that fits its track in one direction.
+/// core::Refused where the antenna does not fly the line that fits its track in one direction.
 void expect_one_way(const signal::EchoRows& echoes);
 
-/// Puts echoes compensated to the line that fits the track best in the place of those of an input. BadInput where the
-/// pulses are too unevenly spaced along the line to be interpolated or turn back, or the ground is out of reach.
+/// Puts echoes compensated to the line that fits the track best in the place of those of an input. core::Refused where
+/// the pulses are too unevenly spaced along the line to be interpolated or turn back, or the ground is out of reach.
 /// @param ground_m  height of the ground, world; nothing: that of the middle of the scene
 /// @param options   their Doppler centroid says the squint; half of their memory is used
 void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m,

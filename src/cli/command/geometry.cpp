@@ -38,12 +38,12 @@ constexpr double unlimited_m = 1e300;
 // The table that --radar, --start and --end describe: every target, wherever it is.
 scene::GeometryTable described_table(const GeometryArguments& arguments, const scene::Scene& scene) {
   if (!arguments.start_s || !arguments.end_s)
-    throw BadInput("a table of a radar needs --start and --end",
-                   "give the send times of its first and last pulse in s");
+    throw core::Refused("a table of a radar needs --start and --end",
+                        "give the send times of its first and last pulse in s");
   if (*arguments.end_s < *arguments.start_s)
-    throw BadInput(fmt::format("--end {} lies before --start {}", core::format_number(*arguments.end_s),
-                               core::format_number(*arguments.start_s)),
-                   "exchange them");
+    throw core::Refused(fmt::format("--end {} lies before --start {}", core::format_number(*arguments.end_s),
+                                    core::format_number(*arguments.start_s)),
+                        "exchange them");
   scene::GeometryTable table;
   table.radar = scene.radars[radar_named(scene, arguments.radar)].name;
   table.range_start_m = 0.0;
@@ -57,16 +57,17 @@ scene::GeometryTable described_table(const GeometryArguments& arguments, const s
 std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& arguments, const scene::Scene& scene) {
   if (!arguments.radar.empty()) return {described_table(arguments, scene)};
   if (arguments.start_s || arguments.end_s)
-    throw BadInput("--start and --end belong to a table of a radar", "name it with --radar");
+    throw core::Refused("--start and --end belong to a table of a radar", "name it with --radar");
   if (scene.geometries.empty())
-    throw BadInput(arguments.scene + ": the script has no $GEOMETRY", "choose pulses with --radar, --start and --end");
+    throw core::Refused(arguments.scene + ": the script has no $GEOMETRY",
+                        "choose pulses with --radar, --start and --end");
   if (arguments.numbers.empty()) return scene.geometries;
   std::vector<scene::GeometryTable> tables;
   for (const std::string& word : arguments.numbers) {
     const auto number = core::parse_integer(word);
     if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
-      throw BadInput(fmt::format("the script has no geometry table '{}'", word),
-                     fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
+      throw core::Refused(fmt::format("the script has no geometry table '{}'", word),
+                          fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
     tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
   }
   return tables;
@@ -89,7 +90,7 @@ void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene) {
   scene.geometries[0].range_end_m = 1.0;
   core::Problems problems = scene::check(scene);
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) {

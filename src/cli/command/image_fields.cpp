@@ -58,7 +58,7 @@ class FieldTaker {
 
  private:
   [[noreturn]] void refuse(const std::string& name, const char* what) const {
-    throw BadInput(fmt::format("{}: '{}' {}", file_, name, what), "measure images that sarsim focus wrote");
+    throw core::Refused(fmt::format("{}: '{}' {}", file_, name, what), "measure images that sarsim focus wrote");
   }
   [[nodiscard]] double parsed(const std::string& name, std::string value) const {
     const std::size_t begin = value.find_first_not_of(' ');

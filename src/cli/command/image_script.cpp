@@ -74,8 +74,8 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   const auto find = [&](const std::string& path, const char* field) {
     const auto place = found(path, header.field(field).value_or(""), image);
     if (!place)
-      throw BadInput(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
-                     "bring it back, or name the script that it was made from with --script");
+      throw core::Refused(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
+                          "bring it back, or name the script that it was made from with --script");
     return *place;
   };
   // A script alone: the source was a script, too, or carries its own.

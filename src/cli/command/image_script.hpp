@@ -21,8 +21,8 @@ struct WayBack {
   core::Problems problems;  ///< A warning where the script is another one than when the image was made.
 };
 
-/// Follows a header back: as seen from the image, as seen from the current folder, beside the image. Throws BadInput
-/// where the source is in none of these places.
+/// Follows a header back: as seen from the image, as seen from the current folder, beside the image. Throws
+/// core::Refused where the source is in none of these places.
 /// @param script  the one to take instead of the header's, which it need not be like; empty: none
 [[nodiscard]] WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin,
                                const std::filesystem::path& image, const std::string& script);

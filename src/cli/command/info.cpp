@@ -85,17 +85,17 @@ void expect_used(const InfoArguments& arguments, bool script) {
     problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";
   }
   if (script && arguments.plan && arguments.all)
-    problems.push_back(BadInput("--all means nothing with --plan", "leave out one of them").problems.front());
-  if (!problems.empty()) throw BadInput(std::move(problems));
+    problems.push_back(core::Refused("--all means nothing with --plan", "leave out one of them").problems.front());
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   if (!arguments.plan && (arguments.workers || arguments.threads))
-    throw BadInput("info: --workers and --threads belong to --plan", "add --plan");
+    throw core::Refused("info: --workers and --threads belong to --plan", "add --plan");
   const bool script = holds_script(arguments.path);
   if (arguments.plan && !script)
-    throw BadInput("info: '" + arguments.path + "' is no script, and only a script can be planned",
-                   "leave --plan out to see what the file holds");
+    throw core::Refused("info: '" + arguments.path + "' is no script, and only a script can be planned",
+                        "leave --plan out to see what the file holds");
   expect_used(arguments, script);
   if (arguments.plan) {
     return print_plan(

@@ -86,11 +86,11 @@ class IsarRun {
     options_.motion = arguments_.motion.value_or(Motion::scene);
     if (options_.algorithm == Algorithm::back_projection &&
         (options_.motion == Motion::estimated || arguments_.turn_rate_dps))
-      throw BadInput("back-projection needs the path of the target as the script has it",
-                     "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
+      throw core::Refused("back-projection needs the path of the target as the script has it",
+                          "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
     if (arguments_.turn_rate_dps) {
       options_.turn_rate_radps = *arguments_.turn_rate_dps * core::pi / 180.0;
-      if (*options_.turn_rate_radps == 0.0) throw BadInput("--turn-rate: without turning there is no cross-range");
+      if (*options_.turn_rate_radps == 0.0) throw core::Refused("--turn-rate: without turning there is no cross-range");
     }
     options_.cross_range_m = arguments_.cross_range_m;
     options_.range_m = arguments_.range_m;
@@ -101,17 +101,18 @@ class IsarRun {
       options_.azimuth_window = window_of("--azimuth-window", arguments_.azimuth_window);
     options_.fastest_mps = arguments_.fastest_mps.value_or(options_.fastest_mps);
     if (!(options_.fastest_mps > 0.0 && options_.fastest_mps < 1e6))
-      throw BadInput(fmt::format("--fastest: {} m/s is out of range", options_.fastest_mps), "above 0, below 1e6");
+      throw core::Refused(fmt::format("--fastest: {} m/s is out of range", options_.fastest_mps), "above 0, below 1e6");
     options_.autofocus = arguments_.autofocus || options_.motion == Motion::estimated;
     if (arguments_.magnitude && !is_envi(output()))
-      throw BadInput("--magnitude makes ENVI images", "name the output .img");
+      throw core::Refused("--magnitude makes ENVI images", "name the output .img");
   }
 
   void find_platform() {
     const auto& platforms = input_.rows.plan->scene->platforms;
     if (arguments_.platform.empty()) {
       const auto found = workflow::platform_of_targets(*input_.rows.plan);
-      if (!found) throw BadInput("no target is on a platform of its own", "name the target's platform with --platform");
+      if (!found)
+        throw core::Refused("no target is on a platform of its own", "name the target's platform with --platform");
       options_.platform = *found;
       return;
     }
@@ -123,13 +124,13 @@ class IsarRun {
       names.reserve(platforms.size());
       for (const simulate::ResolvedPlatform& platform : platforms) names.push_back(platform.name);
       const std::string near = core::nearest_word(arguments_.platform, names);
-      throw BadInput(fmt::format("--platform: the script has no platform '{}'", arguments_.platform),
-                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+      throw core::Refused(fmt::format("--platform: the script has no platform '{}'", arguments_.platform),
+                          near.empty() ? "" : fmt::format("did you mean '{}'?", near));
     }
     options_.platform = static_cast<std::size_t>(found - platforms.begin());
     if (options_.platform == input_.rows.plan->radar.platform)
-      throw BadInput(fmt::format("--platform: '{}' carries the radar itself", found->name),
-                     "name the platform of the target");
+      throw core::Refused(fmt::format("--platform: '{}' carries the radar itself", found->name),
+                          "name the platform of the target");
   }
 
   // Bursts of each image.
@@ -138,8 +139,9 @@ class IsarRun {
     count_ = arguments_.bursts ? static_cast<std::size_t>(*arguments_.bursts) : all;
     const std::size_t step = arguments_.step ? static_cast<std::size_t>(*arguments_.step) : count_;
     if (count_ < 2 || count_ > all)
-      throw BadInput(fmt::format("an image needs from 2 to {} bursts, which the recording has, not {}", all, count_),
-                     "choose other --bursts, or record for longer");
+      throw core::Refused(
+          fmt::format("an image needs from 2 to {} bursts, which the recording has, not {}", all, count_),
+          "choose other --bursts, or record for longer");
     for (std::size_t first = 0; first + count_ <= all; first += step) firsts_.push_back(first);
   }
 
@@ -176,7 +178,7 @@ class IsarRun {
     std::ranges::move(workflow::remarks_on_stepped(input_.rows, workflow::SteppedUse::isar, {}),
                       std::back_inserter(problems));
     problems = core::ranked(std::move(problems));
-    if (core::has_errors(problems)) throw BadInput(problems);
+    if (core::has_errors(problems)) throw core::Refused(problems);
     if (!arguments_.quiet) print_problems(streams_, problems);
   }
 

@@ -55,11 +55,12 @@ struct MeasuredImage {
 };
 
 MeasuredImage opened_image(const std::string& path) {
-  if (!fs::exists(path)) throw BadInput(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
+  if (!fs::exists(path))
+    throw core::Refused(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
   auto [file, problems] = raster::EnviImage::open(path);
-  if (!file) throw BadInput(std::move(problems));
+  if (!file) throw core::Refused(std::move(problems));
   if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
-    throw BadInput(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
+    throw core::Refused(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
   MeasuredImage opened{std::move(*file), {}, {}};
   read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
   return opened;
@@ -79,7 +80,7 @@ RecordingArguments input_of(const MeasureArguments& arguments, const MeasuredIma
 
 void expect_folder(const std::string& cuts) {
   if (!cuts.empty() && fs::exists(cuts) && !fs::is_directory(cuts))
-    throw BadInput(fmt::format("--cuts: '{}' is not a folder", cuts), "name a folder; it is made when missing");
+    throw core::Refused(fmt::format("--cuts: '{}' is not a folder", cuts), "name a folder; it is made when missing");
 }
 
 double phase_error(const Measured& target) {
@@ -215,8 +216,8 @@ void expect_free_pictures(const MeasureArguments& arguments, const std::vector<w
   if (arguments.cuts.empty() || arguments.force) return;
   for (const workflow::TargetTheory& theory : theories)
     if (is_asked_for(arguments, theory) && fs::exists(picture_of(arguments, theory)))
-      throw BadInput(fmt::format("'{}' exists", picture_of(arguments, theory).string()),
-                     "name another folder, or --force");
+      throw core::Refused(fmt::format("'{}' exists", picture_of(arguments, theory).string()),
+                          "name another folder, or --force");
 }
 
 std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusInput& input,
@@ -238,8 +239,8 @@ std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusI
   });
   std::erase_if(targets, [&](const Measured& target) { return !is_asked_for(arguments, target.theory); });
   if (targets.empty())
-    throw BadInput(fmt::format("there is no target {}", arguments.target.value_or(0)),
-                   fmt::format("the script has {}", theories.size()));
+    throw core::Refused(fmt::format("there is no target {}", arguments.target.value_or(0)),
+                        fmt::format("the script has {}", theories.size()));
   return targets;
 }
 
@@ -258,7 +259,7 @@ void draw_cuts(const MeasureArguments& arguments, const std::vector<Measured>& t
 }
 
 ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
-  if (arguments.search_m && !(*arguments.search_m > 0.0)) throw BadInput("--search must be above 0");
+  if (arguments.search_m && !(*arguments.search_m > 0.0)) throw core::Refused("--search must be above 0");
   const core::WorkControl control{core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0))),
                                   streams.stop};
   const MeasuredImage opened = opened_image(arguments.image);

@@ -51,10 +51,10 @@ class Merger {
       for (const std::string& folder : arguments_.folders) collect(folder, task.journals);
       task.product = raster::load_product(raster::product_file_of(arguments_.folders.front()));
       if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
-        throw BadInput(std::move(problems));
+        throw core::Refused(std::move(problems));
       join(task);
     } catch (const raster::UnfitParts& unfit) {
-      throw BadInput(unfit.problems);
+      throw core::Refused(unfit.problems);
     }
     return exit_done;
   }
@@ -64,8 +64,8 @@ class Merger {
     if (!arguments_.output.empty()) return arguments_.output;
     const fs::path folder = fs::path(arguments_.folders.front() + "/").parent_path();
     if (folder.extension() != extension)
-      throw BadInput("'" + arguments_.folders.front() + "' is not a folder of parts",
-                     "such a folder is called NAME.parts; for another one give the output with -o");
+      throw core::Refused("'" + arguments_.folders.front() + "' is not a folder of parts",
+                          "such a folder is called NAME.parts; for another one give the output with -o");
     return fs::path(folder).replace_extension();
   }
 
@@ -75,22 +75,24 @@ class Merger {
     const fs::path inside = fs::canonical(folder);
     const fs::path place = fs::weakly_canonical(fs::absolute(core::end_of_links(output)));
     if (std::mismatch(inside.begin(), inside.end(), place.begin(), place.end()).first == inside.end())
-      throw BadInput(fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
-                     "choose another place with -o");
+      throw core::Refused(
+          fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
+          "choose another place with -o");
   }
 
   // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
   // file for a folder with however many parts.
   void collect(const std::string& folder, std::vector<raster::Journal>& journals) {
     if (!fs::is_directory(folder))
-      throw BadInput("there is no folder '" + folder + "'", "parts are in the folder NAME.parts beside their output");
+      throw core::Refused("there is no folder '" + folder + "'",
+                          "parts are in the folder NAME.parts beside their output");
     close_door(folder);
     std::vector<raster::Journal> found = raster::read_journals(folder);
-    if (found.empty()) throw BadInput("the folder '" + folder + "' holds no parts", "it has no journals");
+    if (found.empty()) throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
     for (raster::Journal& journal : found) {
       if (!opened(journal.path).try_lock())
-        throw BadInput(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
-                       "wait for it: the part that comes last completes the file by itself");
+        throw core::Refused(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
+                            "wait for it: the part that comes last completes the file by itself");
       journals.push_back(std::move(journal));
     }
   }
@@ -108,7 +110,7 @@ class Merger {
   void close_door(const fs::path& folder) {
     for (const fs::path& other : closed_)
       if (fs::equivalent(folder, other))
-        throw BadInput("the folder '" + folder.string() + "' is named twice", "name each folder once");
+        throw core::Refused("the folder '" + folder.string() + "' is named twice", "name each folder once");
     closed_.push_back(folder);
     if (!fs::exists(folder / "lock")) return;
     doors_.push_back(opened(folder / "lock"));

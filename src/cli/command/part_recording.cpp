@@ -72,12 +72,12 @@ class PartMaker {
       step();
     } catch (const raster::UnfitParts& unfit) {
       static_cast<void>(tell_others(false));
-      throw BadInput(unfit.problems);
+      throw core::Refused(unfit.problems);
     } catch (...) {
       static_cast<void>(tell_others(false));
       throw;
     }
-    if (!tell_others(true)) throw BadInput(core::Problems());  // Who is not well says why.
+    if (!tell_others(true)) throw core::Refused(core::Problems());  // Who is not well says why.
   }
 
   [[nodiscard]] bool tell_others(bool well) { return workshop_.team == nullptr || workshop_.team->all_well(well); }
@@ -95,7 +95,7 @@ class PartMaker {
     for (const std::string& difference : raster::differences(
              job_.identity, "on " + process_name(), std::get<raster::Journal>(leaders).head.identity, "on the first"))
       problems.push_back(problem("the processes differ: " + difference, "give all of them the same files and options"));
-    if (!problems.empty()) throw BadInput(std::move(problems));
+    if (!problems.empty()) throw core::Refused(std::move(problems));
   }
 
   [[nodiscard]] std::string process_name() const { return workshop_.team == nullptr ? "" : workshop_.team->name(); }
@@ -111,11 +111,11 @@ class PartMaker {
     std::error_code ignored;
     if (!std::filesystem::exists(job_.output, ignored)) return;
     if (!std::filesystem::is_regular_file(job_.output, ignored))
-      throw BadInput({problem("parts can only become a file", "run without --part, --pulses and --resume")});
+      throw core::Refused({problem("parts can only become a file", "run without --part, --pulses and --resume")});
     const auto receipt = raster::read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {
       if (job_.force) return;
-      throw BadInput(
+      throw core::Refused(
           {problem("the output exists already", "replace it with --force, or choose another folder with --out")});
     }
     const auto changes = raster::differences(job_.identity, "now", receipt->identity, "in the file");
@@ -131,7 +131,7 @@ class PartMaker {
     for (const std::string& change : changes)
       problems.push_back(problem("the output is finished, but of another run: " + change,
                                  "replace it with --force, or choose another folder with --out"));
-    throw BadInput(std::move(problems));
+    throw core::Refused(std::move(problems));
   }
 
   [[nodiscard]] core::Problem problem(std::string message, std::string hint) const {

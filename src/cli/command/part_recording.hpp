@@ -48,7 +48,7 @@ struct PartResult {
 /// Makes a share of a recording in the folder OUTPUT.parts, and completes the recording where it was the last.
 ///
 /// Interrupted, or stopped by a failure, it keeps what is done; KeptInterruption then tells where.
-/// @throws BadInput where what is there already does not fit
+/// @throws core::Refused where what is there already does not fit
 [[nodiscard]] PartResult make_part(const PartJob& job, const PartWorkshop& workshop);
 
 /// One or two lines on what came of it, for people. The report of a complete recording is not among them.

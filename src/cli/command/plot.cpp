@@ -50,10 +50,10 @@ bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
 
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
-    throw BadInput("nothing is to be written", "name a picture with -o, or a table with --csv");
+    throw core::Refused("nothing is to be written", "name a picture with -o, or a table with --csv");
   const std::string ending = ending_of(a.out);
   if (!a.out.empty() && ending != ".png" && ending != ".svg" && ending != ".pdf")
-    throw BadInput("'" + a.out + "' does not say which kind of picture", "end it with .png, .svg or .pdf");
+    throw core::Refused("'" + a.out + "' does not say which kind of picture", "end it with .png, .svg or .pdf");
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty()) paths.emplace_back(path);
@@ -63,8 +63,8 @@ void expect_names(const PlotArguments& a) {
   expect_free_outputs(paths, care);
   for (const fs::path& path : paths)
     if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
-      throw BadInput(fmt::format("there is no folder '{}'", path.parent_path().string()),
-                     "make it, or write into one that is there");
+      throw core::Refused(fmt::format("there is no folder '{}'", path.parent_path().string()),
+                          "make it, or write into one that is there");
 }
 
 // The graphical library draws no larger pictures.
@@ -75,14 +75,14 @@ void expect_size(const PlotArguments& a) {
   const double width = std::round(static_cast<double>(a.size[0]) * scale);
   const double height = std::round(static_cast<double>(a.size[1]) * scale);
   if (std::max(width, height) <= most_dots_a_side && width * height <= most_dots) return;
-  throw BadInput(
+  throw core::Refused(
       fmt::format("--size and --scale: a picture of {} x {} dots is too large", width, height),
       fmt::format("at most {} dots to a side and {} million in all", most_dots_a_side, std::floor(most_dots * 1e-6)));
 }
 
 void expect_limits(const PlotArguments& a) {
   if (a.limits.size() == 2 && a.limits[0] == a.limits[1])
-    throw BadInput("--limits: the two values are the same", "give those of the first and the last colour");
+    throw core::Refused("--limits: the two values are the same", "give those of the first and the last colour");
 }
 
 // An option that was given, and the kinds that it means something for.
@@ -145,7 +145,7 @@ void expect_used(const PlotArguments& a) {
     for (const PlotKind kind : use.kinds) problem.hint += (problem.hint.empty() ? "it is for " : ", ") + word_of(kind);
     problems.push_back(std::move(problem));
   }
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 // What --show says by itself.
@@ -158,10 +158,10 @@ picture::DisplayQuantity shown_quantity(const PlotArguments& a) {
 // Of two options that contradict each other, one would be ignored.
 void expect_no_contradiction(const PlotArguments& a) {
   if (a.screen && (a.recorded || a.rate_hz))
-    throw BadInput(fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
-                   "leave one of them out");
+    throw core::Refused(fmt::format("--screen and {} ask for different samples", a.recorded ? "--recorded" : "--rate"),
+                        "leave one of them out");
   if (a.span_db && shown_quantity(a) != picture::DisplayQuantity::decibels)
-    throw BadInput("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
+    throw core::Refused("--span is a number of decibels, which are not shown", "add --show db, or leave it out");
 }
 
 // An option that was given, and whether it is for scripts or for files.
@@ -196,8 +196,8 @@ void expect_used_by_input(const PlotArguments& a) {
     problems.back().hint = use.of_script ? "it is for scripts, whose echoes are computed" : "it is for files";
   }
   if (!script && a.simulation && samples.script.empty())
-    problems.push_back(BadInput("--simulation is a number in a script", "name it with --script").problems.front());
-  if (!problems.empty()) throw BadInput(std::move(problems));
+    problems.push_back(core::Refused("--simulation is a number in a script", "name it with --script").problems.front());
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 // The name of the input, and what is seen of it where that is not the whole.

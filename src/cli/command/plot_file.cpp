@@ -42,7 +42,7 @@ std::optional<raster::EnviHeader> focused_header(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
   if ((ending != ".img" && ending != ".npy") || !raster::has_envi_header(path)) return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
-  if (!image) throw BadInput(std::move(problems));
+  if (!image) throw core::Refused(std::move(problems));
   return image->header();
 }
 
@@ -97,8 +97,8 @@ raster::SampleAxes axes_of(const simulate::Plan& plan) {
 void expect_no_hints(const PlotArguments& a) {
   const SampleArguments& samples = a.samples;
   if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty())
-    throw BadInput(fmt::format("'{}' has a header, which says all about its samples", a.input),
-                   "leave out --from, --columns, --bits, --lsb and --script");
+    throw core::Refused(fmt::format("'{}' has a header, which says all about its samples", a.input),
+                        "leave out --from, --columns, --bits, --lsb and --script");
 }
 
 Input opened(const PlotArguments& a, Streams& streams) {
@@ -113,14 +113,14 @@ Input opened(const PlotArguments& a, Streams& streams) {
     hints.samples = hints_for(a.input, a.samples, a.simulation);
   }
   raster::OpenedImage opened = raster::ImageSource::open(a.input, hints);
-  if (!opened.source) throw BadInput(core::ranked(std::move(opened.problems)));
+  if (!opened.source) throw core::Refused(core::ranked(std::move(opened.problems)));
   print_problems(streams, core::ranked(std::move(opened.problems)));
   opened.source->wait_until_indexed(streams.stop);
   // A picture of a part of the rows would be taken for one of all.
   core::Problems found = opened.source->problems();
-  if (core::has_errors(found)) throw BadInput(core::ranked(std::move(found)));
+  if (core::has_errors(found)) throw core::Refused(core::ranked(std::move(found)));
   print_problems(streams, core::ranked(std::move(found)));
-  if (opened.source->rows() == 0 || opened.source->columns() == 0) throw BadInput(a.input + " holds no samples");
+  if (opened.source->rows() == 0 || opened.source->columns() == 0) throw core::Refused(a.input + " holds no samples");
   input.source = std::move(opened.source);
   if (header) return input;
   input.axes = input.source->axes();
@@ -145,8 +145,8 @@ simulate::IndexSpan between(const std::vector<double>& places, std::vector<doubl
   const auto inside = [&](double place) { return place >= limits[0] && place <= limits[1]; };
   const auto first = std::ranges::find_if(places, inside);
   if (first == places.end())
-    throw BadInput(fmt::format("{}: the file has nothing between {} and {}", option, limits[0], limits[1]),
-                   fmt::format("it has {:.6g} to {:.6g}", places.front(), places.back()));
+    throw core::Refused(fmt::format("{}: the file has nothing between {} and {}", option, limits[0], limits[1]),
+                        fmt::format("it has {:.6g} to {:.6g}", places.front(), places.back()));
   const auto last = std::find_if_not(first, places.end(), inside);
   return {static_cast<std::size_t>(first - places.begin()), static_cast<std::size_t>(last - places.begin())};
 }
@@ -200,15 +200,15 @@ void name_places(const PlotArguments& a, const Input& input, PlotSamples& sample
 
 void expect_places(const PlotArguments& a, const Input& input) {
   if (!input.focused && (!a.azimuth_m.empty() || a.at_azimuth_m))
-    throw BadInput("--azimuth and --at-azimuth are for focused images",
-                   a.input + " has no header of one; choose pulses with --time");
+    throw core::Refused("--azimuth and --at-azimuth are for focused images",
+                        a.input + " has no header of one; choose pulses with --time");
   if (input.focused && (!a.time_s.empty() || a.at_s))
-    throw BadInput("a focused image has no times", "choose along the track with --azimuth and --at-azimuth, in m");
+    throw core::Refused("a focused image has no times", "choose along the track with --azimuth and --at-azimuth, in m");
   const bool placed = input.focused || input.axes;
   if (!placed && (!a.range_m.empty() || !a.time_s.empty()))
-    throw BadInput("the file does not say its ranges and times", "name the script that wrote it with --script");
+    throw core::Refused("the file does not say its ranges and times", "name the script that wrote it with --script");
   if (input.axes && !has_times(input) && (!a.time_s.empty() || a.at_s))
-    throw BadInput("the rows of the file have no times", "leave out --time and --at-time");
+    throw core::Refused("the rows of the file have no times", "leave out --time and --at-time");
 }
 
 std::vector<double> cut_out(const std::vector<double>& list, std::size_t begin, std::size_t end) {
@@ -315,7 +315,8 @@ void make_finer(const PlotArguments& a, const Input& input, Part& part, const co
 }
 
 Plotted picture(const PlotArguments& a, const Input& input, const Part& part, const core::StopFlag* stop) {
-  if (!a.csv.empty()) throw BadInput("the picture of a file has no table", "sarsim convert gives its values as CSV");
+  if (!a.csv.empty())
+    throw core::Refused("the picture of a file has no table", "sarsim convert gives its values as CSV");
   picture::EchoWindow look;
   take_look(a, picture::DisplayQuantity::magnitude, look);
   picture::ImageLook wanted;
@@ -351,7 +352,7 @@ Plotted picture(const PlotArguments& a, const Input& input, const Part& part, co
 Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   PlotArguments a = arguments;
   if (a.kind != PlotKind::picture && !is_of_samples(a.kind))
-    throw BadInput("antennas, pulses and functions are drawn from scripts", "give the .scr file");
+    throw core::Refused("antennas, pulses and functions are drawn from scripts", "give the .scr file");
   const Input input = opened(a, streams);
   Part part = chosen_part(a, input, streams.stop);
   if (a.kind == PlotKind::picture) return picture(a, input, part, streams.stop);

@@ -20,8 +20,8 @@ std::size_t nearest(const std::vector<double>& places, std::optional<double> wan
     return fmt::format("{:.6g}{}{}", value, names.unit.empty() ? "" : " ", names.unit);
   };
   if (*wanted < low - spacing || *wanted > high + spacing)
-    throw BadInput(fmt::format("{} {} is not among what is seen", names.label, with_unit(*wanted)),
-                   fmt::format("it goes from {:.6g} to {}", low, with_unit(high)));
+    throw core::Refused(fmt::format("{} {} is not among what is seen", names.label, with_unit(*wanted)),
+                        fmt::format("it goes from {:.6g} to {}", low, with_unit(high)));
   const auto distance = [&](double place) { return std::abs(place - *wanted); };
   return static_cast<std::size_t>(std::ranges::min_element(places, {}, distance) - places.begin());
 }
@@ -52,10 +52,10 @@ void expect_quantity(const PlotArguments& a) {
     return;
   if (a.kind == PlotKind::range_doppler && *a.quantity == picture::DisplayQuantity::decibels) return;
   if (a.kind == PlotKind::phase && *a.quantity == picture::DisplayQuantity::phase) return;
-  throw BadInput(fmt::format("--show: {} is not shown by this kind of plot", picture::title_of(*a.quantity)),
-                 levels                              ? "profiles and spectra are shown as magnitude or db"
-                 : a.kind == PlotKind::range_doppler ? "range-Doppler maps are shown in db"
-                                                     : "phase histories are shown as phase");
+  throw core::Refused(fmt::format("--show: {} is not shown by this kind of plot", picture::title_of(*a.quantity)),
+                      levels                              ? "profiles and spectra are shown as magnitude or db"
+                      : a.kind == PlotKind::range_doppler ? "range-Doppler maps are shown in db"
+                                                          : "phase histories are shown as phase");
 }
 
 // Counts are no volts: the words that figures of volts have are exchanged.
@@ -73,9 +73,9 @@ picture::EchoBlock read_block(const PlotSamples& samples, simulate::IndexSpan ro
                               std::size_t times) {
   const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
   if (count * static_cast<double>(times) > static_cast<double>(most_samples))
-    throw BadInput(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
-                               columns.end - columns.begin),
-                   "choose fewer with --pulses, or a narrower --range");
+    throw core::Refused(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
+                                    columns.end - columns.begin),
+                        "choose fewer with --pulses, or a narrower --range");
   return samples.read(rows, columns);
 }
 
@@ -108,7 +108,7 @@ bool is_of_samples(PlotKind kind) {
 
 Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
   expect_quantity(a);
-  if (samples.row_place.empty() || samples.column_place.empty()) throw BadInput("there are no samples to look at");
+  if (samples.row_place.empty() || samples.column_place.empty()) throw core::Refused("there are no samples to look at");
   const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
   const std::size_t column = nearest(samples.column_place, a.at_m, samples.look.columns);
   Plotted plotted;
@@ -128,8 +128,8 @@ Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
     return plotted;
   }
   if (!samples.timed)
-    throw BadInput("the file does not say the times, ranges and carriers that this kind of plot needs",
-                   "name the script that wrote it with --script, or use an HDF5 file");
+    throw core::Refused("the file does not say the times, ranges and carriers that this kind of plot needs",
+                        "name the script that wrote it with --script, or use an HDF5 file");
   plotted.figure = radar_view(a, samples, row, column);
   say_unit(plotted.figure, samples.look.unit);
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');

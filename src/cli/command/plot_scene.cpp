@@ -28,14 +28,14 @@ scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& 
   if (a.simulation) {
     const auto number = static_cast<std::size_t>(*a.simulation);
     if (number > scene.simulations.size())
-      throw BadInput(fmt::format("the script has no simulation {}", number),
-                     scene.simulations.empty()
-                         ? "it has none: choose with --radar"
-                         : fmt::format("simulations have the numbers 1 to {}", scene.simulations.size()));
+      throw core::Refused(fmt::format("the script has no simulation {}", number),
+                          scene.simulations.empty()
+                              ? "it has none: choose with --radar"
+                              : fmt::format("simulations have the numbers 1 to {}", scene.simulations.size()));
     return scene.simulations[number - 1];
   }
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
-  if (scene.radars.empty()) throw BadInput(a.input + ": the script has no radar", "add a $RADAR");
+  if (scene.radars.empty()) throw core::Refused(a.input + ": the script has no radar", "add a $RADAR");
   scene::Simulation simulation;
   simulation.radar = scene.radars[a.radar.empty() ? 0 : radar_named(scene, a.radar)].name;
   return simulation;
@@ -62,7 +62,7 @@ picture::EchoWindow chosen_window(const PlotArguments& a, const scene::Scene& sc
 }
 
 // What is wrong with the recording, with the options that stand in for its values.
-BadInput with_options(core::Problems problems) {
+core::Refused with_options(core::Problems problems) {
   for (core::Problem& problem : problems) {
     const std::string& field = problem.subject.field;
     const bool sampled = field.starts_with("range") || field.starts_with("sample_rate");
@@ -70,7 +70,7 @@ BadInput with_options(core::Problems problems) {
     if (!problem.hint.empty()) problem.hint += ' ';
     problem.hint += sampled ? "Choose others with --rate and --range." : "Choose another with --time.";
   }
-  return BadInput(std::move(problems));
+  return core::Refused(std::move(problems));
 }
 
 // The echo matrix of a window, as a simulation window computes it.
@@ -192,9 +192,9 @@ void take_angles(const PlotArguments& a, picture::AntennaLook& look) {
   if (a.angles_deg.size() != 2) return;
   std::tie(look.first_deg, look.last_deg) = std::minmax(a.angles_deg[0], a.angles_deg[1]);
   if (look.first_deg < -turn_deg || look.last_deg > turn_deg)
-    throw BadInput(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
-                   "choose offsets from -360 to 360 deg");
-  if (!(look.first_deg < look.last_deg)) throw BadInput("--angles: the two angles are the same");
+    throw core::Refused(fmt::format("--angles: {} to {} deg go beyond a turn", a.angles_deg[0], a.angles_deg[1]),
+                        "choose offsets from -360 to 360 deg");
+  if (!(look.first_deg < look.last_deg)) throw core::Refused("--angles: the two angles are the same");
 }
 
 Plotted of_radar(const PlotArguments& a, SceneInput& input, const core::StopFlag* stop) {
@@ -209,7 +209,7 @@ Plotted of_radar(const PlotArguments& a, SceneInput& input, const core::StopFlag
     look.quantity = a.quantity.value_or(look.quantity);
     look.span_db = a.span_db.value_or(look.span_db);
     if (look.quantity == picture::DisplayQuantity::imaginary || look.quantity == picture::DisplayQuantity::phase)
-      throw BadInput("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
+      throw core::Refused("--show: an antenna's pattern is real", "choose real (with its sign), magnitude or db");
     take_angles(a, look);
     plotted.figure = picture::antenna_figure(radar, input.resolved->conventions.pattern, look);
   }
@@ -247,7 +247,8 @@ bool begins_with(std::string_view text, std::string_view beginning) {
 UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) {
   std::vector<UsedFunction> all = used_functions(scene);
   if (all.empty())
-    throw BadInput(a.input + ": the script uses no user-defined function", "trajectories and user patterns are some");
+    throw core::Refused(a.input + ": the script uses no user-defined function",
+                        "trajectories and user patterns are some");
   std::vector<UsedFunction> found;
   for (const UsedFunction& one : all)
     if (begins_with(one.name, a.function) || begins_with(one.field, a.function)) found.push_back(one);
@@ -260,7 +261,7 @@ UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) 
   const std::string message = a.function.empty() ? fmt::format("the script uses {} functions", all.size())
                               : found.empty()    ? fmt::format("the script uses no function '{}'", a.function)
                                                  : fmt::format("'{}' may be any of {}", a.function, found.size());
-  throw BadInput("--function: " + message, "choose one of " + names);
+  throw core::Refused("--function: " + message, "choose one of " + names);
 }
 
 Plotted of_function(const PlotArguments& a, const SceneInput& input) {
@@ -277,7 +278,8 @@ Plotted of_function(const PlotArguments& a, const SceneInput& input) {
 
 Plotted plot_scene(const PlotArguments& a, Streams& streams) {
   if (!a.azimuth_m.empty() || a.at_azimuth_m)
-    throw BadInput("--azimuth and --at-azimuth are for focused images", "rows of a script's echoes have times: --time");
+    throw core::Refused("--azimuth and --at-azimuth are for focused images",
+                        "rows of a script's echoes have times: --time");
   SceneInput input = read_scene(a.input, a.overrides, Scrutiny::values);
   expect_usable(input);
   switch (a.kind) {

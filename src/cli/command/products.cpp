@@ -37,7 +37,7 @@ bool is_called(const scene::Scene& scene, const ProductJob& job, const std::stri
                          ? "the script has no simulation"
                          : fmt::format("simulations have the numbers 1 to {}; their output names work as well", count);
   if (!nearest.empty()) hint = fmt::format("did you mean '{}'?", nearest);
-  throw BadInput(fmt::format("the script has no product '{}'", word), hint);
+  throw core::Refused(fmt::format("the script has no product '{}'", word), hint);
 }
 
 }  // namespace

@@ -55,11 +55,12 @@ TEST(Products, WordsThatChooseNothingAreRefusedWithTheNearestName) {
   try {
     (void)chosen({"frist.asc"});
     FAIL() << "accepted";
-  } catch (const BadInput& error) {
+  } catch (const core::Refused& error) {
     ASSERT_EQ(error.problems.size(), 1U);
     EXPECT_EQ(error.problems[0].hint, "did you mean 'first.asc'?");
   }
-  for (const char* word : {"0", "3", "-1", "nothing like it"}) EXPECT_THROW((void)chosen({word}), BadInput) << word;
+  for (const char* word : {"0", "3", "-1", "nothing like it"})
+    EXPECT_THROW((void)chosen({word}), core::Refused) << word;
 }
 
 }  // namespace

@@ -88,20 +88,20 @@ class ProfilesRun {
     options_.speed_mps = choice.speed_mps;
     options_.fastest_mps = arguments_.fastest_mps.value_or(options_.fastest_mps);
     if (!(options_.fastest_mps > 0.0 && options_.fastest_mps < 1e6))
-      throw BadInput(fmt::format("--fastest: {} m/s is out of range", options_.fastest_mps), "above 0, below 1e6");
+      throw core::Refused(fmt::format("--fastest: {} m/s is out of range", options_.fastest_mps), "above 0, below 1e6");
     if (!arguments_.window.empty()) options_.window = window_function("--window", arguments_.window);
     options_.from_m = arguments_.from_m;
     options_.to_m = arguments_.to_m;
     options_.oversampling = static_cast<std::size_t>(arguments_.oversampling.value_or(4));
     const double decibels = arguments_.illumination_db.value_or(6.0);
-    if (!(decibels >= 0.0)) throw BadInput("--illumination: decibels below the strongest burst are not negative");
+    if (!(decibels >= 0.0)) throw core::Refused("--illumination: decibels below the strongest burst are not negative");
     options_.illuminated_share = std::pow(10.0, -0.1 * decibels);
     const bool compensated = options_.velocity != workflow::SeriesOptions::Velocity::none;
     // A mean of profiles in which the target is elsewhere would be of no use.
     options_.align = arguments_.align || (set() != Set::bursts && compensated);
     if (options_.align && !compensated)
-      throw BadInput("--align moves profiles by the speed that is compensated, but there is none",
-                     "give --velocity scene, estimated or a number");
+      throw core::Refused("--align moves profiles by the speed that is compensated, but there is none",
+                          "give --velocity scene, estimated or a number");
   }
 
   [[nodiscard]] Set set() const { return arguments_.set.value_or(Set::bursts); }
@@ -118,22 +118,22 @@ class ProfilesRun {
   void expect_ranges() {
     const workflow::RangeStretch shown = workflow::shown_ranges(input_.rows);
     if (!(shown.to_m > shown.from_m))
-      throw BadInput("the recording is too short: no range of the script's window has half of its echo in it",
-                     "record a longer range window");
+      throw core::Refused("the recording is too short: no range of the script's window has half of its echo in it",
+                          "record a longer range window");
     const double from_m = options_.from_m.value_or(shown.from_m);
     const double to_m = options_.to_m.value_or(shown.to_m);
     const std::string recorded = stretch_text(shown);
     const std::string hint = fmt::format("the recording reaches from {}; see --from and --to", recorded);
     if (!(to_m > from_m))
-      throw BadInput(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
+      throw core::Refused(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
     if (to_m <= shown.from_m || from_m >= shown.to_m)
-      throw BadInput(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
+      throw core::Refused(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
     const double bins = (to_m - from_m) / (0.5 * input_.rows.band->waveform().light_speed_mps /
                                            input_.rows.band->band_hz() / static_cast<double>(options_.oversampling));
     constexpr double most_bins = 0x1p26;
     if (bins > most_bins)
-      throw BadInput(fmt::format("a profile of {:.3g} bins cannot be held", bins),
-                     "choose fewer ranges with --from and --to, or less --oversampling");
+      throw core::Refused(fmt::format("a profile of {:.3g} bins cannot be held", bins),
+                          "choose fewer ranges with --from and --to, or less --oversampling");
     if (from_m < shown.from_m || to_m > shown.to_m)
       input_.problems.push_back(core::problem_of(
           core::Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
@@ -179,8 +179,8 @@ class ProfilesRun {
 
   void expect_scans() const {
     if (series_.rows.empty())
-      throw BadInput("no burst is illuminated: the targets give no echo",
-                     "see sarsim check, and the beam of the script's radar");
+      throw core::Refused("no burst is illuminated: the targets give no echo",
+                          "see sarsim check, and the beam of the script's radar");
   }
 
   void write() const {
@@ -206,9 +206,9 @@ class ProfilesRun {
     const auto wanted = static_cast<std::size_t>(*arguments_.burst - 1);
     const auto found = std::ranges::find(series_.rows, wanted, &workflow::ProfileRow::burst);
     if (found == series_.rows.end())
-      throw BadInput(fmt::format("--burst: burst {} is not illuminated", wanted + 1),
-                     fmt::format("the recording has {} bursts; illuminated are {} to {}", input_.rows.bursts,
-                                 series_.rows.front().burst + 1, series_.rows.back().burst + 1));
+      throw core::Refused(fmt::format("--burst: burst {} is not illuminated", wanted + 1),
+                          fmt::format("the recording has {} bursts; illuminated are {} to {}", input_.rows.bursts,
+                                      series_.rows.front().burst + 1, series_.rows.back().burst + 1));
     return static_cast<std::size_t>(found - series_.rows.begin());
   }
 

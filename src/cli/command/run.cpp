@@ -76,13 +76,13 @@ class Runner {
     try {
       prepare_together();
       for (const ProductJob& job : jobs_) make(job);
-    } catch (const BadInput& error) {
+    } catch (const core::Refused& error) {
       finish_json("bad input", error.problems);
       throw;
     } catch (const simulate::ImpossibleEcho& error) {
       take_problems({error.problem});
       finish_json("bad input", input_.problems);
-      throw BadInput({input_.problems.front()});
+      throw core::Refused({input_.problems.front()});
     } catch (const core::Interrupted&) {
       finish_json("interrupted", input_.problems);
       throw;
@@ -105,22 +105,22 @@ class Runner {
       if (team_ != nullptr) static_cast<void>(team_->all_well(false));
       throw;
     }
-    if (team_ != nullptr && !team_->all_well(true)) throw BadInput(core::Problems());
+    if (team_ != nullptr && !team_->all_well(true)) throw core::Refused(core::Problems());
   }
 
   void expect_partable() const {
     const PartChoice& part = arguments_.part;
     if (team_ != nullptr && (part.share || part.span || part.own_file))
-      throw BadInput("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
+      throw core::Refused("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
     if (team_ != nullptr && arguments_.discard)
-      throw BadInput("--discard writes nothing: there is nothing that processes could share",
-                     "measure with sarsim run --discard, of one process");
+      throw core::Refused("--discard writes nothing: there is nothing that processes could share",
+                          "measure with sarsim run --discard, of one process");
     if (journaled_ && arguments_.discard)
-      throw BadInput("--discard writes nothing: there is nothing to share, keep or resume",
-                     "leave out --discard, or --part, --pulses and --resume");
+      throw core::Refused("--discard writes nothing: there is nothing to share, keep or resume",
+                          "leave out --discard, or --part, --pulses and --resume");
     if (!journaled_ && (part.own_file || part.save_every_s))
-      throw BadInput("--part-file and --save-every concern parts and runs that can be resumed",
-                     "give --part, --pulses or --resume as well");
+      throw core::Refused("--part-file and --save-every concern parts and runs that can be resumed",
+                          "give --part, --pulses or --resume as well");
   }
 
   void make(const ProductJob& job) {
@@ -167,7 +167,7 @@ class Runner {
   void expect_objects() const {
     const scene::Scene& scene = input_.scene;
     if (scene.platforms.empty() && scene.targets.empty() && scene.surfaces.empty() && scene.radars.empty()) {
-      BadInput nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+      core::Refused nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
       nothing.problems.front().place.file = arguments_.scene;
       throw nothing;
     }
@@ -206,10 +206,10 @@ class Runner {
     }
     if (fs::exists(arguments_.folder) && !fs::is_directory(arguments_.folder)) {
       problems = {};
-      throw BadInput("'" + arguments_.folder + "' is not a folder",
-                     "name a folder with --out; it is made when missing");
+      throw core::Refused("'" + arguments_.folder + "' is not a folder",
+                          "name a folder with --out; it is made when missing");
     }
-    if (!problems.empty()) throw BadInput(std::move(problems));
+    if (!problems.empty()) throw core::Refused(std::move(problems));
   }
 
   // One line for each recording, and the room that all of them need.
@@ -234,8 +234,9 @@ class Runner {
     }
     const auto& span = arguments_.part.span;
     if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
-      throw BadInput({core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
-                                       words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
+      throw core::Refused(
+          {core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
+                            words_of(arguments_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
     if (!arguments_.quiet) print_problems(streams_, missing);
     if (!arguments_.quiet) streams_.err << lines;
     take_problems(std::move(missing));

@@ -74,7 +74,7 @@ class SearchRun {
                                                   {"--extent", arguments_.extent_m.has_value()},
                                                   {"--scan", arguments_.scan.has_value()}};
     for (const auto& [option, there] : given)
-      if (there) throw BadInput(fmt::format("{} is for the picture", option), "leave it out, or --no-map");
+      if (there) throw core::Refused(fmt::format("{} is for the picture", option), "leave it out, or --no-map");
   }
 
   // Before anything is computed: a rotating antenna says how often it turns, others are followed from pulse to pulse.
@@ -90,8 +90,8 @@ class SearchRun {
 
   void expect_turns(double turns) const {
     if (!arguments_.scan || static_cast<double>(*arguments_.scan) <= turns) return;
-    throw BadInput(fmt::format("--scan {}: the antenna turns less often", *arguments_.scan),
-                   fmt::format("it makes {:.0f}, begun ones counted", turns));
+    throw core::Refused(fmt::format("--scan {}: the antenna turns less often", *arguments_.scan),
+                        fmt::format("it makes {:.0f}, begun ones counted", turns));
   }
 
   void write(SearchPicture& picture) const {

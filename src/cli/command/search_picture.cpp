@@ -36,7 +36,7 @@ std::vector<double> ends_of(const std::vector<double>& range_m) {
 
 double above_zero(const char* option, double value) {
   if (value > 0.0) return value;
-  throw BadInput(fmt::format("{} {}: must be above 0", option, core::format_number(value)));
+  throw core::Refused(fmt::format("{} {}: must be above 0", option, core::format_number(value)));
 }
 
 }  // namespace
@@ -51,17 +51,17 @@ signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArgum
   const core::Vec3 middle_m = 0.5 * (begin_m + end_m);
   const double reach_m = ground_range_m(rows.range_m.back(), middle_m.z - arguments.height_m.value_or(0.0));
   if (!(reach_m > 0.0))
-    throw BadInput("the ground is farther away than the recorded ranges reach",
-                   fmt::format("record beyond {:.6g} m, or give the plane that is meant with --height",
-                               std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
+    throw core::Refused("the ground is farther away than the recorded ranges reach",
+                        fmt::format("record beyond {:.6g} m, or give the plane that is meant with --height",
+                                    std::abs(middle_m.z - arguments.height_m.value_or(0.0))));
   const double extent_m = arguments.extent_m ? above_zero("--extent", *arguments.extent_m)
                                              : reach_m + 0.5 * std::hypot(end_m.x - begin_m.x, end_m.y - begin_m.y);
   const double step_m = rows.samples() > 1 ? rows.range_m[1] - rows.range_m[0] : reach_m;
   const double pixel_m = arguments.pixel_m ? above_zero("--pixel", *arguments.pixel_m)
                                            : std::max(step_m, extent_m / most_pixels_to_a_side);
   if (2.0 * extent_m / pixel_m > most_pixels)
-    throw BadInput(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
-                   fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / most_pixels));
+    throw core::Refused(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
+                        fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / most_pixels));
   return signal::ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 

@@ -119,7 +119,7 @@ TEST(SearchPicture, DrawsABeamThatStandsStillAsWideAsItIs) {
 TEST(PictureGrid, RefusesWhatCannotBeShown) {
   const workflow::PulseRows rows = workflow::pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
   const auto refuses = [&](const PictureArguments& arguments) {
-    EXPECT_THROW((void)picture_grid(rows, arguments), BadInput);
+    EXPECT_THROW((void)picture_grid(rows, arguments), core::Refused);
   };
   refuses({.pixel_m = 0.0});
   refuses({.pixel_m = 0.01});

@@ -33,7 +33,7 @@ SteppedInput of_script(const RecordingArguments& arguments, workflow::SteppedUse
   stepped.sources = std::move(input.sources);
   std::erase_if(stepped.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
   std::ranges::move(workflow::problems_of_stepped(window, use, false), std::back_inserter(stepped.problems));
-  if (core::has_errors(stepped.problems)) throw BadInput(core::ranked(std::move(stepped.problems)));
+  if (core::has_errors(stepped.problems)) throw core::Refused(core::ranked(std::move(stepped.problems)));
   simulation = workflow::recorded_for_stepped(simulation, window);
   const auto plan = std::make_shared<const simulate::Plan>(
       simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic));

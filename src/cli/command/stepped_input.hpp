@@ -16,7 +16,7 @@ struct SteppedInput {
 /// Adds the options of `add_recording_arguments` and those that stand in for the script's.
 void add_stepped_input_arguments(CLI::App& app, RecordingArguments& arguments);
 
-/// Opens what the arguments name; throws BadInput with all problems where it cannot be used.
+/// Opens what the arguments name; throws core::Refused with all problems where it cannot be used.
 [[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, workflow::SteppedUse use,
                                               const core::WorkControl& control);
 

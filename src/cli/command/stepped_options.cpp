@@ -15,14 +15,14 @@ VelocityChoice velocity_choice(const std::string& text) {
   if (core::equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0};
   const auto number = core::parse_number(text);
   if (number && std::abs(*number) < 1e6) return {Velocity::given, *number};
-  throw BadInput(fmt::format("--velocity: '{}' is none", text),
-                 "none, scene, estimated or a number of m/s, positive receding");
+  throw core::Refused(fmt::format("--velocity: '{}' is none", text),
+                      "none, scene, estimated or a number of m/s, positive receding");
 }
 
 void expect_searchable(double fastest_mps, const workflow::SteppedRows& rows) {
   const double most_mps = workflow::fastest_searched_mps(rows);
   if (fastest_mps <= most_mps) return;
-  throw BadInput(
+  throw core::Refused(
       fmt::format("--fastest: bursts this long tell so many speeds up to {} m/s apart that they cannot all be "
                   "tried",
                   core::format_number(fastest_mps)),

@@ -14,10 +14,10 @@ struct VelocityChoice {
   double speed_mps = 0.0;
 };
 
-/// none, scene, estimated or a number of m/s; throws BadInput for anything else.
+/// none, scene, estimated or a number of m/s; throws core::Refused for anything else.
 [[nodiscard]] VelocityChoice velocity_choice(const std::string& text);
 
-/// Throws BadInput where a search for the speed of such bursts would try too many.
+/// Throws core::Refused where a search for the speed of such bursts would try too many.
 void expect_searchable(double fastest_mps, const workflow::SteppedRows& rows);
 
 /// How progress is shown.

@@ -92,10 +92,10 @@ class Sweeper {
 
   void choose_products() {
     const OutputNames names = output_names(input_.scene, {".", false, arguments_.overrides.format});
-    if (core::has_errors(names.problems)) throw BadInput(names.problems);
+    if (core::has_errors(names.problems)) throw core::Refused(names.problems);
     products_ = chosen_products(input_.scene, names, arguments_.products);
     if (products_.empty()) {
-      BadInput nothing("the script asks for nothing that could vary", "add a $SIMULATION or a $GEOMETRY");
+      core::Refused nothing("the script asks for nothing that could vary", "add a $SIMULATION or a $GEOMETRY");
       nothing.problems.front().place.file = arguments_.scene;
       throw nothing;
     }
@@ -109,9 +109,9 @@ class Sweeper {
         rows_.push_back(names.row(variation, product));
     }
     if (variations_.empty())
-      throw BadInput(fmt::format("--part: there are {} for {} parts, and none for part {}",
-                                 counted(sweep_->size(), "variation"), part_.count, part_.index + 1),
-                     "use no more parts than there are variations");
+      throw core::Refused(fmt::format("--part: there are {} for {} parts, and none for part {}",
+                                      counted(sweep_->size(), "variation"), part_.count, part_.index + 1),
+                          "use no more parts than there are variations");
   }
 
   [[nodiscard]] std::string stem() const { return arguments_.table.empty() ? "sweep" : safe_word(arguments_.table); }
@@ -156,7 +156,7 @@ class Sweeper {
                       }));
     if (bad) {
       if (arguments_.json) write_out(streams_, sweep_json(frame("bad input"), {}));
-      throw BadInput(shortened(checks_.problems));
+      throw core::Refused(shortened(checks_.problems));
     }
     if (!arguments_.quiet) print_problems(streams_, shortened(checks_.problems));
   }
@@ -231,8 +231,8 @@ class Sweeper {
   void expect_free_outputs() {
     const fs::path folder(arguments_.folder);
     if (fs::exists(folder) && !fs::is_directory(folder))
-      throw BadInput("'" + arguments_.folder + "' is not a folder",
-                     "name a folder with --out; it is made when missing");
+      throw core::Refused("'" + arguments_.folder + "' is not a folder",
+                          "name a folder with --out; it is made when missing");
     core::Problems problems;
     std::size_t more = 0;
     const auto look_at = [&](const fs::path& path, bool replace) {
@@ -255,7 +255,7 @@ class Sweeper {
                                     "--force, or choose another folder with --out"
                                   : "replace with --force, go on with what is not done with --resume, or choose "
                                     "another folder with --out";
-    throw BadInput(std::move(problems));
+    throw core::Refused(std::move(problems));
   }
 
   // Variations at a time, and threads of each.

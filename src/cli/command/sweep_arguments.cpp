@@ -47,10 +47,11 @@ SweepPart read_part(const std::string& text) {
   const auto index = core::parse_integer(text.substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
   if (!index || !count)
-    throw BadInput(fmt::format("--part: '{}' is no part", text), "write K/N, for instance 2/4 for the second of four");
+    throw core::Refused(fmt::format("--part: '{}' is no part", text),
+                        "write K/N, for instance 2/4 for the second of four");
   if (*count < 1 || *count > static_cast<std::int64_t>(most_variations) || *index < 1 || *index > *count)
-    throw BadInput(fmt::format("--part: there is no part {}", text),
-                   fmt::format("parts are numbered from 1 to N, and N is {} at most", most_variations));
+    throw core::Refused(fmt::format("--part: there is no part {}", text),
+                        fmt::format("parts are numbered from 1 to N, and N is {} at most", most_variations));
   return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
 }
 

@@ -47,7 +47,7 @@ struct SweepPart {
   std::size_t count = 1;
 };
 
-/// Reads "2/4" and throws BadInput for anything else; nothing is the whole.
+/// Reads "2/4" and throws core::Refused for anything else; nothing is the whole.
 [[nodiscard]] SweepPart read_part(const std::string& text);
 
 }  // namespace sarsim::cli

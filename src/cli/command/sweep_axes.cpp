@@ -76,9 +76,9 @@ Sweep::Sweep(const scene::Scene& scene, const std::vector<std::string>& settings
   core::Problems problems;
   for (const std::string& setting : settings) add_axis(scene, setting, problems);
   if (settings.empty())
-    throw BadInput("sweep: nothing varies", "say what does with --set, for instance --set seed=1..10");
+    throw core::Refused("sweep: nothing varies", "say what does with --set, for instance --set seed=1..10");
   if (problems.empty()) set_size(paired, problems);
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 void Sweep::add_axis(const scene::Scene& scene, const std::string& setting, core::Problems& problems) {

@@ -35,7 +35,7 @@ struct SweepAxis {
 class Sweep {
  public:
   /// @param settings  texts "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp, scene/schema/value_list.hpp)
-  /// @throws BadInput with everything that is wrong with them
+  /// @throws core::Refused with everything that is wrong with them
   Sweep(const scene::Scene& scene, const std::vector<std::string>& settings, bool paired);
 
   [[nodiscard]] std::size_t size() const { return size_; }

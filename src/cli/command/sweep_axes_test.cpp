@@ -23,7 +23,7 @@ scene::Scene small_scene() {
 std::string complaint(const std::vector<std::string>& settings, bool paired = false) {
   try {
     (void)Sweep(small_scene(), settings, paired);
-  } catch (const BadInput& error) {
+  } catch (const core::Refused& error) {
     std::string text;
     for (const core::Problem& problem : error.problems) text += core::to_string(problem) + "\n";
     return text;

@@ -177,11 +177,11 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
   if (const std::string hint = option && command != nullptr ? set_in_script(*command, name) : ""; !hint.empty())
-    throw BadInput(fmt::format("{}{} '{}'", where, what, name), hint);
-  throw BadInput(fmt::format("{}{} '{}'", where, what, name),
-                 nearest.empty()
-                     ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
-                     : fmt::format("did you mean '{}'?", nearest));
+    throw core::Refused(fmt::format("{}{} '{}'", where, what, name), hint);
+  throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
+                      nearest.empty()
+                          ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
+                          : fmt::format("did you mean '{}'?", nearest));
 }
 
 ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
@@ -201,8 +201,8 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
   } catch (const CLI::ParseError& error) {
     expect_no_extras(program, command);
     const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
-    throw BadInput(where + error.what(),
-                   fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
+    throw core::Refused(where + error.what(),
+                        fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : ""));
   }
   expect_no_extras(program, command);
   if (command == nullptr) {
@@ -251,7 +251,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     const ExitStatus status = dispatch(program, std::move(words), streams);
     flush_out(streams);
     return status;
-  } catch (const BadInput& error) {
+  } catch (const core::Refused& error) {
     print_problems(streams, error.problems);
     if (json) write_failure(streams, "bad input", error.problems);
     return exit_bad_input;

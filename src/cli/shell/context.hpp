@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/report/problem.hpp"
+#include "core/report/refused.hpp"
 #include "core/task/stop.hpp"
 
 namespace sarsim::cli {
@@ -25,19 +25,6 @@ struct Streams {
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
   const core::StopFlag* stop = nullptr;
   bool written = false;  ///< Something went to `out`.
-};
-
-/// Thrown to end a command because of mistakes in what the user supplied; exit status 2.
-struct BadInput : std::runtime_error {
-  explicit BadInput(core::Problems all) : std::runtime_error("bad input"), problems(std::move(all)) {}
-  /// One error, with a hint where there is one.
-  explicit BadInput(std::string message, std::string hint = {}) : std::runtime_error(message) {
-    core::Problem problem;
-    problem.message = std::move(message);
-    problem.hint = std::move(hint);
-    problems.push_back(std::move(problem));
-  }
-  core::Problems problems;
 };
 
 /// Thrown where a command that was asked to stop has kept what it had done.

@@ -18,7 +18,7 @@ void choose_simd(const std::string& level) {
   if (level.empty() || simulate::use_simd_level(level)) return;
   std::string levels;
   for (const std::string& known : simulate::simd_levels()) levels += (levels.empty() ? "" : ", ") + known;
-  throw BadInput("--simd: this processor has no '" + level + "'", "choose among " + levels);
+  throw core::Refused("--simd: this processor has no '" + level + "'", "choose among " + levels);
 }
 
 }  // namespace sarsim::cli

@@ -113,9 +113,9 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   };
   const auto [found, names] = alike({});
   if (found.found.size() > 1 && !found.whole)
-    throw BadInput(fmt::format("'{}' may be what {} or what {} became", file.filename().string(), names[found.found[0]],
-                               names[found.found[1]]),
-                   hint);
+    throw core::Refused(fmt::format("'{}' may be what {} or what {} became", file.filename().string(),
+                                    names[found.found[0]], names[found.found[1]]),
+                        hint);
   if (!found.found.empty()) return found.found.front();
   const auto with_format = alike(raster::format_from_path(file)).first;
   if (with_format.found.empty() || !with_format.whole) return std::nullopt;
@@ -133,7 +133,7 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& c
     problems.back().hint = path.extension() == ".hdr" ? "the header of an image has this ending; name the image .img"
                                                       : "give each of them a name of its own";
   }
-  if (!problems.empty()) throw BadInput(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
 void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& source, bool force) {

@@ -33,7 +33,7 @@ struct OutputNames {
 /// The simulation of a scene that writes a file of this name (`output_names`), ignoring its folder and case; otherwise
 /// the one that writes it with another extension; otherwise the one that `--format` gives this name. Nothing where none
 /// does.
-/// @param hint  what to do where several could have written it, which is BadInput
+/// @param hint  what to do where several could have written it, which is core::Refused
 [[nodiscard]] std::optional<std::size_t> simulation_that_writes(const std::filesystem::path& file,
                                                                 const scene::Scene& scene, const std::string& hint);
 
@@ -46,8 +46,8 @@ struct OutputCare {
   std::string option = {};
 };
 
-/// Throws BadInput with everything that keeps files from being made: `problems_of_output` of each, and names that two
-/// of them have.
+/// Throws core::Refused with everything that keeps files from being made: `problems_of_output` of each, and names that
+/// two of them have.
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const OutputCare& care);
 /// The same of outputs that are made from one file and named by --out.
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const std::filesystem::path& source,

@@ -23,7 +23,7 @@ namespace {
 void take(core::Problems& all, core::Problems more) { std::ranges::move(more, std::back_inserter(all)); }
 
 void expect_sound(core::Problems problems) {
-  if (core::has_errors(problems)) throw BadInput(core::ranked(std::move(problems)));
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
 }
 
 // The simulation that is named, or else the first that suits, or else the first.
@@ -31,15 +31,15 @@ void expect_sound(core::Problems problems) {
 std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& script,
                                 std::optional<std::int64_t> wanted, const Suits& suits) {
   if (scene.simulations.empty()) {
-    BadInput none("the script has no $SIMULATION, which says what is recorded", "add one");
+    core::Refused none("the script has no $SIMULATION, which says what is recorded", "add one");
     none.problems.front().place.file = script;
     throw none;
   }
   if (wanted) {
     const auto number = static_cast<std::size_t>(*wanted);
     if (number >= 1 && number <= scene.simulations.size()) return number - 1;
-    throw BadInput(fmt::format("--simulation: the script has no simulation {}", number),
-                   fmt::format("it has {}", scene.simulations.size()));
+    throw core::Refused(fmt::format("--simulation: the script has no simulation {}", number),
+                        fmt::format("it has {}", scene.simulations.size()));
   }
   const auto first =
       std::ranges::find_if(scene.simulations, [&](const scene::Simulation& s) { return suits(scene, s); });
@@ -53,7 +53,7 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
     const fs::path file(arguments.path);
     if (const auto found = simulation_that_writes(file, scene, hint)) return *found;
     if (scene.simulations.size() > 1)
-      throw BadInput(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
+      throw core::Refused(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
   }
   const std::string& script = arguments.script.empty() ? arguments.path : arguments.script;
   return simulation_of_scene(scene, script, arguments.simulation, suits);
@@ -71,8 +71,8 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
 scene::Scene scene_in_file(const std::string& path, const raster::SampleFileInfo& info, StoredRecording& recording) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
-    throw BadInput(fmt::format("'{}' does not say how it was recorded", path),
-                   "give the script that wrote it with --script");
+    throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
+                        "give the script that wrote it with --script");
   scene::ScriptReading reading =
       scene::read_script(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
@@ -90,13 +90,13 @@ void expect_no_overrides(const RecordingArguments& arguments) {
                                                 {"--seed", overrides.seed.has_value()}};
   for (const auto& [option, there] : given)
     if (there)
-      throw BadInput(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
-                     "leave it out, or give with --script the script that it shall stand in");
+      throw core::Refused(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
+                          "leave it out, or give with --script the script that it shall stand in");
 }
 
 raster::SampleFile opened(const std::string& path, const raster::SampleFileHints& hints, core::Problems& problems) {
   raster::OpenedSampleFile result = raster::SampleFile::open(path, hints);
-  if (!result.file) throw BadInput(core::ranked(std::move(result.problems)));
+  if (!result.file) throw core::Refused(core::ranked(std::move(result.problems)));
   take(problems, std::move(result.problems));
   return std::move(*result.file);
 }
@@ -105,9 +105,9 @@ raster::SampleFile opened(const std::string& path, const raster::SampleFileHints
 void expect_no_image(const std::string& path) {
   const auto format = raster::format_from_path(path);
   if ((format && *format != scene::FileFormat::npy) || !raster::has_envi_header(path)) return;
-  throw BadInput(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
-                             raster::envi_header_of(path).filename().string()),
-                 "name the script or the recording that it was made from");
+  throw core::Refused(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
+                                  raster::envi_header_of(path).filename().string()),
+                      "name the script or the recording that it was made from");
 }
 
 raster::SampleFileHints hints_of(const simulate::Plan& plan) {
@@ -121,9 +121,9 @@ raster::SampleFileHints hints_of(const simulate::Plan& plan) {
 
 void expect_shape(const raster::SampleFileInfo& info, const simulate::Plan& plan, const std::string& path) {
   if (info.rows == plan.rows && info.columns == plan.columns) return;
-  throw BadInput(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
-                             info.rows, info.columns, plan.rows, plan.columns),
-                 "name the script and the simulation that wrote it with --script and --simulation");
+  throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
+                                  info.rows, info.columns, plan.rows, plan.columns),
+                      "name the script and the simulation that wrote it with --script and --simulation");
 }
 
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
@@ -171,7 +171,8 @@ bool records_pulses(const scene::Scene& /*scene*/, const scene::Simulation& simu
 
 ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
                               const core::WorkControl& control) {
-  if (!arguments.script.empty()) throw BadInput("--script is for files of samples", "a script needs no other script");
+  if (!arguments.script.empty())
+    throw core::Refused("--script is for files of samples", "a script needs no other script");
   ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
   expect_usable(recording.input);
   recording.simulation = simulation_of_scene(recording.input.scene, arguments.path, arguments.simulation, suits);

@@ -47,7 +47,7 @@ struct ScriptedRecording {
   std::size_t simulation = 0;  ///< Position in the script's list.
 };
 
-/// Reads the script of the arguments and finds the simulation. Throws BadInput with all problems where the script
+/// Reads the script of the arguments and finds the simulation. Throws core::Refused with all problems where the script
 /// cannot be simulated or has no such simulation.
 [[nodiscard]] ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
                                             const core::WorkControl& control);
@@ -62,7 +62,7 @@ struct StoredRecording {
 };
 
 /// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one
-/// that they name or that writes a file of that name. Throws BadInput where script and file do not fit each other.
+/// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
 /// @param problems_of  what stands against the plan, asked before the samples are opened; errors end it
 [[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                              const std::function<core::Problems(const simulate::Plan&)>& problems_of);

@@ -44,14 +44,15 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
   if (choice.number) {
     if (*choice.number >= 1 && static_cast<std::size_t>(*choice.number) <= scene.simulations.size())
       return static_cast<std::size_t>(*choice.number) - 1;
-    throw BadInput(fmt::format("--simulation: the script has no simulation {}", *choice.number),
-                   fmt::format("it has {}", scene.simulations.size()));
+    throw core::Refused(fmt::format("--simulation: the script has no simulation {}", *choice.number),
+                        fmt::format("it has {}", scene.simulations.size()));
   }
   const fs::path name = fs::path(path).filename();
   const auto found = simulation_that_writes(
       name, scene, "give the file the whole name that the script has for it, or " + choice.other_ways());
   if (found) return *found;
-  throw BadInput(fmt::format("no simulation of {} writes '{}'", script, name.string()), ways_to_outputs(scene, choice));
+  throw core::Refused(fmt::format("no simulation of {} writes '{}'", script, name.string()),
+                      ways_to_outputs(scene, choice));
 }
 
 // The simulation that writes a file, with its plan.
@@ -83,7 +84,7 @@ raster::SampleFileHints hints_said(const std::string& path, const SampleArgument
   }
   if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
   if (arguments.lsb_v) {
-    if (!(*arguments.lsb_v > 0.0)) throw BadInput("--lsb must be above 0", "give the volts of one count");
+    if (!(*arguments.lsb_v > 0.0)) throw core::Refused("--lsb must be above 0", "give the volts of one count");
     hints.lsb_v = *arguments.lsb_v;
   }
   return hints;
@@ -115,7 +116,7 @@ simulate::Plan plan_of_file(const std::string& path, const std::string& script,
 
 raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints, Streams& streams) {
   raster::OpenedSampleFile opened = raster::SampleFile::open(path, hints);
-  if (!opened.file) throw BadInput(core::ranked(std::move(opened.problems)));
+  if (!opened.file) throw core::Refused(core::ranked(std::move(opened.problems)));
   print_problems(streams, core::ranked(std::move(opened.problems)));
   return std::move(*opened.file);
 }

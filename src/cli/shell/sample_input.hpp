@@ -24,7 +24,7 @@ struct SampleArguments {
 void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
 
 /// The hints for a file: what was said on the command line, otherwise what the simulation of --script with that output
-/// name says. Throws BadInput where the script has errors or no such simulation.
+/// name says. Throws core::Refused where the script has errors or no such simulation.
 [[nodiscard]] raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
 /// The same of a command that has --simulation, which its hints name.
 /// @param simulation  its number from 1, where the name shall not decide
@@ -32,11 +32,11 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
                                                 std::optional<std::int64_t> simulation);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
-/// BadInput like `hints_for`.
+/// core::Refused like `hints_for`.
 [[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
                                           std::optional<std::int64_t> simulation = {});
 
-/// Opens a file of samples; prints warnings, throws BadInput for errors.
+/// Opens a file of samples; prints warnings, throws core::Refused for errors.
 [[nodiscard]] raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints,
                                               Streams& streams);
 

@@ -149,7 +149,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   apply(overrides, input.scene);
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
-      throw BadInput(std::move(mistakes));
+      throw core::Refused(std::move(mistakes));
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
@@ -198,7 +198,7 @@ void expect_usable(const SceneInput& input, bool strict) {
   const auto fatal = [strict](const core::Problem& p) {
     return p.severity == core::Severity::error || (strict && p.severity == core::Severity::warning);
   };
-  if (std::ranges::any_of(input.problems, fatal)) throw BadInput(input.problems);
+  if (std::ranges::any_of(input.problems, fatal)) throw core::Refused(input.problems);
 }
 
 std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
@@ -208,7 +208,8 @@ std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
   for (const scene::Radar& radar : scene.radars) names.push_back(radar.name);
   const std::string nearest = core::nearest_word(name, names);
   const std::string others = names.empty() ? "it defines none" : "its first is '" + names.front() + "'";
-  throw BadInput("the scene has no radar '" + name + "'", nearest.empty() ? others : "did you mean '" + nearest + "'?");
+  throw core::Refused("the scene has no radar '" + name + "'",
+                      nearest.empty() ? others : "did you mean '" + nearest + "'?");
 }
 
 }  // namespace sarsim::cli

@@ -58,10 +58,10 @@ struct WantedProducts {
   std::vector<std::size_t> geometries;
 };
 
-/// Says what is wanted of a scene whose text is sound; throws BadInput for what it does not have.
+/// Says what is wanted of a scene whose text is sound; throws core::Refused for what it does not have.
 using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 
-/// Reads and checks a script. Settings that cannot be made are BadInput, all at once. Where the text holds errors,
+/// Reads and checks a script. Settings that cannot be made are core::Refused, all at once. Where the text holds errors,
 /// objects that have one are not checked further.
 /// @param choose  what stands against other products is no problem; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
@@ -77,10 +77,10 @@ using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 /// Makes `input.resolved` of a sound scene where it is still empty.
 void resolve_once(SceneInput& input, const core::WorkControl& control);
 
-/// Throws BadInput with all problems where one of them is an error; where `strict`, also where one is a warning.
+/// Throws core::Refused with all problems where one of them is an error; where `strict`, also where one is a warning.
 void expect_usable(const SceneInput& input, bool strict = false);
 
-/// Number of the radar, platform ... named in an option; throws BadInput with the nearest name.
+/// Number of the radar, platform ... named in an option; throws core::Refused with the nearest name.
 [[nodiscard]] std::size_t radar_named(const scene::Scene& scene, const std::string& name);
 
 }  // namespace sarsim::cli

@@ -9,8 +9,8 @@ namespace sarsim::cli {
 signal::SarWindow window_of(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   if (const auto window = signal::window_from_text(text)) return *window;
-  throw BadInput(fmt::format("{}: '{}' is no window", option, text),
-                 "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
+  throw core::Refused(fmt::format("{}: '{}' is no window", option, text),
+                      "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 
 signal::WindowFunction window_function(const std::string& option, const std::string& text) {

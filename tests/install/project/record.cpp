@@ -35,20 +35,22 @@ std::uint64_t checksum(const std::vector<std::complex<double>>& samples) {
 }
 
 int record(const char* script, const char* file) {
-  const sarsim::ScriptReading reading = sarsim::read_script_file(script);
-  sarsim::Problems problems = reading.problems;
-  if (!has_errors(problems)) problems = sarsim::check(reading.scene);
-  for (const sarsim::Problem& problem : problems) std::cerr << to_string(problem) << '\n';
+  const sarsim::scene::ScriptReading reading = sarsim::scene::read_script_file(script);
+  sarsim::core::Problems problems = reading.problems;
+  if (!has_errors(problems)) problems = sarsim::scene::check(reading.scene);
+  for (const sarsim::core::Problem& problem : problems) std::cerr << to_string(problem) << '\n';
   if (has_errors(problems)) return 2;
 
-  const sarsim::Plan plan = sarsim::make_plan(reading.scene, 0, nullptr, sarsim::Engine::automatic);
-  const sarsim::Recording recording = sarsim::record(plan);
-  std::cout << "sarsim " << sarsim::program_version << '\n'
+  const sarsim::simulate::Plan plan =
+      sarsim::simulate::make_plan(reading.scene, 0, nullptr, sarsim::simulate::Engine::automatic);
+  const sarsim::simulate::Recording recording = sarsim::simulate::record(plan);
+  std::cout << "sarsim " << sarsim::core::program_version << '\n'
             << plan.rows << " x " << plan.columns << '\n'
             << std::hex << checksum(recording.samples) << '\n';
 
-  const sarsim::Product product = product_of(plan, sarsim::write_script(reading.scene));
-  const std::unique_ptr<sarsim::Sink> sink = make_sink(file, product, {sarsim::FileFormat::hdf5});
+  const sarsim::simulate::Product product = product_of(plan, sarsim::scene::write_script(reading.scene));
+  const std::unique_ptr<sarsim::simulate::Sink> sink =
+      sarsim::raster::make_sink(file, product, {sarsim::scene::FileFormat::hdf5});
   run(plan, plan.simulation.lsb_v, *sink, {});
   return 0;
 }
