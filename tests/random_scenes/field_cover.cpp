@@ -68,7 +68,7 @@ FieldCover::FieldCover(const std::filesystem::path& schema_folder) {
 
 void FieldCover::read_tables(const std::string& text) {
   static const std::regex part(
-      R"re(namespace (?:sarsim::script::)?(\w+)_grammar \{|Field \w+\{\s*"([^"]+)"|\{"([A-Z0-9_]{3,})",)re");
+      R"re(namespace (?:sarsim::scene::script::)?(\w+)_grammar \{|Field \w+\{\s*"([^"]+)"|\{"([A-Z0-9_]{3,})",)re");
   std::string kind;
   for (auto match = std::sregex_iterator(text.begin(), text.end(), part); match != std::sregex_iterator(); ++match) {
     if ((*match)[1].matched) kind = (*match)[1];

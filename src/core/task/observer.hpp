@@ -30,9 +30,11 @@ struct Observer {
     if (!progress) return {};
     return [this, name = std::move(name)](const Progress& p) { progress(name, p); };
   }
+  /// Hands problems on, where there are any.
   void remarks(const Problems& problems) const {
     if (remark && !problems.empty()) remark(problems);
   }
+  /// Hands a line on.
   void announces(const std::string& line) const {
     if (announce) announce(line);
   }
