@@ -13,6 +13,7 @@ namespace sarsim::cli {
 /// standard error. Quiet, it shows nothing.
 class Watch {
  public:
+  /// @param streams  must outlive this object
   Watch(Streams& streams, bool quiet);
 
   /// The observer to hand to a workflow; valid as long as this object.
