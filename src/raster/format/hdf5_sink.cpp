@@ -153,7 +153,7 @@ void Hdf5Sink::write_attributes() {
     return !is_known(product_, name) || write_attribute(root, name, value...);
   };
   expect(write_attribute(root, "format_version", format_version) &&
-         write_attribute(root, "core::program_version", std::string(core::program_version)) &&
+         write_attribute(root, "program_version", std::string(core::program_version)) &&
          put("script", product_.script) && put("radar", product_.radar) &&
          put("processing", std::string(name_of(product_.processing))) &&
          put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&

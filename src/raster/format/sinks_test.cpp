@@ -272,7 +272,7 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   EXPECT_EQ(attributes.at("radar"), "Radar1");
   EXPECT_EQ(attributes.at("format_version"), "1");
   EXPECT_EQ(attributes.at("tolerance"), "1E-06");
-  EXPECT_FALSE(attributes.at("core::program_version").empty());
+  EXPECT_FALSE(attributes.at("program_version").empty());
   const auto axes = opened.file->axes();
   ASSERT_TRUE(axes);
   for (std::size_t row = 0; row < product.rows; ++row) {
