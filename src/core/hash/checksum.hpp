@@ -1,19 +1,29 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
+
+struct XXH64_state_s;  // of <xxhash.h>, which who includes this need not have
 
 namespace sarsim::core {
 
 /// Checksum of bytes that come piece by piece: XXH64 with seed 0, 64 bits, several GB/s.
 ///
-/// Source: Y. Collet, "XXH64 algorithm description", xxHash specification 0.1.1. It finds accidents, not forgeries: a
-/// changed block escapes with probability 2^-64.
+/// Source: libxxhash (Y. Collet). It finds accidents, not forgeries: a changed block escapes with probability 2^-64.
+/// Moved-from ones may only be assigned to or destroyed.
 class Checksum {
  public:
+  /// Of nothing so far.
+  /// @throws std::bad_alloc
+  Checksum();
+  Checksum(const Checksum& other);
+  Checksum(Checksum&& other) noexcept = default;
+  Checksum& operator=(Checksum other) noexcept;
+  ~Checksum() = default;
+
   /// Takes in bytes; the sum of parts added in turn is that of all of them together.
   void add(std::span<const std::byte> bytes);
   void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
@@ -21,17 +31,15 @@ class Checksum {
   [[nodiscard]] std::uint64_t value() const;
 
  private:
-  static constexpr std::size_t stripe_bytes = 32;
+  struct Free {
+    void operator()(XXH64_state_s* state) const noexcept;
+  };
 
-  void take_stripe(const std::byte* stripe);
-
-  std::array<std::uint64_t, 4> lanes_{0x60ea27eeadc0b5d6U, 0xc2b2ae3d27d4eb4fU, 0, 0x61c8864e7a143579U};
-  std::array<std::byte, stripe_bytes> rest_{};
-  std::size_t rest_size_ = 0;
-  std::uint64_t size_ = 0;
+  std::unique_ptr<XXH64_state_s, Free> state_;
 };
 
-/// Checksum of a text at once.
+/// Checksum of bytes at once.
+[[nodiscard]] std::uint64_t checksum_of(std::span<const std::byte> bytes);
 [[nodiscard]] std::uint64_t checksum_of(std::string_view text);
 
 }  // namespace sarsim::core

@@ -28,6 +28,17 @@ TEST(Checksum, DoesNotDependOnHowTheBytesArePieced) {
     EXPECT_EQ(in_pieces(text, piece), checksum_of(text));
 }
 
+TEST(Checksum, GoesOnFromACopyWithoutTouchingTheOther) {
+  Checksum sum;
+  sum.add("a");
+  Checksum copy = sum;
+  copy.add("bc");
+  EXPECT_EQ(sum.value(), checksum_of("a"));
+  EXPECT_EQ(copy.value(), checksum_of("abc"));
+  sum = copy;
+  EXPECT_EQ(sum.value(), copy.value());
+}
+
 TEST(Checksum, SeesEveryByteAndTheLength) {
   const std::string text(100, 'x');
   for (std::size_t i = 0; i < text.size(); ++i) {

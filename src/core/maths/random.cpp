@@ -4,7 +4,9 @@
 
 #include <Random123/philox.h>
 
+#include "core/hash/fnv1a.hpp"
 #include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
 
 namespace sarsim::core {
 
@@ -46,13 +48,6 @@ std::array<double, 2> RandomStream::normals(std::int64_t major, std::int64_t min
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-std::uint64_t name_key(std::string_view name) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : name) {
-    const char folded = (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
-    hash = (hash ^ static_cast<unsigned char>(folded)) * 0x100000001b3U;
-  }
-  return hash;
-}
+std::uint64_t name_key(std::string_view name) { return fnv1a(lower_case(name)); }
 
 }  // namespace sarsim::core

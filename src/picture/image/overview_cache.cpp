@@ -3,18 +3,18 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fstream>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/hash/checksum.hpp"
 #include "scene/edit/text_file.hpp"
 
 namespace sarsim::picture {
@@ -26,22 +26,8 @@ namespace fs = std::filesystem;
 // Magic, format, length of the key, key, count, checksum of the numbers, numbers; the machine's own byte order, which
 // the format number shows.
 constexpr std::string_view magic = "SARSIMOV";
-constexpr std::uint32_t format = 1;
+constexpr std::uint32_t format = 2;
 constexpr std::string_view extension = ".overview";
-
-// FNV-1a, eight bytes at a time.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325U;
-  constexpr std::uint64_t prime = 0x100000001b3U;
-  while (!bytes.empty()) {
-    std::uint64_t part = 0;
-    const std::size_t size = std::min(sizeof part, bytes.size());
-    std::memcpy(&part, bytes.data(), size);
-    bytes.remove_prefix(size);
-    sum = std::rotl((sum ^ part) * prime, 23);
-  }
-  return sum;
-}
 
 template <class Number>
 void append(std::string& text, Number value) {
@@ -54,7 +40,7 @@ std::string head_of(const std::string& key, const std::vector<float>& numbers) {
   append(head, static_cast<std::uint32_t>(key.size()));
   head += key;
   append(head, static_cast<std::uint64_t>(numbers.size()));
-  append(head, checksum({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)}));
+  append(head, core::checksum_of(std::as_bytes(std::span(numbers))));
   return head;
 }
 
@@ -86,7 +72,7 @@ OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_
     : folder_(std::move(folder)), identity_(std::move(identity)), most_bytes_(most_bytes) {}
 
 fs::path OverviewCache::file_of(const std::string& words) const {
-  return folder_ / fmt::format("{:016x}{}", checksum(identity_ + "\n" + words), extension);
+  return folder_ / fmt::format("{:016x}{}", core::checksum_of(identity_ + "\n" + words), extension);
 }
 
 std::optional<std::vector<float>> OverviewCache::load(const std::string& words, std::size_t count) const {

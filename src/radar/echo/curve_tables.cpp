@@ -5,9 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
+#include "core/hash/checksum.hpp"
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
@@ -309,10 +311,12 @@ bool same_function(const core::Interpolator& a, const core::Interpolator& b) {
 }
 
 std::size_t hash_of(const std::vector<core::Knot>& knots) {
-  std::size_t hash = knots.size();
-  for (const core::Knot& knot : knots)
-    for (const double x : {knot.x, knot.y}) hash = (hash ^ std::hash<double>()(x)) * 0x100000001b3U;
-  return hash;
+  core::Checksum sum;
+  for (const core::Knot& knot : knots) {
+    const std::array point{knot.x + 0.0, knot.y + 0.0};  // 0 and -0 are equal
+    sum.add(std::as_bytes(std::span(point)));
+  }
+  return sum.value();
 }
 
 }  // namespace
