@@ -100,6 +100,14 @@ std::size_t files_ending(const std::string& ending) {
   return count;
 }
 
+std::size_t files_being_written() {
+  std::size_t count = 0;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(recovery_folder(), none))
+    if (entry.path().filename().string().find(".partial-") != std::string::npos) ++count;
+  return count;
+}
+
 // A workbench in a process of its own.
 class Victim {
  public:
@@ -248,10 +256,10 @@ class RecoveryKillTest : public QObject {
       QVERIFY(said >= 1);
       QElapsedTimer timer;
       timer.start();
-      while (files_ending(".part") == 0 && timer.elapsed() < patience_ms) std::this_thread::yield();
+      while (files_being_written() == 0 && timer.elapsed() < patience_ms) std::this_thread::yield();
       std::this_thread::sleep_for(std::chrono::microseconds(wait_us));
       victim.kill();
-      in_the_middle += files_ending(".part");
+      in_the_middle += files_being_written();
       if (const QByteArray last = victim.last_line(); !last.isEmpty()) said = last.toInt();
       const std::vector<scene::Recovery::Copy> copies = scene::Recovery::orphans(recovery_folder());
       QCOMPARE(copies.size(), std::size_t{1});

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/hash/fnv1a.hpp"
 #include "scene/edit/text_file.hpp"
 
 namespace sarsim::scene {
@@ -23,15 +24,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view ending = ".recovery";
-constexpr std::string_view part_beginning = ".sarsim-";  // of files that write_text_file has not completed
+// Of files that write_text_file has not completed: ".NAME.partial-PID-N", of earlier programs ".sarsim-PID-N.part".
+constexpr std::string_view part_mark = ".partial-";
+constexpr std::string_view earlier_part_beginning = ".sarsim-";
+constexpr std::string_view earlier_part_ending = ".part";
 constexpr std::string_view first_line = "Sarsim recovery copy 1\n";
-
-// FNV-1a, 64 bits: tells a damaged copy from a whole one.
-std::uint64_t digest(std::string_view bytes) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-  return hash;
-}
 
 // When a process was started, in ticks since the system was (Linux, proc(5), field 22); 0 where that is not known. A
 // number is given to another process one day; the two together are not.
@@ -74,8 +71,8 @@ struct Content {
 
 std::string packed(std::uint64_t start, const fs::path& document, const std::string& text) {
   const std::string content = document.string() + text;
-  return fmt::format("{}{} {} {} {}\n{}", first_line, start, document.string().size(), text.size(), digest(content),
-                     content);
+  return fmt::format("{}{} {} {} {}\n{}", first_line, start, document.string().size(), text.size(),
+                     core::fnv1a(content), content);
 }
 
 std::optional<Content> unpacked(std::string_view copy) {
@@ -90,7 +87,7 @@ std::optional<Content> unpacked(std::string_view copy) {
   const auto text_size = take_number(line);
   const auto sum = take_number(line);
   if (!start || !path_size || !text_size || !sum) return std::nullopt;
-  if (*path_size > content.size() || content.size() - *path_size != *text_size || digest(content) != *sum)
+  if (*path_size > content.size() || content.size() - *path_size != *text_size || core::fnv1a(content) != *sum)
     return std::nullopt;
   return Content{*start, fs::path(content.substr(0, *path_size)), std::string(content.substr(*path_size))};
 }
@@ -117,8 +114,13 @@ long owner_of(const fs::path& file) {
 long writer_of(const fs::path& file) {
   const std::string whole = file.filename().string();
   std::string_view name = whole;
-  if (!name.starts_with(part_beginning) || !name.ends_with(".part")) return 0;
-  name.remove_prefix(part_beginning.size());
+  if (name.starts_with(earlier_part_beginning) && name.ends_with(earlier_part_ending)) {
+    name.remove_prefix(earlier_part_beginning.size());
+  } else if (const std::size_t mark = name.rfind(part_mark); name.starts_with('.') && mark != std::string_view::npos) {
+    name.remove_prefix(mark + part_mark.size());
+  } else {
+    return 0;
+  }
   return static_cast<long>(std::min(take_number(name, '-').value_or(0), std::uint64_t{1} << 62));
 }
 

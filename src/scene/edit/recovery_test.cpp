@@ -114,8 +114,9 @@ TEST_F(RecoveryFolder, FindsTheCopiesOfEarlierVersions) {
 
 TEST_F(RecoveryFolder, SweepsAwayWhatKilledWritersLeft) {
   fs::create_directories(folder_);
-  const auto part = [this](long process) {
-    fs::path file = folder_ / (".sarsim-" + std::to_string(process) + "-0.part");
+  const auto part = [this](long process, bool earlier = false) {
+    const std::string number = std::to_string(process);
+    fs::path file = folder_ / (earlier ? ".sarsim-" + number + "-0.part" : ".1-2.recovery.partial-" + number + "-0");
     std::ofstream(file) << "half a co";
     return file;
   };
@@ -123,13 +124,14 @@ TEST_F(RecoveryFolder, SweepsAwayWhatKilledWritersLeft) {
     fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(1));
   };
   const fs::path of_dead = part(dead_process());
+  const fs::path of_earlier = part(dead_process(), true);
   const fs::path young = part(dead_process());
   const fs::path of_living = part(::getpid());
   const fs::path foreign = folder_ / ".sarsim-notes.part";
   std::ofstream(foreign) << "x";
-  for (const fs::path& file : {of_dead, of_living, foreign}) age(file);
+  for (const fs::path& file : {of_dead, of_earlier, of_living, foreign}) age(file);
   EXPECT_TRUE(Recovery::orphans(folder_).empty());
-  EXPECT_FALSE(fs::exists(of_dead));
+  EXPECT_FALSE(fs::exists(of_dead) || fs::exists(of_earlier));
   EXPECT_TRUE(fs::exists(young) && fs::exists(of_living) && fs::exists(foreign));
 }
 
