@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/maths/constants.hpp"
 #include "gui/common/gesture_plot.hpp"
 #include "picture/echo/echo_curves.hpp"
 #include "picture/echo/echo_matrix.hpp"
@@ -77,7 +78,7 @@ class EchoPlot : public GesturePlot {
   [[nodiscard]] picture::EchoView view() const { return picture::view_of(window_); }
 
   picture::EchoWindow window_;
-  double light_speed_mps_ = 299792458.0;
+  double light_speed_mps_ = core::exact_light_speed_mps;
   std::shared_ptr<const picture::EchoMatrix> matrix_;
   picture::EchoColours colours_;
   picture::EchoImage image_;
