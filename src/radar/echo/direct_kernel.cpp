@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::radar {
 
@@ -75,7 +76,7 @@ void DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
     const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k]);
     if (on.begin >= on.end) continue;
     const Source source{echoes.delay_s[k], echoes.amplitude_sqrt_w[k],
-                        2.0 * echoes.speed_mps[k] / pulse_->light_speed_mps, carrier_hz};
+                        delay_of(echoes.speed_mps[k], pulse_->light_speed_mps), carrier_hz};
     if (!shape_) {
       append_tones(source, on, tones_);
       continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::radar {
 
@@ -43,7 +44,7 @@ void add_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, con
       for (std::size_t i = on.begin; i < on.end; ++i)
         shape[i - on.begin] = pulse.pulse.value(std::max(0.0, after_edge(i)), tolerance_s);
 
-    const double doppler = 2.0 * echoes.speed_mps[k] / pulse.light_speed_mps;
+    const double doppler = delay_of(echoes.speed_mps[k], pulse.light_speed_mps);
     const std::complex<double> amplitude =
         echoes.amplitude_sqrt_w[k] * turn(-cycle_fraction(carrier_hz * echoes.delay_s[k]));
     if (doppler == 0.0) {

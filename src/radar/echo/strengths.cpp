@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "radar/echo/strengths.cpp"
@@ -35,7 +36,7 @@ HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) 
   const auto amplitude = hn::LoadU(dd, at.amplitude);
   Vectors<Real> out;
   out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, frame.origin_s)), hn::Set(dd, 1.0 / frame.interval_s));
-  out.doppler = hn::Mul(hn::LoadU(dd, at.speed), hn::Set(dd, 2.0 / frame.light_speed_mps));
+  out.doppler = hn::Mul(hn::LoadU(dd, at.speed), hn::Set(dd, delay_of(1.0, frame.light_speed_mps)));
   const auto turns = fraction_of_turn(hn::Mul(delay, hn::Set(dd, -frame.carrier_hz)));
   auto c = hn::Zero(dd);
   auto s = hn::Zero(dd);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 #include "radar/waveform/pulse_shape.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/model/limits.hpp"
@@ -215,7 +216,7 @@ void check_ranges(Findings& findings, const Simulation& simulation, const radar:
                       .found = value_text(simulation.range_start_m, "m"),
                       .expected = "0 m or more",
                       .hint = {}});
-  const double unambiguous_m = 0.5 * core::exact_light_speed_mps * repetition.shortest_interval_s();
+  const double unambiguous_m = radar::range_of(repetition.shortest_interval_s(), core::exact_light_speed_mps);
   if (simulation.range_end_m <= unambiguous_m) return;
   findings.warning(Consequence::lost_signal, "range_end_m",
                    {.message = "the slant range window reaches beyond the unambiguous range",
@@ -270,8 +271,9 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
         Consequence::false_signal, "processing",
         {.message =
              "the frequency steps are wider apart than one over the pulse width: a profile is shorter than the pulse",
-         .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m", 0.5 * core::exact_light_speed_mps / step_hz,
-                              0.5 * core::exact_light_speed_mps * radar.pulse_width_s),
+         .found = fmt::format("profile of {:.4g} m, pulse of {:.4g} m",
+                              radar::range_of_cycle(step_hz, core::exact_light_speed_mps),
+                              radar::range_of(radar.pulse_width_s, core::exact_light_speed_mps)),
          .expected = fmt::format("steps up to {} or a pulse up to {}", value_text(1.0 / radar.pulse_width_s, "Hz"),
                                  value_text(1.0 / step_hz, "s")),
          .hint = "Targets of one range gate fold onto each other."});

@@ -8,6 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -274,7 +275,7 @@ struct Directions {
 
 Directions directions_of(const FocusedImage& image) {
   const double azimuth = image.azimuth.spectrum_centre_per_m;
-  const double range = image.range.spectrum_centre_per_m + 2.0 * image.carrier_hz / image.light_speed_mps;
+  const double range = image.range.spectrum_centre_per_m + radar::turns_per_m(image.carrier_hz, image.light_speed_mps);
   const double size = std::hypot(azimuth, range);
   // Below half a degree cuts along the axes differ by less than a tenth of a cell where the last sidelobes are counted.
   if (!(std::abs(azimuth) > 0.01 * size)) return {};

@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/phase_gradient.hpp"
 
 namespace sarsim::signal {
@@ -45,7 +46,7 @@ double piece_weight(long offset, long length, bool is_first, bool is_last) {
 class Sight {
  public:
   Sight(const FocusedImage& image, std::size_t size)
-      : sine_per_step_(0.5 * image.light_speed_mps / image.carrier_hz /
+      : sine_per_step_(radar::range_of_cycle(image.carrier_hz, image.light_speed_mps) /
                        (image.azimuth.step_m * static_cast<double>(size))),
         centre_(image.azimuth.spectrum_centre_per_m * image.azimuth.step_m * static_cast<double>(size)) {}
 

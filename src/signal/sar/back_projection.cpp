@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/turns.hpp"
 #include "core/report/expect.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/reference_track.hpp"
@@ -220,7 +221,7 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   image.values = back_project(echoes, grid, options, control, progress);
   ReferenceTrack line = fitted_track(echoes.track);
   if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
-  const double turns_per_m = 2.0 * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  const double turns_per_m = radar::turns_per_m(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   core::parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
       for (std::size_t column = 0; column < grid.columns; ++column) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "signal/sar/back_projection_kernel.cpp"
@@ -192,7 +193,7 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     // The change of c - v along the stretch: 2 d v'/(c - v)^2.
     const DoubleVec delay1 =
         hn::Mul(slowness, hn::MulAdd(hn::Mul(distance, v1), hn::Mul(slowness, hn::Set(d, 0.5)), u));
-    const DoubleVec doppler_scale = hn::Set(d, -2.0 * constants.carrier_hz / constants.light_speed_mps);
+    const DoubleVec doppler_scale = hn::Set(d, -radar::turns_per_m(constants.carrier_hz, constants.light_speed_mps));
     const DoubleVec fd = hn::Mul(doppler_scale, v);
     const DoubleVec fd1 = hn::Mul(doppler_scale, v1);
     const DoubleVec inverse_rate = hn::Set(d, constants.doppler_delay_s2);
@@ -382,8 +383,8 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
     }
     weight += static_cast<float>(w);
   }
-  const double delay_s = 2.0 * d / (constants.light_speed_mps - v);
-  const double fd = -2.0 * v * constants.carrier_hz / constants.light_speed_mps;
+  const double delay_s = radar::moving_delay_of(radar::there_and_back(d), v, constants.light_speed_mps);
+  const double fd = radar::doppler_of(v, constants.carrier_hz, constants.light_speed_mps);
   const double early_s = fd * constants.doppler_delay_s2;
   const double record = (delay_s - early_s - constants.first_delay_s) * constants.records_per_s;
   if (!(record >= 0.0 && record < static_cast<double>(constants.record_count) - 2.0)) return;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 
 namespace sarsim::signal {
@@ -48,7 +49,7 @@ class ChirpScaling : public RowFocuser {
   void scale(std::span<std::complex<float>> row, double cosine) const {
     const double fs = frame_.waveform.sample_rate_hz;
     const double half_rate = 0.5 * rate_hzps_ * (frame_.centroid_cosine / cosine - 1.0);
-    const double centre_s = 2.0 * frame_.reference_range_m / (frame_.waveform.light_speed_mps * cosine);
+    const double centre_s = radar::delay_of(frame_.reference_range_m, frame_.waveform.light_speed_mps * cosine);
     // Half the room beyond the samples stands for times before them.
     const std::size_t wrapped = row.size() - (row.size() - frame_.samples) / 2;
     for (std::size_t n = 0; n < row.size(); ++n) {
@@ -62,7 +63,7 @@ class ChirpScaling : public RowFocuser {
   void compress(std::span<std::complex<float>> row, double cosine) const {
     const double to_centroid = cosine / frame_.centroid_cosine;
     const double half_inverse_rate = 0.5 * to_centroid / rate_hzps_;
-    const double shift_s = 2.0 * frame_.reference_range_m / frame_.waveform.light_speed_mps *
+    const double shift_s = radar::delay_of(frame_.reference_range_m, frame_.waveform.light_speed_mps) *
                            (1.0 / cosine - 1.0 / frame_.centroid_cosine);
     const auto size = static_cast<float>(std::sqrt(to_centroid) / static_cast<double>(row.size()));
     for (std::size_t k = 0; k < row.size(); ++k) {

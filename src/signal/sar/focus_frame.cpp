@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/sinc_table.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -27,11 +28,11 @@ void set_range_axis(FocusFrame& frame) {
   const double fs = frame.waveform.sample_rate_hz;
   const double cosine = frame.centroid_cosine;
   const bool scaled = frame.options.method == FocusMethod::chirp_scaling;
-  frame.range.first_m = 0.5 * c * frame.first_delay_s * cosine;
-  frame.range.step_m = 0.5 * c / fs * (scaled ? cosine : 1.0);
+  frame.range.first_m = radar::range_of(frame.first_delay_s, c) * cosine;
+  frame.range.step_m = radar::range_of_cycle(fs, c) * (scaled ? cosine : 1.0);
   const double samples = static_cast<double>(frame.samples);
   frame.range.count = scaled ? frame.samples : static_cast<std::size_t>(std::ceil(samples * cosine));
-  frame.range.spectrum_centre_per_m = 2.0 * frame.waveform.carrier_hz * (cosine - 1.0) / c;
+  frame.range.spectrum_centre_per_m = radar::turns_of(cosine - 1.0, frame.waveform.carrier_hz, c);
   frame.reference_range_m = frame.range.at(0.5 * static_cast<double>(frame.range.count));
 }
 
@@ -108,7 +109,7 @@ double secondary_turns(const FocusFrame& frame, double range_hz, double sine, do
   const double f0 = frame.waveform.carrier_hz;
   const double root = std::sqrt(std::max(0.0, (f0 + range_hz) * (f0 + range_hz) - f0 * f0 * sine * sine));
   const double beyond = (2.0 * f0 + range_hz) * range_hz / (root + f0 * cosine) - range_hz / cosine;
-  return 2.0 * frame.reference_range_m / frame.waveform.light_speed_mps * beyond;
+  return radar::delay_of(frame.reference_range_m, frame.waveform.light_speed_mps) * beyond;
 }
 
 }  // namespace sarsim::signal

@@ -12,6 +12,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 #include "signal/sar/work_matrix.hpp"
 
@@ -229,7 +230,7 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
                              fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
-  const double most_hz = 2.0 * track.speed_mps * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  const double most_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
     problems.push_back(error("the Doppler centroid is that of no direction", centroid_hz,
                              fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_sine * most_hz),
@@ -240,7 +241,7 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
 void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
                     core::Problems& problems) {
   const SarWaveform& waveform = echoes.waveform;
-  const double most_hz = most_sine * 2.0 * track.speed_mps * waveform.carrier_hz / waveform.light_speed_mps;
+  const double most_hz = radar::turns_of(most_sine * track.speed_mps, waveform.carrier_hz, waveform.light_speed_mps);
   const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
   if (std::abs(options.doppler_centroid_hz) < most_hz && !(reached_hz < most_hz))
     problems.push_back(error("the Doppler frequencies of no direction are among those to be focused", reached_hz,
@@ -367,7 +368,7 @@ double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, cons
 }
 
 double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double squint_rad) {
-  return 2.0 * speed_mps * std::sin(squint_rad) * waveform.carrier_hz / waveform.light_speed_mps;
+  return radar::turns_of(speed_mps * std::sin(squint_rad), waveform.carrier_hz, waveform.light_speed_mps);
 }
 
 }  // namespace sarsim::signal

@@ -11,6 +11,7 @@
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
 #include "core/report/expect.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
 
 namespace sarsim::signal {
@@ -25,7 +26,7 @@ double delay_of(const core::Vec3& point_m, const core::Vec3& antenna_m, const co
                 double light_speed_mps) {
   const core::Vec3 r = point_m - antenna_m;
   const double d = core::norm(r);
-  return 2.0 * d * d / (light_speed_mps * d + core::dot(r, velocity_mps));
+  return radar::delay_of(d * d, light_speed_mps * d + core::dot(r, velocity_mps));
 }
 
 // One pulse's way from its antenna to the reference track.
@@ -84,8 +85,8 @@ constexpr std::size_t knot_spacing = 16;
 void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift, const EchoRows& echoes,
                    double common_s) {
   const SarWaveform& wave = echoes.waveform;
-  const double spacing_m = 0.5 * wave.light_speed_mps / wave.sample_rate_hz;
-  const double first_m = 0.5 * wave.light_speed_mps * echoes.first_delay_s;
+  const double spacing_m = radar::range_of_cycle(wave.sample_rate_hz, wave.light_speed_mps);
+  const double first_m = radar::range_of(echoes.first_delay_s, wave.light_speed_mps);
   const auto turns_at = [&](double sample) {
     const double range_m = std::max(first_m + sample * spacing_m, spacing_m);
     return wave.carrier_hz * (shift.late_s(range_m) - common_s);
@@ -220,7 +221,8 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
     core::expect(places_m[p] > places_m[p - 1], "azimuth resampling: the pulses do not ascend along the track");
   const double first_m = places_m.front();
   const double step_m = (places_m.back() - first_m) / static_cast<double>(pulses - 1);
-  const double turns_per_m = 2.0 * std::sin(squint_rad) * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  const double turns_per_m =
+      radar::turns_of(std::sin(squint_rad), echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   EchoRows out = echoes;
   for (std::size_t p = 0; p < pulses; ++p) {
     const double after_s = (first_m + static_cast<double>(p) * step_m) / speed;

@@ -3,6 +3,7 @@
 
 #include "core/maths/sinc_table.hpp"
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 
 namespace sarsim::signal {
@@ -22,7 +23,7 @@ class OmegaK : public RowFocuser {
         table_(static_cast<double>(frame.samples) / static_cast<double>(frame.range_size)) {}
 
   void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
-    const double a = 0.5 * frame_.waveform.light_speed_mps * doppler_hz / frame_.track.speed_mps;
+    const double a = radar::range_of(doppler_hz, frame_.waveform.light_speed_mps) / frame_.track.speed_mps;
     refer_to_middle(row, a);
     change_variable(row, a);
     fft_.inverse(row);
@@ -37,7 +38,7 @@ class OmegaK : public RowFocuser {
  private:
   [[nodiscard]] double motion() const { return frame_.track.speed_mps / frame_.waveform.light_speed_mps; }
   [[nodiscard]] double reference_delay_s() const {
-    return 2.0 * frame_.reference_range_m / frame_.waveform.light_speed_mps;
+    return radar::delay_of(frame_.reference_range_m, frame_.waveform.light_speed_mps);
   }
 
   // Takes the phase of the reference away: what remains is smooth enough to interpolate.
@@ -59,7 +60,7 @@ class OmegaK : public RowFocuser {
     const double fs = frame_.waveform.sample_rate_hz;
     const double b = motion();
     const double centre_hz = f0 * (frame_.centroid_cosine - 1.0);
-    const double first_s = 2.0 * (frame_.range.first_m - frame_.reference_range_m) / c;
+    const double first_s = radar::delay_of(frame_.range.first_m - frame_.reference_range_m, c);
     const double bins_per_hz = static_cast<double>(row.size()) / fs;
     const std::vector<std::complex<float>> spectrum(row.begin(), row.end());
     for (std::size_t k = 0; k < row.size(); ++k) {

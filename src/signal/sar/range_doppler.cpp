@@ -3,6 +3,7 @@
 
 #include "core/maths/sinc_table.hpp"
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 
 namespace sarsim::signal {
@@ -35,7 +36,7 @@ class RangeDoppler : public RowFocuser {
   // The target at the closest distance R stands at R/D.
   void straighten(std::span<std::complex<float>> row, double cosine) const {
     const double fs = frame_.waveform.sample_rate_hz;
-    const double per_m = 2.0 / (frame_.waveform.light_speed_mps * cosine) * fs;
+    const double per_m = radar::delay_of(1.0, frame_.waveform.light_speed_mps * cosine) * fs;
     std::vector<std::complex<float>> curved(row.begin(), row.end());
     for (std::size_t n = 0; n < frame_.range.count; ++n) {
       const double position = frame_.range.at(static_cast<double>(n)) * per_m - frame_.first_delay_s * fs;

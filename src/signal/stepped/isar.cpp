@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -17,7 +18,7 @@ namespace {
 double centre_delay_s(const TrackPoint& from, double light_speed_mps) {
   const double d = core::norm(from.position_m);
   const double v = core::dot(from.position_m, from.velocity_mps) / d;
-  return 2.0 * d / (light_speed_mps - v);
+  return radar::moving_delay_of(radar::there_and_back(d), v, light_speed_mps);
 }
 
 double repetition_hz(const std::vector<TrackPoint>& track) {
@@ -164,7 +165,7 @@ double cross_range_m_per_hz(const SarEchoes& echoes, const std::vector<TargetPos
   const core::Vec3 last = track.back().position_m;
   const double angle_rad = std::atan2(core::norm(core::cross(first, last)), core::dot(first, last));
   const double span_s = track.back().time_s - track.front().time_s;
-  return 0.5 * echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz * span_s / angle_rad;
+  return radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) * span_s / angle_rad;
 }
 
 }  // namespace sarsim::signal

@@ -6,6 +6,7 @@
 
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -16,7 +17,7 @@ ProfileAxis axis_of(const SteppedBand& band, double from_m, double to_m, std::si
   const double c = band.waveform().light_speed_mps;
   ProfileAxis axis;
   axis.first_m = from_m;
-  axis.step_m = 0.5 * c / (band.cell_hz() * static_cast<double>(transform));
+  axis.step_m = radar::range_of_cycle(band.cell_hz() * static_cast<double>(transform), c);
   axis.count = static_cast<std::size_t>(std::floor((to_m - from_m) / axis.step_m + 1e-9)) + 1;
   return axis;
 }
@@ -87,7 +88,7 @@ ProfileMaker::ProfileMaker(const SteppedBand& band, const WindowFunction& window
     for (double& w : weights_) w /= sum;
   gate_.resize(axis_.count);
   for (std::size_t i = 0; i < gate_.size(); ++i)
-    gate_[i] = band.gate_of(2.0 * axis_.at(static_cast<double>(i)) / band.waveform().light_speed_mps);
+    gate_[i] = band.gate_of(radar::delay_of(axis_.at(static_cast<double>(i)), band.waveform().light_speed_mps));
 }
 
 void ProfileMaker::make(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
@@ -127,7 +128,7 @@ std::vector<std::size_t> ProfileMaker::strong_gates(std::span<const std::complex
 // Bin i is the range axis_.at(i), but for the turn by the band's centre; beyond the period it repeats.
 void ProfileMaker::transform_gate(std::span<const std::complex<double>> joined, std::size_t gate,
                                   std::vector<std::complex<double>>& work) const {
-  const double first_s = 2.0 * axis_.first_m / band_.waveform().light_speed_mps;
+  const double first_s = radar::delay_of(axis_.first_m, band_.waveform().light_speed_mps);
   work.assign(fft_.size(), {});
   for (std::size_t k = 0; k < band_.cells(); ++k)
     work[k] = weights_[k] * joined[gate * band_.cells() + k] *
@@ -136,8 +137,8 @@ void ProfileMaker::transform_gate(std::span<const std::complex<double>> joined, 
 }
 
 void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::span<std::complex<double>> out) const {
-  const double first_s = 2.0 * axis_.first_m / band_.waveform().light_speed_mps;
-  const double step_s = 2.0 * axis_.step_m / band_.waveform().light_speed_mps;
+  const double first_s = radar::delay_of(axis_.first_m, band_.waveform().light_speed_mps);
+  const double step_s = radar::delay_of(axis_.step_m, band_.waveform().light_speed_mps);
   const double from_centre_hz = band_.frequency_hz(0) - band_.centre_hz();
   std::vector<std::complex<double>> work;
   std::size_t held = band_.gates();  // The gate whose bins `work` holds.

@@ -4,6 +4,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -12,7 +13,7 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
     : gate_turns_(std::move(gates_m)),
       weights_(static_cast<std::size_t>(steps)),
       fft_(static_cast<std::size_t>(steps)) {
-  for (double& gate : gate_turns_) gate *= 2.0 * step_hz / light_speed_mps;
+  for (double& gate : gate_turns_) gate *= radar::turns_per_m(step_hz, light_speed_mps);
   double sum = 0.0;
   double magnitudes = 0.0;
   for (std::size_t n = 0; n < weights_.size(); ++n) {

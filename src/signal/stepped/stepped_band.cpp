@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::signal {
 
@@ -153,7 +154,7 @@ void SteppedBand::join(std::span<const std::complex<double>> values, std::span<c
     const double carrier_hz = w.carrier_hz(step_of(p));
     const std::size_t first = first_cell(p);
     const PulseMotion moved = motion.empty() ? PulseMotion{} : motion[p];
-    const double doppler_hz = -2.0 * moved.speed_mps * carrier_hz / w.light_speed_mps;
+    const double doppler_hz = radar::doppler_of(moved.speed_mps, carrier_hz, w.light_speed_mps);
     const double early_s = w.sweep_rate_hz_per_s != 0.0 ? doppler_hz / w.sweep_rate_hz_per_s : 0.0;
     for (std::size_t k = 0; k < pulse_cells_; ++k) {
       const double hz = frequency_hz(first + k);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/maths/turns.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
 
 namespace sarsim::signal {
@@ -20,7 +21,7 @@ PulseMotion echo_of(const TrackPoint& antenna, const core::Vec3& point_m, double
   const core::Vec3 r = antenna.position_m - point_m;
   const double distance_m = core::norm(r);
   const double speed_mps = core::dot(r, antenna.velocity_mps) / distance_m;
-  return {2.0 * distance_m / (light_speed_mps - speed_mps), speed_mps};
+  return {radar::moving_delay_of(radar::there_and_back(distance_m), speed_mps, light_speed_mps), speed_mps};
 }
 
 // Weights of the bursts, sum 1.
@@ -77,7 +78,7 @@ struct Coupling {
 
 Coupling coupling_of(const SteppedWaveform& w, double carrier_hz, double speed_mps) {
   if (w.sweep_rate_hz_per_s == 0.0) return {};
-  const double doppler_hz = -2.0 * speed_mps * carrier_hz / w.light_speed_mps;
+  const double doppler_hz = radar::doppler_of(speed_mps, carrier_hz, w.light_speed_mps);
   const double early_s = doppler_hz / w.sweep_rate_hz_per_s;
   return {early_s, carrier_hz * early_s + 0.5 * doppler_hz * early_s};
 }
@@ -160,7 +161,7 @@ std::vector<PulseMotion> motion_of_origin(std::span<const TrackPoint> seen, doub
   motion.reserve(seen.size());
   if (seen.empty()) return motion;
   // The middle one is where the image is to be: at the range, not at the delay, of the origin.
-  const double middle_s = 2.0 * core::norm(seen[seen.size() / 2].position_m) / light_speed_mps;
+  const double middle_s = radar::delay_of(core::norm(seen[seen.size() / 2].position_m), light_speed_mps);
   for (const TrackPoint& antenna : seen) {
     motion.push_back(echo_of(antenna, {}, light_speed_mps));
     motion.back().delay_s -= middle_s;
@@ -186,7 +187,7 @@ FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& ech
       const std::size_t in_burst = p % w.burst_pulses();
       const double carrier_hz = w.carrier_hz(in_burst / w.pulses_per_step);
       const Coupling coupling = coupling_of(w, carrier_hz, echoes.motion[p].speed_mps);
-      const double delay_s = echoes.motion[p].delay_s + 2.0 * x_m * plane.lever[p] / w.light_speed_mps;
+      const double delay_s = echoes.motion[p].delay_s + radar::delay_of(x_m * plane.lever[p], w.light_speed_mps);
       add_turned(band, in_burst, echoes.values.subspan(p * band.values_per_pulse(), band.values_per_pulse()),
                  delay_s - coupling.early_s, coupling.turns, weights[p / w.burst_pulses()], joined);
     }
@@ -234,7 +235,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const double path_m = core::norm(middle.position_m - points[i]);
-      sums[i] *= core::turned_exactly(-2.0 * image.carrier_hz * path_m / w.light_speed_mps);
+      sums[i] *= core::turned_exactly(-radar::turns_of(path_m, image.carrier_hz, w.light_speed_mps));
       image.values[begin * columns + i] = std::complex<float>(sums[i]);
     }
     counter.add(sums.size());

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "radar/path/path.hpp"
+
 namespace sarsim::signal {
 
 double SteppedLimits::smear_cells(double speed_mps) const {
@@ -15,15 +17,15 @@ SteppedLimits limits_of(const SteppedBand& band, double pulse_interval_s) {
   SteppedLimits limits;
   limits.step_time_s = pulse_interval_s * static_cast<double>(w.pulses_per_step);
   limits.burst_time_s = limits.step_time_s * static_cast<double>(w.steps - 1);
-  limits.resolution_m = 0.5 * c / band.band_hz();
+  limits.resolution_m = radar::range_of_cycle(band.band_hz(), c);
   limits.unambiguous_range_m = limits.tolerable_mps = limits.ambiguous_mps = std::numeric_limits<double>::infinity();
-  if (w.subband_hz <= 0.0) limits.seen_m = 0.5 * c * (w.seen_to_s - w.seen_from_s);
+  if (w.subband_hz <= 0.0) limits.seen_m = radar::range_of(w.seen_to_s - w.seen_from_s, c);
   if (w.steps < 2) return limits;
-  limits.unambiguous_range_m = 0.5 * c / std::abs(w.carrier_step_hz);
+  limits.unambiguous_range_m = radar::range_of_cycle(std::abs(w.carrier_step_hz), c);
   limits.shift_m_per_mps = band.centre_hz() * limits.step_time_s / w.carrier_step_hz;
   limits.smear_m_per_mps = 2.0 * limits.burst_time_s;
   limits.tolerable_mps = 0.25 * limits.resolution_m / limits.burst_time_s;
-  limits.ambiguous_mps = 0.5 * c / (band.centre_hz() * limits.step_time_s);
+  limits.ambiguous_mps = radar::range_of_cycle(band.centre_hz() * limits.step_time_s, c);
   return limits;
 }
 

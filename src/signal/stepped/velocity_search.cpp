@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "radar/path/path.hpp"
+
 namespace sarsim::signal {
 
 namespace {
@@ -98,14 +100,15 @@ std::vector<PulseMotion> motion_of_speed(std::span<const double> time_s, double 
   std::vector<PulseMotion> motion;
   motion.reserve(time_s.size());
   for (const double t : time_s)
-    motion.push_back({2.0 * speed_mps * (t - at_s) / (light_speed_mps - speed_mps), speed_mps});
+    motion.push_back(
+        {radar::moving_delay_of(radar::there_and_back(speed_mps * (t - at_s)), speed_mps, light_speed_mps), speed_mps});
   return motion;
 }
 
 double middle_of(std::span<const double> time_s) { return 0.5 * (time_s.front() + time_s.back()); }
 
 double first_speed_step_mps(const SteppedBand& band, double span_s) {
-  const double cell_m = 0.5 * band.waveform().light_speed_mps / band.band_hz();
+  const double cell_m = radar::range_of_cycle(band.band_hz(), band.waveform().light_speed_mps);
   return 0.25 * cell_m / span_s;
 }
 

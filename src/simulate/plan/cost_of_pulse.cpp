@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radar/echo/shape_table.hpp"
+#include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -41,7 +42,7 @@ DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& rad
     const radar::Pointing pointing = geometry.pointing();
     DopplerRange here{1.0, -1.0};
     for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
-      const double d = 2.0 * geometry.view(i, pointing).speed_mps / scene.conventions.light_speed_mps;
+      const double d = radar::delay_of(geometry.view(i, pointing).speed_mps, scene.conventions.light_speed_mps);
       here = {std::min(here.lowest, d), std::max(here.highest, d)};
     }
     if (here.highest - here.lowest >= widest.highest - widest.lowest) widest = here;

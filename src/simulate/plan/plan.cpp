@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 #include "radar/receiver/noise.hpp"
 
 namespace sarsim::simulate {
@@ -20,7 +21,8 @@ double raw_interval_s(const scene::Simulation& simulation, const Conventions& co
   if (simulation.processing == scene::Processing::matched_filter ||
       conventions.spacing == Conventions::SampleSpacing::sampling_rate)
     return 1.0 / simulation.sample_rate_hz;
-  const double window_s = 2.0 * (simulation.range_end_m - simulation.range_start_m) / conventions.light_speed_mps;
+  const double window_s =
+      radar::delay_of(simulation.range_end_m - simulation.range_start_m, conventions.light_speed_mps);
   return window_s / static_cast<double>(count);
 }
 
@@ -57,7 +59,7 @@ std::vector<double> stc_gains(const Plan& plan) {
     return gain;
   gain.resize(plan.raw_grid.count);
   for (std::size_t i = 0; i < gain.size(); ++i) {
-    const double range_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.time_s(i);
+    const double range_m = radar::range_of(plan.raw_grid.time_s(i), plan.scene->conventions.light_speed_mps);
     gain[i] = plan.radar.stc == scene::Radar::Stc::user ? plan.radar.stc_gain.value(range_m) : range_m * range_m;
   }
   return gain;
@@ -71,7 +73,7 @@ std::vector<std::size_t> identity_indices(std::size_t count) {
 
 // Ranges of raw samples, given by their index from the start of the window.
 std::vector<double> ranges_m(const Plan& plan, const std::vector<std::size_t>& index) {
-  const double spacing_m = 0.5 * plan.scene->conventions.light_speed_mps * plan.raw_grid.interval_s;
+  const double spacing_m = radar::range_of(plan.raw_grid.interval_s, plan.scene->conventions.light_speed_mps);
   std::vector<double> ranges(index.size());
   for (std::size_t i = 0; i < index.size(); ++i)
     ranges[i] = plan.simulation.range_start_m + static_cast<double>(index[i]) * spacing_m;
@@ -89,7 +91,7 @@ std::int64_t first_sample_number(const radar::SampleGrid& grid) {
 void plan_samples(Plan& plan, std::size_t count) {
   const scene::Simulation& s = plan.simulation;
   const Conventions& conventions = plan.scene->conventions;
-  const double two_way_start_s = 2.0 * s.range_start_m / conventions.light_speed_mps;
+  const double two_way_start_s = radar::delay_of(s.range_start_m, conventions.light_speed_mps);
   const double interval_s = raw_interval_s(s, conventions, count);
   if (s.processing != scene::Processing::matched_filter) {
     plan.raw_grid = {two_way_start_s, interval_s, count};
@@ -130,8 +132,8 @@ void plan_rows(Plan& plan, std::size_t count) {
   const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
   plan.columns = count * steps;
   std::vector<double> gates_m = std::move(plan.column_range_m);
-  const double bin_m =
-      0.5 * plan.scene->conventions.light_speed_mps / (static_cast<double>(steps) * plan.radar.carrier.step_hz());
+  const double bin_m = radar::range_of_cycle(static_cast<double>(steps) * plan.radar.carrier.step_hz(),
+                                             plan.scene->conventions.light_speed_mps);
   plan.column_range_m.assign(plan.columns, 0.0);
   for (std::size_t c = 0; c < plan.columns; ++c)
     plan.column_range_m[c] = gates_m[c / steps] + static_cast<double>(c % steps) * bin_m;

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
+#include "radar/path/path.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
@@ -46,7 +47,8 @@ ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar
   view.distance_m = core::norm(sight.look_world_m);
   view.speed_mps =
       view.distance_m > 0.0 ? core::dot(sight.look_world_m, sight.velocity_world_mps) / view.distance_m : 0.0;
-  view.delay_s = 2.0 * view.distance_m / (scene_->conventions.light_speed_mps - view.speed_mps);
+  view.delay_s = radar::moving_delay_of(radar::there_and_back(view.distance_m), view.speed_mps,
+                                        scene_->conventions.light_speed_mps);
   const bool isotropic = radar_->transmit.kind == radar::AntennaPattern::Kind::isotropic &&
                          radar_->receive.kind == radar::AntennaPattern::Kind::isotropic;
   double gain = 1.0;

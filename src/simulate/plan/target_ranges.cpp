@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -24,11 +25,11 @@ void include(RangeExtent& extent, double range_m) {
 
 void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseGeometry& geometry,
                    const core::StopFlag* stop) {
-  const double half_light_mps = 0.5 * scene.conventions.light_speed_mps;
+  const double light_mps = scene.conventions.light_speed_mps;
   const radar::Pointing pointing = geometry.pointing();
   for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
     if (i % between_looks == 0) look_at(stop);
-    include(extent, half_light_mps * geometry.view(i, pointing).delay_s);
+    include(extent, radar::range_of(geometry.view(i, pointing).delay_s, light_mps));
   }
   for (const ScattererSheet& sheet : scene.sheets) {
     const radar::Pose& pose = geometry.pose(sheet.platform);

@@ -10,6 +10,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -156,7 +157,7 @@ void put_targets(PieceWriter& out, const TablePulses& pulses, const scene::Geome
   if ((table.columns & (geometry_delay | geometry_amplitude | geometry_speed)) == 0) return;
   for (std::size_t i = 0; i < pulses.targets(); ++i) {
     const ScattererView view = pulses.geometry().view(i);
-    const double range_m = 0.5 * pulses.light_speed_mps() * view.delay_s;
+    const double range_m = radar::range_of(view.delay_s, pulses.light_speed_mps());
     const bool seen = range_m >= table.range_start_m && range_m <= table.range_end_m;
     const auto put = [&](int bit, double value, int digits) {
       if ((table.columns & bit) == 0) return;

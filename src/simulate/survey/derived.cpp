@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radar/echo/reference_kernel.hpp"
+#include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "radar/waveform/pulse_shape.hpp"
 
@@ -43,14 +44,15 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   f.shortest_wavelength_m = c / f.highest_carrier_hz;
   f.bandwidth_hz = radar::bandwidth_hz(radar.pulse);
   const bool shaped = radar.pulse.kind == radar::Pulse::Kind::user;
-  f.range_resolution_m = 0.5 * c * (shaped ? radar::half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz);
+  f.range_resolution_m = radar::range_of(shaped ? radar::half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz, c);
   if (radar.carrier.steps() > 1)
-    f.synthetic_range_resolution_m = 0.5 * c / (radar.carrier.steps() * std::abs(radar.carrier.step_hz()));
+    f.synthetic_range_resolution_m =
+        radar::range_of_cycle(radar.carrier.steps() * std::abs(radar.carrier.step_hz()), c);
   f.pulse_length_m = c * radar.pulse.width_s;
   f.time_bandwidth = f.bandwidth_hz * radar.pulse.width_s;
   f.shortest_pri_s = radar.repetition.shortest_interval_s();
   f.mean_prf_hz = 1.0 / radar.repetition.mean_interval_s();
-  f.unambiguous_range_m = 0.5 * c * f.shortest_pri_s;
+  f.unambiguous_range_m = radar::range_of(f.shortest_pri_s, c);
   f.unambiguous_speed_mps = 0.25 * f.shortest_wavelength_m * f.mean_prf_hz;
   f.duty_cycle = radar.pulse.width_s * f.mean_prf_hz;
   f.mean_power_w = peak_power_w * f.duty_cycle * mean_square(radar.pulse);
@@ -79,8 +81,8 @@ double processing_gain(const Plan& plan) {
 SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey) {
   const double c = plan.scene->conventions.light_speed_mps;
   SimulationFigures f;
-  f.first_delay_s = 2.0 * plan.column_range_m.front() / c;
-  f.last_delay_s = 2.0 * plan.column_range_m.back() / c;
+  f.first_delay_s = radar::delay_of(plan.column_range_m.front(), c);
+  f.last_delay_s = radar::delay_of(plan.column_range_m.back(), c);
   if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
   f.sampling_ratio = plan.simulation.sample_rate_hz / radar::bandwidth_hz(plan.radar.pulse);
   f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;

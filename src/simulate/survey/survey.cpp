@@ -8,6 +8,7 @@
 
 #include "core/maths/window.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "simulate/survey/beam_passes.hpp"
 
@@ -153,7 +154,8 @@ class Surveyor {
     if (survey.totals.any_in_window || !plan.scene->sheets.empty()) return;
     const double nearest = survey.totals.nearest_m;
     const double farthest = survey.totals.farthest_m;
-    const double reach_m = 0.5 * plan.scene->conventions.light_speed_mps * (plan.pulse.last_s() - plan.pulse.first_s());
+    const double reach_m =
+        radar::range_of(plan.pulse.last_s() - plan.pulse.first_s(), plan.scene->conventions.light_speed_mps);
     add(core::Severity::warning, "range_start_m",
         "no echo falls into the slant range window: the recording will be empty" + scope_,
         fmt::format("{} to {} m", core::format_number(simulation_.range_start_m),

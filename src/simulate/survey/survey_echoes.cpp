@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/survey.hpp"
 
@@ -242,7 +243,7 @@ class Look {
 }  // namespace
 
 double unambiguous_range_m(const Plan& plan) {
-  return 0.5 * plan.scene->conventions.light_speed_mps * plan.radar.repetition.shortest_interval_s();
+  return radar::range_of(plan.radar.repetition.shortest_interval_s(), plan.scene->conventions.light_speed_mps);
 }
 
 EchoExtremes extremes_of(const TargetSurvey& target) {
