@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gui/runs/stored_simulations.hpp"
+#include "radar/path/path.hpp"
 #include "scene/check/check.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/derived.hpp"
@@ -44,7 +45,7 @@ void suit_ranges(const simulate::ResolvedScene& resolved, const simulate::Resolv
   for (const std::int64_t pulse : {pulses.first, pulses.last}) {
     geometry.set_pulse(pulse);
     for (std::size_t i = 0; i < resolved.scatterers.size(); ++i) {
-      const double range_m = 0.5 * resolved.conventions.light_speed_mps * geometry.view(i).delay_s;
+      const double range_m = radar::range_of(geometry.view(i).delay_s, resolved.conventions.light_speed_mps);
       nearest_m = std::min(nearest_m, range_m);
       farthest_m = std::max(farthest_m, range_m);
     }

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "scene/check/check.hpp"
 
 namespace sarsim::gui {
@@ -85,7 +86,7 @@ void GeometryRows::add_row(std::vector<double>& values) const {
 
 void GeometryRows::add_target(std::size_t target, std::vector<double>& values) const {
   const simulate::ScattererView view = geometry_.view(target);
-  const double range_m = 0.5 * resolved_.conventions.light_speed_mps * view.delay_s;
+  const double range_m = radar::range_of(view.delay_s, resolved_.conventions.light_speed_mps);
   const bool seen = range_m >= choice_.table.range_start_m && range_m <= choice_.table.range_end_m;
   const auto put = [&](bool wanted, double value) {
     if (wanted) values.push_back(seen ? value : std::numeric_limits<double>::quiet_NaN());

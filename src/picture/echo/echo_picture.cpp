@@ -9,6 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::picture {
 
@@ -202,14 +203,14 @@ ColourBar colour_bar(const EchoColours& colours, std::size_t height_px, double t
 PlotAxes plot_axes(const EchoView& view, const PlotSize& size, double light_speed_mps, double spacing_px) {
   const auto width = static_cast<double>(size.width_px);
   const Ticks range = axis_ticks(view.range_start_m, view.range_end_m, width, spacing_px, "m");
-  const Ticks delay = axis_ticks(delay_of_range(view.range_start_m, light_speed_mps),
-                                 delay_of_range(view.range_end_m, light_speed_mps), width, spacing_px, "s");
+  const Ticks delay = axis_ticks(radar::delay_of(view.range_start_m, light_speed_mps),
+                                 radar::delay_of(view.range_end_m, light_speed_mps), width, spacing_px, "s");
   const Ticks time =
       axis_ticks(view.time_start_s, view.time_end_s, static_cast<double>(size.height_px), spacing_px, "s");
   PlotAxes axes{axis_of("Slant range", range), axis_of("Delay", delay), axis_of("Azimuth", time)};
   for (const Tick& t : range.ticks) axes.range.marks.push_back({x_of_range(view, size, t.value), t.label});
   for (const Tick& t : delay.ticks)
-    axes.delay.marks.push_back({x_of_range(view, size, 0.5 * light_speed_mps * t.value), t.label});
+    axes.delay.marks.push_back({x_of_range(view, size, radar::range_of(t.value, light_speed_mps)), t.label});
   for (const Tick& t : time.ticks) axes.time.marks.push_back({y_of_time(view, size, t.value), t.label});
   return axes;
 }

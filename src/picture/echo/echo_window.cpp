@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::picture {
@@ -135,8 +136,6 @@ double y_of_time(const EchoView& view, const PlotSize& size, double time_s) {
   const auto last = static_cast<double>(std::max<std::size_t>(size.height_px, 1) - 1);
   return span > 0.0 ? last - (time_s - view.time_start_s) / span * last : last;
 }
-
-double delay_of_range(double range_m, double light_speed_mps) { return 2.0 * range_m / light_speed_mps; }
 
 std::optional<EchoView> zoomed_to(const EchoView& view, const PlotSize& size, double x0_px, double y0_px, double x1_px,
                                   double y1_px) {

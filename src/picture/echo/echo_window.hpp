@@ -115,8 +115,6 @@ struct PlotSize {
 [[nodiscard]] double time_at(const EchoView& view, const PlotSize& size, double y_px);
 [[nodiscard]] double x_of_range(const EchoView& view, const PlotSize& size, double range_m);
 [[nodiscard]] double y_of_time(const EchoView& view, const PlotSize& size, double time_s);
-/// Two-way delay of a range: 2 R/c.
-[[nodiscard]] double delay_of_range(double range_m, double light_speed_mps);
 
 /// The part of a view between two corners of a rectangle, cut off at the plot; nothing where no pixel is left of it in
 /// either direction.

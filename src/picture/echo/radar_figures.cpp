@@ -12,6 +12,7 @@
 #include "picture/colour/colour_map.hpp"
 #include "picture/colour/display_quantity.hpp"
 #include "picture/figure/figure_axes.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::picture {
 
@@ -22,7 +23,7 @@ double in_degrees(double radians) { return radians * core::deg_per_rad; }
 
 FigureAxis range_axis(const EchoBlock& block) {
   FigureAxis axis = axis_along("Slant range", "m", block.range_m);
-  axis.twin = FigureAxis::Twin{"Delay (there and back)", "s", 2.0 / block.light_speed_mps};
+  axis.twin = FigureAxis::Twin{"Delay (there and back)", "s", radar::delay_of(1.0, block.light_speed_mps)};
   return axis;
 }
 
@@ -168,7 +169,8 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
   panel.image = map_image(map, level_db, limits, colours);
   panel.x = {"Slant range", "m", panel.image->x_first, map.range_m.back() + half_cell(map.range_m), {}};
   panel.y = {"Doppler frequency", "Hz", panel.image->y_first, panel.image->y_last, {}};
-  panel.y.twin = FigureAxis::Twin{"Range rate", "m/s", -block.light_speed_mps / (2.0 * block.carrier_hz[0])};
+  panel.y.twin =
+      FigureAxis::Twin{"Range rate", "m/s", -radar::range_of_cycle(block.carrier_hz[0], block.light_speed_mps)};
   panel.colour_bar = FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours};
 
   std::vector<double> cut;

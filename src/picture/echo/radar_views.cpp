@@ -7,6 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/maths/window.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::picture {
 
@@ -105,7 +106,7 @@ RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::s
   const double rate_hz = interval_s > 0.0 ? 1.0 / interval_s : 0.0;
   for (std::size_t i = 0; i < size; ++i) {
     map.doppler_hz.push_back(cycles_at(i, size) / static_cast<double>(size) * rate_hz);
-    map.speed_mps.push_back(-map.doppler_hz.back() * block.light_speed_mps / (2.0 * block.carrier_hz[0]));
+    map.speed_mps.push_back(radar::speed_of(map.doppler_hz.back(), block.carrier_hz[0], block.light_speed_mps));
   }
   map.samples.resize(size * block.columns);
   const core::Fft fft(size);

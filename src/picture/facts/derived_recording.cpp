@@ -4,6 +4,7 @@
 
 #include "core/text/number_text.hpp"
 #include "picture/facts/derived_parts.hpp"
+#include "radar/path/path.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/model/limits.hpp"
 #include "simulate/plan/plan.hpp"
@@ -90,7 +91,7 @@ void unambiguous_figure(Figures& figures, const scene::Simulation& simulation, c
                         double light_speed_mps) {
   const auto repetition = scene::repetition_of(radar);
   if (!repetition) return;
-  const double range_m = 0.5 * light_speed_mps * repetition->shortest_interval_s();
+  const double range_m = radar::range_of(repetition->shortest_interval_s(), light_speed_mps);
   const bool within = simulation.range_end_m <= range_m;
   figures.text("Unambiguous range",
                fmt::format("{}, {}", rounded_text(range_m, scene::Quantity::length),
@@ -116,7 +117,9 @@ void simulation_figures_of(Figures& figures, const scene::Scene& scene, std::siz
   const std::size_t radar_index = scene::find_radar(scene, simulation.radar);
   const bool rate = scene::computable(simulation.sample_rate_hz) && simulation.sample_rate_hz > 0.0;
   const double samples = rate && window_is_sound(simulation) ? simulate::sample_count(simulation, c) : 0.0;
-  if (rate) figures.number("Sample spacing", 0.5 * c / simulation.sample_rate_hz, scene::Quantity::length, "c/(2 fs)");
+  if (rate)
+    figures.number("Sample spacing", radar::range_of_cycle(simulation.sample_rate_hz, c), scene::Quantity::length,
+                   "c/(2 fs)");
   if (samples >= 1.0) figures.text("Range samples", core::format_number(samples), "round(2 fs (end - start)/c)");
   if (radar_index != scene::not_found) {
     const SoundRadar sound = sound_radar(scene, radar_index);

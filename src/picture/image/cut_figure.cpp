@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/figure/figure_axes.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::picture {
 
@@ -65,7 +66,7 @@ Figure cut(std::string title, FigureAxis across, std::vector<double> x, Shown up
 Figure row_figure(const EchoBlock& block, std::size_t row, const CutLook& look) {
   FigureAxis across = axis_along(look.columns.label, look.columns.unit, block.range_m);
   if (look.columns.label == "Slant range" && look.columns.unit == "m" && block.light_speed_mps > 0.0)
-    across.twin = FigureAxis::Twin{"Delay (there and back)", "s", 2.0 / block.light_speed_mps};
+    across.twin = FigureAxis::Twin{"Delay (there and back)", "s", radar::delay_of(1.0, block.light_speed_mps)};
   std::vector<std::complex<double>> samples;
   for (std::size_t c = 0; c < block.columns; ++c) samples.push_back(block.at(row, c));
   return cut(place_text(look.rows, block.time_s[row]), std::move(across), block.range_m,

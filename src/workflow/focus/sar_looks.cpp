@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "radar/path/path.hpp"
 #include "simulate/survey/derived.hpp"
 
 namespace sarsim::workflow {
@@ -62,7 +63,7 @@ void SarLooks::each(const core::WorkControl& control,
 
 SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate::PulseGeometry& geometry,
                           const radar::Pointing& pointing) const {
-  const double per_speed = 2.0 * geometry.carrier_hz() / plan_.scene->conventions.light_speed_mps;
+  const double per_speed = radar::turns_per_m(geometry.carrier_hz(), plan_.scene->conventions.light_speed_mps);
   const simulate::ScattererView view = geometry.view(target, pointing);
   const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
                      .distance_m = view.distance_m,
@@ -83,15 +84,16 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
   const double light_speed = plan_.scene->conventions.light_speed_mps;
   look.time_s = along_m / track_.speed_mps;
   look.distance_m = core::norm(sight_m);
-  look.doppler_hz = -2.0 * plan_.radar.carrier.carrier_hz(plan_.pulses.first) / light_speed *
+  look.doppler_hz = -radar::turns_per_m(plan_.radar.carrier.carrier_hz(plan_.pulses.first), light_speed) *
                     core::dot(sight_m, velocity_mps) / look.distance_m;
-  look.delay_s = 2.0 * look.distance_m / light_speed;
+  look.delay_s = radar::delay_of(look.distance_m, light_speed);
   return look;
 }
 
 signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
   const double light_speed = plan_.scene->conventions.light_speed_mps;
-  const double per_hz = light_speed / plan_.radar.carrier.carrier_hz(plan_.pulses.first) / (2.0 * track_.speed_mps);
+  const double per_hz =
+      radar::range_of_cycle(plan_.radar.carrier.carrier_hz(plan_.pulses.first), light_speed) / track_.speed_mps;
   const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
 }

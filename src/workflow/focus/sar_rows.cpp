@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/task/worker_pool.hpp"
+#include "radar/path/path.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/run/sampled_views.hpp"
 
@@ -88,10 +89,10 @@ scene::Simulation recorded_for_sar(const scene::Simulation& simulation, const si
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
   const double more = std::ceil(last_s / interval_s) + 1.0;
-  const double half_c_mps = 0.5 * plan.scene->conventions.light_speed_mps;
+  const double c = plan.scene->conventions.light_speed_mps;
   // As the matched filter does: the echo of a target at CENTRE begins half a pulse before its range.
-  recorded.range_start_m -= half_c_mps * plan.pulse.lead_s;
-  recorded.range_end_m += half_c_mps * (more * interval_s - plan.pulse.lead_s);
+  recorded.range_start_m -= radar::range_of(plan.pulse.lead_s, c);
+  recorded.range_end_m += radar::range_of(more * interval_s - plan.pulse.lead_s, c);
   return recorded;
 }
 
@@ -158,7 +159,7 @@ double geometric_doppler_centroid_hz(const simulate::Plan& plan) {
     });
   }
   const double per_speed =
-      2.0 * plan.radar.carrier.carrier_hz(plan.pulses.first) / plan.scene->conventions.light_speed_mps;
+      radar::turns_per_m(plan.radar.carrier.carrier_hz(plan.pulses.first), plan.scene->conventions.light_speed_mps);
   if (power > 0.0) return per_speed * sum / power;
   const bool isotropic = plan.radar.transmit.kind == radar::AntennaPattern::Kind::isotropic &&
                          plan.radar.receive.kind == radar::AntennaPattern::Kind::isotropic;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
 namespace sarsim::workflow {
@@ -98,7 +99,8 @@ std::optional<signal::ResponseFigures> figures_of_tones(const std::vector<Tone>&
 
 // Sine of the angle by which the beam's middle looks ahead.
 double centroid_sine(const SarLooks& looks, const signal::FocusOptions& options, const signal::SarWaveform& waveform) {
-  return 0.5 * waveform.light_speed_mps / waveform.carrier_hz * options.doppler_centroid_hz / looks.track().speed_mps;
+  return radar::range_of_cycle(waveform.carrier_hz, waveform.light_speed_mps) * options.doppler_centroid_hz /
+         looks.track().speed_mps;
 }
 
 // Sum of the weights that focusing divides by: over the pulses that it uses; in the frequency domain, over those that
@@ -154,7 +156,7 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
   const double band_hz = std::abs(waveform.bandwidth_hz);
   signal::ResponseFigures figures = signal::theoretical_figures(
       window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
-  const double cell_m = 0.5 * waveform.light_speed_mps / band_hz;
+  const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);
   figures.width *= cell_m;
   figures.null *= cell_m;
   return figures;
@@ -182,7 +184,8 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
   const SarLook& middle = seen[static_cast<std::size_t>(std::llround(moment / sum))];
   theory.place = looks.place(middle, middle.doppler_hz);
   theory.amplitude = sum / sum_of_weights(looks, weights, options, echoes.waveform, seen, theory.place.range_m);
-  const double turns = 2.0 * theory.place.range_m * echoes.waveform.carrier_hz / echoes.waveform.light_speed_mps;
+  const double turns =
+      radar::turns_of(theory.place.range_m, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
   theory.azimuth = figures_of_tones(tones);
   cut_across_sight(theory.azimuth, centroid_sine(looks, options, echoes.waveform));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/task/worker_pool.hpp"
+#include "radar/path/path.hpp"
 #include "signal/search/cfar.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/survey/derived.hpp"
@@ -41,9 +42,9 @@ PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, Reco
   PulseRows rows;
   const auto compressor = simulate::compressor_of(*plan, plan->radar.window, plan->columns, plan->columns);
   // The filter gives an echo the place of its beginning: that of a centred pulse lies half a pulse before its range.
-  const double half_c_mps = 0.5 * plan->scene->conventions.light_speed_mps;
+  const double c = plan->scene->conventions.light_speed_mps;
   for (std::size_t i = 0; i < plan->columns; ++i)
-    rows.range_m.push_back(half_c_mps * (plan->raw_grid.time_s(i) + plan->pulse.lead_s));
+    rows.range_m.push_back(radar::range_of(plan->raw_grid.time_s(i) + plan->pulse.lead_s, c));
   rows.noise_w = noise_of(*plan, compressor->filter());
   rows.noise_correlation = signal::power_correlation(compressor->filter().taps);
   const auto pool =

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
@@ -95,7 +96,8 @@ class Remarks {
 
   void range_walk() {
     const double time_s = static_cast<double>(options_.recorded_pulses()) / prf_hz_;
-    const double cell_m = 0.5 * plan_.scene->conventions.light_speed_mps / radar::bandwidth_hz(plan_.radar.pulse);
+    const double cell_m =
+        radar::range_of_cycle(radar::bandwidth_hz(plan_.radar.pulse), plan_.scene->conventions.light_speed_mps);
     double most_mps = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets)
       if (target.in_window) most_mps = std::max(most_mps, target.largest_speed_mps);
@@ -147,9 +149,9 @@ class Remarks {
   // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
   void cut_echoes() {
     if (plan_.simulation.processing != scene::Processing::raw) return;
-    const double half_c_mps = 0.5 * plan_.scene->conventions.light_speed_mps;
-    const double whole_m = half_c_mps * RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s();
-    const double last_m = half_c_mps * (plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s);
+    const double c = plan_.scene->conventions.light_speed_mps;
+    const double whole_m = radar::range_of(RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s(), c);
+    const double last_m = radar::range_of(plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s, c);
     std::size_t count = 0;
     double farthest_m = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets) {

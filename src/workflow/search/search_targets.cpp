@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
 #include "signal/search/steady_target.hpp"
 #include "workflow/search/search_checks.hpp"
@@ -93,8 +94,8 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
       look_pulses_(pulses_of_look(options)),
       looks_((options.recorded_pulses() + look_pulses_ - 1) / look_pulses_),
       prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
-  const double half_c_mps = 0.5 * rows.plan->scene->conventions.light_speed_mps;
-  cell_m_ = half_c_mps * std::max(1.0 / radar::bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s);
+  cell_m_ = radar::range_of(std::max(1.0 / radar::bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s),
+                            rows.plan->scene->conventions.light_speed_mps);
   noise_w_ = noise_gains(weights_, options.canceller, options.rows());
   for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
   if (options.detect && rows.noise_w > 0.0)
@@ -134,8 +135,8 @@ void SearchTargets::look(const SearchInterval& interval, std::size_t first, std:
     for (std::size_t t = 0; t < sights.size(); ++t) {
       const simulate::ScattererView view = geometry_.view(first + t, pointing);
       TargetSight& sight = sights[t];
-      sight.range_m += share * 0.5 * light_speed_mps * view.delay_s;
-      sight.doppler_hz -= share * 2.0 * view.speed_mps * geometry_.carrier_hz() / light_speed_mps;
+      sight.range_m += radar::range_of(view.delay_s, share * light_speed_mps);
+      sight.doppler_hz += radar::doppler_of(share * view.speed_mps, geometry_.carrier_hz(), light_speed_mps);
       amplitudes_v_[t * looks_ + look] =
           rows_.peak_gain * view.amplitude_sqrt_w * gain_.gain(view.delay_s) * gain_.held(view.delay_s);
       if (look != looks_ / 2) continue;
@@ -153,7 +154,8 @@ void SearchTargets::place(const SearchInterval& interval, std::span<const double
   sight.time_s = interval.time_s;
   // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
   const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
-  if (rate != 0.0) sight.range_m -= 0.5 * rows_.plan->scene->conventions.light_speed_mps * sight.doppler_hz / rate;
+  if (rate != 0.0)
+    sight.range_m -= radar::range_of(sight.doppler_hz, rows_.plan->scene->conventions.light_speed_mps) / rate;
   const double step_m = rows_.samples() > 1 ? rows_.range_m[1] - rows_.range_m[0] : cell_m_;
   sight.in_window =
       sight.range_m > rows_.range_m.front() - 0.5 * step_m && sight.range_m < rows_.range_m.back() + 0.5 * step_m;
@@ -164,7 +166,7 @@ void SearchTargets::place(const SearchInterval& interval, std::span<const double
   else
     sight.amplitude_v = response(sight.doppler_hz, 0.0);
   if (!(sight.amplitude_v > 0.0)) return;
-  const double delay_s = 2.0 * rows_.range_m[sight.column] / rows_.plan->scene->conventions.light_speed_mps;
+  const double delay_s = radar::delay_of(rows_.range_m[sight.column], rows_.plan->scene->conventions.light_speed_mps);
   const double noise_w = noise_w_[sight.row] * gain_.noise(delay_s);
   sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/autofocus.hpp"
 #include "signal/stepped/stepped_limits.hpp"
 #include "signal/stepped/stepped_overlay.hpp"
@@ -126,7 +127,7 @@ IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, 
   made.speed_mps = motion[motion.size() / 2].speed_mps;
   made.range_m = plan.plane.range_m;
   made.turn_rad = plan.plane.turn_rad;
-  made.range_resolution_m = 0.5 * c / band.band_hz();
+  made.range_resolution_m = radar::range_of_cycle(band.band_hz(), c);
   const auto bursts = static_cast<double>(count);
   // Each burst stands for its part of the turning.
   made.cross_range_resolution_m = 0.5 * wavelength_m / (plan.plane.turn_rad * bursts / std::max(1.0, bursts - 1.0));

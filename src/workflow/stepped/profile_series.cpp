@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
 
 namespace sarsim::workflow {
@@ -106,9 +107,9 @@ double search_around(const std::vector<HeldTarget>& targets, std::size_t index, 
 RangeStretch shown_ranges(const SteppedRows& rows) {
   const signal::SeenDelays seen = rows.band->seen_delays();
   const signal::SteppedWaveform& w = rows.band->waveform();
-  const double half_c = 0.5 * w.light_speed_mps;
-  const double rounding_m = 1e-6 * half_c / w.sample_rate_hz;
-  RangeStretch shown{half_c * seen.first_s, half_c * seen.last_s};
+  const double c = w.light_speed_mps;
+  const double rounding_m = radar::range_of_cycle(w.sample_rate_hz, 1e-6 * c);
+  RangeStretch shown{radar::range_of(seen.first_s, c), radar::range_of(seen.last_s, c)};
   if (shown.from_m < rows.from_m + rounding_m) shown.from_m = rows.from_m;
   if (shown.to_m > rows.to_m - rounding_m) shown.to_m = rows.to_m;
   return shown;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "signal/stepped/stepped_limits.hpp"
 #include "simulate/plan/target_ranges.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
@@ -57,7 +58,7 @@ void remark_on_gates(core::Problems& problems, const signal::SteppedBand& band) 
   problems.push_back(core::problem_of(
       core::Severity::warning,
       "the range gates are farther apart than the pulse is long: targets between them are lost",
-      fmt::format("gates {:.4g} m apart", 0.5 * w.light_speed_mps / w.sample_rate_hz),
+      fmt::format("gates {:.4g} m apart", radar::range_of_cycle(w.sample_rate_hz, w.light_speed_mps)),
       fmt::format("at least {}", hz_text(1.0 / (w.seen_to_s - w.seen_from_s))), "raise the sampling frequency"));
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/task/worker_pool.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
 
 namespace sarsim::workflow {
@@ -97,7 +98,7 @@ scene::Simulation recorded_for_stepped(const scene::Simulation& simulation, cons
   recorded.processing = scene::Processing::raw;
   const double interval_s = 1.0 / simulation.sample_rate_hz;
   const double last_s = plan.pulse.band_limited ? plan.pulse.band_limited->last_s() : plan.radar.pulse.width_s;
-  const double sample_m = 0.5 * plan.scene->conventions.light_speed_mps * interval_s;
+  const double sample_m = radar::range_of(interval_s, plan.scene->conventions.light_speed_mps);
   recorded.range_end_m += sample_m * (std::ceil(last_s / interval_s) + 1.0);
   // The echo of a target at CENTRE begins half a pulse before its range.
   recorded.range_start_m -= sample_m * std::ceil(plan.pulse.lead_s / interval_s);

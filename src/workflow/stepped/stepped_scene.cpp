@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/run/sampled_views.hpp"
 #include "workflow/focus/recorded_gain.hpp"
@@ -28,7 +29,7 @@ core::Vec3 turn_rate_radps(const radar::Pose& pose) {
 std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burst) {
   const simulate::Plan& plan = *rows.plan;
   const std::size_t pulses = rows.band->waveform().burst_pulses();
-  const double half_light_mps = 0.5 * plan.scene->conventions.light_speed_mps;
+  const double light_mps = plan.scene->conventions.light_speed_mps;
   std::vector<BurstTruth> truth(plan.scene->scatterers.size());
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   const bool compressed = plan.simulation.processing == scene::Processing::matched_filter;
@@ -42,7 +43,7 @@ std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burs
       truth[t].amplitude += view.amplitude_sqrt_w * gain.gain(view.delay_s) / static_cast<double>(pulses);
       // The middle of the burst lies on the pulse there, or between two.
       const double share = p == (pulses - 1) / 2 || p == pulses / 2 ? (pulses % 2 == 1 ? 1.0 : 0.5) : 0.0;
-      truth[t].range_m += share * half_light_mps * view.delay_s;
+      truth[t].range_m += radar::range_of(view.delay_s, share * light_mps);
       truth[t].speed_mps += share * view.speed_mps;
     }
   }
