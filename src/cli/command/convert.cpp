@@ -45,10 +45,10 @@ std::optional<scene::FileFormat> output_format(const ConvertArguments& arguments
     throw core::Refused(
         image ? fmt::format("--counts: an image such as '{}' holds volts", arguments.output)
               : fmt::format("'{}' has no header that makes it an image as '{}'", arguments.input, arguments.output),
-        "say another format with --to ascii, binary, bracket, hdf5, csv or npy");
+        fmt::format("say another format with --to {}", raster::format_words()));
   }
   throw core::Refused(fmt::format("the extension of '{}' names no format", arguments.output),
-                      "say it with --to ascii, binary, bracket, hdf5, csv or npy");
+                      fmt::format("say it with --to {}", raster::format_words()));
 }
 
 // The description of the recording as far as its file gives it.
@@ -82,7 +82,7 @@ struct CarriedHeader {
 
 CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertArguments& arguments,
                              std::optional<scene::FileFormat> format) {
-  const bool array = format == scene::FileFormat::npy;
+  const bool array = format && raster::format_of(*format).envi_header;
   const auto left = [&](const std::string& why) {
     return CarriedHeader{{},
                          {},
@@ -117,9 +117,10 @@ class Conversion {
     const auto format = output_format(arguments, image.has_value());
     if (image) header_ = carried_header(*image, arguments, format);
     envi_ = !format;
-    const bool either = envi_ || format == scene::FileFormat::hdf5 || format == scene::FileFormat::npy;
-    options_ = {format.value_or(scene::FileFormat::npy), arguments.force, arguments.counts || !either,
-                arguments.header};
+    options_.replace = arguments.force;
+    options_.counts = format ? raster::holds_counts(*format, arguments.counts) : arguments.counts;
+    options_.header = arguments.header;
+    if (format) options_.format = *format;
     const bool volts_in = !file.info().counts;
     change_ = volts_in == !options_.counts ? Change::none : volts_in ? Change::to_counts : Change::to_volts;
     expect_known();
@@ -180,7 +181,7 @@ class Conversion {
       problem.hint = hint_for(option);
       problems.push_back(problem);
     };
-    const bool sized = options_.format != scene::FileFormat::ascii && options_.format != scene::FileFormat::bracket;
+    const bool sized = raster::format_of(options_.format).needs_bits;
     if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
       need("the A/D bits", "--bits");
     if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");

@@ -58,7 +58,7 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 }  // namespace
 
 std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::SampleFileInfo& info) {
-  if (info.format && (*info.format != scene::FileFormat::npy || !raster::has_envi_header(path))) return std::nullopt;
+  if (!info.format->envi_header || (info.format->recording && !raster::has_envi_header(path))) return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
   if (!image) throw core::Refused(std::move(problems));
   const raster::EnviHeader& header = image->header();

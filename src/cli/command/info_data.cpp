@@ -39,7 +39,7 @@ std::string quantity(double value, bool counts) {
 
 std::vector<Figure> shape_figures(const raster::SampleFileInfo& info) {
   std::vector<Figure> f;
-  f.push_back(word_figure("format", "format", info.format ? format_word(*info.format) : "envi"));
+  f.push_back(word_figure("format", "format", raster::word_of(*info.format)));
   f.push_back(figure("rows", "rows", static_cast<double>(info.rows), std::to_string(info.rows)));
   f.push_back(figure("samples of a row", "columns", static_cast<double>(info.columns), std::to_string(info.columns)));
   f.push_back(word_figure("values", "values", info.counts ? "counts" : "volts"));

@@ -13,7 +13,7 @@ namespace sarsim::gui {
 /// Where samples are to be written, and how.
 struct ExportChoice {
   QString path;
-  scene::FileFormat format = scene::FileFormat::hdf5;
+  scene::FileFormat format = {};
 };
 
 /// Asks for a file to write samples into, and whether one that exists may be replaced; nothing where the user says no.

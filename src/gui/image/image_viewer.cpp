@@ -31,8 +31,7 @@ std::optional<picture::OverviewCache> cache_for(const raster::ImageSource& sourc
                                                 const std::string& identity) {
   const std::filesystem::path folder = picture::user_cache_folder();
   if (folder.empty()) return std::nullopt;
-  const std::string how =
-      hints.raw ? raster::to_string(*hints.raw) : std::string(raster::name_of(source.info().format));
+  const std::string how = hints.raw ? raster::to_string(*hints.raw) : std::string(source.info().format->title);
   return picture::OverviewCache(folder / "overviews", identity + "\n" + how + "\n" + std::to_string(source.columns()) +
                                                           " " + std::to_string(source.info().bits));
 }
@@ -114,10 +113,9 @@ void ImageViewer::take_source(raster::OpenedImage& result) {
     axes_.reset();
     read_failure_ = QString::fromUtf8(error.what());
   }
-  if (first && !look_set_)
-    look_ = look_for(source_->info().value, source_->info().format == raster::ImageFormat::sun_raster);
+  if (first && !look_set_) look_ = look_for(source_->info().value, source_->info().format->picture);
   if (!has_quantity(source_->info().value, look_.quantity) && source_->info().value != raster::ImageValue::rgb)
-    look_ = look_for(source_->info().value, source_->info().format == raster::ImageFormat::sun_raster);
+    look_ = look_for(source_->info().value, source_->info().format->picture);
   controls_->show_look(look_, source_->info().value, value_unit());
   plot_->set_part(nullptr, {}, {});
   plot_->set_size(rows_, source_->columns());
@@ -362,7 +360,7 @@ void ImageViewer::show_info() {
                                   : info.value == raster::ImageValue::magnitude ? "magnitudes"
                                   : info.value == raster::ImageValue::power     ? "powers"
                                                                                 : "colours";
-  QString how = text_of(raster::name_of(info.format)) + ", " + text_of(values);
+  QString how = text_of(info.format->title) + ", " + text_of(values);
   if (info.bits > 0) how += tr(", %1 bits").arg(info.bits);
   info_->setText(text_of(path_.filename()) + "\n" + how + "\n" +
                  tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));

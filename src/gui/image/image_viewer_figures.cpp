@@ -86,8 +86,7 @@ QString ImageViewer::value_unit() const {
   if (!source_) return {};
   const raster::ImageInfo& info = source_->info();
   // A file that is described by hand does not say what its numbers are.
-  const bool volts =
-      info.value == raster::ImageValue::complex && !info.counts && info.format != raster::ImageFormat::custom;
+  const bool volts = info.value == raster::ImageValue::complex && !info.counts && !info.format->by_hand;
   return volts ? QStringLiteral("V") : QString();
 }
 

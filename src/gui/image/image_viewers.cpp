@@ -12,6 +12,7 @@
 #include "gui/image/open_image_dialog.hpp"
 #include "picture/image/envi_layout.hpp"
 #include "raster/format/recording_hints.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::gui {
 
@@ -19,9 +20,7 @@ bool is_data_file(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".scr" || ending == ".txt") return false;
-  constexpr std::array known{".bin", ".asc", ".csv", ".brk", ".h5",  ".hdf5", ".npy", ".ras",
-                             ".sun", ".raw", ".dat", ".cpx", ".im8", ".cf32", ".c64", ".img"};
-  if (std::ranges::find(known, ending) != known.end()) return true;
+  if (raster::row_from_path(path) != nullptr) return true;
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4096> begin{};
   file.read(begin.data(), begin.size());

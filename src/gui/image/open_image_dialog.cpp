@@ -94,7 +94,7 @@ QImage picture_of(const raster::ImageSource& source) {
     part.colours.resize(part.window.samples());
     source.read_rgb(part.window, part.colours);
   }
-  PartLook look = look_for(part.value, source.info().format == raster::ImageFormat::sun_raster);
+  PartLook look = look_for(part.value, source.info().format->picture);
   look.limits.percentile = 99.0;
   return paint(part, look, all).image.scaled(preview_side, preview_side);
 }
@@ -177,8 +177,9 @@ void OpenImageDialog::make_file_row(QFormLayout* form) {
   kind_->setObjectName("open_image_kind");
   kind_->setAccessibleName(tr("Format"));
   kind_->setToolTip(tr("HDF5, NumPy arrays and Sun rasters describe themselves; so do most texts"));
-  kind_->addItems({tr("Found from its content"), tr("Sarsim BINARY"), tr("Sarsim ASCII"), tr("Sarsim BRACKET"),
-                   tr("CSV"), tr("Custom: described below")});
+  kind_->addItem(tr("Found from its content"));
+  for (const raster::Format* format : described_) kind_->addItem(text_of(format->name));
+  kind_->addItem(tr("Custom: described below"));
   form->addRow(tr("Format"), kind_);
   connect(kind_, &QComboBox::activated, this, &OpenImageDialog::choose);
 }
@@ -283,7 +284,7 @@ void OpenImageDialog::show_found(bool good, const QString& failure) {
   if (!chosen_) {
     if (!guesses_.empty()) show_layout(guesses_.front().layout);
     // What does not describe itself begins with the best guess.
-    kind_->setCurrentIndex(found.readable || guesses_.empty() ? by_content : custom);
+    kind_->setCurrentIndex(found.readable || guesses_.empty() ? by_content : custom_kind());
   }
   changed();
 }
@@ -322,14 +323,12 @@ QString OpenImageDialog::path() const { return path_->text(); }
 
 raster::ImageHints OpenImageDialog::hints() const {
   raster::ImageHints hints;
-  switch (kind_->currentIndex()) {
-    case binary: hints.samples.format = scene::FileFormat::binary; break;
-    case ascii: hints.samples.format = scene::FileFormat::ascii; break;
-    case bracket: hints.samples.format = scene::FileFormat::bracket; break;
-    case csv: hints.samples.format = scene::FileFormat::csv; break;
-    case custom: hints.raw = layout(); return hints;
-    default: break;
+  if (kind_->currentIndex() == custom_kind()) {
+    hints.raw = layout();
+    return hints;
   }
+  if (kind_->currentIndex() > by_content)
+    hints.samples.format = described_.at(static_cast<std::size_t>(kind_->currentIndex()) - 1)->recording;
   hints.samples.columns = whole_number(columns_);
   hints.samples.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), most_bits));
   return hints;
@@ -337,16 +336,11 @@ raster::ImageHints OpenImageDialog::hints() const {
 
 bool OpenImageDialog::has_preview() const { return !preview_->pixmap(Qt::ReturnByValue).isNull(); }
 
-std::optional<OpenImageDialog::Kind> OpenImageDialog::kind_of(const raster::ImageHints& hints) {
-  if (hints.raw) return custom;
+std::optional<int> OpenImageDialog::kind_of(const raster::ImageHints& hints) const {
+  if (hints.raw) return custom_kind();
   if (!hints.samples.format) return std::nullopt;
-  switch (*hints.samples.format) {
-    case scene::FileFormat::binary: return binary;
-    case scene::FileFormat::ascii: return ascii;
-    case scene::FileFormat::bracket: return bracket;
-    case scene::FileFormat::csv: return csv;
-    default: return by_content;
-  }
+  const auto found = std::ranges::find(described_, hints.samples.format, &raster::Format::recording);
+  return found == described_.end() ? by_content : static_cast<int>(found - described_.begin()) + 1;
 }
 
 // By the user.
@@ -361,7 +355,7 @@ void OpenImageDialog::changed() {
 }
 
 void OpenImageDialog::show_rows() {
-  const bool raw = kind_->currentIndex() == custom;
+  const bool raw = kind_->currentIndex() == custom_kind();
   for (QWidget* field : {columns_, bits_}) show_row(form_, field, !raw);
   for (QWidget* field :
        {static_cast<QWidget*>(guess_), static_cast<QWidget*>(header_), static_cast<QWidget*>(width_),

@@ -49,12 +49,14 @@ class OpenImageDialog : public QDialog {
   [[nodiscard]] bool has_preview() const;
 
  private:
-  enum Kind { by_content, binary, ascii, bracket, csv, custom };
+  // Places in the list of kinds: behind the first stand the formats that files do not say themselves.
+  static constexpr int by_content = 0;
+  [[nodiscard]] int custom_kind() const { return static_cast<int>(described_.size()) + 1; }
   void make_file_row(QFormLayout* form);
   void make_sample_rows(QFormLayout* form);
   void make_raw_rows(QFormLayout* form);
   QLineEdit* add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip);
-  [[nodiscard]] static std::optional<Kind> kind_of(const raster::ImageHints& hints);
+  [[nodiscard]] std::optional<int> kind_of(const raster::ImageHints& hints) const;
   void find_file();
   void take_file();
   void show_found(bool good, const QString& failure);
@@ -69,6 +71,7 @@ class OpenImageDialog : public QDialog {
   void show_preview(bool good, const QString& failure);
   void show_picture(const QImage& picture, const QString& instead);
 
+  const std::vector<const raster::Format*> described_ = raster::offered_formats(&raster::FormatPlaces::described);
   scene::Scene scene_;
   std::vector<raster::RawGuess> guesses_;
   bool chosen_ = false;  // The user has said how the file is read.

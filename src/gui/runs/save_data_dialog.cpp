@@ -13,8 +13,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include <array>
 #include <utility>
+#include <vector>
 
 #include "core/maths/rounding.hpp"
 #include "core/task/parallel.hpp"
@@ -30,8 +30,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array formats{scene::FileFormat::binary,  scene::FileFormat::ascii, scene::FileFormat::csv,
-                             scene::FileFormat::bracket, scene::FileFormat::npy,   scene::FileFormat::hdf5};
+std::vector<const raster::Format*> kinds() { return raster::offered_formats(&raster::FormatPlaces::saved); }
+
+QStringList choices() {
+  QStringList texts;
+  for (const raster::Format* kind : kinds()) texts << text_of(kind->choice);
+  return texts;
+}
 
 // For people, who do not count nanometres; what is saved is exact.
 QString span_text(double from, double to, const char* unit) {
@@ -150,12 +155,8 @@ void SaveDataDialog::make_converter_group(QFormLayout* form) {
 }
 
 void SaveDataDialog::make_file_group(QFormLayout* form) {
-  format_ = add_choice(form, tr("Type"), "save_format",
-                       {tr("Binary"), tr("ASCII: I Q in lines"), tr("CSV: I,Q"), tr("Brackets: (I,Q)"),
-                        tr("NPY: volts for NumPy"), tr("HDF5: volts with axes and script")},
-                       tr("The extension of the file follows"));
-  for (std::size_t i = 0; i < formats.size(); ++i)
-    if (formats[i] == choice_.recording.format) format_->setCurrentIndex(static_cast<int>(i));
+  format_ = add_choice(form, tr("Type"), "save_format", choices(), tr("The extension of the file follows"));
+  show_format(choice_.recording.format);
   file_ = new QLineEdit(text_of(choice_.file.string()), this);
   file_->setObjectName("save_file");
   file_->setAccessibleName(tr("Name of the file"));
@@ -250,7 +251,7 @@ void SaveDataDialog::show_lsb() {
 }
 
 void SaveDataDialog::follow_format() {
-  choice_.recording.format = formats.at(static_cast<std::size_t>(format_->currentIndex()));
+  choice_.recording.format = kinds().at(static_cast<std::size_t>(format_->currentIndex()))->recording.value();
   const fs::path typed = file_->text().trimmed().toStdString();
   const QString following = text_of(workflow::following_format(typed, choice_.recording.format).string());
   if (following == file_->text())
@@ -259,13 +260,15 @@ void SaveDataDialog::follow_format() {
     file_->setText(following);
 }
 
+void SaveDataDialog::show_format(scene::FileFormat format) {
+  format_->setCurrentIndex(raster::format_of(format).places.saved - 1);
+}
+
 void SaveDataDialog::select_file() {
   const QString chosen = ask_file(text_of(choice_.file.string()));
   if (chosen.isEmpty()) return;
   file_->setText(chosen);
-  const auto format = raster::format_from_path(chosen.toStdString());
-  for (std::size_t i = 0; format && i < formats.size(); ++i)
-    if (formats.at(i) == *format) format_->setCurrentIndex(static_cast<int>(i));
+  if (const auto format = raster::format_from_path(chosen.toStdString())) show_format(*format);
   follow_format();
 }
 

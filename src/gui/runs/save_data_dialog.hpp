@@ -70,6 +70,7 @@ class SaveDataDialog : public QDialog {
   void show_objections(const QStringList& texts);
   void show_lsb();
   void select_file();
+  void show_format(scene::FileFormat format);
   void follow_format();
   [[nodiscard]] QStringList objections() const;
   void refresh();

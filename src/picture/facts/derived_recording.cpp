@@ -5,6 +5,7 @@
 #include "core/text/number_text.hpp"
 #include "picture/facts/derived_parts.hpp"
 #include "radar/path/path.hpp"
+#include "raster/table/formats.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/model/limits.hpp"
 #include "simulate/plan/plan.hpp"
@@ -41,26 +42,6 @@ void pulse_figures(Figures& figures, const std::optional<radar::PulseRange>& pul
       "sent from the start to the end, both included");
 }
 
-// Bytes of a sample in a file; of text the most that it can take.
-struct SampleBytes {
-  double bytes;
-  bool at_most;
-};
-
-SampleBytes sample_bytes(const scene::Simulation& simulation) {
-  const int bits = std::clamp(simulation.bits, 1, 64);
-  const double digits = std::floor((bits - 1) * std::log10(2.0)) + 1.0;
-  switch (simulation.format) {
-    case scene::FileFormat::binary: return {2.0 * ((bits + 7) / 8), false};
-    case scene::FileFormat::npy:
-    case scene::FileFormat::hdf5: return {8.0, false};
-    case scene::FileFormat::ascii: return {2.0 * (digits + 2.0), true};
-    case scene::FileFormat::csv: return {2.0 * (std::floor(bits * std::log10(2.0)) + 2.0), true};
-    case scene::FileFormat::bracket: return {2.0 * (digits + 1.0) + 4.0, true};
-  }
-  return {0.0, true};
-}
-
 struct Shape {
   double rows;
   double columns;
@@ -80,11 +61,12 @@ void size_figures(Figures& figures, const scene::Simulation& simulation, const S
   figures.text(
       "Size", fmt::format("{} rows of {} samples", core::format_number(shape.rows), core::format_number(shape.columns)),
       "a row for each pulse, or for each burst of a synthetic range profile", {shape.rows, shape.columns});
-  const SampleBytes size = sample_bytes(simulation);
+  const raster::Format& format = raster::format_of(simulation.format);
+  const double bytes = format.most_sample_bytes(std::clamp(simulation.bits, 1, 64));
   figures.text(
       "File",
-      fmt::format("{}{}", size.at_most ? "up to " : "", core::bytes_text(shape.rows * shape.columns * size.bytes)),
-      fmt::format("rows x samples x {:g} bytes", size.bytes));
+      fmt::format("{}{}", format.is_text() ? "up to " : "", core::bytes_text(shape.rows * shape.columns * bytes)),
+      fmt::format("rows x samples x {:g} bytes", bytes));
 }
 
 void unambiguous_figure(Figures& figures, const scene::Simulation& simulation, const scene::Radar& radar,

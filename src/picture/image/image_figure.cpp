@@ -118,8 +118,7 @@ ShownSamples shown(Samples samples, const Extent& across, const Extent& up, cons
 std::string unit_for(const raster::ImageSource& source, const ImageLook& look) {
   if (look.unit) return *look.unit;
   const raster::ImageInfo& info = source.info();
-  const bool unknown =
-      info.counts || info.format == raster::ImageFormat::custom || info.format == raster::ImageFormat::sun_raster;
+  const bool unknown = info.counts || info.format->by_hand || info.format->picture;
   return unknown ? "" : "V";
 }
 

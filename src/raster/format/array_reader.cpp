@@ -179,7 +179,6 @@ OpenedReader open_binary(core::InputFile file, const SampleFileHints& hints) {
     return result;
   }
   SampleFileInfo info;
-  info.format = scene::FileFormat::binary;
   info.rows = static_cast<std::size_t>(file.size() / *row_bytes);
   info.columns = hints.columns;
   info.bits = hints.bits;
@@ -224,7 +223,6 @@ OpenedReader open_npy(core::InputFile file, const SampleFileHints& hints) {
         file_problem(name, "what follows the array is not read", fmt::format("{} bytes more", present - *bytes)),
         core::Severity::warning));
   SampleFileInfo info;
-  info.format = scene::FileFormat::npy;
   info.rows = static_cast<std::size_t>(shape->rows);
   info.columns = static_cast<std::size_t>(shape->columns);
   info.counts = type->counts;

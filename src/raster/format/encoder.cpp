@@ -69,7 +69,7 @@ TextWriter writer_for(const simulate::Block& block, CountRange range) {
 }
 
 // Where the volts are given, a small negative component keeps its sign.
-std::vector<std::byte> encode_ascii(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
+std::vector<std::byte> encode_lines(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -87,8 +87,7 @@ std::vector<std::byte> encode_ascii(const simulate::Block& block, CountRange ran
   return writer.take();
 }
 
-std::vector<std::byte> encode_bracket(const simulate::Block& block, CountRange range,
-                                      const std::complex<double>* volts) {
+std::vector<std::byte> encode_pairs(const simulate::Block& block, CountRange range, const std::complex<double>* volts) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -108,7 +107,7 @@ std::vector<std::byte> encode_bracket(const simulate::Block& block, CountRange r
   return writer.take();
 }
 
-std::vector<std::byte> encode_csv(const simulate::Block& block, CountRange range) {
+std::vector<std::byte> encode_table(const simulate::Block& block, CountRange range) {
   TextWriter writer = writer_for(block, range);
   const std::int64_t* count = block.counts.data();
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -122,7 +121,7 @@ std::vector<std::byte> encode_csv(const simulate::Block& block, CountRange range
 }
 
 template <std::size_t Bytes>
-std::vector<std::byte> encode_binary(std::span<const std::int64_t> counts, CountRange range) {
+std::vector<std::byte> encode_bytes(std::span<const std::int64_t> counts, CountRange range) {
   std::vector<std::byte> bytes(counts.size() * Bytes);
   std::byte* next = bytes.data();
   for (const std::int64_t count : counts) {
@@ -134,16 +133,16 @@ std::vector<std::byte> encode_binary(std::span<const std::int64_t> counts, Count
   return bytes;
 }
 
-std::vector<std::byte> encode_binary(std::span<const std::int64_t> counts, CountRange range) {
+std::vector<std::byte> encode_bytes(std::span<const std::int64_t> counts, CountRange range) {
   switch (range.component_bytes()) {
-    case 1: return encode_binary<1>(counts, range);
-    case 2: return encode_binary<2>(counts, range);
-    case 3: return encode_binary<3>(counts, range);
-    case 4: return encode_binary<4>(counts, range);
-    case 5: return encode_binary<5>(counts, range);
-    case 6: return encode_binary<6>(counts, range);
-    case 7: return encode_binary<7>(counts, range);
-    default: return encode_binary<8>(counts, range);
+    case 1: return encode_bytes<1>(counts, range);
+    case 2: return encode_bytes<2>(counts, range);
+    case 3: return encode_bytes<3>(counts, range);
+    case 4: return encode_bytes<4>(counts, range);
+    case 5: return encode_bytes<5>(counts, range);
+    case 6: return encode_bytes<6>(counts, range);
+    case 7: return encode_bytes<7>(counts, range);
+    default: return encode_bytes<8>(counts, range);
   }
 }
 
@@ -176,40 +175,50 @@ void require_size(std::size_t found, std::size_t expected, const char* what) {
     throw std::invalid_argument(fmt::format("a block holds {} {} instead of {}", found, what, expected));
 }
 
-}  // namespace
-
-std::size_t component_bytes(const Encoding& encoding) {
-  switch (encoding.format) {
-    case scene::FileFormat::binary: return CountRange{encoding.bits}.component_bytes();
-    case scene::FileFormat::hdf5:
-    case scene::FileFormat::npy: return encoding.counts && encoding.bits > 31 ? 8 : 4;
-    case scene::FileFormat::ascii:
-    case scene::FileFormat::bracket:
-    case scene::FileFormat::csv: break;
-  }
-  return 0;
+void require_counts(const simulate::Block& block) {
+  require_size(block.counts.size(), 2 * block.rows * block.columns, "counts");
 }
 
-std::vector<std::byte> encode_rows(const Encoding& encoding, const simulate::Block& block) {
-  const CountRange range{encoding.bits};
-  const bool shaped = encoding.format == scene::FileFormat::hdf5 || encoding.format == scene::FileFormat::npy;
-  if (shaped && !encoding.counts) {
+// The volts whose signs the zeros among the counts keep, where they are wanted and there.
+const std::complex<double>* signed_zeros_of(const Encoding& encoding, const simulate::Block& block) {
+  return encoding.minus_zero && block.volts.size() == block.rows * block.columns ? block.volts.data() : nullptr;
+}
+
+}  // namespace
+
+std::size_t binary_component_bytes(const Encoding& encoding) { return CountRange{encoding.bits}.component_bytes(); }
+
+std::size_t array_component_bytes(const Encoding& encoding) { return encoding.counts && encoding.bits > 31 ? 8 : 4; }
+
+std::vector<std::byte> encode_ascii(const Encoding& encoding, const simulate::Block& block) {
+  require_counts(block);
+  return encode_lines(block, CountRange{encoding.bits}, signed_zeros_of(encoding, block));
+}
+
+std::vector<std::byte> encode_bracket(const Encoding& encoding, const simulate::Block& block) {
+  require_counts(block);
+  return encode_pairs(block, CountRange{encoding.bits}, signed_zeros_of(encoding, block));
+}
+
+std::vector<std::byte> encode_csv(const Encoding& encoding, const simulate::Block& block) {
+  require_counts(block);
+  return encode_table(block, CountRange{encoding.bits});
+}
+
+std::vector<std::byte> encode_binary(const Encoding& encoding, const simulate::Block& block) {
+  require_counts(block);
+  return encode_bytes(block.counts, CountRange{encoding.bits});
+}
+
+std::vector<std::byte> encode_array(const Encoding& encoding, const simulate::Block& block) {
+  if (!encoding.counts) {
     require_size(block.volts.size(), block.rows * block.columns, "samples");
     return encode_volts(block.volts);
   }
-  require_size(block.counts.size(), 2 * block.rows * block.columns, "counts");
-  const bool signed_zeros = encoding.minus_zero && block.volts.size() == block.rows * block.columns;
-  const std::complex<double>* volts = signed_zeros ? block.volts.data() : nullptr;
-  switch (encoding.format) {
-    case scene::FileFormat::ascii: return encode_ascii(block, range, volts);
-    case scene::FileFormat::bracket: return encode_bracket(block, range, volts);
-    case scene::FileFormat::csv: return encode_csv(block, range);
-    case scene::FileFormat::binary: return encode_binary(block.counts, range);
-    case scene::FileFormat::hdf5:
-    case scene::FileFormat::npy: break;
-  }
-  return component_bytes(encoding) == 8 ? encode_integers<std::int64_t>(block.counts, range)
-                                        : encode_integers<std::int32_t>(block.counts, range);
+  require_counts(block);
+  const CountRange range{encoding.bits};
+  return array_component_bytes(encoding) == 8 ? encode_integers<std::int64_t>(block.counts, range)
+                                              : encode_integers<std::int32_t>(block.counts, range);
 }
 
 std::string csv_header(std::size_t columns) {

@@ -9,6 +9,7 @@
 
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/decimal_digits.hpp"
+#include "raster/format/format_writer.hpp"
 #include "raster/table/count_range.hpp"
 
 namespace sarsim::raster {

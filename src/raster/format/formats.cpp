@@ -2,64 +2,195 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "core/text/number_text.hpp"
+#include "raster/format/format_reader.hpp"
+#include "raster/format/format_writer.hpp"
 
 namespace sarsim::raster {
 
 namespace {
 
-struct Row {
-  scene::FileFormat format;
-  std::string_view name;
-  std::string_view extension;
-};
+// Digits of the largest signed count, and of the largest one with the offset.
+double signed_digits(int bits) { return std::floor((bits - 1) * std::log10(2.0)) + 1.0; }
+double offset_digits(int bits) { return std::floor(bits * std::log10(2.0)) + 1.0; }
 
-constexpr std::array<Row, 6> rows{{
-    {scene::FileFormat::ascii, "ASCII", ".asc"},
-    {scene::FileFormat::binary, "BINARY", ".bin"},
-    {scene::FileFormat::bracket, "BRACKET", ".brk"},
-    {scene::FileFormat::hdf5, "HDF5", ".h5"},
-    {scene::FileFormat::csv, "CSV", ".csv"},
-    {scene::FileFormat::npy, "NPY", ".npy"},
-}};
+double volts_bytes(int) { return 8.0; }
 
-struct Alias {
-  scene::FileFormat format;
-  std::string_view extension;
-};
+constexpr std::size_t recording_count = scene::format_values.size();
 
-constexpr std::array<Alias, 4> aliases{{
-    {scene::FileFormat::ascii, ".txt"},
-    {scene::FileFormat::hdf5, ".hdf5"},
-    {scene::FileFormat::hdf5, ".hdf"},
-    {scene::FileFormat::hdf5, ".he5"},
-}};
+constexpr std::array<Format, recording_count + 3> table{
+    {{.recording = scene::FileFormat::ascii,
+      .word = "ASCII",
+      .name = "Sarsim ASCII",
+      .title = "Sarsim ASCII",
+      .choice = "ASCII: I Q in lines",
+      .extensions = {".asc", ".txt"},
+      .text = TextStyle::lines,
+      .script_like = true,
+      .needs_bits = false,
+      .places = {.saved = 2, .exported = 5, .described = 2, .image = 4},
+      .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 2.0); },
+      .reader = &text_reader,
+      .writer = &ascii_writer},
+     {.recording = scene::FileFormat::binary,
+      .word = "BINARY",
+      .name = "Sarsim BINARY",
+      .title = "Sarsim BINARY",
+      .choice = "Binary",
+      .extensions = {".bin"},
+      .places = {.saved = 1, .exported = 4, .described = 1, .image = 5},
+      .most_sample_bytes = [](int bits) { return 2.0 * ((bits + 7) / 8); },
+      .reader = &binary_reader,
+      .writer = &binary_writer},
+     {.recording = scene::FileFormat::bracket,
+      .word = "BRACKET",
+      .name = "Sarsim BRACKET",
+      .title = "Sarsim BRACKET",
+      .choice = "Brackets: (I,Q)",
+      .extensions = {".brk"},
+      .text = TextStyle::brackets,
+      .needs_bits = false,
+      .places = {.saved = 4, .exported = 6, .described = 3, .image = 6},
+      .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 1.0) + 4.0; },
+      .reader = &text_reader,
+      .writer = &bracket_writer},
+     {.recording = scene::FileFormat::hdf5,
+      .word = "HDF5",
+      .name = "HDF5",
+      .title = "HDF5",
+      .choice = "HDF5: volts with axes and script",
+      .extensions = {".h5", ".hdf5", ".hdf", ".he5"},
+      .signature = "\x89HDF\r\n\x1a\n",
+      .carries_axes = true,
+      .carries_script = true,
+      .one_at_a_time = true,
+      .places = {.saved = 6, .exported = 1, .image = 2},
+      .most_sample_bytes = volts_bytes,
+      .reader = &hdf5_file_reader,
+      .writer = &hdf5_file_writer},
+     {.recording = scene::FileFormat::csv,
+      .word = "CSV",
+      .name = "CSV",
+      .title = "CSV text",
+      .choice = "CSV: I,Q",
+      .extensions = {".csv"},
+      .text = TextStyle::commas,
+      .spreadsheet = true,
+      .places = {.saved = 3, .exported = 3, .described = 4, .image = 3},
+      .most_sample_bytes = [](int bits) { return 2.0 * (offset_digits(bits) + 1.0); },
+      .reader = &text_reader,
+      .writer = &csv_writer},
+     {.recording = scene::FileFormat::npy,
+      .word = "NPY",
+      .name = "NumPy",
+      .title = "NumPy array",
+      .choice = "NPY: volts for NumPy",
+      .extensions = {".npy"},
+      .signature = "\x93NUMPY",
+      .envi_header = true,
+      .places = {.saved = 5, .exported = 2, .image = 1},
+      .most_sample_bytes = volts_bytes,
+      .reader = &npy_reader,
+      .writer = &npy_writer},
+     {.word = "ENVI",
+      .name = "ENVI",
+      .title = "ENVI image",
+      .extensions = {".img"},
+      .envi_header = true,
+      .reader = &envi_file_reader},
+     {.word = "SUN",
+      .name = "Sun raster",
+      .title = "Sun raster",
+      .extensions = {".ras", ".sun"},
+      .signature = "\x59\xa6\x6a\x95",
+      .picture = true,
+      .reader = &sun_reader},
+     {.word = "CUSTOM",
+      .name = "Custom",
+      .title = "custom",
+      .extensions = {".raw", ".dat", ".cpx", ".im8", ".cf32", ".c64"},
+      .by_hand = true,
+      .reader = &custom_reader}}};
 
-const Row& row_of(scene::FileFormat format) {
-  return *std::ranges::find(rows, format, &Row::format);  // Every format stands in the table.
+bool has_extension(const Format& row, const std::string& extension) {
+  return std::ranges::any_of(row.extensions, [&](std::string_view known) {
+    return !known.empty() && core::equal_ignoring_case(known, extension);
+  });
 }
 
 }  // namespace
 
-std::string_view extension_of(scene::FileFormat format) { return row_of(format).extension; }
+std::span<const Format> formats() { return table; }
 
-std::string_view name_of(scene::FileFormat format) { return row_of(format).name; }
+std::span<const Format> recording_formats() { return std::span(table).first(recording_count); }
+
+const Format& format_of(scene::FileFormat format) {
+  return *std::ranges::find(table, std::optional(format), &Format::recording);  // Every format stands in the table.
+}
+
+const Format& envi_format() { return table[recording_count]; }
+const Format& sun_raster_format() { return table[recording_count + 1]; }
+const Format& custom_format() { return table[recording_count + 2]; }
+
+std::vector<const Format*> offered_formats(int FormatPlaces::*place) {
+  std::vector<const Format*> offered;
+  for (const Format& row : table)
+    if (row.places.*place > 0) offered.push_back(&row);
+  std::ranges::sort(offered, {}, [place](const Format* row) { return row->places.*place; });
+  return offered;
+}
+
+std::string format_words() {
+  std::string words;
+  for (const Format& row : recording_formats())
+    words += (&row == table.data() ? "" : &row == &table[recording_count - 1] ? " or " : ", ") + word_of(row);
+  return words;
+}
+
+std::string image_extensions(bool without_spreadsheets) {
+  std::string extensions;
+  for (const Format* row : offered_formats(&FormatPlaces::image))
+    if (!without_spreadsheets || !row->spreadsheet)
+      extensions += fmt::format("{}{}", extensions.empty() ? "" : ", ", row->extensions.front());
+  return extensions;
+}
+
+std::string word_of(const Format& format) {
+  std::string word(format.word);
+  for (char& c : word)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return word;
+}
+
+std::string_view extension_of(scene::FileFormat format) { return format_of(format).extensions.front(); }
+
+std::string_view name_of(scene::FileFormat format) { return format_of(format).word; }
 
 std::optional<scene::FileFormat> format_from_name(std::string_view name) {
-  for (const Row& row : rows)
-    if (core::equal_ignoring_case(row.name, name)) return row.format;
+  for (const Format& row : recording_formats())
+    if (core::equal_ignoring_case(row.word, name)) return row.recording;
   return std::nullopt;
 }
 
-std::optional<scene::FileFormat> format_from_path(const std::filesystem::path& path) {
+const Format* row_from_path(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  for (const Row& row : rows)
-    if (core::equal_ignoring_case(row.extension, extension)) return row.format;
-  for (const Alias& alias : aliases)
-    if (core::equal_ignoring_case(alias.extension, extension)) return alias.format;
-  return std::nullopt;
+  const auto found = std::ranges::find_if(table, [&](const Format& row) { return has_extension(row, extension); });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::optional<scene::FileFormat> format_from_path(const std::filesystem::path& path) {
+  const Format* const row = row_from_path(path);
+  return row == nullptr ? std::nullopt : row->recording;
+}
+
+double least_bytes(scene::FileFormat format, double expected_bytes) {
+  constexpr double least_part_of_text = 0.4;
+  return format_of(format).is_text() ? least_part_of_text * expected_bytes : expected_bytes;
 }
 
 }  // namespace sarsim::raster

@@ -4,6 +4,9 @@
 
 #include <array>
 
+#include "raster/format/format_reader.hpp"
+#include "raster/format/format_writer.hpp"
+
 namespace sarsim::raster {
 namespace {
 
@@ -15,6 +18,47 @@ TEST(Formats, NamesAndExtensionsLeadBackToTheFormat) {
     EXPECT_EQ(format_from_name(name_of(format)), format);
     EXPECT_EQ(format_from_path("folder.x/file" + std::string(extension_of(format))), format);
   }
+}
+
+TEST(Formats, EveryFormatOfRecordingsCanBeReadAndWritten) {
+  ASSERT_EQ(recording_formats().size(), all_formats.size());
+  for (const scene::FileFormat format : all_formats) {
+    const Format& row = format_of(format);
+    EXPECT_EQ(row.recording, format);
+    ASSERT_NE(row.reader, nullptr) << row.word;
+    EXPECT_NE(row.reader->samples, nullptr) << row.word;
+    EXPECT_NE(row.reader->image, nullptr) << row.word;
+    ASSERT_NE(row.writer, nullptr) << row.word;
+    EXPECT_NE(row.writer->encode, nullptr) << row.word;
+    EXPECT_NE(row.writer->expected_bytes, nullptr) << row.word;
+    EXPECT_EQ(row.writer->component_bytes == nullptr, row.is_text()) << row.word;
+    EXPECT_NE(row.most_sample_bytes, nullptr) << row.word;
+  }
+}
+
+TEST(Formats, ListsForPeopleHoldEachFormatOnce) {
+  for (const auto place : {&FormatPlaces::saved, &FormatPlaces::exported, &FormatPlaces::image}) {
+    const auto offered = offered_formats(place);
+    EXPECT_EQ(offered.size(), all_formats.size());
+    for (std::size_t i = 0; i < offered.size(); ++i) EXPECT_EQ(offered[i]->places.*place, static_cast<int>(i) + 1);
+  }
+  EXPECT_EQ(format_words(), "ascii, binary, bracket, hdf5, csv or npy");
+  EXPECT_EQ(image_extensions(), ".npy, .h5, .csv, .asc, .bin, .brk");
+  EXPECT_EQ(image_extensions(true), ".npy, .h5, .asc, .bin, .brk");
+}
+
+TEST(Formats, OnlyTextIsEstimatedFromAbove) {
+  EXPECT_EQ(least_bytes(scene::FileFormat::csv, 1000.0), 400.0);
+  EXPECT_EQ(least_bytes(scene::FileFormat::binary, 1000.0), 1000.0);
+  EXPECT_EQ(least_bytes(scene::FileFormat::hdf5, 1000.0), 1000.0);
+}
+
+TEST(Formats, FilesOfOthersHaveRowsToo) {
+  EXPECT_EQ(row_from_path("a.img"), &envi_format());
+  EXPECT_EQ(row_from_path("a.SUN"), &sun_raster_format());
+  EXPECT_EQ(row_from_path("a.cf32"), &custom_format());
+  EXPECT_EQ(row_from_path("a.scr"), nullptr);
+  EXPECT_EQ(word_of(envi_format()), "envi");
 }
 
 TEST(Formats, CaseDoesNotMatter) {

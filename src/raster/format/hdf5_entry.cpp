@@ -16,7 +16,7 @@ std::unique_ptr<simulate::Sink> make_hdf5_sink(const std::filesystem::path& path
 RowPlaces hdf5_row_places(const std::filesystem::path& scratch, const simulate::Product& product,
                           const Encoding& encoding) {
   const Hdf5Sink sink(scratch, product, encoding, true);
-  return {sink.samples_offset(), 2 * product.columns * component_bytes(encoding)};
+  return {sink.samples_offset(), 2 * product.columns * array_component_bytes(encoding)};
 }
 
 void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,

@@ -265,7 +265,6 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
   if (auto* problem = std::get_if<core::Problem>(&opened)) return refused(name, std::move(*problem));
   auto& samples = std::get<Hdf5Dataset>(opened);
   SampleFileInfo info;
-  info.format = scene::FileFormat::hdf5;
   if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
     return refused(name, std::move(*problem));
   if (hints.rows > 0 && hints.rows != info.rows)

@@ -48,7 +48,7 @@ Hdf5Handle complex_type(hid_t part) {
 
 hid_t part_type(const Encoding& encoding) {
   if (!encoding.counts) return H5T_IEEE_F32LE;
-  return component_bytes(encoding) == 8 ? H5T_STD_I64LE : H5T_STD_I32LE;
+  return array_component_bytes(encoding) == 8 ? H5T_STD_I64LE : H5T_STD_I32LE;
 }
 
 bool write_attribute(hid_t object, const char* name, hid_t type, const void* value) {
@@ -186,7 +186,7 @@ void Hdf5Sink::write_row_axes(std::size_t first_row, std::size_t rows) {
 
 void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) {
   order_.expect(first_row, rows);
-  if (bytes.size() != rows * product_.columns * 2 * component_bytes(encoding_))
+  if (bytes.size() != rows * product_.columns * 2 * array_component_bytes(encoding_))
     throw std::logic_error("encoded rows of the wrong size");
   const Hdf5Use use;
   expect(write_part(samples_.get(), sample_type_.get(), first_row, rows, product_.columns, bytes.data()));

@@ -22,7 +22,7 @@ class Hdf5Sink final : public simulate::Sink {
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
   [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
-    return encode_rows(encoding_, block);
+    return encode_array(encoding_, block);
   }
   void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override;
   /// Instead of `append`, for rows whose samples somebody else writes: only their axes.

@@ -183,9 +183,8 @@ std::optional<NpyPlane> plane_of(const NpyHeader& header, const NpyType& type) {
 
 OpenedImage refused(core::Problem problem) { return {nullptr, {std::move(problem)}}; }
 
-ImageInfo info_of(ImageFormat format, const core::InputFile& file, std::size_t columns) {
+ImageInfo info_of(const core::InputFile& file, std::size_t columns) {
   ImageInfo info;
-  info.format = format;
   info.path = file.path();
   info.columns = columns;
   return info;
@@ -202,7 +201,7 @@ core::Problem shape_problem(const std::string& name, const NpyHeader& header) {
 OpenedImage make_npy(core::InputFile file, const NpyHeader& header, const NpyType& type, const NpyPlane& plane,
                      const SampleFileHints& hints) {
   const std::string name = file.path().string();
-  ImageInfo info = info_of(ImageFormat::npy, file, static_cast<std::size_t>(plane.columns));
+  ImageInfo info = info_of(file, static_cast<std::size_t>(plane.columns));
   info.value = plane.value;
   info.counts = type.counts && plane.value == ImageValue::complex;
   info.bits = info.counts ? std::max(hints.bits, 0) : 0;
@@ -246,7 +245,7 @@ OpenedImage make_npy(core::InputFile file, const NpyHeader& header, const NpyTyp
 OpenedImage open_raw_image(core::InputFile file, const RawLayout& layout) {
   OpenedImage opened{nullptr, check_raw_layout(layout, file.path().string(), file.size())};
   if (core::has_errors(opened.problems)) return opened;
-  ImageInfo info = info_of(ImageFormat::custom, file, layout.width);
+  ImageInfo info = info_of(file, layout.width);
   info.value = layout.value;
   info.attributes = {{"layout", to_string(layout)}};
   const std::uint64_t most = layout.height > 0 ? layout.height : any_rows;
@@ -283,7 +282,7 @@ OpenedImage open_binary_image(core::InputFile file, const SampleFileHints& hints
     problems.push_back(with_severity(file_problem(name, "the file has another number of rows",
                                                   fmt::format("{}", file.size() / *row), fmt::format("{}", hints.rows)),
                                      core::Severity::warning));
-  ImageInfo info = info_of(ImageFormat::binary, file, hints.columns);
+  ImageInfo info = info_of(file, hints.columns);
   info.counts = true;
   info.bits = hints.bits;
   if (hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;

@@ -2,6 +2,7 @@
 
 #include "core/os/input_file.hpp"
 #include "raster/format/image_source.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
@@ -15,7 +16,7 @@ namespace sarsim::raster {
 /// makes pairs of I and Q, one of 3 bytes colours.
 [[nodiscard]] OpenedImage open_npy_image(core::InputFile file, const SampleFileHints& hints);
 [[nodiscard]] OpenedImage open_sun_image(core::InputFile file);
-[[nodiscard]] OpenedImage open_text_image(core::InputFile file, scene::FileFormat format, const SampleFileHints& hints);
+[[nodiscard]] OpenedImage open_text_image(core::InputFile file, TextStyle style, const SampleFileHints& hints);
 /// Through SampleFile: HDF5.
 [[nodiscard]] OpenedImage open_sample_image(const std::filesystem::path& path, const SampleFileHints& hints);
 

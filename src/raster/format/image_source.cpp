@@ -1,25 +1,20 @@
 #include "raster/format/image_source.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "raster/format/format_reader.hpp"
 #include "raster/format/image_openers.hpp"
 #include "raster/format/sample_file.hpp"
-#include "raster/format/sun_raster.hpp"
-#include "raster/format/text_reader.hpp"
-#include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
 namespace {
 
-constexpr std::string_view npy_signature = "\x93NUMPY";
-constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 constexpr std::size_t longest_hdf5_row = std::size_t{1} << 26;  // A whole row is read at a time: 1 GB.
 
 void check_window(const ImageSource& source, const ImageWindow& window, std::size_t room) {
@@ -65,48 +60,15 @@ class SampleFileImage final : public ImageSource {
   SampleFile file_;
 };
 
-std::optional<scene::FileFormat> detect_format(const core::InputFile& file, const SampleFileHints& hints) {
-  const auto named = format_from_path(file.path());
-  if (named == scene::FileFormat::binary || named == scene::FileFormat::hdf5 || named == scene::FileFormat::npy)
-    return named;
-  if (const auto found = detect_text_format(file)) return found;
-  if (hints.columns > 0 && hints.bits > 0) return scene::FileFormat::binary;
-  return named;
-}
-
-OpenedImage open_as(scene::FileFormat format, core::InputFile file, const SampleFileHints& hints) {
-  switch (format) {
-    case scene::FileFormat::binary: return open_binary_image(std::move(file), hints);
-    case scene::FileFormat::npy: return open_npy_image(std::move(file), hints);
-    case scene::FileFormat::hdf5: {
-      SampleFileHints as_hdf5 = hints;
-      as_hdf5.format = scene::FileFormat::hdf5;
-      as_hdf5.rows = 0;
-      const std::filesystem::path path = file.path();
-      return open_sample_image(path, as_hdf5);
-    }
-    case scene::FileFormat::ascii:
-    case scene::FileFormat::csv:
-    case scene::FileFormat::bracket: break;
-  }
-  return open_text_image(std::move(file), format, hints);
-}
-
 OpenedImage open_file(core::InputFile file, const ImageHints& hints) {
-  if (hints.raw) return open_raw_image(std::move(file), *hints.raw);
-  if (hints.samples.format) return open_as(*hints.samples.format, std::move(file), hints.samples);
-  std::array<std::byte, 8> begin{};
-  const std::size_t got = file.read_at(0, begin);
-  const std::string_view text(reinterpret_cast<const char*>(begin.data()), got);
-  if (is_sun_raster(std::span(begin).first(got))) return open_sun_image(std::move(file));
-  if (text.starts_with(npy_signature)) return open_as(scene::FileFormat::npy, std::move(file), hints.samples);
-  if (text.starts_with(hdf5_signature)) return open_as(scene::FileFormat::hdf5, std::move(file), hints.samples);
-  const auto format = detect_format(file, hints.samples);
-  if (!format)
+  const Format* const format = hints.raw ? &custom_format() : detect_format(file, hints.samples, true);
+  if (format == nullptr)
     return {nullptr,
             {file_problem(file.path().string(), "the format of the file is not known", {}, {},
                           "describe it as a custom file, or name the script that made it")}};
-  return open_as(*format, std::move(file), hints.samples);
+  OpenedImage opened = format->reader->image(std::move(file), *format, hints);
+  if (opened.source) opened.source->set_format(*format);
+  return opened;
 }
 
 // One direction of a window at a wider spacing.
@@ -122,20 +84,6 @@ ImageWindow coarser(const ImageWindow& window, std::size_t row_factor, std::size
 }
 
 }  // namespace
-
-std::string_view name_of(ImageFormat format) {
-  switch (format) {
-    case ImageFormat::binary: return "Sarsim BINARY";
-    case ImageFormat::ascii: return "Sarsim ASCII";
-    case ImageFormat::csv: return "CSV text";
-    case ImageFormat::bracket: return "Sarsim BRACKET";
-    case ImageFormat::hdf5: return "HDF5";
-    case ImageFormat::npy: return "NumPy array";
-    case ImageFormat::sun_raster: return "Sun raster";
-    case ImageFormat::custom: break;
-  }
-  return "custom";
-}
 
 OpenedImage ImageSource::open(const std::filesystem::path& path, const ImageHints& hints) {
   auto opened = core::InputFile::open(path);
@@ -157,7 +105,6 @@ OpenedImage open_sample_image(const std::filesystem::path& path, const SampleFil
     return result;
   }
   ImageInfo info;
-  info.format = ImageFormat::hdf5;
   info.path = path;
   info.columns = known.columns;
   info.counts = known.counts;

@@ -16,20 +16,15 @@
 #include "core/task/parallel.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/sample_reader.hpp"
+#include "raster/table/formats.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 
 namespace sarsim::raster {
 
-/// What a file that can be looked at is.
-enum class ImageFormat { binary, ascii, csv, bracket, hdf5, npy, sun_raster, custom };
-
-/// Its name for people: "Sarsim BINARY", "NumPy array" and so on.
-[[nodiscard]] std::string_view name_of(ImageFormat format);
-
 /// What an image is, but for the number of its rows, which may grow.
 struct ImageInfo {
-  ImageFormat format = ImageFormat::custom;
+  const Format* format = nullptr;  ///< Its row in the table; never null once a file is open.
   std::filesystem::path path;
   std::size_t columns = 0;
   ImageValue value = ImageValue::complex;
@@ -67,6 +62,8 @@ class ImageSource {
   virtual ~ImageSource() = default;
 
   [[nodiscard]] const ImageInfo& info() const { return info_; }
+  /// Says by which format the file was opened.
+  void set_format(const Format& format) { info_.format = &format; }
   [[nodiscard]] std::size_t columns() const { return info_.columns; }
   /// Rows that can be read now.
   [[nodiscard]] virtual std::size_t rows() const = 0;

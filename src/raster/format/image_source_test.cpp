@@ -24,7 +24,6 @@ using testing::HasSubstr;
 struct FormatCase {
   const char* name;
   scene::FileFormat format;
-  ImageFormat image;
   bool counts;
 };
 
@@ -41,7 +40,7 @@ TEST_P(ImageOfFormat, GivesTheSamplesOfAnyWindow) {
   const auto source =
       open_whole(path, sample_hints(GetParam().format == scene::FileFormat::binary ? columns : 0, bits));
   ASSERT_TRUE(source);
-  EXPECT_EQ(source->info().format, GetParam().image);
+  EXPECT_EQ(source->info().format, &format_of(GetParam().format));
   EXPECT_EQ(source->info().value, ImageValue::complex);
   EXPECT_EQ(source->info().counts, GetParam().counts);
   ASSERT_EQ(source->rows(), rows);
@@ -100,14 +99,14 @@ TEST_P(ImageOfFormat, CutWhileOpenGivesAMessageWithItsName) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ImageOfFormat,
-                         testing::Values(FormatCase{"a.bin", scene::FileFormat::binary, ImageFormat::binary, true},
-                                         FormatCase{"a.asc", scene::FileFormat::ascii, ImageFormat::ascii, true},
-                                         FormatCase{"a.csv", scene::FileFormat::csv, ImageFormat::csv, true},
-                                         FormatCase{"a.brk", scene::FileFormat::bracket, ImageFormat::bracket, true},
-                                         FormatCase{"counts.npy", scene::FileFormat::npy, ImageFormat::npy, true},
-                                         FormatCase{"volts.npy", scene::FileFormat::npy, ImageFormat::npy, false},
-                                         FormatCase{"counts.h5", scene::FileFormat::hdf5, ImageFormat::hdf5, true},
-                                         FormatCase{"volts.h5", scene::FileFormat::hdf5, ImageFormat::hdf5, false}),
+                         testing::Values(FormatCase{"a.bin", scene::FileFormat::binary, true},
+                                         FormatCase{"a.asc", scene::FileFormat::ascii, true},
+                                         FormatCase{"a.csv", scene::FileFormat::csv, true},
+                                         FormatCase{"a.brk", scene::FileFormat::bracket, true},
+                                         FormatCase{"counts.npy", scene::FileFormat::npy, true},
+                                         FormatCase{"volts.npy", scene::FileFormat::npy, false},
+                                         FormatCase{"counts.h5", scene::FileFormat::hdf5, true},
+                                         FormatCase{"volts.h5", scene::FileFormat::hdf5, false}),
                          [](const auto& tested) {
                            std::string name = tested.param.name;
                            name.replace(name.find('.'), 1, "_");

@@ -168,7 +168,6 @@ OpenedImage open_sun_image(core::InputFile file) {
                                    fmt::format("type {} with {} bits of a pixel", header.map_type, header.depth)),
                       core::Severity::note));
   ImageInfo info;
-  info.format = ImageFormat::sun_raster;
   info.path = file.path();
   info.columns = header.width;
   info.value = pixels.grey() ? ImageValue::real : ImageValue::rgb;

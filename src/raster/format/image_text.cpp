@@ -38,7 +38,7 @@ struct TooLong {};
 
 FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
   FirstRow first;
-  TextScanner scanner = scanner_at_samples(file, layout.format);
+  TextScanner scanner = scanner_at_samples(file, layout.style);
   scanner.skip_white_space();
   first.begin = {scanner.offset(), scanner.line()};
   std::size_t values = 0;
@@ -232,14 +232,6 @@ class TextImage final : public ImageSource {
   RowIndex<TextMark> index_;  // Last: its thread uses the others.
 };
 
-ImageFormat image_format_of(scene::FileFormat format) {
-  switch (format) {
-    case scene::FileFormat::csv: return ImageFormat::csv;
-    case scene::FileFormat::bracket: return ImageFormat::bracket;
-    default: return ImageFormat::ascii;
-  }
-}
-
 // CSV holds an offset that only the bits tell; values that do not fit it are taken as they stand.
 std::optional<CountRange> offset_of(const FirstRow& first, const SampleFileHints& hints, const std::string& name,
                                     core::Problems& problems) {
@@ -269,7 +261,7 @@ std::optional<core::Problem> first_row_problem(const std::string& name, const Fi
     return problem;
   }
   if (first.row.values == 0) return file_problem(name, "the file holds no samples");
-  if (first.row.values % 2 != 0 && layout.format != scene::FileFormat::csv)
+  if (first.row.values % 2 != 0 && layout.style != TextStyle::commas)
     return file_problem(name, "the first row ends with an I that has no Q",
                         fmt::format("{} numbers", first.row.values));
   if (layout.columns > 0 && first.row.values < 2 * layout.columns)
@@ -280,23 +272,22 @@ std::optional<core::Problem> first_row_problem(const std::string& name, const Fi
 
 }  // namespace
 
-OpenedImage open_text_image(core::InputFile file, scene::FileFormat format, const SampleFileHints& hints) {
+OpenedImage open_text_image(core::InputFile file, TextStyle style, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64 || hints.columns > (std::size_t{1} << 60U))
     return {nullptr, {file_problem(name, "the samples of a row or the A/D bits are out of range")}};
-  const TextLayout layout{format, format == scene::FileFormat::csv ? 0 : hints.columns};
+  const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
   const FirstRow first = read_first_row(file, layout);
   if (auto problem = first_row_problem(name, first, layout)) return {nullptr, {std::move(*problem)}};
   core::Problems problems;
   ImageInfo info;
-  info.format = image_format_of(format);
   info.path = file.path();
   TextSamples samples;
   samples.values = first.row.values;
   if (first.row.values % 2 != 0) {
     samples.components = 1;
     info.value = ImageValue::real;
-  } else if (format == scene::FileFormat::csv) {
+  } else if (style == TextStyle::commas) {
     samples.offset = offset_of(first, hints, name, problems);
   }
   info.columns = samples.values / samples.components;

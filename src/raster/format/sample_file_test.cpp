@@ -178,7 +178,7 @@ TEST(SampleFile, ReadsImagesWithAnEnviHeaderAsVolts) {
   writer.finish();
   const OpenedSampleFile image = SampleFile::open(folder / "r.img");
   ASSERT_TRUE(image.file) << text_of(image.problems);
-  EXPECT_EQ(image.file->info().format, std::nullopt);
+  EXPECT_EQ(image.file->info().format, &envi_format());
   EXPECT_FALSE(image.file->info().counts);
   EXPECT_EQ(read_all(*image.file), four);
   Samples second(2);
@@ -195,11 +195,11 @@ TEST(SampleFile, TakesAHeaderOnlyWhereNothingElseSaysWhatAFileIs) {
   put(folder / "r.asc", "1 2\n-3 4\n\n5 0\n7 8\n\n");
   const OpenedSampleFile text = SampleFile::open(folder / "r.asc");
   ASSERT_TRUE(text.file) << text_of(text.problems);
-  EXPECT_EQ(text.file->info().format, scene::FileFormat::ascii);
+  EXPECT_EQ(text.file->info().format, &format_of(scene::FileFormat::ascii));
   put(folder / "r.dat", std::string(16, '\1'));
   const OpenedSampleFile flat = SampleFile::open(folder / "r.dat", hints_of(2, 8));
   ASSERT_TRUE(flat.file) << text_of(flat.problems);
-  EXPECT_EQ(flat.file->info().format, scene::FileFormat::binary);
+  EXPECT_EQ(flat.file->info().format, &format_of(scene::FileFormat::binary));
   EXPECT_EQ(SampleFile::open(folder / "r.dat").file.value().info().rows, 1U);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "raster/table/formats.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::raster {
@@ -26,7 +27,7 @@ struct SampleFileHints {
 
 /// What a file of samples is.
 struct SampleFileInfo {
-  std::optional<scene::FileFormat> format;  ///< Nothing for images that an ENVI header describes.
+  const Format* format = nullptr;  ///< Its row in the table; never null once a file is open.
   std::size_t rows = 0;
   std::size_t columns = 0;
   bool counts = true;                                           ///< The numbers are A/D counts; otherwise volts.
@@ -52,6 +53,8 @@ class SampleReader {
   virtual ~SampleReader() = default;
 
   [[nodiscard]] const SampleFileInfo& info() const { return info_; }
+  /// Says by which format the file was opened.
+  void set_format(const Format& format) { info_.format = &format; }
   /// See SampleFile::read_rows; the arguments are already checked.
   virtual void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const = 0;
   /// See SampleFile::axes.

@@ -67,7 +67,7 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
   ASSERT_TRUE(opened.file) << text_of(opened.problems);
   EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
   const SampleFileInfo& info = opened.file->info();
-  EXPECT_EQ(info.format, GetParam().format);
+  EXPECT_EQ(info.format, &format_of(GetParam().format));
   EXPECT_EQ(info.rows, 11U);
   EXPECT_EQ(info.columns, 7U);
   EXPECT_EQ(info.counts, GetParam().counts);

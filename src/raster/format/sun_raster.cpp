@@ -126,11 +126,11 @@ std::uint8_t byte_at(std::span<const std::byte> bytes, std::uint64_t index) {
   return std::to_integer<std::uint8_t>(bytes[static_cast<std::size_t>(index)]);
 }
 
-}  // namespace
-
 bool is_sun_raster(std::span<const std::byte> begin) {
   return begin.size() >= 4 && big_endian(begin) == SunRasterHeader::magic;
 }
+
+}  // namespace
 
 std::variant<SunRasterHeader, core::Problem> read_sun_header(const core::InputFile& file) {
   const std::string name = file.path().string();

@@ -41,9 +41,6 @@ struct SunRasterHeader {
   [[nodiscard]] std::uint64_t data_offset() const { return bytes + std::uint64_t{map_length}; }
 };
 
-/// Whether bytes begin with the magic number.
-[[nodiscard]] bool is_sun_raster(std::span<const std::byte> begin);
-
 /// Reads and checks the header: every size is held against the file's, so that whoever trusts it need not. The pixels
 /// of a compressed file may still end early. Other types and depths are refused with their names.
 [[nodiscard]] std::variant<SunRasterHeader, core::Problem> read_sun_header(const core::InputFile& file);

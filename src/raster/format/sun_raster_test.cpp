@@ -66,7 +66,7 @@ TEST(SunRaster, OfGreyLevelsIsReadBackWithItsPadding) {
             header(3, 2, 8, 1).replace(16, 4, number(8)) + std::string("\1\2\3\0\372\373\374\0", 8));
   const auto source = open_whole(folder / "a.ras");
   ASSERT_TRUE(source);
-  EXPECT_EQ(source->info().format, ImageFormat::sun_raster);
+  EXPECT_EQ(source->info().format, &sun_raster_format());
   EXPECT_EQ(source->info().value, ImageValue::real);
   EXPECT_THAT(levels(*source), testing::ElementsAre(1, 2, 3, 250, 251, 252));
 }

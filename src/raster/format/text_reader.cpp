@@ -194,39 +194,38 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFile
 
 }  // namespace
 
-std::optional<scene::FileFormat> detect_text_format(const core::InputFile& file) {
+TextStyle style_of_text(const core::InputFile& file) {
   std::vector<char> begin(4096);
   begin.resize(file.read_at(0, std::as_writable_bytes(std::span(begin))));
   const auto control = [](char c) {
     const auto code = static_cast<unsigned char>(c);
     return (code < 0x20 && !(code >= '\t' && code <= '\r')) || code == 0x7F;
   };
-  if (std::ranges::any_of(begin, control)) return std::nullopt;
+  if (std::ranges::any_of(begin, control)) return TextStyle::none;
   std::string_view text(begin.data(), begin.size());
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   const std::size_t start = text.find_first_not_of(" \t\r\n\v\f");
-  if (start == std::string_view::npos) return scene::FileFormat::ascii;
+  if (start == std::string_view::npos) return TextStyle::lines;
   text.remove_prefix(start);
-  if (text.starts_with('(')) return scene::FileFormat::bracket;
-  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? scene::FileFormat::csv
-                                                                             : scene::FileFormat::ascii;
+  if (text.starts_with('(')) return TextStyle::brackets;
+  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? TextStyle::commas : TextStyle::lines;
 }
 
-TextScanner scanner_at_samples(const core::InputFile& file, scene::FileFormat format) {
+TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style) {
   TextScanner scanner = scanner_at_start(file);
-  if (format == scene::FileFormat::csv) skip_header(scanner, file);
+  if (style == TextStyle::commas) skip_header(scanner, file);
   return scanner;
 }
 
-OpenedReader open_text(core::InputFile file, scene::FileFormat format, const SampleFileHints& hints) {
+OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64)
     return {nullptr,
             {file_problem(name, "the number of A/D bits is out of range", fmt::format("{}", hints.bits), "1 to 64")}};
   if (hints.columns > std::numeric_limits<std::size_t>::max() / 2)
     return {nullptr, {file_problem(name, "the samples of a row are too many", fmt::format("{}", hints.columns))}};
-  TextScanner scanner = scanner_at_samples(file, format);
-  const TextLayout layout{format, format == scene::FileFormat::csv ? 0 : hints.columns};
+  TextScanner scanner = scanner_at_samples(file, style);
+  const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
   TextSurvey survey = survey_text(file, std::move(scanner), layout);
   OpenedReader result{nullptr, std::move(survey.problems)};
   if (core::has_errors(result.problems)) return result;
@@ -238,10 +237,9 @@ OpenedReader open_text(core::InputFile file, scene::FileFormat format, const Sam
                                            fmt::format("{} samples", survey.values / 2),
                                            fmt::format("{} samples", hints.columns)));
   std::optional<CountRange> offset;
-  if (format == scene::FileFormat::csv) offset = find_offset(survey, hints, name, result.problems);
+  if (style == TextStyle::commas) offset = find_offset(survey, hints, name, result.problems);
   if (core::has_errors(result.problems)) return result;
   SampleFileInfo info;
-  info.format = format;
   info.rows = survey.rows;
   info.columns = survey.values / 2;
   info.counts = survey.whole;

@@ -6,13 +6,14 @@
 
 #include "raster/format/sample_reader.hpp"
 #include "raster/format/text_scanner.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
 /// How the numbers of a text make rows.
 struct TextLayout {
-  scene::FileFormat format = scene::FileFormat::ascii;  ///< ascii, csv or bracket.
-  std::size_t columns = 0;  ///< Above 0: rows of ASCII and BRACKET end after so many samples.
+  TextStyle style = TextStyle::lines;  ///< Not none.
+  std::size_t columns = 0;             ///< Above 0: rows of ASCII and BRACKET end after so many samples.
 };
 
 /// What `parse_row` found.
@@ -35,9 +36,9 @@ class TextRowParser {
     row_ = {};
     scanner_.skip_white_space();
     if (scanner_.peek() == TextScanner::end) return row_;
-    switch (layout_.format) {
-      case scene::FileFormat::csv: parse_csv(); break;
-      case scene::FileFormat::bracket: parse_bracket(); break;
+    switch (layout_.style) {
+      case TextStyle::commas: parse_csv(); break;
+      case TextStyle::brackets: parse_bracket(); break;
       default: parse_ascii(); break;
     }
     return row_;

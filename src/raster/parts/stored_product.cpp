@@ -11,6 +11,7 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/os/raw_file.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
@@ -103,7 +104,7 @@ class Unpacker {
 
 void store_product(const std::filesystem::path& path, const StoredProduct& stored) {
   const simulate::Product& product = stored.product;
-  const bool axes = stored.options.format == scene::FileFormat::hdf5;
+  const bool axes = format_of(stored.options.format).carries_axes;
   Packer packer;
   packer.put(format_mark);
   packer.put_text(product.radar);

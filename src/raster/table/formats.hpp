@@ -1,12 +1,94 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "scene/model/format_values.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::raster {
+
+struct FormatReader;
+struct FormatWriter;
+
+/// How the numbers of a text make samples and rows.
+enum class TextStyle {
+  none,      ///< No text.
+  lines,     ///< "I Q" in a line of its own, an empty line behind each row.
+  commas,    ///< "I,Q,I,Q" in a line for each row.
+  brackets,  ///< "(I,Q) (I,Q)" in a line for each row.
+};
+
+/// Where a format stands in the lists that people choose from, from 1; 0 where it is not offered.
+struct FormatPlaces {
+  int saved = 0;      ///< Recordings that are saved from a picture.
+  int exported = 0;   ///< Selections that are exported.
+  int described = 0;  ///< Files that are opened and do not describe themselves.
+  int image = 0;      ///< Extensions of images in the help of commands.
+};
+
+/// All there is to know of a kind of file: one row of the table of formats (raster/format/formats.cpp). Whoever needs
+/// to know something of a format asks its row; nobody compares formats by name. A new format is a row there, the file
+/// with its reader and writer and, for recordings, its name in scripts (`scene::FileFormat`).
+struct Format {
+  /// The format of recordings that scripts name; nothing for what only images are stored as.
+  std::optional<scene::FileFormat> recording = std::nullopt;
+  std::string_view word;         ///< Keyword in scripts, "HDF5"; in lower case the word of commands and reports.
+  std::string_view name;         ///< For people, in lists: "Sarsim BINARY", "NumPy".
+  std::string_view title;        ///< For people, of a file: "Sarsim BINARY", "NumPy array".
+  std::string_view choice = {};  ///< For people who choose how a recording is saved: "ASCII: I Q in lines".
+  /// With their points, the usual one first; empty at the end.
+  std::array<std::string_view, 6> extensions = {};
+  std::string_view signature = {};  ///< Bytes that every file begins with; empty where there are none.
+  TextStyle text = TextStyle::none;
+  bool script_like = false;     ///< Its extensions are also those of scripts and other texts.
+  bool spreadsheet = false;     ///< Programs for tables read it.
+  bool needs_bits = true;       ///< How counts are stored depends on the A/D bits.
+  bool carries_axes = false;    ///< Times, carriers and ranges stand in the file.
+  bool carries_script = false;  ///< The script stands in the file.
+  bool envi_header = false;     ///< An ENVI header beside the file makes it an image with axes.
+  bool one_at_a_time = false;   ///< Written through a library that does one thing at a time.
+  bool picture = false;         ///< Levels and colours made for the eye.
+  bool by_hand = false;         ///< Somebody says how it is stored: it does not say itself what its numbers are.
+  FormatPlaces places = {};
+  /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
+  double (*most_sample_bytes)(int bits) = nullptr;
+  const FormatReader* reader = nullptr;
+  const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
+
+  /// Whether it is text, whose size is only estimated and whose rows have no places of their own.
+  [[nodiscard]] bool is_text() const { return text != TextStyle::none; }
+};
+
+/// All rows: first the formats of recordings in the order of scene::FileFormat, then ENVI, pictures and files that are
+/// described by hand.
+[[nodiscard]] std::span<const Format> formats();
+
+/// The row of a format of recordings.
+[[nodiscard]] const Format& format_of(scene::FileFormat format);
+/// The row of flat images with an ENVI header.
+[[nodiscard]] const Format& envi_format();
+/// The row of Sun rasters.
+[[nodiscard]] const Format& sun_raster_format();
+/// The row of files that a RawLayout describes.
+[[nodiscard]] const Format& custom_format();
+
+/// The formats of recordings, in the order of scene::FileFormat.
+[[nodiscard]] std::span<const Format> recording_formats();
+/// The formats that a list offers, in its order.
+[[nodiscard]] std::vector<const Format*> offered_formats(int FormatPlaces::*place);
+/// The words of all formats of recordings: "ascii, binary, bracket, hdf5, csv or npy".
+[[nodiscard]] std::string format_words();
+/// The extensions of images that are no ENVI images: ".npy, .h5, .csv, .asc, .bin, .brk".
+/// @param without_spreadsheets  leave out those that become tables of their own
+[[nodiscard]] std::string image_extensions(bool without_spreadsheets = false);
+/// The word of a format in commands and reports: "hdf5", "envi".
+[[nodiscard]] std::string word_of(const Format& format);
 
 /// The usual extension of a format, with its point: ".asc", ".bin", ".brk", ".h5", ".csv", ".npy".
 [[nodiscard]] std::string_view extension_of(scene::FileFormat format);
@@ -20,10 +102,15 @@ namespace sarsim::raster {
 /// The format that the extension of a path means, ignoring case (the usual ones, and .txt, .hdf5, .hdf, .he5); nothing
 /// for another one.
 [[nodiscard]] std::optional<scene::FileFormat> format_from_path(const std::filesystem::path& path);
+/// The same of all rows, those of images and pictures too.
+[[nodiscard]] const Format* row_from_path(const std::filesystem::path& path);
 
 /// Whether a file of that format holds counts of the converter: HDF5 and NPY hold volts unless counts are asked for.
 [[nodiscard]] constexpr bool holds_counts(scene::FileFormat format, bool counts_asked = false) {
-  return counts_asked || (format != scene::FileFormat::hdf5 && format != scene::FileFormat::npy);
+  return counts_asked || scene::values_of(format) == scene::SampleValues::counts;
 }
+
+/// What a file of an expected size needs at least: the size of text is an estimate from above.
+[[nodiscard]] double least_bytes(scene::FileFormat format, double expected_bytes);
 
 }  // namespace sarsim::raster

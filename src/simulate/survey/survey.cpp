@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
+#include "scene/model/format_values.hpp"
 #include "simulate/survey/beam_passes.hpp"
 
 namespace sarsim::simulate {
@@ -182,7 +183,7 @@ class Surveyor {
   }
 
   void check_lsb(const EchoSurvey& survey, const Plan& plan) {
-    const bool counts = simulation_.format != scene::FileFormat::hdf5 && simulation_.format != scene::FileFormat::npy;
+    const bool counts = scene::values_of(simulation_.format) == scene::SampleValues::counts;
     const bool classic_compressed =
         plan.compressor && plan.scene->conventions.compression == Conventions::Compression::pulse_energy;
     if (!counts || classic_compressed || simulation_.lsb_v <= 0.0 || survey.targets.empty() || plan.stc_gain.size() > 0)

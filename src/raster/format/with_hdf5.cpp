@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "raster/format/format_reader.hpp"
+#include "raster/format/format_writer.hpp"
+#include "raster/format/image_openers.hpp"
+#include "raster/format/load_hdf5.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+// About how many bytes an HDF5 file needs beside the samples.
+double hdf5_overhead_bytes(const simulate::Product& product) {
+  constexpr double structure = 8150.0;  // Superblock, object headers, the heap that holds the texts.
+  return structure + static_cast<double>(product.script.size()) + 16.0 * static_cast<double>(product.rows) +
+         8.0 * static_cast<double>(product.columns);
+}
+
+// A whole HDF5 file but for its samples, for as long as it is needed.
+class Hdf5Frame {
+ public:
+  Hdf5Frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
+            const simulate::RunReport& report)
+      : path_(path), places_(hdf5_module(path).row_places(path, product, encoding)), rows_(product.rows) {
+    hdf5_module(path).write_frame(path, product, encoding, report);
+  }
+  Hdf5Frame(const Hdf5Frame&) = delete;
+  Hdf5Frame& operator=(const Hdf5Frame&) = delete;
+  ~Hdf5Frame() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+
+  void copy_to(core::RawFile& file) const {
+    const core::RawFile frame(path_, core::RawFile::Mode::read);
+    file.resize(frame.size());
+    copy(frame, file, 0, places_.first_byte);
+    copy(frame, file, places_.of(rows_), frame.size());
+  }
+
+ private:
+  static void copy(const core::RawFile& from, core::RawFile& to, std::uint64_t begin, std::uint64_t end) {
+    std::vector<std::byte> bytes;
+    while (begin < end) {
+      bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(end - begin, std::uint64_t{1} << 20U)));
+      if (!from.read_at(begin, bytes)) throw std::runtime_error("cannot read " + from.path().string());
+      to.write_at(begin, bytes);
+      begin += bytes.size();
+    }
+  }
+
+  std::filesystem::path path_;
+  RowPlaces places_;
+  std::size_t rows_;
+};
+
+double hdf5_bytes(const simulate::Product& product, const Encoding& encoding, bool) {
+  const double samples = static_cast<double>(product.rows) * static_cast<double>(product.columns);
+  return samples * 2.0 * static_cast<double>(array_component_bytes(encoding)) + hdf5_overhead_bytes(product);
+}
+
+std::unique_ptr<simulate::Sink> hdf5_sink(const std::filesystem::path& path, const simulate::Product& product,
+                                          const Encoding& encoding, bool replace) {
+  return hdf5_module(path).make_sink(path, product, encoding, replace);
+}
+
+RowPlaces hdf5_places(const std::filesystem::path& scratch, const simulate::Product& product,
+                      const Encoding& encoding) {
+  return hdf5_module(scratch).row_places(scratch, product, encoding);
+}
+
+void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
+                const Encoding& encoding, const simulate::RunReport& report) {
+  const Hdf5Frame frame(scratch, product, encoding, report);
+  frame.copy_to(file);
+}
+
+// The library opens the file anew, by its name.
+OpenedReader open_by_module(core::InputFile file, const Format&, const SampleFileHints& hints) {
+  const std::filesystem::path path = file.path();
+  return hdf5_module(path).open(path, file.size(), hints);
+}
+
+OpenedImage open_image_by_module(core::InputFile file, const Format& format, const ImageHints& hints) {
+  SampleFileHints known = hints.samples;
+  known.format = format.recording;
+  known.rows = 0;
+  const std::filesystem::path path = file.path();
+  return open_sample_image(path, known);
+}
+
+}  // namespace
+
+const FormatReader hdf5_file_reader{.samples = open_by_module, .image = open_image_by_module};
+const FormatWriter hdf5_file_writer{.encode = encode_array,
+                                    .component_bytes = array_component_bytes,
+                                    .expected_bytes = hdf5_bytes,
+                                    .make_sink = hdf5_sink,
+                                    .row_places = hdf5_places,
+                                    .write_frame = write_hdf5};
+
+}  // namespace sarsim::raster
