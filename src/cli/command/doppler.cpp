@@ -10,6 +10,7 @@
 #include "cli/command/image_writer.hpp"
 #include "cli/shell/options.hpp"
 #include "core/build/version.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::cli {
 
@@ -157,9 +158,10 @@ class DopplerRun {
 
 Action add_doppler(CLI::App& app) {
   auto arguments = std::make_shared<SearchArguments>();
-  add_search_arguments(app, *arguments,
-                       "maps to write, one below the other: ENVI (.img, default), or .npy, .h5, .csv, .asc, .bin, .brk",
-                       fmt::format("{}, or as many as there are", usual_pulses));
+  add_search_arguments(
+      app, *arguments,
+      fmt::format("maps to write, one below the other: ENVI (.img, default), or {}", raster::image_extensions()),
+      fmt::format("{}, or as many as there are", usual_pulses));
   add_examples(app, {{"sarsim doppler mti.scr --canceller two", "what moves: mti-doppler.img and its detections"},
                      {"sarsim doppler sim1.h5 --interval 128 --step 64 --window hamming", "overlapping intervals"},
                      {"sarsim doppler sim1.bin --script scene.scr --out maps.npy", "a file that carries no script"},

@@ -9,6 +9,7 @@
 
 #include "cli/shell/options.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::cli {
 
@@ -57,7 +58,8 @@ std::size_t memory_of(const std::string& text) {
 
 void add_focus_arguments(CLI::App& app, FocusArguments& a) {
   add_text(app, "--out", a.output, "OUT",
-           "image to write: ENVI (.img, default), or .npy, .h5, .csv, .asc, .bin, .brk; default: the input's name");
+           fmt::format("image to write: ENVI (.img, default), or {}; default: the input's name",
+                       raster::image_extensions()));
   add_choice<FocusAlgorithm>(app, "--algorithm", a.algorithm,
                              {{"range-doppler", FocusAlgorithm::range_doppler},
                               {"chirp-scaling", FocusAlgorithm::chirp_scaling},

@@ -60,7 +60,7 @@ fs::path magnitude_path(const fs::path& path) {
 
 std::vector<fs::path> files_of_image(const fs::path& path) {
   const auto format = raster::format_from_path(path);
-  if (format && *format != scene::FileFormat::npy) return {path};
+  if (format && !raster::format_of(*format).envi_header) return {path};
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 

@@ -20,7 +20,7 @@ constexpr int count_bits = 16;
 
 bool needs_largest(const std::filesystem::path& path) {
   const auto format = raster::format_from_path(path);
-  return format && *format != scene::FileFormat::hdf5 && *format != scene::FileFormat::npy;
+  return format && raster::holds_counts(*format);
 }
 
 ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content, bool replace, double largest)
@@ -67,7 +67,8 @@ void ImageWriter::finish() {
     return;
   }
   std::optional<core::OutputFile> text;
-  if (raster::format_from_path(path_) == scene::FileFormat::npy) {
+  const raster::Format* const format = raster::row_from_path(path_);
+  if (format != nullptr && format->envi_header) {
     text.emplace(std::filesystem::path(path_).replace_extension(".hdr"), replace_);
     write_npy_header(*text);
   }

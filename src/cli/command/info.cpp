@@ -50,7 +50,7 @@ bool holds_script(const std::string& path) {
   const std::filesystem::path name(path);
   if (core::equal_ignoring_case(name.extension().string(), ".scr")) return true;
   const auto format = raster::format_from_path(name);
-  if (format && *format != scene::FileFormat::ascii) return false;
+  if (format && !raster::format_of(*format).script_like) return false;
   return begins_like_script(path);
 }
 

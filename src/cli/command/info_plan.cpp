@@ -24,9 +24,7 @@ namespace {
 constexpr double trial_s = 1.0;
 constexpr double shortest_trial_s = 0.02;
 
-bool is_text(scene::FileFormat format) {
-  return format == scene::FileFormat::ascii || format == scene::FileFormat::bracket || format == scene::FileFormat::csv;
-}
+bool is_text(scene::FileFormat format) { return raster::format_of(format).is_text(); }
 
 // What a recording takes.
 struct RecordingPlan {

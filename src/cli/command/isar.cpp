@@ -20,6 +20,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
 #include "workflow/stepped/isar_scene.hpp"
 
 namespace sarsim::cli {
@@ -308,7 +309,7 @@ class IsarRun {
 
 void add_isar_options(CLI::App& app, IsarArguments& a) {
   add_text(app, "--out", a.output, "OUT",
-           "image to write: ENVI (.img, default), or .npy, .h5, .csv, .asc, .bin, .brk; several get numbers");
+           fmt::format("image to write: ENVI (.img, default), or {}; several get numbers", raster::image_extensions()));
   add_choice<Algorithm>(app, "--algorithm", a.algorithm,
                         {{"range-doppler", Algorithm::range_doppler}, {"back-projection", Algorithm::back_projection}},
                         "range-doppler by default; back-projection for large angles, exact and slower");

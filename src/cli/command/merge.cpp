@@ -17,6 +17,7 @@
 #include "core/task/parallel.hpp"
 #include "core/text/json.hpp"
 #include "raster/parts/join_parts.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::cli {
 
@@ -148,7 +149,7 @@ class Merger {
   }
 
   static bool holds_volts(const raster::SinkOptions& options) {
-    return (options.format == scene::FileFormat::hdf5 || options.format == scene::FileFormat::npy) && !options.counts;
+    return !raster::holds_counts(options.format, options.counts);
   }
 
   // Rows that stood at their places have become the output: what is left of their folder is of no use.

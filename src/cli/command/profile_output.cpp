@@ -143,7 +143,7 @@ void write_profiles(const workflow::ProfileSeries& series, const ProfileOrigin& 
                     bool replace, const core::StopFlag* stop) {
   const auto format = raster::format_from_path(path);
   if (!format) return write_envi(series, origin, path, replace, stop);
-  if (*format == scene::FileFormat::csv) return write_csv(series, origin, path, replace, stop);
+  if (raster::format_of(*format).spreadsheet) return write_csv(series, origin, path, replace, stop);
   write_samples(series, origin, *format, path, replace, stop);
 }
 

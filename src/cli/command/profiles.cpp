@@ -18,6 +18,7 @@
 #include "cli/shell/window_option.hpp"
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::cli {
 
@@ -334,9 +335,9 @@ class ProfilesRun {
 };
 
 void add_profiles_options(CLI::App& app, ProfilesArguments& a) {
-  add_text(
-      app, "--out", a.output, "OUT",
-      "profiles to write: ENVI (.img, default), .csv for magnitudes against range, or .npy, .h5, .asc, .bin, .brk");
+  add_text(app, "--out", a.output, "OUT",
+           fmt::format("profiles to write: ENVI (.img, default), .csv for magnitudes against range, or {}",
+                       raster::image_extensions(true)));
   add_choice<Set>(app, "--set", a.set, {{"bursts", Set::bursts}, {"scans", Set::scans}, {"encounter", Set::encounter}},
                   "a profile for each burst (default), or the mean power of each scan or of all scans");
   add_text(app, "--velocity", a.velocity, "none|scene|estimated|M/S",

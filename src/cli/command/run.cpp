@@ -255,17 +255,14 @@ class Runner {
 
   // What a recording needs on the disk at least.
   [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
-    const scene::FileFormat format = plan.simulation.format;
-    const bool text =
-        format != scene::FileFormat::binary && format != scene::FileFormat::npy && format != scene::FileFormat::hdf5;
-    // The size of text is an estimate from above.
-    const double least = text ? 0.4 * bytes : bytes;
+    const double least = raster::least_bytes(plan.simulation.format, bytes);
     if (!journaled_) return least;
     if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
     const double rows = static_cast<double>(plan.rows);
     const double made = static_cast<double>(rows_of(arguments_.part, plan.rows).count);
     if (estimates_lsb(plan.simulation)) return 16.0 * made * static_cast<double>(plan.columns);
-    return text || arguments_.part.own_file ? least * made / rows : least;
+    return raster::format_of(plan.simulation.format).is_text() || arguments_.part.own_file ? least * made / rows
+                                                                                           : least;
   }
 
   [[nodiscard]] bool estimates_lsb(const scene::Simulation& simulation) const {
@@ -321,7 +318,7 @@ class Runner {
   void make_recording(const ProductJob& job) {
     const double begin_s = core::now_s();
     const simulate::Plan plan = planned(job.index);
-    const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+    const bool with_script = raster::format_of(plan.simulation.format).carries_script;
     const simulate::Product product = simulate::product_of(plan, with_script ? script() : std::string());
     const std::unique_ptr<simulate::Sink> sink = sink_of(job, product, plan.simulation);
     RecordingReport report = report_on(job, plan, product);
@@ -367,7 +364,7 @@ class Runner {
     const simulate::Plan plan = planned(job.index);
     raster::StoredProduct stored;
     stored.product =
-        simulate::product_of(plan, plan.simulation.format == scene::FileFormat::hdf5 ? script() : std::string());
+        simulate::product_of(plan, raster::format_of(plan.simulation.format).carries_script ? script() : std::string());
     stored.options = sink_options(plan.simulation);
     stored.estimate_lsb = estimates_lsb(plan.simulation);
     stored.engine_reason = plan.engine.reason;

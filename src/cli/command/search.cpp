@@ -13,6 +13,7 @@
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
+#include "raster/table/formats.hpp"
 #include "workflow/search/search_checks.hpp"
 
 namespace sarsim::cli {
@@ -161,7 +162,7 @@ class SearchRun {
 Action add_search(CLI::App& app) {
   auto arguments = std::make_shared<PpiArguments>();
   add_search_arguments(app, arguments->search,
-                       "picture to write: ENVI (.img, default), or .npy, .h5, .csv, .asc, .bin, .brk",
+                       fmt::format("picture to write: ENVI (.img, default), or {}", raster::image_extensions()),
                        "while the beam turns by half its width, at most 64");
   add_real(app, "--pixel", arguments->pixel_m, "M",
            "side of a pixel (default: a range sample, or a thousandth of --extent)");

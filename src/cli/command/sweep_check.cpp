@@ -119,9 +119,7 @@ class Looker {
         size.bytes = raster::expected_bytes(simulate::product_of(plan, {}),
                                             {plan.simulation.format, false, work_.counts, false});
         const scene::FileFormat format = plan.simulation.format;
-        const bool exact = format == scene::FileFormat::binary || format == scene::FileFormat::npy ||
-                           format == scene::FileFormat::hdf5;
-        size.least_bytes = exact ? size.bytes : 0.4 * size.bytes;
+        size.least_bytes = raster::least_bytes(format, size.bytes);
         const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
         size.seconds = simulate::estimated_cost(plan, 1).seconds_one_thread * (twice ? 2.0 : 1.0);
       }

@@ -70,7 +70,7 @@ std::unique_ptr<simulate::Sink> sink_of(const fs::path& path, const simulate::Pr
                                         const raster::SinkOptions& options, bool discard) {
   if (discard) return raster::make_discarding_sink(product, options);
   const auto make = [&] { return raster::make_sink(path, product, options); };
-  if (options.format == scene::FileFormat::hdf5) return std::make_unique<OneAtATimeSink>(make);
+  if (raster::format_of(options.format).one_at_a_time) return std::make_unique<OneAtATimeSink>(make);
   return make();
 }
 
@@ -102,7 +102,7 @@ class VariationRunner {
     if (!resolved_)
       resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_, {rules_.threads, stop_}));
     const simulate::Plan plan = simulate::make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
-    const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+    const bool with_script = raster::format_of(plan.simulation.format).carries_script;
     const simulate::Product product =
         simulate::product_of(plan, with_script ? scene::write_script(scene_) : std::string());
     const raster::SinkOptions options{plan.simulation.format, rules_.replace, rules_.counts, rules_.header};

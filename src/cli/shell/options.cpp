@@ -94,14 +94,10 @@ void refuse_word(const std::string& names, const std::string& word, const std::v
 
 CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<scene::FileFormat>& value,
                         const std::string& description) {
-  return add_choice<scene::FileFormat>(app, names, value,
-                                       {{"ascii", scene::FileFormat::ascii},
-                                        {"binary", scene::FileFormat::binary},
-                                        {"bracket", scene::FileFormat::bracket},
-                                        {"hdf5", scene::FileFormat::hdf5},
-                                        {"csv", scene::FileFormat::csv},
-                                        {"npy", scene::FileFormat::npy}},
-                                       description);
+  std::vector<std::pair<std::string, scene::FileFormat>> words;
+  for (const raster::Format& row : raster::recording_formats())
+    words.emplace_back(raster::word_of(row), *row.recording);
+  return add_choice<scene::FileFormat>(app, names, value, words, description);
 }
 
 void add_examples(CLI::App& app, const std::vector<std::pair<std::string, std::string>>& commands_and_meanings) {

@@ -104,7 +104,7 @@ raster::SampleFile opened(const std::string& path, const raster::SampleFileHints
 // What was made from a recording may have its name and its shape.
 void expect_no_image(const std::string& path) {
   const auto format = raster::format_from_path(path);
-  if ((format && *format != scene::FileFormat::npy) || !raster::has_envi_header(path)) return;
+  if ((format && !raster::format_of(*format).envi_header) || !raster::has_envi_header(path)) return;
   throw core::Refused(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
                                   raster::envi_header_of(path).filename().string()),
                       "name the script or the recording that it was made from");

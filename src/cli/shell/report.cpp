@@ -35,12 +35,7 @@ std::string decimals(double value, int digits) {
   return text;
 }
 
-std::string format_word(scene::FileFormat format) {
-  std::string word(raster::name_of(format));
-  for (char& c : word)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return word;
-}
+std::string format_word(scene::FileFormat format) { return raster::word_of(raster::format_of(format)); }
 
 std::string profile_word(scene::Profile profile) { return profile == scene::Profile::classic ? "classic" : "physical"; }
 

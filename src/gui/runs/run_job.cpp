@@ -140,7 +140,7 @@ void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& repor
   const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(request_.scene));
   const simulate::Plan plan =
       simulate::make_plan(request_.scene, request_.simulation, resolved, simulate::Engine::automatic);
-  const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+  const bool with_script = raster::format_of(plan.simulation.format).carries_script;
   const simulate::Product product =
       simulate::product_of(plan, with_script ? scene::write_script(request_.scene) : std::string());
   const raster::SinkOptions options{plan.simulation.format, request_.replace, false, false};
@@ -151,10 +151,7 @@ void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& repor
   wait_for_leave(stop);
 
   const double begin_s = core::now_s();
-  // The size of text is an estimate from above.
-  const bool text =
-      plan.simulation.format != scene::FileFormat::binary && !(with_script || options.format == scene::FileFormat::npy);
-  expect_room(request_.file, text ? 0.4 * bytes : bytes);
+  expect_room(request_.file, raster::least_bytes(plan.simulation.format, bytes));
   const std::unique_ptr<simulate::Sink> sink = raster::make_sink(request_.file, product, options);
   const bool seek_lsb = plan.simulation.lsb_v <= 0.0 && sink->wants_counts();
   double lsb_v = plan.simulation.lsb_v;

@@ -51,7 +51,7 @@ SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, doubl
   PlannedRecording planned = plan_recording(scene, simulation, stop);
   SaveForecast forecast{std::move(planned.problems), std::nullopt};
   if (!planned.plan) return forecast;
-  const bool with_script = simulation.format == scene::FileFormat::hdf5;
+  const bool with_script = raster::format_of(simulation.format).carries_script;
   const simulate::Product product = simulate::product_of(
       *planned.plan, with_script ? scene::write_script(with_simulation(scene, simulation)) : std::string());
   const double bytes = raster::expected_bytes(product, {simulation.format, false, false, false});
