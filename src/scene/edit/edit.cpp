@@ -66,28 +66,6 @@ void make(const Edit& edit, bool forwards, Scene& scene) {
   if (options_in) scene.options = *options_in;
 }
 
-// What a run of changes does to places in the list that it changes; ascending before and after.
-void move_places(std::vector<std::size_t>& places, std::span<const ListChange> run) {
-  if (run.front().inserts()) {
-    std::size_t before = 0;  // insertions that come before the place
-    for (std::size_t& place : places) {
-      while (before < run.size() && run[before].id.index <= place + before) ++before;
-      place += before;
-    }
-  } else if (run.front().removes()) {
-    std::size_t left = run.size();  // removals of what stands further on; the run descends
-    std::erase_if(places, [&](std::size_t place) {
-      while (left > 0 && run[left - 1].id.index < place) --left;
-      return left > 0 && run[left - 1].id.index == place;
-    });
-    left = run.size();
-    for (std::size_t& place : places) {
-      while (left > 0 && run[left - 1].id.index < place) --left;
-      place -= run.size() - left;
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<ListChange> list_changes(const Edit& edit, bool forwards) {
@@ -115,6 +93,27 @@ std::size_t run_length(std::span<const ListChange> changes) {
     if (!next.inserts() && !next.removes() && next.id.index <= last.id.index) break;
   }
   return length;
+}
+
+void move_places(std::vector<std::size_t>& places, std::span<const ListChange> run) {
+  if (run.front().inserts()) {
+    std::size_t before = 0;  // insertions that come before the place
+    for (std::size_t& place : places) {
+      while (before < run.size() && run[before].id.index <= place + before) ++before;
+      place += before;
+    }
+  } else if (run.front().removes()) {
+    std::size_t left = run.size();  // removals of what stands further on; the run descends
+    std::erase_if(places, [&](std::size_t place) {
+      while (left > 0 && run[left - 1].id.index < place) --left;
+      return left > 0 && run[left - 1].id.index == place;
+    });
+    left = run.size();
+    for (std::size_t& place : places) {
+      while (left > 0 && run[left - 1].id.index < place) --left;
+      place -= run.size() - left;
+    }
+  }
 }
 
 void apply(const Edit& edit, Scene& scene) { make(edit, true, scene); }

@@ -29,6 +29,10 @@ struct ListChange {
 /// insertions in ascending order.
 [[nodiscard]] std::size_t run_length(std::span<const ListChange> changes);
 
+/// What a run of changes does to places in the list that it changes; those that are removed go. Ascending before and
+/// after; takes time linear in both.
+void move_places(std::vector<std::size_t>& places, std::span<const ListChange> run);
+
 [[noreturn]] inline void throw_foreign_edit() {
   throw std::logic_error("edit: the scene is not the one that the edit was made for");
 }
