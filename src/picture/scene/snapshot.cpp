@@ -228,6 +228,19 @@ class PlatformFinder {
   std::map<std::string, std::size_t> found_;
 };
 
+// Puts what is to be drawn of an object into a list by ascending indices, in place of what was drawn of it.
+template <class Item>
+void put_in_place(std::vector<Item>& list, std::size_t index, const std::optional<Item>& item) {
+  const auto at = std::ranges::lower_bound(list, index, {}, &Item::index);
+  const bool there = at != list.end() && at->index == index;
+  if (there && item)
+    *at = *item;
+  else if (there)
+    list.erase(at);
+  else if (item)
+    list.insert(at, *item);
+}
+
 }  // namespace
 
 struct SnapshotMaker::Prepared {
@@ -261,6 +274,10 @@ struct SnapshotMaker::Prepared {
   void add_targets(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_radars(const scene::Scene& scene, PlatformFinder& platform_of);
+  // Nothing where an object cannot be drawn.
+  static std::optional<Target> target_of(const scene::Scene& scene, std::size_t index, PlatformFinder& platform_of);
+  static std::optional<Surface> surface_of(const scene::Scene& scene, std::size_t index, PlatformFinder& platform_of);
+  void follow(const scene::Scene& scene, const scene::SceneChange& change);
 
   [[nodiscard]] std::vector<Frame> frames_at(double time_s) const;
   void put_platforms(const std::vector<Frame>& frames, double trail_s, Snapshot& snapshot) const;
@@ -287,45 +304,72 @@ SnapshotMaker::Prepared::Prepared(const scene::Scene& scene) : span_s(span_of(sc
 
 void SnapshotMaker::Prepared::add_platforms(const scene::Scene& frames) {
   resolved = simulate::resolve(frames);
+  paths.clear();
   for (const scene::Platform& platform : frames.platforms)
     paths.push_back(path_of(platform, resolved.conventions.low_pass));
 }
 
 void SnapshotMaker::Prepared::add_targets(const scene::Scene& scene, PlatformFinder& platform_of) {
   targets.reserve(scene.targets.size());
-  for (std::size_t i = 0; i < scene.targets.size(); ++i) {
-    const auto& target = scene.targets[i];
-    if (!is_finite(target.position_m)) continue;
-    core::Vec3 normal;
-    if (target.reflectivity == sarsim::scene::Target::Reflectivity::directional)
-      normal = core::direction(target.azimuth.rad(), target.elevation.rad());
-    const bool directional = normal != core::Vec3{} && is_finite(normal);
-    targets.push_back(
-        {i, platform_of(target.platform), target.position_m, directional ? normal : core::Vec3{}, directional});
-  }
+  for (std::size_t i = 0; i < scene.targets.size(); ++i)
+    if (const auto target = target_of(scene, i, platform_of)) targets.push_back(*target);
+}
+
+std::optional<SnapshotMaker::Prepared::Target> SnapshotMaker::Prepared::target_of(const scene::Scene& scene,
+                                                                                  std::size_t index,
+                                                                                  PlatformFinder& platform_of) {
+  const auto& target = scene.targets[index];
+  if (!is_finite(target.position_m)) return std::nullopt;
+  core::Vec3 normal;
+  if (target.reflectivity == sarsim::scene::Target::Reflectivity::directional)
+    normal = core::direction(target.azimuth.rad(), target.elevation.rad());
+  const bool directional = normal != core::Vec3{} && is_finite(normal);
+  return Target{index, platform_of(target.platform), target.position_m, directional ? normal : core::Vec3{},
+                directional};
 }
 
 void SnapshotMaker::Prepared::add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of) {
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    const auto& surface = scene.surfaces[i];
-    const std::array<core::Vec3, 3>& c = surface.corner_m;
-    if (!std::ranges::all_of(c, is_finite)) continue;
-    const core::Vec3 across = core::cross(c[1] - c[0], c[2] - c[0]);
-    const double length = core::norm(across);
-    const core::Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : core::Vec3{};
-    surfaces.push_back({i, platform_of(surface.platform), c, normal});
-  }
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    if (const auto surface = surface_of(scene, i, platform_of)) surfaces.push_back(*surface);
+}
+
+std::optional<SnapshotMaker::Prepared::Surface> SnapshotMaker::Prepared::surface_of(const scene::Scene& scene,
+                                                                                    std::size_t index,
+                                                                                    PlatformFinder& platform_of) {
+  const auto& surface = scene.surfaces[index];
+  const std::array<core::Vec3, 3>& c = surface.corner_m;
+  if (!std::ranges::all_of(c, is_finite)) return std::nullopt;
+  const core::Vec3 across = core::cross(c[1] - c[0], c[2] - c[0]);
+  const double length = core::norm(across);
+  const core::Vec3 normal = length > 0.0 && std::isfinite(length) ? (1.0 / length) * across : core::Vec3{};
+  return Surface{index, platform_of(surface.platform), c, normal};
 }
 
 void SnapshotMaker::Prepared::add_radars(const scene::Scene& scene, PlatformFinder& platform_of) {
   scene::Scene drawn;  // The radars alone, as far as they are drawn.
   for (const auto& radar : scene.radars) drawn.radars.push_back(cleaned(radar));
+  radars.clear();
   for (std::size_t i = 0; i < scene.radars.size(); ++i) {
     simulate::ResolvedRadar r = simulate::resolve_radar(drawn, resolved, i);
     radars.push_back({scene.radars[i].name, platform_of(scene.radars[i].platform), std::move(r.beam),
                       beam_shape(r.transmit, resolved.conventions.pattern)});
   }
-  if (!scene.radars.empty()) repetition = repetition_of(scene.radars.front());
+  repetition = scene.radars.empty() ? std::nullopt : repetition_of(scene.radars.front());
+}
+
+// The scene has the same objects, which mean the same platforms by name or say so themselves.
+void SnapshotMaker::Prepared::follow(const scene::Scene& scene, const scene::SceneChange& change) {
+  PlatformFinder platform_of(scene);
+  for (const scene::ChangedObject& object : change.changed) {
+    const std::size_t index = object.id.index;
+    if (object.id.kind == scene::ObjectKind::target)
+      put_in_place(targets, index, target_of(scene, index, platform_of));
+    else if (object.id.kind == scene::ObjectKind::surface)
+      put_in_place(surfaces, index, surface_of(scene, index, platform_of));
+  }
+  if (change.concerns(scene::ObjectKind::platform)) add_platforms(frames_of(scene));
+  if (change.concerns(scene::ObjectKind::radar)) add_radars(scene, platform_of);
+  span_s = span_of(scene);
 }
 
 std::vector<SnapshotMaker::Prepared::Frame> SnapshotMaker::Prepared::frames_at(double time_s) const {
@@ -412,6 +456,14 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
 }
 
 SnapshotMaker::SnapshotMaker(const scene::Scene& scene) : prepared_(std::make_unique<Prepared>(scene)) {}
+void SnapshotMaker::follow(const scene::Scene& scene, const scene::SceneChange& change) {
+  const bool renamed = std::ranges::any_of(change.changed, &scene::ChangedObject::name);
+  if (change.same_objects() && !change.options && !renamed)
+    prepared_->follow(scene, change);
+  else
+    prepared_ = std::make_unique<Prepared>(scene);
+}
+
 SnapshotMaker::~SnapshotMaker() = default;
 SnapshotMaker::SnapshotMaker(SnapshotMaker&&) noexcept = default;
 SnapshotMaker& SnapshotMaker::operator=(SnapshotMaker&&) noexcept = default;

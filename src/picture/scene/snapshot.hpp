@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radar/motion/track.hpp"
+#include "scene/edit/scene_change.hpp"
 #include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
 
@@ -65,6 +66,12 @@ class SnapshotMaker {
   ~SnapshotMaker();
   SnapshotMaker(SnapshotMaker&&) noexcept;
   SnapshotMaker& operator=(SnapshotMaker&&) noexcept;
+
+  /// Takes up what became of the scene that it was made of; moved targets and surfaces cost no look at the others.
+  ///
+  /// @param scene   after the change
+  /// @param change  since the scene that was followed last
+  void follow(const scene::Scene& scene, const scene::SceneChange& change);
 
   /// Poses are those of the pulse that the scene's first radar sent last, random motion errors included.
   /// @param time_s   taken as 0 where it is not a finite number

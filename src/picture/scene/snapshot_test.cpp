@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/constants.hpp"
+#include "scene/edit/edit_test_support.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/resolve/resolved.hpp"
 
@@ -355,6 +356,77 @@ TEST(Snapshot, MakerCanBeMoved) {
   SnapshotMaker maker{scene::Scene{}};
   maker = SnapshotMaker(scene);
   EXPECT_EQ(maker.at(0.0).platforms.size(), 1U);
+}
+
+// All that a snapshot holds, bit by bit.
+std::vector<double> numbers_of(const Snapshot& snapshot) {
+  std::vector<double> numbers;
+  const auto add = [&](const core::Vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+  const auto add_id = [&](scene::ObjectId id) { numbers.push_back(static_cast<double>(id.index)); };
+  for (const auto& p : snapshot.platforms) {
+    add_id(p.id), add(p.pose.position_world_m);
+    for (const core::Vec3& row : p.pose.world_from_platform.row) add(row);
+    for (const core::Vec3& point : p.trail_world_m) add(point);
+    for (const char c : p.name) numbers.push_back(c);
+  }
+  for (const auto& t : snapshot.targets) {
+    add_id(t.id), add(t.position_world_m), add(t.foot_world_m), add(t.normal_world);
+    numbers.push_back(t.directional ? 1.0 : 0.0);
+  }
+  for (const auto& s : snapshot.surfaces) {
+    add_id(s.id), add(s.normal_world);
+    for (const core::Vec3& corner : s.corner_world_m) add(corner);
+  }
+  for (const auto& r : snapshot.radars) {
+    add_id(r.id), add(r.position_world_m), add(r.axis_world), add(r.across_world);
+    numbers.insert(numbers.end(), {r.azimuth_width_rad, r.elevation_width_rad, r.isotropic ? 1.0 : 0.0});
+    for (const auto& row : r.lobe_world)
+      for (const core::Vec3& point : row) add(point);
+    for (const char c : r.name) numbers.push_back(c);
+  }
+  return numbers;
+}
+
+TEST(Snapshot, FollowsEditsToWhereMakingItAnewComes) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    scene::test::RandomEdits edits(seed);
+    scene::Scene scene = one_radar_scene(passing("Plane"), {});
+    scene.targets = {target_on("Plane", {1, 2, 3}), target_on("Earth", {4, 5, 6})};
+    scene.surfaces.emplace_back().platform = "Pl";
+    SnapshotMaker maker(scene);
+    const auto expect_same = [&] {
+      const SnapshotMaker anew(scene);
+      EXPECT_EQ(maker.time_span_s(), anew.time_span_s());
+      EXPECT_EQ(numbers_of(maker.at(0.75, 4.0)), numbers_of(anew.at(0.75, 4.0)));
+    };
+    for (int i = 0; i < 12; ++i) {
+      const scene::Edit edit = edits.edit(scene);
+      apply(edit, scene);
+      maker.follow(scene, change_of(edit));
+      expect_same();
+      if (i % 3 != 0) continue;
+      revert(edit, scene);
+      maker.follow(scene, change_of(edit, false));
+      expect_same();
+    }
+  }
+}
+
+TEST(Snapshot, FollowsATargetThatCannotBeDrawnForAWhile) {
+  scene::Scene scene;
+  scene.targets = {target_on("Earth", {1, 0, 0}), target_on("Earth", {2, 0, 0}), target_on("Earth", {3, 0, 0})};
+  SnapshotMaker maker(scene);
+  scene::SceneChange change;
+  change.changed = {{{scene::ObjectKind::target, 1}}};
+  scene.targets[1].position_m.y = nan;
+  maker.follow(scene, change);
+  ASSERT_EQ(maker.at(0.0).targets.size(), 2U);
+  EXPECT_EQ(maker.at(0.0).targets[1].id.index, 2U);
+  scene.targets[1].position_m.y = 7.0;
+  maker.follow(scene, change);
+  ASSERT_EQ(maker.at(0.0).targets.size(), 3U);
+  EXPECT_EQ(maker.at(0.0).targets[1].position_world_m, (core::Vec3{2, 7, 0}));
 }
 
 // Goal: 3 ms on one core; the bound leaves room for loaded machines and sanitizers.
