@@ -137,7 +137,7 @@ class ScriptEditorTest : public QObject {
 
   void editor_and_session_do_not_answer_each_other_for_ever() {
     Bench bench;
-    QSignalSpy changes(&bench.session, &gui::Session::text_changed);
+    QSignalSpy changes(&bench.session, &gui::Session::scene_changed);
     bench.replace("1000", "1700");
     bench.editor.commit();
     bench.move_target(1, {1.0, 1.0, 1.0});

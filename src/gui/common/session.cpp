@@ -20,8 +20,14 @@ Session::Session(QObject* parent) : QObject(parent) {
   look_for_problems();
 }
 
+std::shared_ptr<const scene::Scene> Session::shared_scene() const {
+  if (shared_ == nullptr) shared_ = std::make_shared<const scene::Scene>(scene());
+  return shared_;
+}
+
 void Session::take(scene::Document document) {
   document_ = std::move(document);
+  shared_.reset();
   selection_.clear();
   current_.reset();
   hidden_.clear();
@@ -31,21 +37,24 @@ void Session::take(scene::Document document) {
   emit time_changed(time_s_);
   emit hidden_changed();
   emit selection_changed();
-  announce();
+  scene::SceneChange change;
+  change.everything = true;
+  emit scene_changed(change);
 }
 
 void Session::perform(scene::Edit edit) {
   if (edit.changes.empty() && !edit.options_after) return;
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = document_.revision();
+  scene::SceneChange change = scene::change_of(edit);
   document_.perform(std::move(edit));
   if (in_run)
     problems_soon_.stop();
   else
     look_for_problems();
   // Also where nothing came of it: a window shows what was asked for and has to go back.
-  if (document_.revision() != revision) follow_last_edit();
-  announce();
+  if (document_.revision() != revision) change = follow_last_edit();
+  emit scene_changed(change);
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
 }
 
@@ -59,24 +68,21 @@ void Session::type_text(const std::string& text) {
   document_.type_text(text);
   if (document_.revision() == revision) return;
   look_for_problems();
-  follow_last_edit();
-  announce();
+  emit scene_changed(follow_last_edit());
 }
 
 void Session::undo() {
   if (!document_.history().can_undo()) return;
   document_.undo();
   look_for_problems();
-  follow_last_edit();
-  announce();
+  emit scene_changed(follow_last_edit());
 }
 
 void Session::redo() {
   if (!document_.history().can_redo()) return;
   document_.redo();
   look_for_problems();
-  follow_last_edit();
-  announce();
+  emit scene_changed(follow_last_edit());
 }
 
 void Session::save(const std::filesystem::path& path) {
@@ -129,9 +135,12 @@ void Session::set_time(double time_s) {
 void Session::log(core::Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
 
 // Keeps pointing at the same objects where an edit moved them.
-void Session::follow_last_edit() {
+scene::SceneChange Session::follow_last_edit() {
   const auto& last = document_.last_edit();
-  if (!last) return;
+  if (!last) return {};
+  scene::SceneChange change = scene::change_of(last->edit, last->forwards);
+  if (!change.empty()) shared_.reset();
+  if (change.same_objects()) return change;
   const auto follow = [&](const std::set<scene::ObjectId>& ids) {
     std::set<scene::ObjectId> there = scene::moved(ids, last->edit, last->forwards);
     std::erase_if(there, [&](scene::ObjectId id) { return !scene::has_object(scene(), id); });
@@ -145,6 +154,7 @@ void Session::follow_last_edit() {
   const bool same = selected == selection_;
   selection_ = selected;
   if (!same) emit selection_changed();
+  return change;
 }
 
 void Session::look_for_problems() {
@@ -155,12 +165,6 @@ void Session::look_for_problems() {
 void Session::find_put_off_problems() {
   look_for_problems();
   emit problems_changed();
-}
-
-void Session::announce() {
-  emit scene_changed();
-  emit text_changed();
-  emit document_changed();
 }
 
 }  // namespace sarsim::gui

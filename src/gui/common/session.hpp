@@ -3,11 +3,13 @@
 #include <QObject>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "scene/edit/document.hpp"
+#include "scene/edit/scene_change.hpp"
 #include "scene/model/object.hpp"
 
 namespace sarsim::gui {
@@ -22,6 +24,8 @@ class Session : public QObject {
 
   [[nodiscard]] const scene::Document& document() const { return document_; }
   [[nodiscard]] const scene::Scene& scene() const { return document_.scene(); }
+  /// The scene as it is, for work that goes on while it changes. Copied at most once for each change.
+  [[nodiscard]] std::shared_ptr<const scene::Scene> shared_scene() const;
 
   /// Puts another document in place of this one; selection and hidden objects are cleared, the time is 0.
   void take(scene::Document document);
@@ -64,10 +68,11 @@ class Session : public QObject {
   void log(core::Severity severity, const QString& text);
 
  signals:
-  void scene_changed();              ///< The scene is another one: any object may have changed.
-  void text_changed();               ///< The script text is another one.
+  /// Scene, script text, history or unsaved mark are others, and with them the problems of a single edit; `change` says
+  /// what became of the scene. Comes once for each change, also for an edit that came to nothing.
+  void scene_changed(const sarsim::scene::SceneChange& change);
   void problems_changed();           ///< Problems were looked for while the scene stayed as it was: a run paused.
-  void document_changed();           ///< Path or unsaved mark changed, or another document was taken.
+  void document_changed();           ///< Path and unsaved mark changed while scene and text stayed: it was saved.
   void document_replaced();          ///< Another document was taken.
   void selection_changed();          ///< Other objects are selected.
   void hidden_changed();             ///< Other objects are hidden.
@@ -75,12 +80,12 @@ class Session : public QObject {
   void logged(int severity, const QString& text);  ///< A line for the log panel.
 
  private:
-  void follow_last_edit();
-  void announce();
+  [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
   void find_put_off_problems();
 
   scene::Document document_;
+  mutable std::shared_ptr<const scene::Scene> shared_;  // null until somebody asks for the scene as it is
   std::set<scene::ObjectId> selection_;
   std::optional<scene::ObjectId> current_;
   std::set<scene::ObjectId> hidden_;

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/maths/rounding.hpp"
@@ -77,8 +78,7 @@ QLabel* foot_label(QWidget* parent, const char* name) {
 SimulationWindow::SimulationWindow(Session& session, picture::EchoWindow window, bool show_all, QWidget* parent)
     : QWidget(parent), session_(session), window_(std::move(window)), show_all_(show_all) {
   setObjectName("simulation_window");
-  scene_ = std::make_shared<scene::Scene>(session_.scene());
-  revision_ = session_.document().revision();
+  scene_ = session_.shared_scene();
   controls_ = new EchoControls(this);
   plot_ = new EchoPlot(this);
   cuts_ = new FigurePlot(this);
@@ -227,13 +227,7 @@ QWidget* SimulationWindow::make_foot() {
 void SimulationWindow::connect_all() {
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &SimulationWindow::compute);
-  connect(&session_, &Session::scene_changed, this, [this] {
-    follow_radar();
-    scene_ = std::make_shared<scene::Scene>(session_.scene());
-    show_state();
-    compute_soon();
-    emit changed();
-  });
+  connect(&session_, &Session::scene_changed, this, &SimulationWindow::follow_scene);
   connect(controls_, &EchoControls::edited, this, [this](const picture::EchoWindow& window) { take_state(window); });
   connect(controls_, &EchoControls::view_typed, this, &SimulationWindow::go_to);
   connect(controls_, &EchoControls::link_changed, this,
@@ -252,17 +246,27 @@ void SimulationWindow::connect_all() {
   });
 }
 
-// The radar is known by its name, which the last edit may have changed.
-void SimulationWindow::follow_radar() {
-  const scene::Document& document = session_.document();
-  const bool edited = document.revision() != revision_ && document.last_edit().has_value();
-  revision_ = document.revision();
+// Recordings and tables make no echoes, nor do comments of the script.
+void SimulationWindow::follow_scene(const scene::SceneChange& change) {
+  const bool other_echoes =
+      change.options || std::ranges::any_of(std::array{scene::ObjectKind::platform, scene::ObjectKind::target,
+                                                       scene::ObjectKind::surface, scene::ObjectKind::radar},
+                                            [&](scene::ObjectKind kind) { return change.concerns(kind); });
+  if (!other_echoes) return;
+  follow_radar(change);
+  scene_ = session_.shared_scene();
+  show_state();
+  compute_soon();
+  emit changed();
+}
+
+// The radar is known by its name, which the edit may have changed.
+void SimulationWindow::follow_radar(const scene::SceneChange& change) {
   const std::size_t before = scene::find_radar(*scene_, window_.recording.radar);
-  if (!edited || before == scene::not_found) return;
-  const auto now =
-      scene::moved({scene::ObjectKind::radar, before}, document.last_edit()->edit, document.last_edit()->forwards);
-  if (now && scene::has_object(document.scene(), *now))
-    window_.recording.radar = document.scene().radars[now->index].name;
+  if (before == scene::not_found) return;
+  const auto now = change.moved({scene::ObjectKind::radar, before});
+  if (now && scene::has_object(session_.scene(), *now))
+    window_.recording.radar = session_.scene().radars[now->index].name;
 }
 
 double SimulationWindow::bandwidth_hz() const {

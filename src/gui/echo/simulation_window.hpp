@@ -97,7 +97,8 @@ class SimulationWindow : public QWidget {
   void connect_all();
   void change_view(const picture::EchoView& view);
   void take_state(const picture::EchoWindow& window);
-  void follow_radar();
+  void follow_scene(const scene::SceneChange& change);
+  void follow_radar(const scene::SceneChange& change);
   void compute();
   void compute_soon();
   void take_event(const picture::PreviewEvent& event);
@@ -110,7 +111,6 @@ class SimulationWindow : public QWidget {
 
   Session& session_;
   std::shared_ptr<const scene::Scene> scene_;
-  std::uint64_t revision_ = 0;  // of the document, which `scene_` is of
   picture::EchoWindow window_;
   picture::ViewHistory<picture::EchoView> history_;
   bool show_all_ = false;

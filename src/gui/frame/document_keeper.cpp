@@ -40,12 +40,14 @@ DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
   keep_soon_.setSingleShot(true);
   keep_soon_.setInterval(keep_after_ms);
   connect(&keep_soon_, &QTimer::timeout, this, &DocumentKeeper::keep_copy);
-  connect(&session_, &Session::document_changed, this, [this] {
+  const auto keep = [this] {
     if (!session_.document().changed())
       recovery_.forget();
     else if (!keep_soon_.isActive())  // whoever edits without a pause wants copies too
       keep_soon_.start();
-  });
+  };
+  connect(&session_, &Session::scene_changed, this, keep);
+  connect(&session_, &Session::document_changed, this, keep);
   look_.setInterval(look_every_ms);
   connect(&look_, &QTimer::timeout, this, &DocumentKeeper::look_at_disk);
   look_.start();

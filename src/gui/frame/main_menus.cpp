@@ -139,7 +139,7 @@ void MainWindow::make_edit_menu() {
     undo->setText(tr("&Undo %1").arg(QString::fromStdString(history.undo_label())).trimmed());
     redo->setText(tr("&Redo %1").arg(QString::fromStdString(history.redo_label())).trimmed());
   };
-  connect(&session_, &Session::document_changed, this, show);
+  connect(&session_, &Session::scene_changed, this, show);
   show();
   edit->addSeparator();
   add_action(edit, tr("&Modify"), "edit_modify", {}, [this] {
@@ -152,7 +152,10 @@ void MainWindow::make_edit_menu() {
     functions->setEnabled(!functions->isEmpty());
   };
   connect(&session_, &Session::selection_changed, this, offer);
-  connect(&session_, &Session::scene_changed, this, offer);
+  connect(&session_, &Session::scene_changed, this, [this, offer](const scene::SceneChange& change) {
+    const auto current = session_.current();
+    if (!change.same_objects() || (current && change.concerns(*current))) offer();
+  });
   offer();
   add_action(edit, tr("&Delete"), "edit_delete", {}, [this] { tree_->delete_selection(); });
   add_action(edit, tr("Du&plicate"), "edit_duplicate", QKeySequence("Ctrl+D"),

@@ -75,7 +75,10 @@ MainWindow::MainWindow(QWidget* parent)
   connect(tree_, &ObjectTree::edit_requested, this, &MainWindow::edit_object);
   connect(panel_, &PropertyPanel::function_requested, this, &MainWindow::edit_function);
   connect(&session_, &Session::document_changed, this, &MainWindow::show_title);
-  connect(&session_, &Session::scene_changed, this, &MainWindow::show_state);
+  connect(&session_, &Session::scene_changed, this, [this] {
+    show_title();
+    show_state();
+  });
   connect(&session_, &Session::selection_changed, this, &MainWindow::show_state);
   connect(documents_, &DocumentKeeper::recent_changed, this, &MainWindow::fill_recent);
   fill_recent();

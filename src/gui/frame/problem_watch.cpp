@@ -49,7 +49,7 @@ void ProblemWatch::look() {
 }
 
 void ProblemWatch::look_at_echoes() {
-  auto scene = std::make_shared<const scene::Scene>(session_.scene());
+  auto scene = session_.shared_scene();
   found_ = std::make_shared<core::Problems>();
   survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
     *found = simulate::survey(*scene, nullptr, core::WorkControl{1, &stop});

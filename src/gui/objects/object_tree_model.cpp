@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "core/text/number_text.hpp"
 #include "gui/common/object_names.hpp"
@@ -53,7 +54,7 @@ class PlatformFinder {
 }  // namespace
 
 ObjectTreeModel::ObjectTreeModel(Session& session, QObject* parent) : QAbstractItemModel(parent), session_(session) {
-  connect(&session_, &Session::scene_changed, this, &ObjectTreeModel::refresh);
+  connect(&session_, &Session::scene_changed, this, &ObjectTreeModel::follow);
   connect(&session_, &Session::hidden_changed, this, &ObjectTreeModel::announce_all);
   connect(&session_, &Session::problems_changed, this, [this] {
     read_problems();
@@ -85,6 +86,14 @@ void ObjectTreeModel::refresh() {
   index_rows();
   read_problems();
   endResetModel();
+}
+
+// Names decide what stands where, and the words of a filter what is shown.
+void ObjectTreeModel::follow(const scene::SceneChange& change) {
+  if (change.concerns_names() || !words_.isEmpty()) return refresh();
+  constexpr std::size_t many = 100;  // Announcing all of them takes no longer.
+  if (read_problems() || change.changed.size() > many) return announce_all();
+  for (const scene::ChangedObject& object : change.changed) announce(object.id);
 }
 
 std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
@@ -145,8 +154,9 @@ void ObjectTreeModel::index_rows() {
   }
 }
 
-void ObjectTreeModel::read_problems() {
-  troubles_.clear();
+// True where other objects are in trouble than before, or in another.
+bool ObjectTreeModel::read_problems() {
+  const std::map<scene::ObjectId, Trouble> before = std::exchange(troubles_, {});
   for (const core::Problem& problem : session_.problems()) {
     const auto kind = kind_named(problem.subject.kind);
     if (!kind || problem.severity == core::Severity::note) continue;
@@ -155,6 +165,7 @@ void ObjectTreeModel::read_problems() {
     trouble.severity = is_new ? problem.severity : std::min(trouble.severity, problem.severity);
     trouble.texts += problem_text(problem);
   }
+  return troubles_ != before;
 }
 
 void ObjectTreeModel::announce_all() {
@@ -165,6 +176,11 @@ void ObjectTreeModel::announce_all() {
     if (const int rows = rowCount(top); rows > 0)
       emit dataChanged(index(0, 0, top), index(rows - 1, column_count - 1, top));
   }
+}
+
+void ObjectTreeModel::announce(scene::ObjectId id) {
+  if (const QModelIndex name = index_of(id); name.isValid())
+    emit dataChanged(name, name.siblingAtColumn(column_count - 1));
 }
 
 std::optional<scene::ObjectId> ObjectTreeModel::object_at(const QModelIndex& index) const {

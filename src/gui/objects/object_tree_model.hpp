@@ -34,6 +34,8 @@ class ObjectTreeModel : public QAbstractItemModel {
   [[nodiscard]] bool filtered() const { return !words_.isEmpty(); }
   /// Looks at the scene again; resets where the tree has another shape.
   void refresh();
+  /// The same where it is known what changed: rows of objects that stayed where they were are announced alone.
+  void follow(const scene::SceneChange& change);
 
   /// Nothing for a heading.
   [[nodiscard]] std::optional<scene::ObjectId> object_at(const QModelIndex& index) const;
@@ -91,8 +93,9 @@ class ObjectTreeModel : public QAbstractItemModel {
   void keep_matching(std::vector<Group>& groups) const;
   [[nodiscard]] bool matches(const QString& text) const;
   void index_rows();
-  void read_problems();
+  bool read_problems();
   void announce_all();
+  void announce(scene::ObjectId id);
   [[nodiscard]] QVariant heading_data(const Group& group, int column, int role) const;
   [[nodiscard]] QVariant name_data(scene::ObjectId id, int role) const;
   [[nodiscard]] QVariant shown_data(scene::ObjectId id, int role) const;
@@ -104,6 +107,8 @@ class ObjectTreeModel : public QAbstractItemModel {
   struct Trouble {
     core::Severity severity = core::Severity::note;
     QStringList texts;
+
+    friend bool operator==(const Trouble&, const Trouble&) = default;
   };
 
   Session& session_;

@@ -84,7 +84,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   derived_timer_.setSingleShot(true);
   derived_timer_.setInterval(derived_delay_ms);
   connect(&derived_timer_, &QTimer::timeout, this, &PropertyPanel::fill_derived);
-  connect(&session_, &Session::scene_changed, this, &PropertyPanel::refresh);
+  connect(&session_, &Session::scene_changed, this, &PropertyPanel::follow);
   connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh);
   connect(&session_, &Session::problems_changed, this, [this] {
     if (committing_) return;
@@ -132,6 +132,18 @@ void PropertyPanel::refresh() {
     subject_ = std::move(wanted);
   }
   fill();
+}
+
+// Fields show their objects and names of others; problems and figures depend on all of the scene.
+void PropertyPanel::follow(const scene::SceneChange& change) {
+  if (shows(change)) return refresh();
+  if (!committing_) fill_outlook();
+}
+
+bool PropertyPanel::shows(const scene::SceneChange& change) const {
+  if (change.concerns_names()) return true;
+  if (!subject_.kind()) return change.options;
+  return std::ranges::any_of(subject_.ids(), [&](scene::ObjectId id) { return change.concerns(id); });
 }
 
 // What was typed belongs to the objects that were shown, not to those selected next.
@@ -184,6 +196,10 @@ void PropertyPanel::fill() {
     else
       editor->show_different();
   }
+  fill_outlook();
+}
+
+void PropertyPanel::fill_outlook() {
   fill_problems();
   arrange();
   if (subject_.single())

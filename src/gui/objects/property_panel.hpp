@@ -54,6 +54,9 @@ class PropertyPanel : public QScrollArea {
   };
 
   void refresh();
+  void follow(const scene::SceneChange& change);
+  [[nodiscard]] bool shows(const scene::SceneChange& change) const;
+  void fill_outlook();
   void commit_pending();
   [[nodiscard]] PanelSubject wanted_subject() const;
   void rebuild();

@@ -135,9 +135,9 @@ void TargetTable::connect_all() {
     update_buttons();
   });
   connect(&session_, &Session::selection_changed, this, &TargetTable::show_selection);
-  connect(&session_, &Session::scene_changed, this, [this] {
+  connect(&session_, &Session::scene_changed, this, [this](const scene::SceneChange& change) {
     message_->clear();
-    fill_platforms();
+    if (change.concerns(scene::ObjectKind::platform)) fill_platforms();
   });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
@@ -18,7 +19,7 @@ TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstrac
   std::ranges::stable_partition(columns_, [](const scene::Field& field) { return !field.rare; });
   rows_ = wanted_rows();
   read_problems();
-  connect(&session_, &Session::scene_changed, this, &TargetTableModel::refresh);
+  connect(&session_, &Session::scene_changed, this, &TargetTableModel::follow);
   connect(&session_, &Session::problems_changed, this, &TargetTableModel::refresh);
 }
 
@@ -56,6 +57,20 @@ void TargetTableModel::refresh() {
   beginResetModel();
   rows_ = std::move(rows);
   endResetModel();
+}
+
+// Only the targets that changed are looked at again, unless names may decide otherwise which are shown.
+void TargetTableModel::follow(const scene::SceneChange& change) {
+  if (change.concerns_names() || read_problems()) return refresh();
+  int first = rowCount();
+  int last = -1;
+  for (const scene::ChangedObject& object : change.changed) {
+    const int row = row_of(object.id);
+    if (row < 0) continue;
+    first = std::min(first, row);
+    last = std::max(last, row);
+  }
+  if (last >= 0) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
 }
 
 scene::ObjectId TargetTableModel::target_at(int row) const {
@@ -96,15 +111,19 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
   return {};
 }
 
-// The first problem of each cell.
-void TargetTableModel::read_problems() {
-  problems_.clear();
+// The first problem of each cell. True where they are others than before.
+bool TargetTableModel::read_problems() {
+  const auto before = std::exchange(problems_, {});
   for (const core::Problem& problem : session_.problems()) {
     if (problem.subject.kind != "target") continue;
     const int column =
         column_of(std::string(scene::field_of_problem(scene::ObjectKind::target, problem.subject.field)));
     if (column >= 0) problems_.try_emplace({problem.subject.index, column}, problem);
   }
+  return !std::ranges::equal(problems_, before, [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second.severity == b.second.severity &&
+           problem_text(a.second) == problem_text(b.second);
+  });
 }
 
 QVariant TargetTableModel::data(const QModelIndex& index, int role) const {

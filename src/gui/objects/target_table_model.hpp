@@ -52,8 +52,9 @@ class TargetTableModel : public QAbstractTableModel {
 
  private:
   void refresh();
+  void follow(const scene::SceneChange& change);
   [[nodiscard]] std::vector<std::size_t> wanted_rows() const;
-  void read_problems();
+  bool read_problems();
 
   Session& session_;
   std::optional<std::string> platform_;

@@ -111,7 +111,9 @@ void GeometryWindow::connect_all() {
       state_->setText(tr("Saving, about %1 left").arg(QString::fromStdString(core::duration_text(left_s))));
   });
   connect(&job_, &BackgroundJob::ended, this, &GeometryWindow::show_saved);
-  connect(&session_, &Session::scene_changed, this, &GeometryWindow::follow_scene);
+  connect(&session_, &Session::scene_changed, this, [this](const scene::SceneChange& change) {
+    if (!change.empty()) follow_scene();
+  });
   connect(&session_, &Session::document_replaced, this, [this] {
     choice_.table = table_at_first(session_);
     targets_typed_ = false;

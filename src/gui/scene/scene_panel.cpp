@@ -66,7 +66,9 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     show_time();
   });
   connect(time_bar_, &TimeBar::time_changed, &session_, &Session::set_time);
-  take_scene();
+  scene::SceneChange first;
+  first.everything = true;
+  take_scene(first);
   show_camera();
 }
 
@@ -96,8 +98,11 @@ bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void ScenePanel::take_scene() {
-  maker_ = std::make_unique<picture::SnapshotMaker>(session_.scene());
+void ScenePanel::take_scene(const scene::SceneChange& change) {
+  if (change.everything)
+    maker_ = std::make_unique<picture::SnapshotMaker>(session_.scene());
+  else
+    maker_->follow(session_.scene(), change);
   const auto [first_s, last_s] = maker_->time_span_s();
   time_bar_->set_span(first_s, last_s);
   if (new_document_) time_bar_->set_step(picture::round_below((last_s - first_s) / 100.0));

@@ -46,7 +46,7 @@ class ScenePanel : public QWidget {
 
  private:
   void connect_gestures();
-  void take_scene();
+  void take_scene(const scene::SceneChange& change);
   void show_time();
   void show_marks();
   void show_camera();

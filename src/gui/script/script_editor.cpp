@@ -70,7 +70,7 @@ ScriptEditor::ScriptEditor(Session& session, QWidget* parent)
   run_end_.setInterval(run_end_ms);
   problems_soon_.setInterval(problems_ms);
   connect_text();
-  connect(&session_, &Session::text_changed, this, &ScriptEditor::take_session_text);
+  connect(&session_, &Session::scene_changed, this, &ScriptEditor::take_session_text);
   connect(&session_, &Session::document_replaced, this, &ScriptEditor::take_document);
   connect(&session_, &Session::document_changed, this,
           [this] { copy_command_->setEnabled(!session_.document().path().empty()); });

@@ -1,0 +1,129 @@
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "gui/objects/object_tree_model.hpp"
+#include "gui/objects/target_table_model.hpp"
+#include "gui/small_scene.hpp"
+#include "scene/edit/edit.hpp"
+
+namespace sarsim {
+namespace {
+
+// A session of the small scene and what it says of its changes.
+struct Announced {
+  gui::Session session;
+  std::vector<scene::SceneChange> changes;
+  int others = 0;  // of the signals that tell of anything else than the selection
+
+  Announced() {
+    test::open(session, test::small_scene());
+    QObject::connect(&session, &gui::Session::scene_changed,
+                     [this](const scene::SceneChange& change) { changes.push_back(change); });
+    QObject::connect(&session, &gui::Session::document_changed, [this] { ++others; });
+    QObject::connect(&session, &gui::Session::problems_changed, [this] { ++others; });
+  }
+
+  [[nodiscard]] scene::Edit move_target(std::size_t index, double x) const {
+    scene::Target target = session.scene().targets[index];
+    target.position_m.x = x;
+    return scene::replace_object(session.scene(), test::target(index), target, "Move target");
+  }
+
+  [[nodiscard]] std::vector<scene::ObjectId> changed() const {
+    std::vector<scene::ObjectId> ids;
+    for (const scene::ChangedObject& object : changes.back().changed) ids.push_back(object.id);
+    return ids;
+  }
+};
+
+using Ids = std::vector<scene::ObjectId>;
+
+}  // namespace
+
+class SessionTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void every_change_is_announced_once_with_what_it_changed() {
+    Announced told;
+    told.session.perform(told.move_target(1, 55.0));
+    QCOMPARE(told.changes.size(), std::size_t{1});
+    QVERIFY(told.changed() == Ids{test::target(1)});
+    told.session.undo();
+    QCOMPARE(told.changes.size(), std::size_t{2});
+    QVERIFY(told.changed() == Ids{test::target(1)});
+    told.session.redo();
+    QCOMPARE(told.changes.size(), std::size_t{3});
+    told.session.perform(scene::remove_objects(told.session.scene(), {test::target(0)}));
+    QCOMPARE(told.changes.size(), std::size_t{4});
+    QVERIFY(told.changes.back().removed == Ids{test::target(0)});
+    told.session.undo();
+    QVERIFY(told.changes.back().inserted == Ids{test::target(0)});
+    QCOMPARE(told.others, 0);
+  }
+
+  void another_document_is_everything() {
+    Announced told;
+    told.session.take(scene::Document());
+    QCOMPARE(told.changes.size(), std::size_t{1});
+    QVERIFY(told.changes.back().everything);
+  }
+
+  void an_edit_that_comes_to_nothing_names_what_it_was_to_change() {
+    Announced told;
+    told.session.perform(told.move_target(1, told.session.scene().targets[1].position_m.x));
+    QCOMPARE(told.changes.size(), std::size_t{1});
+    QVERIFY(told.changed() == Ids{test::target(1)});
+  }
+
+  void a_comment_leaves_the_scene_as_it_is() {
+    Announced told;
+    const auto shared = told.session.shared_scene();
+    told.session.type_text(told.session.document().text() + "! a comment\n");
+    QCOMPARE(told.changes.size(), std::size_t{1});
+    QVERIFY(told.changes.back().empty());
+    QVERIFY(told.session.shared_scene() == shared);
+  }
+
+  void a_document_that_was_saved_is_no_change_of_the_scene() {
+    Announced told;
+    QTemporaryDir folder;
+    told.session.save((folder.path() + "/scene.scr").toStdString());
+    QCOMPARE(told.changes.size(), std::size_t{0});
+    QCOMPARE(told.others, 2);  // the path, and problems that name it
+  }
+
+  void the_scene_is_shared_until_it_changes() {
+    Announced told;
+    const auto before = told.session.shared_scene();
+    QVERIFY(told.session.shared_scene() == before);
+    QVERIFY(*before == told.session.scene());
+    told.session.perform(told.move_target(0, 77.0));
+    QVERIFY(told.session.shared_scene() != before);
+    QVERIFY(*told.session.shared_scene() == told.session.scene());
+    QVERIFY(before->targets[0].position_m.x != 77.0);
+    told.session.take(scene::Document());
+    QVERIFY(*told.session.shared_scene() == told.session.scene());
+  }
+
+  void a_moved_target_refreshes_its_rows_alone() {
+    Announced told;
+    gui::ObjectTreeModel tree(told.session);
+    gui::TargetTableModel table(told.session);
+    QSignalSpy of_tree(&tree, &QAbstractItemModel::dataChanged);
+    QSignalSpy of_table(&table, &QAbstractItemModel::dataChanged);
+    told.session.perform(told.move_target(1, 55.0));
+    QCOMPARE(of_tree.size(), 1);
+    QCOMPARE(of_tree[0][0].toModelIndex(), tree.index_of(test::target(1)));
+    QCOMPARE(of_tree[0][1].toModelIndex().row(), tree.index_of(test::target(1)).row());
+    QCOMPARE(of_table.size(), 1);
+    QCOMPARE(of_table[0][0].toModelIndex().row(), 1);
+    QCOMPARE(of_table[0][1].toModelIndex().row(), 1);
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::SessionTest)
+#include "session_test.moc"
