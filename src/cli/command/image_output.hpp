@@ -1,29 +1,14 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "cli/command/image_fields.hpp"
-#include "core/task/stop.hpp"
-#include "signal/sar/focusing.hpp"
+#include "workflow/image/image_output.hpp"
 
+/// The names of the workflows, as the commands use them.
 namespace sarsim::cli {
 
-/// Whether a path names an ENVI image: every extension that names no other format does.
-[[nodiscard]] bool is_envi(const std::filesystem::path& path);
-
-/// The image of magnitudes that goes with a complex one: "name-magnitude.img" for "name.img".
-[[nodiscard]] std::filesystem::path magnitude_path(const std::filesystem::path& path);
-
-/// Files that an image of that name becomes: data, and the header of ENVI and NPY.
-[[nodiscard]] std::vector<std::filesystem::path> files_of_image(const std::filesystem::path& path);
-
-/// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a
-/// header, HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws
-/// Interrupted, and like the sinks.
-/// @param magnitude  ENVI: magnitudes instead of complex numbers
-void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const std::filesystem::path& path,
-                 bool replace, bool magnitude, const core::StopFlag* stop);
+using workflow::files_of_image;
+using workflow::is_envi;
+using workflow::magnitude_path;
+using workflow::write_image;
 
 }  // namespace sarsim::cli

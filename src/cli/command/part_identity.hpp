@@ -14,8 +14,4 @@ namespace sarsim::cli {
 [[nodiscard]] raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
                                            const raster::StoredProduct& stored);
 
-/// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files hold.
-/// @param script  the scene as text (write_script)
-[[nodiscard]] std::string script_sum(const scene::Scene& scene, const std::string& script);
-
 }  // namespace sarsim::cli

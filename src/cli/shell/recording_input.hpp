@@ -1,70 +1,20 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
-
-#include "cli/shell/context.hpp"
+#include "cli/shell/recording_options.hpp"
 #include "cli/shell/scene_input.hpp"
-#include "simulate/plan/plan.hpp"
-#include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/recording_input.hpp"
 
+/// The names of the workflows, as the commands use them.
 namespace sarsim::cli {
 
-/// Whose echoes a command works on: those of a script, or of a file of samples and of the script that wrote it.
-struct RecordingArguments {
-  std::string path;
-  std::string script;                      ///< For a file that does not carry its script.
-  std::optional<std::int64_t> simulation;  ///< Its number in the script, from 1.
-  SceneOverrides overrides;                ///< Of a script that is read.
-};
-
-/// Adds --script and --simulation.
-/// @param otherwise  the simulation of a script that is taken where none is named, in words
-void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const std::string& otherwise = "the first");
-
-/// The files that the arguments name: the input and its script. Which data files belong to them is known once they are
-/// opened.
-[[nodiscard]] std::vector<std::filesystem::path> named_sources(const RecordingArguments& arguments);
-
-/// Whether the arguments name a script rather than a file of samples.
-[[nodiscard]] bool names_script(const RecordingArguments& arguments);
-
-/// Whether a command can use a simulation of a scene; the first such one is taken where none is named.
-using Suits = std::function<bool(const scene::Scene& scene, const scene::Simulation& simulation)>;
-
-/// A `Suits`: pulses, not synthetic range profiles.
-[[nodiscard]] bool records_pulses(const scene::Scene& scene, const scene::Simulation& simulation);
-
-/// A script, checked with its echoes.
-struct ScriptedRecording {
-  SceneInput input;
-  std::size_t simulation = 0;  ///< Position in the script's list.
-};
-
-/// Reads the script of the arguments and finds the simulation. Throws core::Refused with all problems where the script
-/// cannot be simulated or has no such simulation.
-[[nodiscard]] ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,
-                                            const core::WorkControl& control);
-
-/// A file of samples and the plan of the simulation that wrote it.
-struct StoredRecording {
-  std::shared_ptr<const simulate::Plan> plan;
-  std::size_t simulation = 0;   ///< Position in the script's list.
-  workflow::RecordedRows read;  ///< Rows of plan->columns samples in V, or in counts where no LSB is known.
-  core::Problems problems;      ///< Warnings about script and file.
-  std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.
-};
-
-/// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one
-/// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
-/// @param problems_of  what stands against the plan, asked before the samples are opened; errors end it
-[[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                                             const std::function<core::Problems(const simulate::Plan&)>& problems_of);
+using workflow::named_sources;
+using workflow::names_script;
+using workflow::open_recording;
+using workflow::open_script;
+using workflow::RecordingArguments;
+using workflow::records_pulses;
+using workflow::ScriptedRecording;
+using workflow::StoredRecording;
+using workflow::Suits;
 
 }  // namespace sarsim::cli

@@ -1,86 +1,22 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
-
 #include "cli/shell/context.hpp"
-#include "core/report/problem.hpp"
-#include "core/task/parallel.hpp"
-#include "scene/model/scene.hpp"
-#include "scene/script/field_places.hpp"
-#include "simulate/resolve/resolved.hpp"
+#include "cli/shell/scene_options.hpp"
+#include "workflow/input/scene_input.hpp"
 
+/// The names of the workflows, as the commands use them.
 namespace sarsim::cli {
 
-/// Options of the command line that stand in for those of the script.
-struct SceneOverrides {
-  std::optional<scene::Profile> profile;
-  std::optional<scene::PulseDefinition> pulse;
-  std::optional<double> tolerance;
-  std::optional<std::uint64_t> seed;
-  std::optional<scene::FileFormat> format;  ///< Of every simulation.
-  std::vector<std::string>
-      settings;  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
-};
-
-/// Adds --profile, --pulse, --tolerance and --seed.
-void add_scene_overrides(CLI::App& app, SceneOverrides& overrides);
-
-/// Adds --set, which takes one value for a field.
-void add_settings(CLI::App& app, SceneOverrides& overrides);
-
-/// A script as understood, with everything that is wrong with it.
-struct SceneInput {
-  scene::Scene scene;
-  scene::FieldPlaces places;
-  std::vector<std::filesystem::path> sources;  ///< The script and the data files that it names.
-  core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
-  std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
-};
-
-/// How much of a scene is looked at.
-enum class Scrutiny {
-  reading,  ///< The text alone.
-  values,   ///< Also `check`.
-  echoes,   ///< Also `survey`, where there is no error.
-};
-
-/// Positions of the products of a scene that are to be made, ascending.
-struct WantedProducts {
-  std::vector<std::size_t> simulations;
-  std::vector<std::size_t> geometries;
-};
-
-/// Says what is wanted of a scene whose text is sound; throws core::Refused for what it does not have.
-using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
-
-/// Reads and checks a script. Settings that cannot be made are core::Refused, all at once. Where the text holds errors,
-/// objects that have one are not checked further.
-/// @param choose  what stands against other products is no problem; nothing: all are looked at
-[[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                                    const core::WorkControl& control = {}, const ChooseProducts& choose = {});
-
-/// The data files that a scene names, as far as they are there.
-[[nodiscard]] std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
-                                                               const std::filesystem::path& script_folder);
-
-/// A script and the data files that it names, as far as it can be read; nothing for no name.
-[[nodiscard]] std::vector<std::filesystem::path> sources_of_script(const std::string& path);
-
-/// Makes `input.resolved` of a sound scene where it is still empty.
-void resolve_once(SceneInput& input, const core::WorkControl& control);
-
-/// Throws core::Refused with all problems where one of them is an error; where `strict`, also where one is a warning.
-void expect_usable(const SceneInput& input, bool strict = false);
-
-/// Number of the radar, platform ... named in an option; throws core::Refused with the nearest name.
-[[nodiscard]] std::size_t radar_named(const scene::Scene& scene, const std::string& name);
+using workflow::ChooseProducts;
+using workflow::data_files_of;
+using workflow::expect_usable;
+using workflow::radar_named;
+using workflow::read_scene;
+using workflow::resolve_once;
+using workflow::SceneInput;
+using workflow::SceneOverrides;
+using workflow::Scrutiny;
+using workflow::sources_of_script;
+using workflow::WantedProducts;
 
 }  // namespace sarsim::cli

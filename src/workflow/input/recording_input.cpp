@@ -1,20 +1,19 @@
-#include "cli/shell/recording_input.hpp"
+#include "workflow/input/recording_input.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/sample_file.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
+#include "workflow/input/output_names.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -139,7 +138,7 @@ double scale_of(const raster::SampleFileInfo& info, const simulate::Plan& plan, 
   return 1.0;
 }
 
-workflow::RecordedRows rows_of(raster::SampleFile file, double scale) {
+RecordedRows rows_of(raster::SampleFile file, double scale) {
   const auto shared = std::make_shared<const raster::SampleFile>(std::move(file));
   return [shared, scale](std::size_t row, std::span<std::complex<double>> out) {
     shared->read_rows(row, 1, out);
@@ -148,12 +147,6 @@ workflow::RecordedRows rows_of(raster::SampleFile file, double scale) {
 }
 
 }  // namespace
-
-void add_recording_arguments(CLI::App& app, RecordingArguments& arguments, const std::string& otherwise) {
-  add_text(app, "--script", arguments.script, "SCENE", "script that wrote the file of samples, where it carries none");
-  add_integer(app, "--simulation", arguments.simulation, 1, std::int64_t{1} << 40,
-              "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")");
-}
 
 std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
   std::vector<fs::path> sources{arguments.path};
@@ -202,4 +195,4 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   return recording;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,19 +1,19 @@
-#include "cli/command/image_script.hpp"
+#include "workflow/image/image_script.hpp"
 
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "cli/command/part_identity.hpp"
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/sample_file.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
+#include "workflow/image/script_sum.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -94,4 +94,4 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   return way;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/shell/output_names.hpp"
+#include "workflow/input/output_names.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 #include "raster/format/recording_hints.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -166,4 +166,4 @@ core::Problems problems_of_output(const fs::path& path, const fs::path& source, 
   return problems_of_output(path, OutputCare{{source}, force, "--out"});
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

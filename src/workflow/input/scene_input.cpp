@@ -1,16 +1,16 @@
-#include "cli/shell/scene_input.hpp"
+#include "workflow/input/scene_input.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "cli/shell/options.hpp"
+#include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "scene/edit/data_functions.hpp"
 #include "scene/schema/field_names.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -120,24 +120,6 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
 
 }  // namespace
 
-void add_scene_overrides(CLI::App& app, SceneOverrides& overrides) {
-  add_choice<scene::Profile>(app, "--profile", overrides.profile,
-                             {{"physical", scene::Profile::physical}, {"classic", scene::Profile::classic}},
-                             "conventions: today's physics, or those of the 1998 programs");
-  add_choice<scene::PulseDefinition>(
-      app, "--pulse", overrides.pulse,
-      {{"ideal", scene::PulseDefinition::ideal}, {"band-limited", scene::PulseDefinition::band_limited}},
-      "hard-edged pulses, or pulses confined to their band");
-  add_real(app, "--tolerance", overrides.tolerance, "X", "relative error that fast engines may make");
-  add_seed(app, "--seed", overrides.seed, "of the random numbers");
-}
-
-void add_settings(CLI::App& app, SceneOverrides& overrides) {
-  app.add_option("--set", overrides.settings, "a field of the script and its value, as Radar1.bandwidth=10MHz; repeat")
-      ->type_name("FIELD=VALUE")
-      ->allow_extra_args(false);
-}
-
 SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                       const core::WorkControl& control, const ChooseProducts& choose) {
   scene::ScriptReading reading = scene::read_script_file(path, {control});
@@ -212,4 +194,4 @@ std::size_t radar_named(const scene::Scene& scene, const std::string& name) {
                       nearest.empty() ? others : "did you mean '" + nearest + "'?");
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,12 +1,12 @@
-#include "cli/command/image_fields.hpp"
+#include "workflow/image/image_fields.hpp"
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
 #include "core/build/version.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -130,4 +130,4 @@ void read_header(const raster::EnviHeader& header, const std::string& file, sign
   origin.options.doppler_bandwidth_hz = fields.number("doppler bandwidth hz");
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,15 +1,15 @@
-#include "cli/command/image_output.hpp"
+#include "workflow/image/image_output.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "cli/command/image_script.hpp"
-#include "cli/command/image_writer.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/image/image_script.hpp"
+#include "workflow/image/image_writer.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -74,4 +74,4 @@ void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, co
   writer.finish();
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,10 +1,10 @@
-#include "cli/command/image_fields.hpp"
+#include "workflow/image/image_fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 std::string description_of(const std::string& algorithm, signal::ImagePlane plane) {
@@ -32,4 +32,4 @@ TEST(HeaderOfImage, OfATurningTargetHasItsCrossRange) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/command/image_writer.hpp"
+#include "workflow/image/image_writer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -87,4 +87,4 @@ void ImageWriter::write_npy_header(core::OutputFile& file) const {
   file.secure();
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

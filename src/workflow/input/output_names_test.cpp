@@ -1,10 +1,10 @@
-#include "cli/shell/output_names.hpp"
+#include "workflow/input/output_names.hpp"
 
 #include <fstream>
 
 #include <gtest/gtest.h>
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(OutputPlaces, HintsNameWhatTheCommandHas) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/format/envi.hpp"
+#include "scene/model/scene.hpp"
+#include "signal/sar/focusing.hpp"
+#include "signal/sar/sar_image.hpp"
+
+namespace sarsim::workflow {
+
+/// How an image came to be, as its header tells it.
+struct ImageOrigin {
+  std::string source;  ///< What was focused: a path.
+  std::string script;  ///< What --script said.
+  std::size_t simulation = 0;
+  std::string algorithm;
+  signal::FocusOptions options;
+  std::string motion = "none";  ///< Order to which the flight's departures from a straight line were compensated.
+  std::string radar;            ///< This and what follows stand in HDF5 files alone.
+  scene::RunOptions run;
+};
+
+/// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.
+[[nodiscard]] bool is_of_turning_target(const ImageOrigin& origin);
+
+/// The header of a focused image (docs/formats/focused-images.md).
+[[nodiscard]] raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin);
+
+/// Reads a header back; throws core::Refused where it is not that of a focused image.
+void read_header(const raster::EnviHeader& header, const std::string& file, signal::FocusedImage& image,
+                 ImageOrigin& origin);
+
+}  // namespace sarsim::workflow

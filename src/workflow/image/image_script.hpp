@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/report/problem.hpp"
+#include "raster/format/envi.hpp"
+#include "workflow/image/image_fields.hpp"
+
+namespace sarsim::workflow {
+
+/// Adds to the header of an image what leads back to its script: where the source and the script are seen from the
+/// image ("source from image", "script from image"), and the checksum of the script as it is now ("script checksum").
+/// A script that cannot be read has none.
+void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const std::filesystem::path& image);
+
+/// Where the source of an image and its script are now.
+struct WayBack {
+  std::string source;
+  std::string script;       ///< Empty where the image was made without --script.
+  core::Problems problems;  ///< A warning where the script is another one than when the image was made.
+};
+
+/// Follows a header back: as seen from the image, as seen from the current folder, beside the image. Throws
+/// core::Refused where the source is in none of these places.
+/// @param script  the one to take instead of the header's, which it need not be like; empty: none
+[[nodiscard]] WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin,
+                               const std::filesystem::path& image, const std::string& script);
+
+}  // namespace sarsim::workflow
