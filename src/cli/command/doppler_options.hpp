@@ -5,7 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/command/doppler_input.hpp"
+#include "cli/shell/recording_input.hpp"
+#include "workflow/search/pulse_input.hpp"
 #include "workflow/search/search_intervals.hpp"
 
 namespace sarsim::cli {

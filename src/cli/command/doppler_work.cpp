@@ -65,7 +65,7 @@ void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& us
                      const std::function<double(const workflow::PulseRows&)>& more_bytes) {
   options_.detect = arguments_.detector.value_or(Detector::cell_averaging) != Detector::none;
   expect_free_outputs(named_sources(arguments_.input));
-  input_ = open_pulse_input(arguments_.input, control_);
+  input_ = workflow::open_pulse_input(arguments_.input, control_);
   expect_free_outputs(input_.sources);
   options_ = search_options(arguments_, rows(), usual_pulses(plan()));
   find_problems(more_bytes(rows()));

@@ -26,7 +26,7 @@ class PulseWork {
   void open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
             const std::function<double(const workflow::PulseRows&)>& more_bytes);
 
-  [[nodiscard]] const PulseInput& input() const { return input_; }
+  [[nodiscard]] const workflow::PulseInput& input() const { return input_; }
   [[nodiscard]] const workflow::PulseRows& rows() const { return input_.rows; }
   [[nodiscard]] const simulate::Plan& plan() const { return *input_.rows.plan; }
   [[nodiscard]] const workflow::SearchOptions& options() const { return options_; }
@@ -66,7 +66,7 @@ class PulseWork {
   std::string suffix_;
   core::WorkControl control_;
   double begin_s_;
-  PulseInput input_;
+  workflow::PulseInput input_;
   workflow::SearchOptions options_;
   std::vector<workflow::TargetFinding> findings_;
   std::size_t detections_ = 0;

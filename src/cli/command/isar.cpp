@@ -9,7 +9,6 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/command/image_output.hpp"
-#include "cli/command/stepped_input.hpp"
 #include "cli/command/stepped_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/output_names.hpp"
@@ -22,6 +21,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/stepped/isar_scene.hpp"
+#include "workflow/stepped/stepped_input.hpp"
 
 namespace sarsim::cli {
 
@@ -70,7 +70,7 @@ class IsarRun {
   ExitStatus run() {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
-    input_ = open_stepped_input(arguments_.input, workflow::SteppedUse::isar, control_);
+    input_ = workflow::open_stepped_input(arguments_.input, workflow::SteppedUse::isar, control_);
     if (options_.motion == Motion::estimated) expect_searchable(options_.fastest_mps, input_.rows);
     find_platform();
     cut_bursts();
@@ -301,7 +301,7 @@ class IsarRun {
   Streams& streams_;
   core::WorkControl control_;
   workflow::IsarOptions options_;
-  SteppedInput input_;
+  workflow::SteppedInput input_;
   std::size_t count_ = 0;
   std::vector<std::size_t> firsts_;
   std::vector<workflow::IsarImage> images_;

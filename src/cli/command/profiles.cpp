@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/profile_output.hpp"
-#include "cli/command/stepped_input.hpp"
 #include "cli/command/stepped_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/output_names.hpp"
@@ -19,6 +17,8 @@
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/stepped/profile_output.hpp"
+#include "workflow/stepped/stepped_input.hpp"
 
 namespace sarsim::cli {
 
@@ -67,7 +67,7 @@ class ProfilesRun {
     const auto begin = std::chrono::steady_clock::now();
     read_options();
     expect_free_outputs(named_sources(arguments_.input));
-    input_ = open_stepped_input(arguments_.input, workflow::SteppedUse::profiles, control_);
+    input_ = workflow::open_stepped_input(arguments_.input, workflow::SteppedUse::profiles, control_);
     expect_free_outputs(input_.sources);
     if (arguments_.window.empty()) options_.window = input_.rows.plan->radar.window;
     expect_ranges();
@@ -113,7 +113,7 @@ class ProfilesRun {
   }
 
   void expect_free_outputs(const std::vector<fs::path>& sources) const {
-    cli::expect_free_outputs(files_of_profiles(output()), {sources, arguments_.force, "--out"});
+    cli::expect_free_outputs(workflow::files_of_profiles(output()), {sources, arguments_.force, "--out"});
   }
 
   void expect_ranges() {
@@ -185,20 +185,21 @@ class ProfilesRun {
   }
 
   void write() const {
-    const ProfileOrigin origin{arguments_.input.path,
-                               arguments_.input.script,
-                               input_.simulation,
-                               word_of(set()),
-                               arguments_.velocity,
-                               arguments_.window.empty() ? "of the script" : arguments_.window,
-                               input_.rows.band->waveform().light_speed_mps,
-                               input_.rows.plan->radar.name,
-                               input_.rows.plan->scene->options};
+    const workflow::ProfileOrigin origin{arguments_.input.path,
+                                         arguments_.input.script,
+                                         input_.simulation,
+                                         word_of(set()),
+                                         arguments_.velocity,
+                                         arguments_.window.empty() ? "of the script" : arguments_.window,
+                                         input_.rows.band->waveform().light_speed_mps,
+                                         input_.rows.plan->radar.name,
+                                         input_.rows.plan->scene->options};
     if (output().has_parent_path()) fs::create_directories(output().parent_path());
-    if (set() == Set::bursts) return write_profiles(series_, origin, output(), arguments_.force, streams_.stop);
+    if (set() == Set::bursts)
+      return workflow::write_profiles(series_, origin, output(), arguments_.force, streams_.stop);
     const workflow::ProfileSeries means =
         set() == Set::scans ? workflow::mean_of_scans(series_) : workflow::mean_of_encounter(series_);
-    write_profiles(means, origin, output(), arguments_.force, streams_.stop);
+    workflow::write_profiles(means, origin, output(), arguments_.force, streams_.stop);
   }
 
   // The row that is held against the scene.
@@ -271,7 +272,7 @@ class ProfilesRun {
     core::JsonWriter json;
     json.begin_object().member("sarsim", core::program_version).member("source", arguments_.input.path);
     json.key("files").begin_array();
-    for (const fs::path& path : files_of_profiles(output())) json.value(path.string());
+    for (const fs::path& path : workflow::files_of_profiles(output())) json.value(path.string());
     json.end_array().member("set", word_of(set()));
     const signal::SteppedLimits& limits = series_.limits;
     json.member("bursts", series_.rows.size()).member("columns", series_.axis.count);
@@ -329,7 +330,7 @@ class ProfilesRun {
   Streams& streams_;
   core::WorkControl control_;
   workflow::SeriesOptions options_;
-  SteppedInput input_;
+  workflow::SteppedInput input_;
   workflow::ProfileSeries series_;
   std::size_t held_row_ = 0;
 };

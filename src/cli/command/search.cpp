@@ -8,13 +8,13 @@
 #include "cli/command/commands.hpp"
 #include "cli/command/doppler_work.hpp"
 #include "cli/command/image_writer.hpp"
-#include "cli/command/search_picture.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/search/search_checks.hpp"
+#include "workflow/search/search_picture.hpp"
 
 namespace sarsim::cli {
 
@@ -28,7 +28,7 @@ struct PpiArguments {
   std::optional<std::int64_t> scan;
 };
 
-PictureArguments picture_arguments(const PpiArguments& a) {
+workflow::PictureArguments picture_arguments(const PpiArguments& a) {
   return {a.pixel_m, a.extent_m, a.height_m,
           a.scan ? std::optional(static_cast<std::size_t>(*a.scan) - 1) : std::nullopt};
 }
@@ -44,10 +44,10 @@ class SearchRun {
       expect_turns(rows);
       expect_picture();
       if (arguments_.search.no_map) return 0.0;
-      const signal::PpiGrid grid = picture_grid(rows, picture_arguments(arguments_));
+      const signal::PpiGrid grid = workflow::picture_grid(rows, picture_arguments(arguments_));
       return sizeof(float) * static_cast<double>(grid.rows) * static_cast<double>(grid.columns);
     });
-    std::optional<SearchPicture> picture;
+    std::optional<workflow::SearchPicture> picture;
     if (!arguments_.search.no_map) picture.emplace(work_.rows(), picture_arguments(arguments_));
     work_.detect(
         [this](const workflow::SearchInterval& i, const workflow::SearchDetection& d) { return place_of(i, d); },
@@ -63,7 +63,7 @@ class SearchRun {
   [[nodiscard]] GroundPlace place_of(const workflow::SearchInterval& interval,
                                      const workflow::SearchDetection& detection) const {
     const core::Vec3& radar_m = interval.radar_world_m;
-    const double ground_m = ground_range_m(detection.range_m, radar_m.z - arguments_.height_m.value_or(0.0));
+    const double ground_m = workflow::ground_range_m(detection.range_m, radar_m.z - arguments_.height_m.value_or(0.0));
     return {radar_m.x + ground_m * std::sin(detection.azimuth_rad),
             radar_m.y + ground_m * std::cos(detection.azimuth_rad)};
   }
@@ -82,7 +82,7 @@ class SearchRun {
   void expect_turns(const workflow::PulseRows& rows) const {
     if (!arguments_.scan) return;
     const radar::Beam& beam = rows.plan->radar.beam;
-    if (beam.kind != radar::Beam::Kind::rotating) return expect_turns(turns_of_beam(rows));
+    if (beam.kind != radar::Beam::Kind::rotating) return expect_turns(workflow::turns_of_beam(rows));
     const radar::Repetition& repetition = rows.plan->radar.repetition;
     const radar::PulseRange& pulses = rows.plan->pulses;
     const double time_s = repetition.send_time_s(pulses.last) - repetition.send_time_s(pulses.first);
@@ -95,7 +95,7 @@ class SearchRun {
                         fmt::format("it makes {:.0f}, begun ones counted", turns));
   }
 
-  void write(SearchPicture& picture) const {
+  void write(workflow::SearchPicture& picture) const {
     picture.finish();
     expect_turns(static_cast<double>(picture.scans()));
     const signal::PpiGrid& grid = picture.picture().grid();
@@ -136,7 +136,7 @@ class SearchRun {
     return content;
   }
 
-  void report(const std::optional<SearchPicture>& picture) {
+  void report(const std::optional<workflow::SearchPicture>& picture) {
     std::string text;
     if (picture) {
       const signal::PpiGrid& grid = picture->picture().grid();

@@ -8,6 +8,11 @@
 
 namespace sarsim::cli {
 
+void add_stepped_input_arguments(CLI::App& app, RecordingArguments& arguments) {
+  add_recording_arguments(app, arguments, "the first that suits");
+  add_scene_overrides(app, arguments.overrides);
+}
+
 VelocityChoice velocity_choice(const std::string& text) {
   using Velocity = workflow::SeriesOptions::Velocity;
   if (core::equal_ignoring_case(text, "none")) return {};

@@ -2,11 +2,17 @@
 
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "cli/shell/context.hpp"
 #include "cli/shell/progress_display.hpp"
+#include "cli/shell/recording_input.hpp"
 #include "workflow/stepped/profile_series.hpp"
 
 namespace sarsim::cli {
+
+/// Adds the options of `add_recording_arguments` and those that stand in for the script's.
+void add_stepped_input_arguments(CLI::App& app, RecordingArguments& arguments);
 
 /// What --velocity says.
 struct VelocityChoice {

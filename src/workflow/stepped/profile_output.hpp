@@ -8,7 +8,7 @@
 #include "scene/model/scene.hpp"
 #include "workflow/stepped/profile_series.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What stands in the headers of files of profiles, besides the profiles.
 struct ProfileOrigin {
@@ -28,7 +28,7 @@ struct ProfileOrigin {
 
 /// Writes profiles in the format that the path's extension says (docs/formats/range-profiles.md): ENVI with a header,
 /// CSV as magnitudes against range, the others as recordings of processing SRP. Throws Interrupted, and like the sinks.
-void write_profiles(const workflow::ProfileSeries& series, const ProfileOrigin& origin,
-                    const std::filesystem::path& path, bool replace, const core::StopFlag* stop);
+void write_profiles(const ProfileSeries& series, const ProfileOrigin& origin, const std::filesystem::path& path,
+                    bool replace, const core::StopFlag* stop);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,16 +1,16 @@
-#include "cli/command/search_picture.hpp"
+#include "workflow/search/search_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
 #include "core/maths/constants.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/search/search_checks.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double most_pixels_to_a_side = 1000.0;  // by default
 constexpr double most_pixels = 30000.0;           // of a picture's edge
 constexpr double widest_half_sector_rad = 0.25 * core::pi;
 
-core::Vec3 radar_at(const workflow::PulseRows& rows, std::size_t pulse) {
+core::Vec3 radar_at(const PulseRows& rows, std::size_t pulse) {
   simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   geometry.set_pulse(rows.number(pulse));
   return geometry.radar_pose().position_world_m;
@@ -45,7 +45,7 @@ double ground_range_m(double slant_m, double height_m) {
   return std::sqrt(std::max(0.0, slant_m * slant_m - height_m * height_m));
 }
 
-signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArguments& arguments) {
+signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments) {
   const core::Vec3 begin_m = radar_at(rows, 0);
   const core::Vec3 end_m = radar_at(rows, rows.pulses() - 1);
   const core::Vec3 middle_m = 0.5 * (begin_m + end_m);
@@ -65,7 +65,7 @@ signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArgum
   return signal::ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 
-double turns_of_beam(const workflow::PulseRows& rows) {
+double turns_of_beam(const PulseRows& rows) {
   simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   double first_rad = 0.0;
   double last_rad = 0.0;
@@ -81,17 +81,17 @@ double turns_of_beam(const workflow::PulseRows& rows) {
   return std::floor(farthest_rad / (2.0 * core::pi) + 1e-9) + 1.0;
 }
 
-SearchPicture::SearchPicture(const workflow::PulseRows& rows, const PictureArguments& arguments)
+SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& arguments)
     : rows_(rows),
       height_m_(arguments.height_m.value_or(0.0)),
-      still_rad_(workflow::beam_width_rad(*rows.plan)),
+      still_rad_(beam_width_rad(*rows.plan)),
       scan_(arguments.scan),
       picture_(picture_grid(rows, arguments)) {
   constexpr double usual_width_rad = core::pi / 180.0;
   if (still_rad_ <= 0.0) still_rad_ = usual_width_rad;
 }
 
-SearchPicture::Line SearchPicture::line_of(const workflow::SearchInterval& interval) const {
+SearchPicture::Line SearchPicture::line_of(const SearchInterval& interval) const {
   Line line;
   line.x_m = interval.radar_world_m.x;
   line.y_m = interval.radar_world_m.y;
@@ -109,7 +109,7 @@ SearchPicture::Line SearchPicture::line_of(const workflow::SearchInterval& inter
   return line;
 }
 
-void SearchPicture::take(const workflow::SearchInterval& interval) {
+void SearchPicture::take(const SearchInterval& interval) {
   Line line = line_of(interval);
   if (!waiting_) {
     first_azimuth_rad_ = line.azimuth_rad;
@@ -148,4 +148,4 @@ std::size_t SearchPicture::scans() const {
   return static_cast<std::size_t>(farthest_turn_rad_ / (2.0 * core::pi) + 1e-9) + 1;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

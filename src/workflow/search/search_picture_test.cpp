@@ -1,14 +1,14 @@
-#include "cli/command/search_picture.hpp"
+#include "workflow/search/search_picture.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 // A beam of 4 degrees that turns once in 1000 pulses, on a platform at a height, over one target on the ground.
@@ -46,13 +46,12 @@ struct Painted {
 };
 
 Painted painted(const scene::Scene& scene, const PictureArguments& arguments, std::size_t pulses = 5) {
-  const workflow::PulseRows rows = workflow::pulse_rows_of(scene);
-  workflow::SearchOptions options;
+  const PulseRows rows = pulse_rows_of(scene);
+  SearchOptions options;
   options.pulses = pulses;
   options.detect = false;
   SearchPicture picture(rows, arguments);
-  workflow::each_interval(rows, options, {2, nullptr}, {},
-                          [&](const workflow::SearchInterval& interval) { picture.take(interval); });
+  each_interval(rows, options, {2, nullptr}, {}, [&](const SearchInterval& interval) { picture.take(interval); });
   picture.finish();
   const auto& values = picture.picture().values();
   const signal::PpiGrid& grid = picture.picture().grid();
@@ -117,7 +116,7 @@ TEST(SearchPicture, DrawsABeamThatStandsStillAsWideAsItIs) {
 }
 
 TEST(PictureGrid, RefusesWhatCannotBeShown) {
-  const workflow::PulseRows rows = workflow::pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
+  const PulseRows rows = pulse_rows_of(turning_scene(3000.0, {100.0, 3800.0, 0.0}));
   const auto refuses = [&](const PictureArguments& arguments) {
     EXPECT_THROW((void)picture_grid(rows, arguments), core::Refused);
   };
@@ -137,4 +136,4 @@ TEST(GroundRange, IsThatOfPythagoras) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -7,7 +7,7 @@
 #include "signal/search/ppi.hpp"
 #include "workflow/search/search_intervals.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// Part of the ground that a picture shows.
 struct PictureArguments {
@@ -23,20 +23,20 @@ struct PictureArguments {
 /// The grid of a picture: about where the radar is in the middle of the recording, as far as the recorded ranges reach,
 /// unless the arguments say otherwise; pixels of a range sample, or of a thousandth of the reach where that is more.
 /// Throws core::Refused for arguments that make no sense.
-[[nodiscard]] signal::PpiGrid picture_grid(const workflow::PulseRows& rows, const PictureArguments& arguments);
+[[nodiscard]] signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& arguments);
 
 /// Whole and begun turns that the beam makes over all pulses; 1 where it does not turn.
-[[nodiscard]] double turns_of_beam(const workflow::PulseRows& rows);
+[[nodiscard]] double turns_of_beam(const PulseRows& rows);
 
 /// Paints intervals as they come: each is a line whose strength is the largest over its Doppler frequencies, and whose
 /// sector reaches half way to its neighbours. A beam that stands still is as wide as it is.
 class SearchPicture {
  public:
   /// Keeps a reference to the rows.
-  SearchPicture(const workflow::PulseRows& rows, const PictureArguments& arguments);
+  SearchPicture(const PulseRows& rows, const PictureArguments& arguments);
 
   /// Paints the interval before this one, whose sector is known now.
-  void take(const workflow::SearchInterval& interval);
+  void take(const SearchInterval& interval);
   /// Paints the last interval.
   void finish();
 
@@ -55,10 +55,10 @@ class SearchPicture {
     std::vector<double> edges_m;
     std::vector<float> strengths;
   };
-  [[nodiscard]] Line line_of(const workflow::SearchInterval& interval) const;
+  [[nodiscard]] Line line_of(const SearchInterval& interval) const;
   void paint(const Line& line, double before_rad, double after_rad);
 
-  const workflow::PulseRows& rows_;
+  const PulseRows& rows_;
   double height_m_;
   double still_rad_;  // width of a beam that does not turn
   std::optional<std::size_t> scan_;
@@ -70,4 +70,4 @@ class SearchPicture {
   double farthest_turn_rad_ = 0.0;
 };
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

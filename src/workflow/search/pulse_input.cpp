@@ -1,6 +1,6 @@
-#include "cli/command/doppler_input.hpp"
+#include "workflow/search/pulse_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -15,10 +15,10 @@ PulseInput of_script(const RecordingArguments& arguments, const core::WorkContro
   auto [input, number] = open_script(arguments, records_pulses, control);
   scene::Simulation& simulation = input.scene.simulations[number];
   expect_pulses(simulation);
-  simulation = workflow::compressed_simulation(simulation);
+  simulation = compressed_simulation(simulation);
   auto plan = std::make_shared<const simulate::Plan>(
       simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic, control.stop));
-  return {workflow::pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
+  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
 }
 
 PulseInput of_file(const RecordingArguments& arguments) {
@@ -26,7 +26,7 @@ PulseInput of_file(const RecordingArguments& arguments) {
     expect_pulses(plan.simulation);
     return core::Problems();
   });
-  return {workflow::pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 
@@ -38,4 +38,4 @@ PulseInput open_pulse_input(const RecordingArguments& arguments, const core::Wor
   return input;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,27 +1,26 @@
-#include "cli/command/stepped_input.hpp"
+#include "workflow/stepped/stepped_input.hpp"
 
 #include <algorithm>
 
 #include "scene/check/check.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
 // Whether the radar of a simulation steps its carrier, or at least modulates its pulse.
-Suits suits_use(workflow::SteppedUse use) {
+Suits suits_use(SteppedUse use) {
   return [use](const scene::Scene& scene, const scene::Simulation& simulation) {
     const std::size_t index = scene::find_radar(scene, simulation.radar);
     if (index == scene::not_found) return false;
     const scene::Radar& radar = scene.radars[index];
     if (radar.carrier == scene::Radar::Carrier::stepped && radar.carrier_steps > 1) return true;
-    return use == workflow::SteppedUse::isar && radar.pulse != scene::Radar::Pulse::mono &&
+    return use == SteppedUse::isar && radar.pulse != scene::Radar::Pulse::mono &&
            radar.carrier == scene::Radar::Carrier::single;
   };
 }
 
-SteppedInput of_script(const RecordingArguments& arguments, workflow::SteppedUse use,
-                       const core::WorkControl& control) {
+SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   auto [input, number] = open_script(arguments, suits_use(use), control);
   SteppedInput stepped;
   stepped.simulation = number;
@@ -32,35 +31,28 @@ SteppedInput of_script(const RecordingArguments& arguments, workflow::SteppedUse
   stepped.problems = std::move(input.problems);
   stepped.sources = std::move(input.sources);
   std::erase_if(stepped.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
-  std::ranges::move(workflow::problems_of_stepped(window, use, false), std::back_inserter(stepped.problems));
+  std::ranges::move(problems_of_stepped(window, use, false), std::back_inserter(stepped.problems));
   if (core::has_errors(stepped.problems)) throw core::Refused(core::ranked(std::move(stepped.problems)));
-  simulation = workflow::recorded_for_stepped(simulation, window);
+  simulation = recorded_for_stepped(simulation, window);
   const auto plan = std::make_shared<const simulate::Plan>(
       simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic));
-  stepped.rows = workflow::stepped_rows_of_scene(plan, window);
+  stepped.rows = stepped_rows_of_scene(plan, window);
   return stepped;
 }
 
-SteppedInput of_file(const RecordingArguments& arguments, workflow::SteppedUse use) {
-  StoredRecording stored = open_recording(arguments, suits_use(use), [use](const simulate::Plan& plan) {
-    return workflow::problems_of_stepped(plan, use, true);
-  });
-  return {workflow::stepped_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use) {
+  StoredRecording stored = open_recording(
+      arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); });
+  return {stepped_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 
 }  // namespace
 
-void add_stepped_input_arguments(CLI::App& app, RecordingArguments& arguments) {
-  add_recording_arguments(app, arguments, "the first that suits");
-  add_scene_overrides(app, arguments.overrides);
-}
-
-SteppedInput open_stepped_input(const RecordingArguments& arguments, workflow::SteppedUse use,
-                                const core::WorkControl& control) {
+SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   SteppedInput stepped = names_script(arguments) ? of_script(arguments, use, control) : of_file(arguments, use);
   stepped.problems = core::ranked(std::move(stepped.problems));
   return stepped;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

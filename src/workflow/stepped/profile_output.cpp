@@ -1,4 +1,4 @@
-#include "cli/command/profile_output.hpp"
+#include "workflow/stepped/profile_output.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/command/image_output.hpp"
 #include "core/build/version.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
@@ -14,8 +13,9 @@
 #include "raster/format/envi.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/image/image_output.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -27,14 +27,14 @@ void look_at(const core::StopFlag* stop) {
   if (stop != nullptr && stop->requested()) throw core::Interrupted();
 }
 
-raster::EnviHeader header_of(const workflow::ProfileSeries& series, const ProfileOrigin& origin) {
+raster::EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   raster::EnviHeader header;
   header.samples = series.axis.count;
   header.lines = series.rows.size();
   header.description = fmt::format("Synthetic range profiles by sarsim {}: lines are {}, samples are slant ranges",
                                    core::program_version, origin.set);
   std::string times;
-  for (const workflow::ProfileRow& row : series.rows) {
+  for (const ProfileRow& row : series.rows) {
     if (!times.empty()) times += ", ";
     core::append_number(times, row.time_s);
   }
@@ -52,7 +52,7 @@ raster::EnviHeader header_of(const workflow::ProfileSeries& series, const Profil
   return header;
 }
 
-void write_envi(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
+void write_envi(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
                 const core::StopFlag* stop) {
   raster::EnviWriter writer(path, header_of(series, origin), replace);
   std::vector<std::complex<float>> row(series.axis.count);
@@ -64,18 +64,18 @@ void write_envi(const workflow::ProfileSeries& series, const ProfileOrigin& orig
   writer.finish();
 }
 
-std::string column_name(const workflow::ProfileRow& row, const std::string& set) {
+std::string column_name(const ProfileRow& row, const std::string& set) {
   if (set == "encounter") return "encounter_v";
   if (set == "scans") return fmt::format("scan_{}_v", row.scan + 1);
   return fmt::format("burst_{}_v", row.burst + 1);
 }
 
-void write_csv(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
+void write_csv(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
                const core::StopFlag* stop) {
   core::OutputFile file(path, replace);
   const auto put = [&file](const std::string& text) { file.write(std::as_bytes(std::span(text))); };
   std::string line = "range_m";
-  for (const workflow::ProfileRow& row : series.rows) {
+  for (const ProfileRow& row : series.rows) {
     line += ',';
     line += column_name(row, origin.set);
   }
@@ -92,7 +92,7 @@ void write_csv(const workflow::ProfileSeries& series, const ProfileOrigin& origi
   file.commit();
 }
 
-simulate::Product product_of(const workflow::ProfileSeries& series, const ProfileOrigin& origin) {
+simulate::Product product_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   simulate::Product product;
   product.radar = origin.radar;
   product.options = origin.run;
@@ -100,7 +100,7 @@ simulate::Product product_of(const workflow::ProfileSeries& series, const Profil
   product.rows = series.rows.size();
   product.columns = series.axis.count;
   std::vector<double> times;
-  for (const workflow::ProfileRow& row : series.rows) times.push_back(row.time_s);
+  for (const ProfileRow& row : series.rows) times.push_back(row.time_s);
   product.row_time_s = [times](std::size_t row) { return times[row]; };
   product.row_carrier_hz = [carrier = series.centre_hz](std::size_t) { return carrier; };
   product.column_range_m = [axis = series.axis](std::size_t column) { return axis.at(static_cast<double>(column)); };
@@ -110,7 +110,7 @@ simulate::Product product_of(const workflow::ProfileSeries& series, const Profil
   return product;
 }
 
-void write_samples(const workflow::ProfileSeries& series, const ProfileOrigin& origin, scene::FileFormat format,
+void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, scene::FileFormat format,
                    const fs::path& path, bool replace, const core::StopFlag* stop) {
   simulate::Product product = product_of(series, origin);
   simulate::RunReport report;
@@ -139,12 +139,12 @@ std::vector<fs::path> files_of_profiles(const fs::path& path) {
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
-void write_profiles(const workflow::ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path,
-                    bool replace, const core::StopFlag* stop) {
+void write_profiles(const ProfileSeries& series, const ProfileOrigin& origin, const fs::path& path, bool replace,
+                    const core::StopFlag* stop) {
   const auto format = raster::format_from_path(path);
   if (!format) return write_envi(series, origin, path, replace, stop);
   if (raster::format_of(*format).spreadsheet) return write_csv(series, origin, path, replace, stop);
   write_samples(series, origin, *format, path, replace, stop);
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "cli/shell/recording_input.hpp"
+#include "workflow/input/recording_input.hpp"
 #include "workflow/search/pulse_rows.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// Pulses and what there is to say about their source.
 struct PulseInput {
-  workflow::PulseRows rows;
+  PulseRows rows;
   std::size_t simulation = 0;  ///< Position in the script's list.
   core::Problems problems;
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
@@ -16,4 +16,4 @@ struct PulseInput {
 /// Opens what the arguments name; throws core::Refused with all problems where it has no pulses.
 [[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
