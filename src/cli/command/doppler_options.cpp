@@ -1,97 +1,39 @@
 #include "cli/command/doppler_options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/shell/options.hpp"
-#include "core/text/number_text.hpp"
+#include "cli/shell/recording_options.hpp"
+#include "core/report/refused.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
 constexpr std::int64_t most_pulses = std::int64_t{1} << 24;
-constexpr std::int64_t most_cells = 100000;
-constexpr double usual_false_alarm = 1e-6;
 
-// Cells to either side in range and, after a colon, in Doppler.
-struct Cells {
-  std::size_t columns, rows;
-};
-
-std::optional<Cells> cells_from(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const auto columns = core::parse_integer(text.substr(0, colon));
-  const auto rows =
-      colon == std::string::npos ? std::optional<std::int64_t>(0) : core::parse_integer(text.substr(colon + 1));
-  const auto good = [](std::optional<std::int64_t> n) { return n && *n >= 0 && *n <= most_cells; };
-  if (!good(columns) || !good(rows)) return std::nullopt;
-  return Cells{static_cast<std::size_t>(*columns), static_cast<std::size_t>(*rows)};
-}
-
-void add_error(core::Problems& problems, std::string message, std::string found, std::string expected) {
+core::Problem unreadable(std::string message, std::string found, std::string expected) {
   core::Problem problem;
   problem.message = std::move(message);
   problem.found = std::move(found);
   problem.expected = std::move(expected);
-  problems.push_back(std::move(problem));
+  return problem;
 }
 
-Cells cells_or(const char* option, const std::string& text, Cells usual, core::Problems& problems) {
-  if (text.empty()) return usual;
-  if (const auto cells = cells_from(text)) return *cells;
-  add_error(problems, fmt::format("{}: no numbers of cells", option), text,
-            "cells of range, or RANGE:DOPPLER, for instance 16 or 8:2");
-  return usual;
+// What cannot be read counts as given, so that all that is wrong is told at once.
+std::optional<workflow::CellReach> cells_of(const char* option, const std::string& text, core::Problems& problems) {
+  if (text.empty()) return std::nullopt;
+  if (const auto cells = workflow::cells_from_text(text)) return cells;
+  problems.push_back(unreadable(fmt::format("{}: no numbers of cells", option), text,
+                                "cells of range, or RANGE:DOPPLER, for instance 16 or 8:2"));
+  return workflow::CellReach{};
 }
 
-// A target fills the samples of its range cell: those must not count as noise.
-std::size_t usual_guard(const simulate::Plan& plan) {
-  const double samples = 1.0 / (radar::bandwidth_hz(plan.radar.pulse) * plan.raw_grid.interval_s);
-  return std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2.0 * samples - 1e-9)));
-}
-
-// What says how to detect means nothing where nothing is detected.
-void expect_detector(const SearchArguments& a, bool detect, core::Problems& problems) {
-  if (detect) return;
-  const std::pair<const char*, bool> given[] = {{"--guard", !a.guard.empty()},
-                                                {"--train", !a.train.empty()},
-                                                {"--pfa", a.false_alarm.has_value()},
-                                                {"--all-cells", a.all_cells},
-                                                {"--detections", !a.detections.empty()}};
-  for (const auto& [option, there] : given)
-    if (there) add_error(problems, fmt::format("{} means nothing with --cfar none", option), "", "--cfar ca or os");
-}
-
-void take_detector(const SearchArguments& a, const simulate::Plan& plan, workflow::SearchOptions& options,
-                   core::Problems& problems) {
-  const Detector detector = a.detector.value_or(Detector::cell_averaging);
-  options.detect = detector != Detector::none;
-  options.all_cells = a.all_cells;
-  signal::CfarOptions& cfar = options.cfar;
-  if (detector == Detector::ordered_statistic) cfar.kind = signal::CfarOptions::Kind::ordered_statistic;
-  cfar.false_alarm = a.false_alarm.value_or(usual_false_alarm);
-  if (!(cfar.false_alarm >= 1e-15 && cfar.false_alarm <= 0.5))
-    add_error(problems, "--pfa: no probability of false alarm for a cell", core::format_number(cfar.false_alarm),
-              "1e-15 to 0.5");
-  cfar.rank_share = a.rank.value_or(0.75);
-  if (!(cfar.rank_share > 0.0 && cfar.rank_share <= 1.0))
-    add_error(problems, "--rank: not a share of the reference cells", core::format_number(cfar.rank_share),
-              "above 0, at most 1");
-  if (a.rank && detector != Detector::ordered_statistic)
-    add_error(problems, "--rank is for the ordered statistic", "", "--cfar os");
-  expect_detector(a, options.detect, problems);
-  const Cells guard = cells_or("--guard", a.guard, {usual_guard(plan), 0}, problems);
-  // By default 16 cells to either side beyond the guard.
-  const Cells train = cells_or("--train", a.train, {16, 0}, problems);
-  cfar.guard_columns = guard.columns;
-  cfar.guard_rows = guard.rows;
-  cfar.reference_columns = guard.columns + train.columns;
-  cfar.reference_rows = train.rows > 0 ? guard.rows + train.rows : 0;
-}
+std::size_t size_or_0(std::optional<std::int64_t> number) { return static_cast<std::size_t>(number.value_or(0)); }
 
 }  // namespace
 
@@ -129,33 +71,38 @@ void add_search_arguments(CLI::App& app, SearchArguments& a, const std::string& 
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
 }
 
-workflow::SearchOptions search_options(const SearchArguments& a, const workflow::PulseRows& rows,
-                                       std::size_t usual_pulses) {
-  core::Problems problems;
-  workflow::SearchOptions options;
-  const auto count = [](std::optional<std::int64_t> n, std::size_t usual) {
-    return n ? static_cast<std::size_t>(*n) : usual;
-  };
-  options.pulses = count(a.interval, usual_pulses);
-  options.step = count(a.step, 0);
-  options.frequencies = count(a.frequencies, 0);
-  options.canceller = static_cast<std::size_t>(a.canceller.value_or(Canceller::none));
-  if (!a.window.empty()) {
-    const auto window = signal::window_from_text(a.window);
-    if (window)
-      options.window = *window;
-    else
-      add_error(problems, "--window: no window", a.window,
-                "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
-  }
-  take_detector(a, *rows.plan, options, problems);
-  if (!problems.empty()) throw core::Refused(std::move(problems));
-  return options;
-}
-
-const char* word_of(Detector detector) {
-  static constexpr std::array words{"ca", "os", "none"};
-  return words.at(static_cast<std::size_t>(detector));
+workflow::PulseRequest pulse_request(const SearchArguments& a) {
+  using Kind = signal::CfarOptions::Kind;
+  core::Problems windows;
+  core::Problems cells;
+  workflow::PulseRequest request{a.input};
+  request.output = a.output;
+  request.table = a.detections;
+  if (a.interval) request.pulses = static_cast<std::size_t>(*a.interval);
+  request.step = size_or_0(a.step);
+  request.frequencies = size_or_0(a.frequencies);
+  request.canceller = static_cast<std::size_t>(a.canceller.value_or(Canceller::none));
+  const auto window = a.window.empty() ? signal::SarWindow{} : signal::window_from_text(a.window);
+  if (window)
+    request.window = *window;
+  else
+    windows.push_back(
+        unreadable("--window: no window", a.window, "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]"));
+  const Detector detector = a.detector.value_or(Detector::cell_averaging);
+  request.detect = detector != Detector::none;
+  request.detector = detector == Detector::ordered_statistic ? Kind::ordered_statistic : Kind::cell_averaging;
+  request.guard = cells_of("--guard", a.guard, cells);
+  request.train = cells_of("--train", a.train, cells);
+  request.false_alarm = a.false_alarm;
+  request.rank = a.rank;
+  request.all_cells = a.all_cells;
+  request.image = !a.no_map;
+  request.replace = a.force;
+  request.threads = static_cast<unsigned>(a.threads.value_or(0));
+  if (windows.empty() && cells.empty()) return request;
+  std::ranges::move(workflow::problems_of_request(request), std::back_inserter(windows));
+  std::ranges::move(cells, std::back_inserter(windows));
+  throw core::Refused(std::move(windows));
 }
 
 }  // namespace sarsim::cli

@@ -5,9 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/shell/recording_input.hpp"
-#include "workflow/search/pulse_input.hpp"
-#include "workflow/search/search_intervals.hpp"
+#include "workflow/search/pulse_request.hpp"
 
 namespace sarsim::cli {
 
@@ -18,7 +16,7 @@ enum class Detector { cell_averaging, ordered_statistic, none };
 
 /// What the commands that work on pulses take alike.
 struct SearchArguments {
-  RecordingArguments input;
+  workflow::RecordingArguments input;
   std::string output;
   std::string detections;
   std::optional<std::int64_t> interval;
@@ -45,12 +43,7 @@ struct SearchArguments {
 void add_search_arguments(CLI::App& app, SearchArguments& arguments, const std::string& output,
                           const std::string& usual_pulses);
 
-/// The options of the work; throws core::Refused with every mistake.
-/// @param usual_pulses  of an interval, where none are given
-[[nodiscard]] workflow::SearchOptions search_options(const SearchArguments& arguments, const workflow::PulseRows& rows,
-                                                     std::size_t usual_pulses);
-
-/// The word of the command line for a detector: "ca", "os" or "none".
-[[nodiscard]] const char* word_of(Detector detector);
+/// What the arguments ask for; throws core::Refused with every mistake where one cannot be read.
+[[nodiscard]] workflow::PulseRequest pulse_request(const SearchArguments& arguments);
 
 }  // namespace sarsim::cli

@@ -1,55 +1,20 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <span>
+#include <functional>
 #include <string>
-#include <vector>
 
-#include "core/os/output_file.hpp"
+#include "cli/command/doppler_options.hpp"
+#include "cli/shell/context.hpp"
 #include "core/text/json.hpp"
-#include "workflow/search/search_targets.hpp"
+#include "workflow/search/pulse_report.hpp"
 
 namespace sarsim::cli {
 
-/// A point on the ground.
-struct GroundPlace {
-  double x_m = 0.0;
-  double y_m = 0.0;
-};
-
-/// The table of detections, written as they come (docs/theory/search-and-doppler.md): a line of names, then one for
-/// each. What does not apply is left empty: Doppler of single pulses, ratios without noise, targets that are none of
-/// the script's. The file appears with `finish`.
-class DetectionTable {
- public:
-  /// @param doppler  intervals have Doppler frequencies
-  /// @param places   detections have places on the ground
-  DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places);
-
-  /// Adds a line.
-  /// @param target  position in the script of the target that it is of
-  void append(const workflow::SearchDetection& detection, std::optional<std::size_t> target,
-              const GroundPlace& place = {});
-  /// Gives the file its name.
-  void finish();
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  void write_pending();
-
-  core::OutputFile file_;
-  std::string pending_;
-  bool doppler_;
-  bool places_;
-  std::size_t count_ = 0;
-};
-
-/// The first targets of a script and what became of them, a line or two for each.
-[[nodiscard]] std::string findings_text(const std::vector<workflow::TargetFinding>& findings, bool doppler);
-
-/// Members of the open JSON object: the first targets and what became of them, or the options of the work.
-void write_json(core::JsonWriter& json, const std::vector<workflow::TargetFinding>& findings, bool doppler);
-void write_json(core::JsonWriter& json, const workflow::SearchOptions& options);
+/// Prints what `doppler` and `search` found alike: a summary with a line or two for each of the first targets, unless
+/// quiet, and JSON where asked for. Throws like `write_out`.
+/// @param image    what the command says about its image, in the summary
+/// @param members  the same as members of the open JSON object
+void print_report(Streams& streams, const SearchArguments& arguments, const workflow::PulseReport& report,
+                  const std::string& image, const std::function<void(core::JsonWriter&)>& members);
 
 }  // namespace sarsim::cli

@@ -151,10 +151,7 @@ class IntervalGroups {
       detection.doppler_hz = prf_hz_ * signal::peak_frequency(pulses, detection.doppler_hz / prf_hz_, reach);
       detection.doppler_hz -= prf_hz_ * std::floor(detection.doppler_hz / prf_hz_ + 0.5);
     }
-    const simulate::Plan& plan = *rows_.plan;
-    const double wavelength_m =
-        plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(rows_.number(interval.first_pulse));
-    detection.speed_mps = -0.5 * wavelength_m * detection.doppler_hz;
+    detection.speed_mps = receding_speed_mps(*rows_.plan, rows_.number(interval.first_pulse), detection.doppler_hz);
   }
 
   [[nodiscard]] double range_at(double column) const {
@@ -178,6 +175,11 @@ class IntervalGroups {
 };
 
 }  // namespace
+
+double receding_speed_mps(const simulate::Plan& plan, std::int64_t pulse, double doppler_hz) {
+  const double wavelength_m = plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(pulse);
+  return -0.5 * wavelength_m * doppler_hz;
+}
 
 std::size_t interval_count(const SearchOptions& options, std::size_t pulses) {
   if (pulses < options.recorded_pulses()) return 0;

@@ -81,6 +81,22 @@ double turns_of_beam(const PulseRows& rows) {
   return std::floor(farthest_rad / (2.0 * core::pi) + 1e-9) + 1.0;
 }
 
+double turns_to_come(const PulseRows& rows) {
+  const radar::Beam& beam = rows.plan->radar.beam;
+  if (beam.kind != radar::Beam::Kind::rotating) return turns_of_beam(rows);
+  const radar::Repetition& repetition = rows.plan->radar.repetition;
+  const radar::PulseRange& pulses = rows.plan->pulses;
+  const double time_s = repetition.send_time_s(pulses.last) - repetition.send_time_s(pulses.first);
+  return std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * core::pi) + 1e-9) + 1.0;
+}
+
+GroundPlace place_of(const SearchInterval& interval, const SearchDetection& detection, double height_m) {
+  const core::Vec3& radar_m = interval.radar_world_m;
+  const double ground_m = ground_range_m(detection.range_m, radar_m.z - height_m);
+  return {radar_m.x + ground_m * std::sin(detection.azimuth_rad),
+          radar_m.y + ground_m * std::cos(detection.azimuth_rad)};
+}
+
 SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& arguments)
     : rows_(rows),
       height_m_(arguments.height_m.value_or(0.0)),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signal/search/ppi.hpp"
+#include "workflow/search/detection_table.hpp"
 #include "workflow/search/search_intervals.hpp"
 
 namespace sarsim::workflow {
@@ -27,6 +28,13 @@ struct PictureArguments {
 
 /// Whole and begun turns that the beam makes over all pulses; 1 where it does not turn.
 [[nodiscard]] double turns_of_beam(const PulseRows& rows);
+
+/// The same before anything is computed: a rotating antenna says how often it turns, others are followed from pulse to
+/// pulse.
+[[nodiscard]] double turns_to_come(const PulseRows& rows);
+
+/// Where a detection lies on the plane of that height, in the direction of the beam.
+[[nodiscard]] GroundPlace place_of(const SearchInterval& interval, const SearchDetection& detection, double height_m);
 
 /// Paints intervals as they come: each is a line whose strength is the largest over its Doppler frequencies, and whose
 /// sector reaches half way to its neighbours. A beam that stands still is as wide as it is.

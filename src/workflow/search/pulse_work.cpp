@@ -1,0 +1,151 @@
+#include "workflow/search/pulse_work.hpp"
+
+#include <algorithm>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/task/clock.hpp"
+#include "core/text/number_text.hpp"
+#include "workflow/image/image_output.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/search/search_checks.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What the machine has; without end where it does not say.
+double memory_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long bytes = sysconf(_SC_PAGESIZE);
+  return pages > 0 && bytes > 0 ? static_cast<double>(pages) * static_cast<double>(bytes) : 0x1p62;
+}
+
+}  // namespace
+
+PulseWork::PulseWork(const PulseRequest& request, const core::Observer& observer, std::string suffix)
+    : request_(request),
+      observer_(observer),
+      suffix_(std::move(suffix)),
+      control_(observer.control(core::thread_count(request.threads))),
+      begin_s_(core::now_s()) {}
+
+fs::path PulseWork::output() const {
+  if (!request_.output.empty()) return request_.output;
+  return fs::path(request_.input.path).stem().string() + suffix_ + ".img";
+}
+
+fs::path PulseWork::table() const {
+  if (!request_.table.empty()) return request_.table;
+  return output().parent_path() / (output().stem().string() + "-detections.csv");
+}
+
+std::vector<fs::path> PulseWork::files() const {
+  std::vector<fs::path> paths;
+  if (request_.image) paths = files_of_image(output());
+  if (options_.detect) paths.push_back(table());
+  return paths;
+}
+
+void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
+  const std::vector<fs::path> paths = files();
+  if (paths.empty()) throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
+  expect_free_outputs(paths, {sources, request_.replace, "--out or --detections"});
+}
+
+void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
+                     const std::function<double(const PulseRows&)>& more_bytes) {
+  options_.detect = request_.detect;
+  expect_free_files(named_sources(request_.input));
+  input_ = open_pulse_input(request_.input, control_);
+  expect_free_files(input_.sources);
+  options_ = search_options(request_, rows(), usual_pulses(plan()));
+  find_problems(more_bytes(rows()));
+  for (const fs::path& path : files())
+    if (path.has_parent_path()) fs::create_directories(path.parent_path());
+}
+
+void PulseWork::find_problems(double more_bytes) {
+  core::Problems& problems = input_.problems;
+  std::ranges::move(problems_of_search(plan(), options_), std::back_inserter(problems));
+  const double bytes = interval_bytes(options_, rows().pulses(), rows().samples()) + more_bytes;
+  if (bytes > memory_bytes()) {
+    core::Problem problem;
+    problem.message = "an interval and the picture do not fit into memory";
+    problem.found = core::bytes_text(bytes);
+    problem.expected = "at most " + core::bytes_text(memory_bytes());
+    problem.hint = "take fewer pulses, frequencies or pixels at once";
+    problems.push_back(problem);
+  }
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  std::ranges::move(remarks_on_search(plan(), options_, control_), std::back_inserter(problems));
+  problems = core::ranked(std::move(problems));
+  observer_.remarks(problems);
+}
+
+void PulseWork::each(const std::string& stage, const SearchOptions& options,
+                     const std::function<void(const SearchInterval&)>& consume) {
+  each_interval(rows(), options, control_, observer_.stage(stage), consume);
+}
+
+void PulseWork::look_through(const std::string& stage, const std::function<void(const SearchInterval&)>& consume) {
+  SearchOptions options = options_;
+  options.detect = false;
+  each(stage, options, consume);
+}
+
+void PulseWork::detect(const Placing& place, const std::function<void(const SearchInterval&)>& consume) {
+  std::optional<DetectionTable> detections;
+  if (options_.detect) detections.emplace(table(), request_.replace, doppler(), static_cast<bool>(place));
+  SearchTargets targets(rows(), options_);
+  each((request_.image ? output() : table()).string(), options_, [&](const SearchInterval& interval) {
+    const auto of = targets.take(interval);
+    for (std::size_t d = 0; d < of.size(); ++d) {
+      const SearchDetection& detection = interval.detections[d];
+      detections->append(detection, of[d], place ? place(interval, detection) : GroundPlace{});
+    }
+    consume(interval);
+  });
+  findings_ = targets.findings();
+  if (!detections) return;
+  detections->finish();
+  detections_ = detections->count();
+}
+
+PulseReport PulseWork::report() const {
+  PulseReport report;
+  report.source = request_.input.path;
+  report.simulation = input_.simulation;
+  report.files = files();
+  report.options = options_;
+  report.intervals = intervals();
+  if (options_.detect) {
+    report.table = table();
+    report.reference_cells = signal::reference_cells(options_.cfar, options_.rows(), rows().samples());
+    report.independent_cells = static_cast<double>(report.reference_cells) * detector_of(rows(), options_).independence;
+    report.detections = detections_;
+    report.expected_false_alarms = options_.cfar.false_alarm * static_cast<double>(intervals()) *
+                                   static_cast<double>(options_.rows()) * static_cast<double>(rows().samples());
+  }
+  report.findings = findings_;
+  report.problems = input_.problems;
+  report.seconds = core::now_s() - begin_s_;
+  return report;
+}
+
+std::vector<std::pair<std::string, std::string>> PulseWork::origin_fields() const {
+  return {{"source", request_.input.path},
+          {"script", request_.input.script},
+          {"simulation", fmt::format("{}", input_.simulation + 1)},
+          {"interval pulses", fmt::format("{}", options_.pulses)},
+          {"interval step pulses", fmt::format("{}", options_.step_pulses())},
+          {"window", signal::to_string(options_.window)},
+          {"canceller pulses", fmt::format("{}", options_.canceller + 1)}};
+}
+
+}  // namespace sarsim::workflow
