@@ -13,9 +13,4 @@ signal::SarWindow window_of(const std::string& option, const std::string& text) 
                       "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 
-signal::WindowFunction window_function(const std::string& option, const std::string& text) {
-  if (text.empty()) return {};
-  return [weight = signal::weight_of(window_of(option, text))](double x) { return weight(x - 0.5); };
-}
-
 }  // namespace sarsim::cli

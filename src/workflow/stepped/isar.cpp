@@ -1,0 +1,186 @@
+#include "workflow/stepped/isar.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/task/clock.hpp"
+#include "core/text/number_text.hpp"
+#include "workflow/image/image_output.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/stepped/stepped_input.hpp"
+#include "workflow/stepped/velocity_choice.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Algorithm = IsarOptions::Algorithm;
+using Motion = IsarOptions::Motion;
+
+fs::path output_of(const IsarRequest& request) {
+  if (!request.output.empty()) return request.output;
+  return fs::path(request.input.path).stem().string() + "-isar.img";
+}
+
+// Options that make sense together; the platform is not known yet.
+IsarOptions isar_options(const IsarRequest& request) {
+  IsarOptions options = request.options;
+  if (options.algorithm == Algorithm::back_projection &&
+      (options.motion == Motion::estimated || options.turn_rate_radps))
+    throw core::Refused("back-projection needs the path of the target as the script has it",
+                        "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
+  if (options.turn_rate_radps && *options.turn_rate_radps == 0.0)
+    throw core::Refused("--turn-rate: without turning there is no cross-range");
+  expect_speed(options.fastest_mps);
+  options.autofocus = options.autofocus || options.motion == Motion::estimated;
+  if (request.magnitude && !is_envi(output_of(request)))
+    throw core::Refused("--magnitude makes ENVI images", "name the output .img");
+  return options;
+}
+
+// The platform of that name, or the one with the strongest targets.
+std::size_t platform_of_name(const std::string& name, const simulate::Plan& plan) {
+  if (name.empty()) {
+    if (const auto strongest = platform_of_targets(plan)) return *strongest;
+    throw core::Refused("no target is on a platform of its own", "name the target's platform with --platform");
+  }
+  const auto& platforms = plan.scene->platforms;
+  const auto found = std::ranges::find_if(
+      platforms, [&](const simulate::ResolvedPlatform& p) { return core::equal_ignoring_case(p.name, name); });
+  if (found == platforms.end()) {
+    std::vector<std::string> names;
+    names.reserve(platforms.size());
+    for (const simulate::ResolvedPlatform& platform : platforms) names.push_back(platform.name);
+    const std::string near = core::nearest_word(name, names);
+    throw core::Refused(fmt::format("--platform: the script has no platform '{}'", name),
+                        near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  }
+  const auto index = static_cast<std::size_t>(found - platforms.begin());
+  if (index == plan.radar.platform)
+    throw core::Refused(fmt::format("--platform: '{}' carries the radar itself", found->name),
+                        "name the platform of the target");
+  return index;
+}
+
+// One run, from its input to the files of its images.
+class IsarRun {
+ public:
+  IsarRun(const IsarRequest& request, const core::Observer& observer)
+      : request_(request), observer_(observer), control_(observer.control(core::thread_count(request.threads))) {}
+
+  IsarReport run() {
+    const double begin_s = core::now_s();
+    options_ = isar_options(request_);
+    input_ = open_stepped_input(request_.input, SteppedUse::isar, control_);
+    if (options_.motion == Motion::estimated) expect_searchable(options_.fastest_mps, input_.rows);
+    options_.platform = platform_of_name(request_.platform, *input_.rows.plan);
+    cut_bursts();
+    expect_free_outputs(outputs(), {input_.sources, request_.replace, "--out"});
+    find_problems();
+    IsarReport report;
+    for (std::size_t i = 0; i < firsts_.size(); ++i) report.images.push_back(made(i));
+    report.source = request_.input.path;
+    report.simulation = input_.simulation;
+    report.algorithm = algorithm();
+    report.files = outputs();
+    report.problems = std::move(input_.problems);
+    report.seconds = core::now_s() - begin_s;
+    return report;
+  }
+
+ private:
+  [[nodiscard]] const char* algorithm() const {
+    return options_.algorithm == Algorithm::range_doppler ? "isar-range-doppler" : "isar-back-projection";
+  }
+
+  // Bursts of each image.
+  void cut_bursts() {
+    const std::size_t all = input_.rows.bursts;
+    count_ = request_.bursts.value_or(all);
+    const std::size_t step = request_.step > 0 ? request_.step : count_;
+    if (count_ < 2 || count_ > all)
+      throw core::Refused(
+          fmt::format("an image needs from 2 to {} bursts, which the recording has, not {}", all, count_),
+          "choose other --bursts, or record for longer");
+    for (std::size_t first = 0; first + count_ <= all; first += step) firsts_.push_back(first);
+  }
+
+  // NAME.img, or NAME-1.img, NAME-2.img ... of several images.
+  [[nodiscard]] fs::path output(std::size_t index) const {
+    fs::path path = output_of(request_);
+    if (firsts_.size() == 1) return path;
+    return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string());
+  }
+
+  [[nodiscard]] std::vector<fs::path> outputs() const {
+    std::vector<fs::path> paths;
+    for (std::size_t i = 0; i < firsts_.size(); ++i) {
+      std::ranges::copy(files_of_image(output(i)), std::back_inserter(paths));
+      if (request_.magnitude) std::ranges::copy(files_of_image(magnitude_path(output(i))), std::back_inserter(paths));
+    }
+    return paths;
+  }
+
+  void find_problems() {
+    core::Problems& problems = input_.problems;
+    for (const std::size_t first : firsts_) {
+      if (observer_.stop != nullptr && observer_.stop->requested()) throw core::Interrupted();
+      std::ranges::move(plan_isar_image(input_.rows, first, count_, options_).problems, std::back_inserter(problems));
+    }
+    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::isar, {}), std::back_inserter(problems));
+    problems = core::ranked(std::move(problems));
+    if (core::has_errors(problems)) throw core::Refused(problems);
+    observer_.remarks(problems);
+  }
+
+  [[nodiscard]] WrittenIsarImage made(std::size_t index) const {
+    const fs::path path = output(index);
+    IsarImage image =
+        make_isar_image(input_.rows, firsts_[index], count_, options_, control_, observer_.stage(path.string()));
+    write(image, path);
+    image.image.values.clear();
+    image.image.values.shrink_to_fit();
+    return {path, firsts_[index], count_, std::move(image)};
+  }
+
+  void write(const IsarImage& made, const fs::path& path) const {
+    signal::FocusedRows rows;
+    rows.image = made.image;
+    rows.image.values.clear();
+    rows.read = [&made](std::size_t row, std::span<std::complex<float>> out) {
+      std::copy_n(made.image.values.data() + row * made.image.range.count, out.size(), out.data());
+    };
+    // Rows of recordings have times: here, as many metres in a second.
+    rows.image.frame.speed_mps = 1.0;
+    signal::FocusOptions focus;
+    focus.range_window = options_.range_window;
+    focus.azimuth_window = options_.azimuth_window;
+    const simulate::Plan& plan = *input_.rows.plan;
+    const ImageOrigin origin{request_.input.path, request_.input.script, input_.simulation, algorithm(), focus, "none",
+                             plan.radar.name,     plan.scene->options};
+    if (path.has_parent_path()) fs::create_directories(path.parent_path());
+    write_image(rows, origin, path, request_.replace, false, observer_.stop);
+    if (request_.magnitude) write_image(rows, origin, magnitude_path(path), request_.replace, true, observer_.stop);
+  }
+
+  const IsarRequest& request_;
+  const core::Observer& observer_;
+  core::WorkControl control_;
+  IsarOptions options_;
+  SteppedInput input_;
+  std::size_t count_ = 0;
+  std::vector<std::size_t> firsts_;
+};
+
+}  // namespace
+
+IsarReport isar(const IsarRequest& request, const core::Observer& observer) { return IsarRun(request, observer).run(); }
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,188 @@
+#include "workflow/stepped/profiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/task/clock.hpp"
+#include "core/text/number_text.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/stepped/profile_output.hpp"
+#include "workflow/stepped/stepped_input.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string stretch_text(const RangeStretch& ranges) {
+  const auto to_millimetres = [](double range_m) { return core::format_number(std::round(range_m * 1e3) / 1e3); };
+  return fmt::format("{} m to {} m", to_millimetres(ranges.from_m), to_millimetres(ranges.to_m));
+}
+
+// The script's window is not known yet.
+SeriesOptions series_options(const ProfilesRequest& request) {
+  SeriesOptions options;
+  options.velocity = request.velocity.velocity;
+  options.speed_mps = request.velocity.speed_mps;
+  options.fastest_mps = request.fastest_mps;
+  expect_speed(options.fastest_mps);
+  if (request.window)
+    options.window = [weight = signal::weight_of(*request.window)](double x) { return weight(x - 0.5); };
+  options.from_m = request.from_m;
+  options.to_m = request.to_m;
+  options.oversampling = request.oversampling;
+  if (!(request.illumination_db >= 0.0))
+    throw core::Refused("--illumination: decibels below the strongest burst are not negative");
+  options.illuminated_share = std::pow(10.0, -0.1 * request.illumination_db);
+  const bool compensated = options.velocity != SeriesOptions::Velocity::none;
+  // A mean of profiles in which the target is elsewhere would be of no use.
+  options.align = request.align || (request.set != ProfileGrouping::bursts && compensated);
+  if (options.align && !compensated)
+    throw core::Refused("--align moves profiles by the speed that is compensated, but there is none",
+                        "give --velocity scene, estimated or a number");
+  return options;
+}
+
+// What of the script's window is not in the recording, where the user did not choose ranges.
+void remark_on_window(SteppedInput& input, const SeriesOptions& options, const RangeStretch& shown) {
+  const RangeStretch window{input.rows.from_m, input.rows.to_m};
+  const bool short_begin = !options.from_m && shown.from_m > window.from_m;
+  const bool short_end = !options.to_m && shown.to_m < window.to_m;
+  if (!short_begin && !short_end) return;
+  input.problems.push_back(core::problem_of(
+      core::Severity::note,
+      "the recorded samples do not show all of the script's window: profiles end with what they show",
+      stretch_text(shown), stretch_text(window), "to see the rest, simulate the script, or record a longer window"));
+}
+
+void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
+  const RangeStretch shown = shown_ranges(input.rows);
+  if (!(shown.to_m > shown.from_m))
+    throw core::Refused("the recording is too short: no range of the script's window has half of its echo in it",
+                        "record a longer range window");
+  const double from_m = options.from_m.value_or(shown.from_m);
+  const double to_m = options.to_m.value_or(shown.to_m);
+  const std::string recorded = stretch_text(shown);
+  const std::string hint = fmt::format("the recording reaches from {}; see --from and --to", recorded);
+  if (!(to_m > from_m))
+    throw core::Refused(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
+  if (to_m <= shown.from_m || from_m >= shown.to_m)
+    throw core::Refused(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
+  const double bins = (to_m - from_m) / (0.5 * input.rows.band->waveform().light_speed_mps /
+                                         input.rows.band->band_hz() / static_cast<double>(options.oversampling));
+  constexpr double most_bins = 0x1p26;
+  if (bins > most_bins)
+    throw core::Refused(fmt::format("a profile of {:.3g} bins cannot be held", bins),
+                        "choose fewer ranges with --from and --to, or less --oversampling");
+  if (from_m < shown.from_m || to_m > shown.to_m)
+    input.problems.push_back(core::problem_of(
+        core::Severity::warning, "the ranges go beyond those that were recorded: the profiles are empty there",
+        stretch_text({from_m, to_m}), recorded, {}));
+  else
+    remark_on_window(input, options, shown);
+}
+
+void find_problems(SteppedInput& input, const SeriesOptions& options) {
+  std::optional<double> speed;
+  if (options.velocity == SeriesOptions::Velocity::given) speed = options.speed_mps;
+  if (options.velocity == SeriesOptions::Velocity::scene || options.velocity == SeriesOptions::Velocity::estimated)
+    speed = mean_speed_mps(input.rows, input.rows.bursts / 2, 1);
+  std::ranges::move(remarks_on_stepped(input.rows, SteppedUse::profiles, speed), std::back_inserter(input.problems));
+  input.problems = core::ranked(std::move(input.problems));
+}
+
+// The row that is held against the scene.
+std::size_t held_row_of(const ProfileSeries& series, std::optional<std::size_t> burst, std::size_t bursts) {
+  if (!burst) return typical_row(series);
+  const auto found = std::ranges::find(series.rows, *burst, &ProfileRow::burst);
+  if (found == series.rows.end())
+    throw core::Refused(fmt::format("--burst: burst {} is not illuminated", *burst + 1),
+                        fmt::format("the recording has {} bursts; illuminated are {} to {}", bursts,
+                                    series.rows.front().burst + 1, series.rows.back().burst + 1));
+  return static_cast<std::size_t>(found - series.rows.begin());
+}
+
+std::string window_words_of(const ProfilesRequest& request) {
+  if (!request.window) return "of the script";
+  return request.window_words.empty() ? signal::to_string(*request.window) : request.window_words;
+}
+
+void write_set(const ProfileSeries& series, const SteppedInput& input, const ProfilesRequest& request,
+               const fs::path& output, const core::StopFlag* stop) {
+  const ProfileOrigin origin{request.input.path,
+                             request.input.script,
+                             input.simulation,
+                             word_of(request.set),
+                             request.velocity.words,
+                             window_words_of(request),
+                             input.rows.band->waveform().light_speed_mps,
+                             input.rows.plan->radar.name,
+                             input.rows.plan->scene->options};
+  if (output.has_parent_path()) fs::create_directories(output.parent_path());
+  if (request.set == ProfileGrouping::bursts) return write_profiles(series, origin, output, request.replace, stop);
+  const ProfileSeries means = request.set == ProfileGrouping::scans ? mean_of_scans(series) : mean_of_encounter(series);
+  write_profiles(means, origin, output, request.replace, stop);
+}
+
+SteppedInput input_of_profiles(const ProfilesRequest& request, const fs::path& output,
+                               const core::WorkControl& control) {
+  const auto expect_free = [&](const std::vector<fs::path>& sources) {
+    expect_free_outputs(files_of_profiles(output), {sources, request.replace, "--out"});
+  };
+  expect_free(named_sources(request.input));
+  SteppedInput input = open_stepped_input(request.input, SteppedUse::profiles, control);
+  expect_free(input.sources);
+  return input;
+}
+
+}  // namespace
+
+const char* word_of(ProfileGrouping grouping) {
+  switch (grouping) {
+    case ProfileGrouping::scans: return "scans";
+    case ProfileGrouping::encounter: return "encounter";
+    case ProfileGrouping::bursts: break;
+  }
+  return "bursts";
+}
+
+ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& observer) {
+  const double begin_s = core::now_s();
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
+  SeriesOptions options = series_options(request);
+  ProfilesReport report;
+  report.output = request.output.empty() ? fs::path(fs::path(request.input.path).stem().string() + "-profiles.img")
+                                         : request.output;
+  SteppedInput input = input_of_profiles(request, report.output, control);
+  if (!request.window) options.window = input.rows.plan->radar.window;
+  expect_ranges(input, options);
+  if (options.velocity == SeriesOptions::Velocity::estimated) expect_searchable(options.fastest_mps, input.rows);
+  find_problems(input, options);
+  observer.remarks(input.problems);
+  report.series = make_profiles(input.rows, options, control, observer.stage(report.output.string()));
+  if (report.series.rows.empty())
+    throw core::Refused("no burst is illuminated: the targets give no echo",
+                        "see sarsim check, and the beam of the script's radar");
+  report.held_row = held_row_of(report.series, request.burst, input.rows.bursts);
+  write_set(report.series, input, request, report.output, observer.stop);
+  report.source = request.input.path;
+  report.simulation = input.simulation;
+  report.files = files_of_profiles(report.output);
+  report.set = request.set;
+  report.velocity = options.velocity;
+  report.bursts = input.rows.bursts;
+  report.targets = hold_against_scene(input.rows, report.series, options, report.held_row);
+  constexpr std::size_t most_peaks = 20;
+  report.peaks = signal::highest_peaks(report.series.row(report.held_row), report.series.axis, most_peaks,
+                                       report.series.limits.resolution_m, 0.03);
+  report.problems = std::move(input.problems);
+  report.seconds = core::now_s() - begin_s;
+  return report;
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,38 @@
+#include "workflow/stepped/velocity_choice.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
+
+namespace sarsim::workflow {
+
+VelocityChoice velocity_choice(const std::string& text) {
+  using Velocity = SeriesOptions::Velocity;
+  if (core::equal_ignoring_case(text, "none")) return {Velocity::none, 0.0, text};
+  if (core::equal_ignoring_case(text, "scene")) return {Velocity::scene, 0.0, text};
+  if (core::equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0, text};
+  const auto number = core::parse_number(text);
+  if (number && std::abs(*number) < 1e6) return {Velocity::given, *number, text};
+  throw core::Refused(fmt::format("--velocity: '{}' is none", text),
+                      "none, scene, estimated or a number of m/s, positive receding");
+}
+
+void expect_speed(double fastest_mps) {
+  if (!(fastest_mps > 0.0 && fastest_mps < 1e6))
+    throw core::Refused(fmt::format("--fastest: {} m/s is out of range", fastest_mps), "above 0, below 1e6");
+}
+
+void expect_searchable(double fastest_mps, const SteppedRows& rows) {
+  const double most_mps = fastest_searched_mps(rows);
+  if (fastest_mps <= most_mps) return;
+  throw core::Refused(
+      fmt::format("--fastest: bursts this long tell so many speeds up to {} m/s apart that they cannot all be "
+                  "tried",
+                  core::format_number(fastest_mps)),
+      fmt::format("at most {:.6g} m/s", most_mps));
+}
+
+}  // namespace sarsim::workflow
