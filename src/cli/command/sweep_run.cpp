@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -30,48 +29,9 @@ namespace {
 
 constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
 
-// The HDF5 library may have been built for one thread at a time; where it was not, it lets only one in anyway.
-class OneAtATimeSink final : public simulate::Sink {
- public:
-  template <class Make>
-  explicit OneAtATimeSink(const Make& make) {
-    const std::scoped_lock hold(lock());
-    inner_ = make();
-  }
-  OneAtATimeSink(const OneAtATimeSink&) = delete;
-  OneAtATimeSink& operator=(const OneAtATimeSink&) = delete;
-  ~OneAtATimeSink() override {
-    const std::scoped_lock hold(lock());
-    inner_.reset();
-  }
-
-  [[nodiscard]] bool wants_counts() const override { return inner_->wants_counts(); }
-  [[nodiscard]] std::vector<std::byte> encode(const simulate::Block& block) const override {
-    return inner_->encode(block);
-  }
-  void append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) override {
-    const std::scoped_lock hold(lock());
-    inner_->append(bytes, first_row, rows);
-  }
-  void finish(const simulate::RunReport& report) override {
-    const std::scoped_lock hold(lock());
-    inner_->finish(report);
-  }
-
- private:
-  static std::mutex& lock() {
-    static std::mutex one;
-    return one;
-  }
-  std::unique_ptr<simulate::Sink> inner_;
-};
-
 std::unique_ptr<simulate::Sink> sink_of(const fs::path& path, const simulate::Product& product,
                                         const raster::SinkOptions& options, bool discard) {
-  if (discard) return raster::make_discarding_sink(product, options);
-  const auto make = [&] { return raster::make_sink(path, product, options); };
-  if (raster::format_of(options.format).one_at_a_time) return std::make_unique<OneAtATimeSink>(make);
-  return make();
+  return discard ? raster::make_discarding_sink(product, options) : raster::make_sink(path, product, options);
 }
 
 // One variation at work.
