@@ -1,13 +1,13 @@
-#include "cli/command/products.hpp"
+#include "workflow/record/products.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<ProductJob> chosen_products(const scene::Scene& scene, const OutputN
   return result;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

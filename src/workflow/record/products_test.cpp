@@ -1,10 +1,10 @@
-#include "cli/command/products.hpp"
+#include "workflow/record/products.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 scene::Scene three_products() {
@@ -64,4 +64,4 @@ TEST(Products, WordsThatChooseNothingAreRefusedWithTheNearestName) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
