@@ -25,10 +25,6 @@ std::string lsb_line(const RecordingReport& report) {
 
 }  // namespace
 
-std::string counted(std::size_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 std::string decimals(double value, int digits) {
   std::string text = fmt::format("{:.{}f}", value, digits);
   if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
@@ -99,21 +95,6 @@ void write_json(core::JsonWriter& json, const TableReport& report) {
   else
     json.value(report.file);
   json.member("radar", report.radar).member("bytes", report.bytes).member("seconds", report.seconds).end_object();
-}
-
-void write_json(core::JsonWriter& json, const core::Problem& problem) {
-  static constexpr const char* severities[] = {"error", "warning", "note"};
-  json.begin_object().member("severity", severities[static_cast<std::size_t>(problem.severity)]);
-  json.member("message", problem.message).member("found", problem.found).member("expected", problem.expected);
-  json.member("hint", problem.hint).member("file", problem.place.file).member("line", problem.place.line);
-  json.member("column", problem.place.column).member("count", problem.count);
-  json.member("text", core::to_string(problem)).end_object();
-}
-
-void write_json(core::JsonWriter& json, const core::Problems& problems) {
-  json.begin_array();
-  for (const core::Problem& problem : problems) write_json(json, problem);
-  json.end_array();
 }
 
 }  // namespace sarsim::cli

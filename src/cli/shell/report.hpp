@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "core/text/counted.hpp"
 #include "core/text/json.hpp"
+#include "core/text/problem_json.hpp"
 #include "scene/model/scene.hpp"
 #include "simulate/plan/sink.hpp"
 
@@ -40,11 +42,9 @@ struct TableReport {
 /// The same as one JSON object.
 void write_json(core::JsonWriter& json, const RecordingReport& report);
 void write_json(core::JsonWriter& json, const TableReport& report);
-void write_json(core::JsonWriter& json, const core::Problem& problem);
-void write_json(core::JsonWriter& json, const core::Problems& problems);
 
-/// A number of things: "1 turn", "3 turns".
-[[nodiscard]] std::string counted(std::size_t count, const char* thing);
+using core::counted;
+using core::write_json;
 
 /// A number with so many decimals, never "-0.0".
 [[nodiscard]] std::string decimals(double value, int digits);

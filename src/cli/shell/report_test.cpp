@@ -60,23 +60,6 @@ TEST(Report, JsonOfNothingWrittenHasANullFile) {
   EXPECT_THAT(json.text(), HasSubstr("\"lsb_estimated\": false"));
 }
 
-TEST(Report, JsonOfAProblemHoldsItsPlace) {
-  core::Problem problem;
-  problem.severity = core::Severity::warning;
-  problem.message = "m";
-  problem.place = {"a.scr", 3, 7};
-  core::JsonWriter json;
-  write_json(json, problem);
-  for (const char* member : {"\"severity\": \"warning\"", "\"file\": \"a.scr\"", "\"line\": 3", "\"column\": 7"})
-    EXPECT_THAT(json.text(), HasSubstr(member));
-}
-
-TEST(Report, CountsThings) {
-  EXPECT_EQ(counted(0, "turn"), "0 turns");
-  EXPECT_EQ(counted(1, "turn"), "1 turn");
-  EXPECT_EQ(counted(2, "turn"), "2 turns");
-}
-
 TEST(Report, ZeroHasNoSign) {
   EXPECT_EQ(decimals(-0.01, 1), "0.0");
   EXPECT_EQ(decimals(-0.0, 3), "0.000");
