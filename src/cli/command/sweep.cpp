@@ -12,12 +12,6 @@
 #include "cli/command/commands.hpp"
 #include "cli/command/products.hpp"
 #include "cli/command/sweep_arguments.hpp"
-#include "cli/command/sweep_axes.hpp"
-#include "cli/command/sweep_check.hpp"
-#include "cli/command/sweep_fields.hpp"
-#include "cli/command/sweep_journal.hpp"
-#include "cli/command/sweep_run.hpp"
-#include "cli/command/sweep_table.hpp"
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/output_names.hpp"
@@ -29,12 +23,35 @@
 #include "core/task/clock.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
+#include "workflow/sweep/sweep_check.hpp"
+#include "workflow/sweep/sweep_fields.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
+#include "workflow/sweep/sweep_run.hpp"
+#include "workflow/sweep/sweep_table.hpp"
 
 namespace sarsim::cli {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+using workflow::check_sweep;
+using workflow::field_list;
+using workflow::modification_time;
+using workflow::ProductSize;
+using workflow::read_journals;
+using workflow::run_variation;
+using workflow::safe_word;
+using workflow::Sweep;
+using workflow::sweep_csv;
+using workflow::sweep_json;
+using workflow::SweepChecks;
+using workflow::SweepFrame;
+using workflow::SweepJournal;
+using workflow::SweepRow;
+using workflow::VariationNames;
+using workflow::VariationRules;
 
 constexpr std::size_t most_problems_told = 20;
 

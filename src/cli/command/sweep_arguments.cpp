@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/command/sweep_axes.hpp"
 #include "cli/shell/context.hpp"
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "core/text/number_text.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 
 namespace sarsim::cli {
 
@@ -49,9 +49,9 @@ SweepPart read_part(const std::string& text) {
   if (!index || !count)
     throw core::Refused(fmt::format("--part: '{}' is no part", text),
                         "write K/N, for instance 2/4 for the second of four");
-  if (*count < 1 || *count > static_cast<std::int64_t>(most_variations) || *index < 1 || *index > *count)
+  if (*count < 1 || *count > static_cast<std::int64_t>(workflow::most_variations) || *index < 1 || *index > *count)
     throw core::Refused(fmt::format("--part: there is no part {}", text),
-                        fmt::format("parts are numbered from 1 to N, and N is {} at most", most_variations));
+                        fmt::format("parts are numbered from 1 to N, and N is {} at most", workflow::most_variations));
   return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
 }
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/command/sweep_row.hpp"
+#include "workflow/sweep/sweep_row.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// A text file in which a sweep notes every product as soon as it is complete, so that a later run can leave it out. A
 /// line for each; a last line that was cut off is as good as none.
@@ -42,4 +42,4 @@ class SweepJournal {
 /// When a file's content was last changed, as a number that only serves to be compared; nothing where there is none.
 [[nodiscard]] std::optional<std::int64_t> modification_time(const std::filesystem::path& file);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

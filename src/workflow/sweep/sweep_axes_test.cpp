@@ -1,12 +1,12 @@
-#include "cli/command/sweep_axes.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 
 #include <set>
 
 #include <gmock/gmock.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(SweepAxes, TablesHoldBaseUnits) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/command/sweep_check.hpp"
+#include "workflow/sweep/sweep_check.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/survey.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -174,4 +174,4 @@ SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& contr
   return checks;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

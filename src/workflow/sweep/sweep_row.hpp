@@ -6,7 +6,7 @@
 
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What a variation's product turned out to be: a line of the table of a sweep.
 struct SweepRow {
@@ -25,4 +25,4 @@ struct SweepRow {
   simulate::RunReport run;
 };
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

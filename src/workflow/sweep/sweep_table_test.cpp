@@ -1,10 +1,10 @@
-#include "cli/command/sweep_table.hpp"
+#include "workflow/sweep/sweep_table.hpp"
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST_F(SweepTable, AsJsonHoldsValuesAsTypedAndInBaseUnits) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

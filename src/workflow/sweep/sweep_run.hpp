@@ -5,13 +5,13 @@
 #include <functional>
 #include <vector>
 
-#include "cli/command/products.hpp"
-#include "cli/command/sweep_axes.hpp"
-#include "cli/command/sweep_row.hpp"
 #include "core/task/stop.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/record/products.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
+#include "workflow/sweep/sweep_row.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// How the products of variations are made.
 struct VariationRules {
@@ -55,4 +55,4 @@ void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& pro
                    const VariationRules& rules, const core::StopFlag* stop,
                    const std::function<void(const SweepRow&)>& done);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

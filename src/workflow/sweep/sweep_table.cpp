@@ -1,12 +1,12 @@
-#include "cli/command/sweep_table.hpp"
+#include "workflow/sweep/sweep_table.hpp"
 
 #include <fmt/format.h>
 
-#include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/problem_json.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& row
   return json.end_object().text();
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/command/sweep_journal.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

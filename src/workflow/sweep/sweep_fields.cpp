@@ -1,4 +1,4 @@
-#include "cli/command/sweep_fields.hpp"
+#include "workflow/sweep/sweep_fields.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "scene/model/object_lists.hpp"
 #include "scene/schema/field_names.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string field_list(const scene::Scene& scene) {
   return text;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

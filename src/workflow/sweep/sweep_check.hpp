@@ -2,15 +2,15 @@
 
 #include <vector>
 
-#include "cli/command/products.hpp"
-#include "cli/command/sweep_axes.hpp"
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/sinks.hpp"
 #include "scene/script/field_places.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/record/products.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// How large a product of a variation will be.
 struct ProductSize {
@@ -44,4 +44,4 @@ struct SweepChecks {
 /// alone are looked at once. The outcome does not depend on the number of threads.
 [[nodiscard]] SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& control);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

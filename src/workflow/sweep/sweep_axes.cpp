@@ -1,15 +1,15 @@
-#include "cli/command/sweep_axes.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/schema/value_list.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::size_t Sweep::first_alike(std::size_t variation) const {
   return variation;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -8,7 +8,7 @@
 #include "scene/model/scene.hpp"
 #include "scene/schema/field_names.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// More variations are taken for a mistake.
 inline constexpr std::size_t most_variations = 100000;
@@ -73,4 +73,4 @@ class Sweep {
 /// FNV-1a, 64 bits, continued from `hash`.
 [[nodiscard]] std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325U);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

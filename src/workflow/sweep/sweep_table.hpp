@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/command/products.hpp"
-#include "cli/command/sweep_axes.hpp"
-#include "cli/command/sweep_row.hpp"
 #include "core/report/problem.hpp"
+#include "workflow/record/products.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
+#include "workflow/sweep/sweep_row.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What the table of a sweep says besides its rows.
 struct SweepFrame {
@@ -26,4 +26,4 @@ struct SweepFrame {
 /// The same as a JSON object, exact, with the values as typed.
 [[nodiscard]] std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

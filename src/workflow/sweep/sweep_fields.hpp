@@ -4,11 +4,11 @@
 
 #include "scene/model/scene.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// The fields of a scene that can be set, a line for each: its shortest name, its value and, for numbers, the units
 /// that are understood. Fields that mean nothing with the alternatives that are chosen are left out; of many targets or
 /// surfaces the first few are listed.
 [[nodiscard]] std::string field_list(const scene::Scene& scene);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/command/sweep_journal.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "core/text/number_text.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -156,4 +156,4 @@ std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std:
   return rows;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

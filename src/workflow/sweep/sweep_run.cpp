@@ -1,4 +1,4 @@
-#include "cli/command/sweep_run.hpp"
+#include "workflow/sweep/sweep_run.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/command/sweep_journal.hpp"
 #include "core/build/version.hpp"
 #include "core/os/output_file.hpp"
 #include "core/task/clock.hpp"
@@ -20,8 +19,9 @@
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "simulate/run/run.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -181,4 +181,4 @@ void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& pro
   }
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
