@@ -41,7 +41,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
 }
 
-SweepPart read_part(const std::string& text) {
+workflow::SweepPart read_part(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = text.find('/');
   const auto index = core::parse_integer(text.substr(0, slash));

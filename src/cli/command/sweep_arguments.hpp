@@ -9,6 +9,7 @@
 
 #include "cli/shell/scene_input.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/sweep/sweep_request.hpp"
 
 namespace sarsim::cli {
 
@@ -41,13 +42,7 @@ struct SweepArguments {
 /// Adds all options of `sweep` to the command.
 void add_sweep_arguments(CLI::App& app, SweepArguments& arguments);
 
-/// A share of a sweep: number `index` of `count`, from 0.
-struct SweepPart {
-  std::size_t index = 0;
-  std::size_t count = 1;
-};
-
 /// Reads "2/4" and throws core::Refused for anything else; nothing is the whole.
-[[nodiscard]] SweepPart read_part(const std::string& text);
+[[nodiscard]] workflow::SweepPart read_part(const std::string& text);
 
 }  // namespace sarsim::cli

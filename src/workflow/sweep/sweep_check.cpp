@@ -152,6 +152,13 @@ class Looker {
 
 }  // namespace
 
+double sum_of(const SweepChecks& checks, double ProductSize::*member) {
+  double sum = 0.0;
+  for (const auto& sizes : checks.sizes)
+    for (const ProductSize& size : sizes) sum += size.*member;
+  return sum;
+}
+
 SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& control) {
   std::map<std::size_t, std::size_t> representatives;  // First of those alike -> how many of them.
   for (const std::size_t variation : work.variations) ++representatives[work.sweep.first_alike(variation)];

@@ -40,6 +40,9 @@ struct SweepChecks {
   std::vector<std::vector<ProductSize>> sizes;
 };
 
+/// A member of all sizes, added up.
+[[nodiscard]] double sum_of(const SweepChecks& checks, double ProductSize::*member);
+
 /// Looks at every variation as `sarsim check` looks at a script, on all threads; variations that differ by the seed
 /// alone are looked at once. The outcome does not depend on the number of threads.
 [[nodiscard]] SweepChecks check_sweep(const SweepToCheck& work, const core::WorkControl& control);

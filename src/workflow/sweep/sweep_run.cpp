@@ -121,6 +121,10 @@ std::uint64_t hash_of_scene(const scene::Scene& scene) {
 
 }  // namespace
 
+VariationRules variation_rules(const SweepRequest& request) {
+  return {request.folder, request.engine, request.counts, request.header, request.force, request.discard, 1};
+}
+
 VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
                                const VariationRules& rules)
     : sweep_(sweep), products_(products) {

@@ -9,6 +9,7 @@
 #include "simulate/plan/engine.hpp"
 #include "workflow/record/products.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
+#include "workflow/sweep/sweep_request.hpp"
 #include "workflow/sweep/sweep_row.hpp"
 
 namespace sarsim::workflow {
@@ -23,6 +24,9 @@ struct VariationRules {
   bool discard = false;  ///< Compute and encode everything, write nothing.
   unsigned threads = 1;  ///< Of each variation.
 };
+
+/// Those of a request, with one thread for each variation.
+[[nodiscard]] VariationRules variation_rules(const SweepRequest& request);
 
 /// The names of products, and what they depend on.
 class VariationNames {

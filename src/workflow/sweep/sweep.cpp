@@ -1,0 +1,186 @@
+#include "workflow/sweep/sweep.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/os/disk_room.hpp"
+#include "core/os/output_file.hpp"
+#include "core/task/clock.hpp"
+#include "core/task/parallel.hpp"
+#include "core/text/counted.hpp"
+#include "workflow/sweep/sweep_files.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
+#include "workflow/sweep/sweep_run.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Counts what several threads finish and tells it on the thread that waits for them.
+class FinishedCount {
+ public:
+  // Runs `work` on another thread, which may call `add`, and calls `tell` with each count until it has ended. Throws
+  // what it throws.
+  void watch(const std::function<void()>& work, const std::function<void(std::size_t)>& tell) {
+    std::future<void> end = std::async(std::launch::async, [&] {
+      const struct Ending {
+        FinishedCount& count;
+        ~Ending() { count.close(); }
+      } ending{*this};
+      work();
+    });
+    for (std::size_t told = 0; wait_for_more_than(told);) tell(++told);
+    end.get();
+  }
+
+  void add() {
+    {
+      const std::scoped_lock hold(lock_);
+      ++finished_;
+    }
+    news_.notify_one();
+  }
+
+  [[nodiscard]] std::size_t finished() {
+    const std::scoped_lock hold(lock_);
+    return finished_;
+  }
+
+ private:
+  void close() {
+    {
+      const std::scoped_lock hold(lock_);
+      ended_ = true;
+    }
+    news_.notify_one();
+  }
+
+  bool wait_for_more_than(std::size_t told) {
+    std::unique_lock hold(lock_);
+    news_.wait(hold, [&] { return ended_ || finished_ > told; });
+    return finished_ > told;
+  }
+
+  std::mutex lock_;
+  std::condition_variable news_;
+  std::size_t finished_ = 0;
+  bool ended_ = false;
+};
+
+void write_whole(const fs::path& path, const std::string& text, bool replace) {
+  core::OutputFile file(path, replace);
+  file.write(std::as_bytes(std::span(text)));
+  file.commit();
+}
+
+std::size_t mean_samples(const SweepPlan& plan) {
+  double samples = 0.0;
+  for (const auto& sizes : plan.checks.sizes)
+    for (const ProductSize& size : sizes) samples += static_cast<double>(size.rows) * static_cast<double>(size.columns);
+  return static_cast<std::size_t>(samples / static_cast<double>(std::max<std::size_t>(plan.open.size(), 1)));
+}
+
+// The variations of a plan at work.
+class SweepRunner {
+ public:
+  SweepRunner(const SweepRequest& request, SweepPlan& plan, const core::Observer& observer)
+      : request_(request),
+        plan_(plan),
+        observer_(observer),
+        rules_(variation_rules(request)),
+        journal_(SweepFiles(request).of_part(".journal"), request.resume) {
+    rules_.threads = plan.threads;
+  }
+
+  void run() {
+    const std::size_t samples = mean_samples(plan_);
+    const auto tell = [&, stage = observer_.stage("sweep")](std::size_t finished) {
+      if (stage) stage({finished, plan_.open.size(), samples});
+    };
+    tell(0);
+    try {
+      finished_.watch([this] { make_variations(); }, tell);
+    } catch (const core::Interrupted&) {
+      const std::size_t before = plan_.variations.size() - plan_.open.size();
+      observer_.announces(fmt::format("sweep: {} of {} done; go on with --resume", before + finished_.finished(),
+                                      core::counted(plan_.variations.size(), "variation")));
+      throw;
+    }
+  }
+
+ private:
+  void make_variations() {
+    core::parallel_ranges(plan_.open.size(), 1, observer_.control(plan_.jobs), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) make_variation(plan_.open[i]);
+      finished_.add();
+    });
+  }
+
+  void make_variation(std::size_t variation) {
+    const std::size_t products = plan_.products.size();
+    const std::size_t place = (variation - request_.part.index) / request_.part.count;
+    std::vector<SweepRow*> rows;
+    for (SweepRow& row : std::span(plan_.rows).subspan(place * products, products))
+      if (!row.done) rows.push_back(&row);
+    core::Problems none;  // The plan is sound.
+    const auto note = [this](const SweepRow& row) {
+      if (row.done) journal_.add(row);
+    };
+    run_variation(plan_.sweep.scene(request_.scene, variation, none), plan_.products, rows, rules_, observer_.stop,
+                  note);
+  }
+
+  const SweepRequest& request_;
+  SweepPlan& plan_;
+  const core::Observer& observer_;
+  VariationRules rules_;
+  SweepJournal journal_;
+  FinishedCount finished_;
+};
+
+core::Problems failures_of(const SweepPlan& plan) {
+  core::Problems failures;
+  for (const SweepRow& row : plan.rows) {
+    if (row.failure.empty()) continue;
+    failures.push_back({});
+    failures.back().message = fmt::format("{}: {}", plan.sweep.label(row.variation), row.failure);
+  }
+  return failures;
+}
+
+}  // namespace
+
+SweepReport run_sweep(const SweepRequest& request, SweepPlan plan, const core::Observer& observer) {
+  expect_free_files(request, plan.rows);
+  if (!request.discard)
+    core::expect_room(request.folder, sum_of(plan.checks, &ProductSize::least_bytes),
+                      "choose another folder with --out, or keep the tables alone with --discard");
+  observer.announces(announcement(request, plan));
+  const double begin_s = core::now_s();
+  fs::create_directories(request.folder);
+  SweepRunner(request, plan, observer).run();
+  SweepReport report{std::move(plan), {}, SweepFiles(request).of_part(".csv"), 0.0};
+  report.failures = failures_of(report.plan);
+  const SweepFrame frame = frame_of(request, report.plan, report.status());
+  const bool replace = request.force || request.resume;
+  write_whole(report.table, sweep_csv(frame, report.plan.rows), replace);
+  write_whole(SweepFiles(request).of_part(".json"), sweep_json(frame, report.plan.rows), replace);
+  report.seconds = core::now_s() - begin_s;
+  return report;
+}
+
+SweepReport sweep(const SweepRequest& request, const core::Observer& observer) {
+  SweepPlan plan = plan_sweep(request, observer);
+  expect_sound(plan);
+  return run_sweep(request, std::move(plan), observer);
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,71 @@
+#include "workflow/sweep/sweep_files.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "workflow/input/output_names.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The first of all problems stands for the others.
+class FirstProblem {
+ public:
+  explicit FirstProblem(const SweepRequest& request) : request_(request) {}
+
+  void look_at(const fs::path& path, bool replace) {
+    for (core::Problem& problem : problems_of_output(path, OutputCare{request_.sources, replace})) {
+      if (problems_.empty())
+        problems_.push_back(std::move(problem));
+      else
+        ++more_;
+    }
+  }
+
+  void refuse_any() && {
+    if (problems_.empty()) return;
+    core::Problem& first = problems_.front();
+    if (more_ > 0) first.message = fmt::format("{}, and {} others", first.message, more_);
+    if (!request_.force)
+      first.hint = request_.resume
+                       ? "it is not what this sweep would have made, or was changed since; replace with --force, or "
+                         "choose another folder with --out"
+                       : "replace with --force, go on with what is not done with --resume, or choose another folder "
+                         "with --out";
+    throw core::Refused(std::move(problems_));
+  }
+
+ private:
+  const SweepRequest& request_;
+  core::Problems problems_;
+  std::size_t more_ = 0;
+};
+
+}  // namespace
+
+SweepFiles::SweepFiles(const SweepRequest& request)
+    : folder_(request.folder), stem_(request.table.empty() ? "sweep" : safe_word(request.table)), part_stem_(stem_) {
+  const SweepPart& part = request.part;
+  if (part.count > 1) part_stem_ = fmt::format("{}-{}-of-{}", stem_, part.index + 1, part.count);
+}
+
+void expect_free_files(const SweepRequest& request, const std::vector<SweepRow>& rows) {
+  const fs::path folder(request.folder);
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw core::Refused("'" + request.folder + "' is not a folder",
+                        "name a folder with --out; it is made when missing");
+  const SweepFiles files(request);
+  FirstProblem problem(request);
+  for (const SweepRow& row : rows)
+    if (!row.done && !request.discard) problem.look_at(files.beside(row.file), request.force);
+  for (const char* extension : {".csv", ".json", ".journal"})
+    problem.look_at(files.of_part(extension), request.force || request.resume);
+  std::move(problem).refuse_any();
+}
+
+}  // namespace sarsim::workflow
