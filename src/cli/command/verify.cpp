@@ -1,23 +1,14 @@
-#include <algorithm>
-#include <fstream>
 #include <memory>
-#include <optional>
-#include <ostream>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
 #include "core/build/version.hpp"
-#include "core/os/output_file.hpp"
-#include "core/task/clock.hpp"
 #include "core/text/json.hpp"
-#include "core/text/number_text.hpp"
 #include "simulate/resolve/simd_level.hpp"
-#include "workflow/verify/groups.hpp"
 #include "workflow/verify/page.hpp"
+#include "workflow/verify/verify.hpp"
 
 namespace sarsim::cli {
 
@@ -32,23 +23,6 @@ struct VerifyArguments {
   bool force = false;
   bool quiet = false;
 };
-
-// "model name : ..." of the first processor; empty where the system does not say.
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
-  return {};
-}
-
-workflow::verify::Facts facts_of(const VerifyArguments& arguments, double seconds) {
-  workflow::verify::Facts facts{{"Program", fmt::format("sarsim {}", core::program_version)}};
-  if (const std::string name = processor(); !name.empty()) facts.emplace_back("Processor", name);
-  facts.emplace_back("Instruction set", simulate::simd_level());
-  facts.emplace_back("Measured", arguments.quick ? "quickly: fewer samples, no speed" : "everything");
-  facts.emplace_back("Time", core::duration_text(seconds));
-  return facts;
-}
 
 std::string line_of(const Finding& f) {
   if (!f.failure.empty()) return fmt::format("  FAILED  {}: {}\n", f.name, f.failure);
@@ -72,15 +46,16 @@ std::string text_of(const workflow::verify::Record& record, bool failures_only) 
                             record.findings().size());
 }
 
-std::string json_of(const workflow::verify::Record& record, const workflow::verify::Facts& facts, double seconds) {
+std::string json_of(const workflow::verify::VerifyReport& report) {
+  const workflow::verify::Record& record = report.record;
   static constexpr const char* bounds[] = {"near", "at most", "at least"};
   core::JsonWriter json;
   json.begin_object()
       .member("sarsim", core::program_version)
       .member("simd", simulate::simd_level())
-      .member("seconds", seconds);
+      .member("seconds", report.seconds);
   json.key("facts").begin_object();
-  for (const auto& [name, value] : facts) json.member(name, value);
+  for (const auto& [name, value] : report.facts) json.member(name, value);
   json.end_object().key("findings").begin_array();
   for (const Finding& f : record.findings()) {
     json.begin_object().member("group", f.group).member("name", f.name).member("unit", f.unit);
@@ -95,22 +70,12 @@ std::string json_of(const workflow::verify::Record& record, const workflow::veri
 }
 
 ExitStatus verify_program(const VerifyArguments& arguments, Streams& streams) {
-  std::optional<core::OutputFile> page;
-  if (!arguments.html.empty()) {
-    expect_free_outputs({arguments.html}, {{}, arguments.force, "--html"});
-    page.emplace(arguments.html, arguments.force);  // Before anything is measured: where it cannot be, nobody waits.
-  }
-  const double begin_s = core::now_s();
-  const workflow::verify::Record record = workflow::verify::verify_all({arguments.quick, streams.stop});
-  const double seconds = core::now_s() - begin_s;
-  const workflow::verify::Facts facts = facts_of(arguments, seconds);
-  if (page) {
-    const std::string text = workflow::verify::page_of(record, facts);
-    page->write(std::as_bytes(std::span(text)));
-    page->commit();
-  }
-  write_out(streams, arguments.json ? json_of(record, facts, seconds) : text_of(record, arguments.quiet));
-  return workflow::verify::holding(record) == record.findings().size() ? exit_done : exit_failed;
+  core::Observer observer;
+  observer.stop = streams.stop;
+  const workflow::verify::VerifyReport report =
+      workflow::verify::verify_program({arguments.quick, arguments.html, arguments.force}, observer);
+  write_out(streams, arguments.json ? json_of(report) : text_of(report.record, arguments.quiet));
+  return workflow::verify::holding(report.record) == report.record.findings().size() ? exit_done : exit_failed;
 }
 
 }  // namespace
