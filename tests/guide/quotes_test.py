@@ -29,7 +29,7 @@ EXPLAINED = [
     "scene/script/problem_log.cpp",
     "scene/script/data_file.cpp",
     "scene/script/read_options.cpp",
-    "cli/shell/output_names.cpp",
+    "workflow/input/output_names.cpp",
 ]
 # Where a message stands in the sources.
 MESSAGE = [
