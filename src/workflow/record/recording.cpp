@@ -19,8 +19,6 @@ std::unique_ptr<simulate::Sink> sink_of(const RecordingJob& job, const simulate:
 
 }  // namespace
 
-bool carries_script(scene::FileFormat format) { return format == scene::FileFormat::hdf5; }
-
 RecordingReport make_recording(const RecordingJob& job, unsigned threads, const core::Observer& observer) {
   const double begin_s = core::now_s();
   const simulate::Plan& plan = job.plan;

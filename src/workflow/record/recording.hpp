@@ -15,12 +15,9 @@ struct RecordingJob {
   const simulate::Plan& plan;
   std::filesystem::path file;
   raster::SinkOptions options;
-  std::string script;    ///< Text of the scene, for files that carry it (`carries_script`).
+  std::string script;    ///< Text of the scene, for files that carry it (`raster::Format::carries_script`).
   bool discard = false;  ///< Everything is computed and encoded, nothing is written.
 };
-
-/// Whether files of a format carry the script.
-[[nodiscard]] bool carries_script(scene::FileFormat format);
 
 /// Finds the LSB where the file needs one that is not given, and makes the file in a folder that is there. The file
 /// appears when it is complete; stopped or failed, nothing is left behind. Warnings of the scene are not in the report.

@@ -18,7 +18,7 @@
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
-#include "simulate/run/run.hpp"
+#include "workflow/record/recording.hpp"
 #include "workflow/sweep/sweep_journal.hpp"
 
 namespace sarsim::workflow {
@@ -28,11 +28,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
-
-std::unique_ptr<simulate::Sink> sink_of(const fs::path& path, const simulate::Product& product,
-                                        const raster::SinkOptions& options, bool discard) {
-  return discard ? raster::make_discarding_sink(product, options) : raster::make_sink(path, product, options);
-}
 
 // One variation at work.
 class VariationRunner {
@@ -62,20 +57,17 @@ class VariationRunner {
     if (!resolved_)
       resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_, {rules_.threads, stop_}));
     const simulate::Plan plan = simulate::make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
-    const bool with_script = raster::format_of(plan.simulation.format).carries_script;
-    const simulate::Product product =
-        simulate::product_of(plan, with_script ? scene::write_script(scene_) : std::string());
-    const raster::SinkOptions options{plan.simulation.format, rules_.replace, rules_.counts, rules_.header};
-    const fs::path path = rules_.folder / row.file;
-    const std::unique_ptr<simulate::Sink> sink = sink_of(path, product, options, rules_.discard);
-    const simulate::RunControl control{rules_.threads, stop_, {}};
-    const bool estimated = plan.simulation.lsb_v <= 0.0;
-    const double lsb_v =
-        estimated && sink->wants_counts() ? simulate::resolved_lsb_v(plan, control) : plan.simulation.lsb_v;
-    row.run = simulate::run(plan, lsb_v, *sink, control);
-    row.engine = product.engine;
-    row.lsb_estimated = estimated;
-    if (!rules_.discard) row.bytes = static_cast<double>(fs::file_size(path));
+    const scene::FileFormat format = plan.simulation.format;
+    core::Observer alone;  // Of a sweep whole variations are told.
+    alone.stop = stop_;
+    const RecordingReport report = workflow::make_recording(
+        {plan, rules_.folder / row.file, raster::SinkOptions{format, rules_.replace, rules_.counts, rules_.header},
+         raster::format_of(format).carries_script ? scene::write_script(scene_) : std::string(), rules_.discard},
+        rules_.threads, alone);
+    row.run = report.run;
+    row.engine = report.engine;
+    row.lsb_estimated = plan.simulation.lsb_v <= 0.0;
+    row.bytes = report.bytes.value_or(0.0);
   }
 
   void make_table(const scene::GeometryTable& table, SweepRow& row) const {
