@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/task/clock.hpp"
+#include "raster/table/formats.hpp"
 #include "simulate/run/run.hpp"
 
 namespace sarsim::workflow {
@@ -23,7 +24,7 @@ RecordingReport make_recording(const RecordingJob& job, unsigned threads, const 
   const double begin_s = core::now_s();
   const simulate::Plan& plan = job.plan;
   const simulate::Product product =
-      simulate::product_of(plan, carries_script(job.options.format) ? job.script : std::string());
+      simulate::product_of(plan, raster::format_of(job.options.format).carries_script ? job.script : std::string());
   const std::unique_ptr<simulate::Sink> sink = sink_of(job, product);
   RecordingReport report = begun_report(plan, product);
   report.counts = sink->wants_counts();
