@@ -1,11 +1,11 @@
 #pragma once
 
-#include "cli/shell/team.hpp"
+#include "workflow/record/team.hpp"
 
 namespace sarsim::mpi {
 
 /// The processes of an MPI job. MPI must be initialised before and is used from the main thread alone.
-class MpiTeam final : public cli::Team {
+class MpiTeam final : public workflow::Team {
  public:
   MpiTeam();
 

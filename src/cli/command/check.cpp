@@ -6,12 +6,13 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
 #include "cli/shell/report.hpp"
-#include "cli/shell/scene_input.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "core/build/version.hpp"
 #include "core/text/json.hpp"
 #include "scene/script/reader.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -19,7 +20,7 @@ namespace {
 
 struct CheckArguments {
   std::vector<std::string> scenes;
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
   bool json = false;
   bool strict = false;
 };
@@ -31,9 +32,11 @@ std::size_t count_of(const core::Problems& problems, core::Severity severity) {
   return count;
 }
 
-core::Problems problems_of(const std::string& path, const SceneOverrides& overrides, const core::StopFlag* stop) {
-  SceneInput input = read_scene(path, overrides, Scrutiny::echoes, {core::thread_count(0), stop});
-  core::Problems names = output_names(input.scene, {}).problems;
+core::Problems problems_of(const std::string& path, const workflow::SceneOverrides& overrides,
+                           const core::StopFlag* stop) {
+  workflow::SceneInput input =
+      workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, {core::thread_count(0), stop});
+  core::Problems names = workflow::output_names(input.scene, {}).problems;
   scene::locate(names, input.places);
   std::ranges::move(names, std::back_inserter(input.problems));
   return core::ranked(std::move(input.problems));

@@ -6,16 +6,18 @@
 
 #include "cli/shell/context.hpp"
 
+namespace sarsim::workflow {
+class Team;
+}
+
 /// The commands, one file each. Each function adds a command's arguments to its application and returns what carries it
 /// out once they have been parsed.
 namespace sarsim::cli {
 
 using Action = std::function<ExitStatus(Streams&)>;
 
-class Team;
-
 /// @param team  processes that run together; none: this one alone
-[[nodiscard]] Action add_run(CLI::App& app, Team* team = nullptr);
+[[nodiscard]] Action add_run(CLI::App& app, workflow::Team* team = nullptr);
 [[nodiscard]] Action add_merge(CLI::App& app);
 [[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);

@@ -10,16 +10,17 @@
 #include "cli/command/commands.hpp"
 #include "cli/command/copied_image.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/sample_input.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/receiver/converter.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::cli {
 
@@ -91,7 +92,7 @@ CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertArgu
                                                        arguments.input, why),
                                            {}, {}, "NPY in volts and .img keep them")}};
   };
-  if (format && !array) return left(fmt::format("{} has no place for them", format_word(*format)));
+  if (format && !array) return left(fmt::format("{} has no place for them", workflow::format_word(*format)));
   if (arguments.counts) return left("counts are no image");
   if (array && is_of_magnitudes(header)) {
     CarriedHeader carried = left("as NPY the magnitudes become complex numbers, which would be taken for the image");
@@ -176,7 +177,7 @@ class Conversion {
       core::Problem problem;
       problem.message =
           fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
-                      std::string_view(what).ends_with("bits") ? "are" : "is", format_word(options_.format),
+                      std::string_view(what).ends_with("bits") ? "are" : "is", workflow::format_word(options_.format),
                       std::string_view(what).ends_with("bits") ? "them" : "it");
       problem.hint = hint_for(option);
       problems.push_back(problem);
@@ -263,10 +264,10 @@ ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
   const raster::SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
   const raster::SampleFile file = open_samples(arguments.input, hints, streams);
   Conversion conversion(file, hints, arguments, streams);
-  OutputCare care{sources_of_script(arguments.sample.script), arguments.force, "OUT"};
+  workflow::OutputCare care{workflow::sources_of_script(arguments.sample.script), arguments.force, "OUT"};
   care.sources.emplace_back(arguments.input);
   care.sources.emplace_back(raster::envi_header_of(arguments.input));
-  expect_free_outputs(conversion.outputs(), care);
+  workflow::expect_free_outputs(conversion.outputs(), care);
   conversion.carry_out();
   return exit_done;
 }

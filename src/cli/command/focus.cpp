@@ -14,10 +14,8 @@
 #include "cli/command/focus_input.hpp"
 #include "cli/command/image_output.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
 #include "cli/shell/progress_display.hpp"
 #include "cli/shell/report.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "cli/shell/window_option.hpp"
 #include "core/build/version.hpp"
 #include "core/task/clock.hpp"
@@ -25,6 +23,8 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -117,10 +117,10 @@ class FocusRun {
     if (arguments_.magnitude && !is_envi(output()))
       throw core::Refused("--magnitude makes ENVI images", "name the output .img");
     const std::vector<fs::path> paths = outputs();
-    OutputCare care{named_sources(arguments_.input), arguments_.force, "--out"};
+    workflow::OutputCare care{named_sources(arguments_.input), arguments_.force, "--out"};
     if (arguments_.force)  // Otherwise nothing that exists is replaced.
-      std::ranges::move(sources_of_script(script_path()), std::back_inserter(care.sources));
-    cli::expect_free_outputs(paths, care);
+      std::ranges::move(workflow::sources_of_script(script_path()), std::back_inserter(care.sources));
+    workflow::expect_free_outputs(paths, care);
     for (const fs::path& path : paths) {
       const fs::path folder = first_that_exists(path.parent_path());
       std::error_code ignored;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/shell/options.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "signal/sar/autofocus.hpp"
 #include "signal/sar/sar_track.hpp"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "signal/sar/back_projection.hpp"
 #include "signal/sar/ground_grid.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/report/refused.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 namespace sarsim::cli {

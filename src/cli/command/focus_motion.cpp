@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/refused.hpp"
 #include "signal/sar/ground_sight.hpp"
 #include "signal/sar/motion_compensation.hpp"
 #include "signal/sar/reference_track.hpp"

@@ -4,10 +4,10 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "core/os/output_file.hpp"
 #include "scene/script/writer.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -27,9 +27,10 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 }
 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
-  const SceneInput input = read_scene(arguments.scene, {}, Scrutiny::reading);
-  expect_usable(input);
-  if (!arguments.output.empty()) expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
+  const workflow::SceneInput input = workflow::read_scene(arguments.scene, {}, workflow::Scrutiny::reading);
+  workflow::expect_usable(input);
+  if (!arguments.output.empty())
+    workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
   const std::string text = scene::write_script(input.scene);
   if (arguments.in_place)

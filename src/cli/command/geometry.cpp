@@ -9,12 +9,13 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
-#include "cli/shell/scene_input.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "simulate/run/geometry_table.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -30,7 +31,7 @@ struct GeometryArguments {
   std::string output;
   bool csv = false;
   bool force = false;
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
 };
 
 constexpr double unlimited_m = 1e300;
@@ -45,7 +46,7 @@ scene::GeometryTable described_table(const GeometryArguments& arguments, const s
                                     core::format_number(*arguments.start_s)),
                         "exchange them");
   scene::GeometryTable table;
-  table.radar = scene.radars[radar_named(scene, arguments.radar)].name;
+  table.radar = scene.radars[workflow::radar_named(scene, arguments.radar)].name;
   table.range_start_m = 0.0;
   table.range_end_m = unlimited_m;
   table.time_start_s = *arguments.start_s;
@@ -94,8 +95,8 @@ void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene) {
 }
 
 ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) {
-  SceneInput input = read_scene(arguments.scene, arguments.overrides, Scrutiny::values);
-  expect_usable(input);
+  workflow::SceneInput input = workflow::read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::values);
+  workflow::expect_usable(input);
   std::vector<scene::GeometryTable> tables = chosen_tables(arguments, input.scene);
   if (!arguments.radar.empty()) expect_pulses(tables.front(), input.scene);
   if (arguments.columns)
@@ -105,7 +106,7 @@ ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) 
     write_tables(arguments, input.scene, tables, write, streams.stop);
     return exit_done;
   }
-  expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
+  workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   core::OutputFile file(arguments.output, arguments.force);
   const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
   write_tables(arguments, input.scene, tables, write, streams.stop);

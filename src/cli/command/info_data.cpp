@@ -11,6 +11,7 @@
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
 #include "signal/measure/sample_statistics.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::cli {
 

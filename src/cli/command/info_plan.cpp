@@ -15,6 +15,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::cli {
 
@@ -57,7 +58,7 @@ std::vector<unsigned> worker_counts(unsigned workers) {
 
 class PlanInfo {
  public:
-  PlanInfo(const PlanArguments& arguments, const SceneInput& input, double reading_s, Streams& streams)
+  PlanInfo(const PlanArguments& arguments, const workflow::SceneInput& input, double reading_s, Streams& streams)
       : arguments_(arguments), input_(input), reading_s_(reading_s), streams_(streams) {
     threads_ = core::thread_count(arguments.threads);
     const double share = trial_s / static_cast<double>(std::max<std::size_t>(input.scene.simulations.size(), 1));
@@ -137,7 +138,7 @@ class PlanInfo {
                fmt::format("{}, from a trial of {} row{}{}", core::duration_text(r.seconds(1)), r.trial.rows,
                            r.trial.rows == 1 ? "" : "s", r.twice ? "; computed twice, because the LSB is 0" : "")));
     return fmt::format("\nsimulation {}: {}, {}, {} engine\n", r.number, r.simulation.file,
-                       processing_word(r.simulation.processing), r.engine) +
+                       workflow::processing_word(r.simulation.processing), r.engine) +
            figures_text(figures);
   }
 
@@ -155,8 +156,8 @@ class PlanInfo {
 
   void write_recording(core::JsonWriter& json, const RecordingPlan& r) const {
     json.begin_object().member("number", r.number).member("file", r.simulation.file);
-    json.member("radar", r.simulation.radar).member("format", format_word(r.simulation.format));
-    json.member("processing", processing_word(r.simulation.processing)).member("engine", r.engine);
+    json.member("radar", r.simulation.radar).member("format", workflow::format_word(r.simulation.format));
+    json.member("processing", workflow::processing_word(r.simulation.processing)).member("engine", r.engine);
     json.member("rows", r.rows).member("columns", r.columns).member("samples", r.samples());
     json.member("echoes", r.echoes).member("bytes", r.bytes).member("memory_bytes", r.memory_bytes);
     json.member("passes", r.twice ? 2 : 1).member("trial_rows", r.trial.rows);
@@ -190,7 +191,7 @@ class PlanInfo {
   }
 
   const PlanArguments& arguments_;
-  const SceneInput& input_;
+  const workflow::SceneInput& input_;
   double reading_s_;
   Streams& streams_;
   unsigned threads_ = 1;
@@ -203,10 +204,11 @@ class PlanInfo {
 ExitStatus print_plan(const PlanArguments& arguments, Streams& streams) {
   const core::WorkControl control{core::thread_count(arguments.threads), streams.stop};
   const double begin_s = core::now_s();
-  SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
-  expect_usable(input);
+  workflow::SceneInput input =
+      workflow::read_scene(arguments.path, arguments.overrides, workflow::Scrutiny::echoes, control);
+  workflow::expect_usable(input);
   print_problems(streams, input.problems);
-  resolve_once(input, control);
+  workflow::resolve_once(input, control);
   PlanInfo info(arguments, input, core::now_s() - begin_s, streams);
   info.look();
   write_out(streams, arguments.json ? info.json() : info.text());

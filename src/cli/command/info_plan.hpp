@@ -3,14 +3,14 @@
 #include <string>
 
 #include "cli/shell/context.hpp"
-#include "cli/shell/scene_input.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
 /// What `info --plan` is asked.
 struct PlanArguments {
   std::string path;
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
   bool json = false;
   unsigned workers = 1;  ///< Machines like this one, or processes with threads of their own.
   unsigned threads = 0;  ///< Of each worker; 0: one per core.

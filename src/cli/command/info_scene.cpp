@@ -15,6 +15,7 @@
 #include "raster/table/formats.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::cli {
 
@@ -115,9 +116,10 @@ class SceneInfo {
   SceneInfo(const SceneInfoArguments& arguments, const scene::Scene& scene, const core::WorkControl& control)
       : arguments_(arguments), scene_(scene), control_(control) {
     json_.begin_object().member("sarsim", core::program_version).member("script", arguments.path);
-    text_ = arguments.path + ": " + profile_word(scene.options.profile) + " profile, " +
-            pulse_word(scene.options.pulse) + " pulses, seed " + std::to_string(scene.options.seed) + "\n";
-    json_.member("profile", profile_word(scene.options.profile)).member("pulse", pulse_word(scene.options.pulse));
+    text_ = arguments.path + ": " + workflow::profile_word(scene.options.profile) + " profile, " +
+            workflow::pulse_word(scene.options.pulse) + " pulses, seed " + std::to_string(scene.options.seed) + "\n";
+    json_.member("profile", workflow::profile_word(scene.options.profile))
+        .member("pulse", workflow::pulse_word(scene.options.pulse));
     json_.member("seed", scene.options.seed).member("tolerance", scene.options.tolerance);
   }
 
@@ -192,13 +194,14 @@ class SceneInfo {
     const auto figures = figures_of(plan, simulate::simulation_figures(plan, survey), survey, false);
     const scene::Simulation& simulation = plan.simulation;
     json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
-    json_.member("format", format_word(simulation.format)).member("processing", processing_word(simulation.processing));
+    json_.member("format", workflow::format_word(simulation.format))
+        .member("processing", workflow::processing_word(simulation.processing));
     json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
     json_.member("pulses_surveyed", survey.pulses_sampled).member("all_pulses_surveyed", survey.all_pulses);
     cli::write_json(json_, figures);
     text_ += fmt::format("\nsimulation {}: {}, {}, {}, {} bits, radar {}\n", index + 1, simulation.file,
-                         format_word(simulation.format), processing_word(simulation.processing), simulation.bits,
-                         plan.radar.name);
+                         workflow::format_word(simulation.format), workflow::processing_word(simulation.processing),
+                         simulation.bits, plan.radar.name);
     text_ += shown(figures);
     add_targets(plan, survey);
     json_.end_object();
@@ -231,10 +234,11 @@ class SceneInfo {
 
 ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& streams) {
   const core::WorkControl control{core::thread_count(0), streams.stop};
-  SceneInput input = read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control);
-  expect_usable(input);
+  workflow::SceneInput input =
+      workflow::read_scene(arguments.path, arguments.overrides, workflow::Scrutiny::echoes, control);
+  workflow::expect_usable(input);
   print_problems(streams, input.problems);
-  resolve_once(input, control);
+  workflow::resolve_once(input, control);
   SceneInfo info(arguments, input.scene, control);
   info.add_objects();
   info.add_radars(*input.resolved);

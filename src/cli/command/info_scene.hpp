@@ -3,14 +3,14 @@
 #include <string>
 
 #include "cli/shell/context.hpp"
-#include "cli/shell/scene_input.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
 /// What `info` is asked about a script.
 struct SceneInfoArguments {
   std::string path;
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
   bool json = false;
   bool all = false;  ///< Every target and object, not the first 20.
 };

@@ -9,10 +9,11 @@
 #include "cli/command/picture_program.hpp"
 #include "cli/command/plot_arguments.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/colour/colour_map.hpp"
+#include "workflow/input/output_names.hpp"
 
 namespace sarsim::cli {
 
@@ -57,10 +58,11 @@ void expect_names(const PlotArguments& a) {
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty()) paths.emplace_back(path);
-  OutputCare care{{a.input}, a.force, "-o or --csv"};
+  workflow::OutputCare care{{a.input}, a.force, "-o or --csv"};
   if (a.force)
-    std::ranges::move(sources_of_script(is_script(a) ? a.input : a.samples.script), std::back_inserter(care.sources));
-  expect_free_outputs(paths, care);
+    std::ranges::move(workflow::sources_of_script(is_script(a) ? a.input : a.samples.script),
+                      std::back_inserter(care.sources));
+  workflow::expect_free_outputs(paths, care);
   for (const fs::path& path : paths)
     if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
       throw core::Refused(fmt::format("there is no folder '{}'", path.parent_path().string()),
@@ -173,7 +175,7 @@ struct InputUse {
 
 void expect_used_by_input(const PlotArguments& a) {
   const bool script = is_script(a);
-  const SceneOverrides& overrides = a.overrides;
+  const workflow::SceneOverrides& overrides = a.overrides;
   const SampleArguments& samples = a.samples;
   const std::vector<InputUse> uses{{"--radar", !a.radar.empty(), true},
                                    {"--data", a.processing.has_value(), true},

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cli/shell/sample_input.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "picture/colour/display_quantity.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/echo/radar_figures.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -70,7 +70,7 @@ struct PlotArguments {
   bool peak = false;
   bool dark = false;
   bool force = false;
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
   SampleArguments samples;
 };
 

@@ -37,7 +37,7 @@ scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& 
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
   if (scene.radars.empty()) throw core::Refused(a.input + ": the script has no radar", "add a $RADAR");
   scene::Simulation simulation;
-  simulation.radar = scene.radars[a.radar.empty() ? 0 : radar_named(scene, a.radar)].name;
+  simulation.radar = scene.radars[a.radar.empty() ? 0 : workflow::radar_named(scene, a.radar)].name;
   return simulation;
 }
 
@@ -146,12 +146,12 @@ void show_all_targets(const scene::Scene& scene, picture::EchoWindow& window, co
   picture::set_view(window, picture::view_of(matrix->window()));
 }
 
-std::shared_ptr<const simulate::Plan> chosen_plan(const PlotArguments& a, SceneInput& input,
+std::shared_ptr<const simulate::Plan> chosen_plan(const PlotArguments& a, workflow::SceneInput& input,
                                                   const core::StopFlag* stop) {
   bool show_all = false;
   picture::EchoWindow window = chosen_window(a, input.scene, show_all);
   if (show_all) show_all_targets(input.scene, window, stop);
-  resolve_once(input, {core::thread_count(0), stop});
+  workflow::resolve_once(input, {core::thread_count(0), stop});
   picture::PlotSize size = plot_pixels(a);
   // Cuts are smooth; a profile, spectrum or phase is of the samples that a run saves.
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
@@ -166,7 +166,7 @@ std::shared_ptr<const simulate::Plan> chosen_plan(const PlotArguments& a, SceneI
   return planned.plan;
 }
 
-Plotted of_samples(const PlotArguments& a, SceneInput& input, const core::StopFlag* stop) {
+Plotted of_samples(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
   const auto plan = chosen_plan(a, input, stop);
   PlotSamples samples;
   samples.look.quantity = picture::DisplayQuantity::real;
@@ -182,8 +182,8 @@ Plotted of_samples(const PlotArguments& a, SceneInput& input, const core::StopFl
 // ---- Antennas, pulses, functions --------------------------------------------------------------------------------
 
 std::size_t chosen_radar(const PlotArguments& a, const scene::Scene& scene) {
-  if (!a.radar.empty() || scene.radars.empty()) return radar_named(scene, a.radar);
-  return radar_named(scene, chosen_simulation(a, scene).radar);
+  if (!a.radar.empty() || scene.radars.empty()) return workflow::radar_named(scene, a.radar);
+  return workflow::radar_named(scene, chosen_simulation(a, scene).radar);
 }
 
 // Offsets repeat after a turn.
@@ -197,9 +197,9 @@ void take_angles(const PlotArguments& a, picture::AntennaLook& look) {
   if (!(look.first_deg < look.last_deg)) throw core::Refused("--angles: the two angles are the same");
 }
 
-Plotted of_radar(const PlotArguments& a, SceneInput& input, const core::StopFlag* stop) {
+Plotted of_radar(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
   const std::size_t number = chosen_radar(a, input.scene);
-  resolve_once(input, {core::thread_count(0), stop});
+  workflow::resolve_once(input, {core::thread_count(0), stop});
   const simulate::ResolvedRadar radar = simulate::resolve_radar(input.scene, *input.resolved, number);
   Plotted plotted;
   if (a.kind == PlotKind::sent) {
@@ -264,7 +264,7 @@ UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) 
   throw core::Refused("--function: " + message, "choose one of " + names);
 }
 
-Plotted of_function(const PlotArguments& a, const SceneInput& input) {
+Plotted of_function(const PlotArguments& a, const workflow::SceneInput& input) {
   const UsedFunction function = chosen_function(a, input.scene);
   Plotted plotted;
   plotted.figure = picture::function_figure(scene::function_info(function.object, function.field),
@@ -280,8 +280,8 @@ Plotted plot_scene(const PlotArguments& a, Streams& streams) {
   if (!a.azimuth_m.empty() || a.at_azimuth_m)
     throw core::Refused("--azimuth and --at-azimuth are for focused images",
                         "rows of a script's echoes have times: --time");
-  SceneInput input = read_scene(a.input, a.overrides, Scrutiny::values);
-  expect_usable(input);
+  workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values);
+  workflow::expect_usable(input);
   switch (a.kind) {
     case PlotKind::picture: return picture(a, input.scene, streams.stop);
     case PlotKind::antenna:

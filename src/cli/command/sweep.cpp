@@ -8,11 +8,12 @@
 #include "cli/command/sweep_arguments.hpp"
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/input/simd_choice.hpp"
 #include "workflow/sweep/sweep.hpp"
 #include "workflow/sweep/sweep_fields.hpp"
 
@@ -25,7 +26,7 @@ using workflow::SweepReport;
 using workflow::SweepRequest;
 using workflow::SweepRow;
 
-SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart part, SceneInput input) {
+SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart part, workflow::SceneInput input) {
   SweepRequest request;
   request.scene = std::move(input.scene);
   request.script = arguments.scene;
@@ -50,9 +51,10 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart 
   return request;
 }
 
-SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams& streams) {
+workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams& streams) {
   const unsigned threads = core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
-  SceneInput input = read_scene(arguments.scene, arguments.overrides, Scrutiny::reading, {threads, streams.stop});
+  workflow::SceneInput input =
+      read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
   expect_usable(input, arguments.strict);
   if (!arguments.quiet && !arguments.fields) print_problems(streams, input.problems);
   return input;
@@ -107,8 +109,8 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
 
 ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   const workflow::SweepPart part = read_part(arguments.part);
-  choose_simd(arguments.simd);
-  SceneInput input = read_scene_to_vary(arguments, streams);
+  workflow::choose_simd(arguments.simd);
+  workflow::SceneInput input = read_scene_to_vary(arguments, streams);
   if (arguments.fields) {
     write_out(streams, workflow::field_list(input.scene));
     return exit_done;

@@ -5,6 +5,7 @@
 #include "cli/shell/context.hpp"
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
 

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/shell/scene_input.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/input/scene_input.hpp"
 #include "workflow/sweep/sweep_request.hpp"
 
 namespace sarsim::cli {
@@ -21,7 +21,7 @@ struct SweepArguments {
   bool paired = false;
   std::string folder = ".";
   std::string table;  ///< Stem of the names of table and journal, in the folder.
-  SceneOverrides overrides;
+  workflow::SceneOverrides overrides;
   std::optional<simulate::Engine> engine;
   std::string simd;
   std::optional<std::int64_t> threads;

@@ -22,12 +22,13 @@
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/signals.hpp"
-#include "cli/shell/team.hpp"
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
+#include "core/task/kept_interruption.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/version_text.hpp"
+#include "workflow/record/team.hpp"
 
 namespace sarsim::cli {
 
@@ -69,7 +70,7 @@ struct Program {
                        {"sarsim run --help", "options and examples of a command"}});
   }
   // For processes that run together.
-  explicit Program(Team& team) {
+  explicit Program(workflow::Team& team) {
     app.name("sarsim-mpi");
     app.description("Carries out sarsim run by the processes of an MPI job together.");
     prepare();
@@ -259,7 +260,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return exit_failed;
   } catch (const core::Interrupted& interrupted) {
     const int number = received_signal();
-    const auto* kept = dynamic_cast<const KeptInterruption*>(&interrupted);
+    const auto* kept = dynamic_cast<const core::KeptInterruption*>(&interrupted);
     streams.err << "sarsim: interrupted; "
                 << (kept == nullptr ? "nothing unfinished was left behind"
                                     : "what is done is kept in " + kept->kept_in + "; go on with --resume")
@@ -290,7 +291,7 @@ int main_program(int argc, const char* const* argv) {
   return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
 }
 
-int team_program(int argc, const char* const* argv, Team* team) {
+int team_program(int argc, const char* const* argv, workflow::Team* team) {
   if (team == nullptr) {
     std::cerr << "sarsim-mpi: error: this program was not started by MPI\n"
                  "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/report/refused.hpp"
 #include "core/task/stop.hpp"
@@ -25,12 +24,6 @@ struct Streams {
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
   const core::StopFlag* stop = nullptr;
   bool written = false;  ///< Something went to `out`.
-};
-
-/// Thrown where a command that was asked to stop has kept what it had done.
-struct KeptInterruption : core::Interrupted {
-  explicit KeptInterruption(std::string where) : kept_in(std::move(where)) {}
-  std::string kept_in;  ///< A folder.
 };
 
 /// Thrown where nobody reads standard output any more; ends the command without a message.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/shell/recording_options.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "workflow/input/recording_input.hpp"
+#include "workflow/input/scene_input.hpp"
 
 /// The names of the workflows, as the commands use them.
 namespace sarsim::cli {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "raster/table/formats.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::cli {
 
@@ -16,7 +16,7 @@ double share(std::uint64_t part, const simulate::RunReport& run) {
 
 std::string millivolts(double volts) { return fmt::format("{:.6G} mV", 1e3 * volts); }
 
-std::string lsb_line(const RecordingReport& report) {
+std::string lsb_line(const workflow::RecordingReport& report) {
   const bool given = report.simulation.lsb_v > 0.0;
   if (!report.counts && !given) return fmt::format("  best LSB           {}", millivolts(report.run.best_lsb_v));
   return fmt::format("  LSB                {} ({}), best {}", millivolts(report.run.lsb_v),
@@ -31,23 +31,7 @@ std::string decimals(double value, int digits) {
   return text;
 }
 
-std::string format_word(scene::FileFormat format) { return raster::word_of(raster::format_of(format)); }
-
-std::string profile_word(scene::Profile profile) { return profile == scene::Profile::classic ? "classic" : "physical"; }
-
-std::string pulse_word(scene::PulseDefinition pulse) {
-  return pulse == scene::PulseDefinition::band_limited ? "band-limited" : "ideal";
-}
-
-std::string processing_word(scene::Processing processing) {
-  switch (processing) {
-    case scene::Processing::matched_filter: return "compressed";
-    case scene::Processing::srp: return "range profiles";
-    default: return "raw";
-  }
-}
-
-std::string report_text(const RecordingReport& report) {
+std::string report_text(const workflow::RecordingReport& report) {
   const simulate::RunReport& run = report.run;
   std::string text = fmt::format(
       "{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file, run.rows, run.columns,
@@ -64,22 +48,23 @@ std::string report_text(const RecordingReport& report) {
   return text;
 }
 
-void write_json(core::JsonWriter& json, const RecordingReport& report) {
+void write_json(core::JsonWriter& json, const workflow::RecordingReport& report) {
   const simulate::RunReport& run = report.run;
   json.begin_object().member("kind", "recording").key("file");
   if (report.file.empty())
     json.null();
   else
     json.value(report.file);
-  json.member("format", format_word(report.simulation.format)).member("counts", report.counts);
-  json.member("processing", processing_word(report.simulation.processing));
+  json.member("format", workflow::format_word(report.simulation.format)).member("counts", report.counts);
+  json.member("processing", workflow::processing_word(report.simulation.processing));
   json.member("rows", run.rows).member("columns", run.columns).key("bytes");
   report.bytes ? json.value(*report.bytes) : json.null();
   json.member("seconds", report.seconds).member("maximum_v", run.maximum_v).member("lsb_v", run.lsb_v);
   json.member("lsb_estimated", report.simulation.lsb_v <= 0.0).member("best_lsb_v", run.best_lsb_v);
   json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
   json.member("radar", report.simulation.radar).member("bits", report.simulation.bits);
-  json.member("profile", profile_word(report.options.profile)).member("pulse", pulse_word(report.options.pulse));
+  json.member("profile", workflow::profile_word(report.options.profile))
+      .member("pulse", workflow::pulse_word(report.options.pulse));
   json.member("seed", report.options.seed)
       .member("engine", report.engine)
       .member("engine_reason", report.engine_reason);
@@ -88,7 +73,7 @@ void write_json(core::JsonWriter& json, const RecordingReport& report) {
   json.end_object();
 }
 
-void write_json(core::JsonWriter& json, const TableReport& report) {
+void write_json(core::JsonWriter& json, const workflow::TableReport& report) {
   json.begin_object().member("kind", "geometry").key("file");
   if (report.file.empty())
     json.null();

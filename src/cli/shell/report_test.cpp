@@ -9,8 +9,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-RecordingReport recording() {
-  RecordingReport report;
+workflow::RecordingReport recording() {
+  workflow::RecordingReport report;
   report.file = "a.asc";
   report.simulation.radar = "R";
   report.simulation.lsb_v = 2e-9;
@@ -37,7 +37,7 @@ TEST(Report, SaysWhatTheOriginalSaid) {
 }
 
 TEST(Report, SaysWhenTheLsbWasEstimated) {
-  RecordingReport report = recording();
+  workflow::RecordingReport report = recording();
   report.simulation.lsb_v = 0.0;
   EXPECT_THAT(report_text(report), HasSubstr("(estimated from the data)"));
   report.counts = false;
@@ -45,14 +45,14 @@ TEST(Report, SaysWhenTheLsbWasEstimated) {
 }
 
 TEST(Report, SaysHowToAvoidSaturation) {
-  RecordingReport report = recording();
+  workflow::RecordingReport report = recording();
   report.run.saturated = 10;
   EXPECT_THAT(report_text(report), HasSubstr("1 % saturated"));
   EXPECT_THAT(report_text(report), HasSubstr("an LSB of 1E-06 mV would hold them all"));
 }
 
 TEST(Report, JsonOfNothingWrittenHasANullFile) {
-  RecordingReport report = recording();
+  workflow::RecordingReport report = recording();
   report.file.clear();
   core::JsonWriter json;
   write_json(json, report);

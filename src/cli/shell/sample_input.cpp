@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "cli/shell/options.hpp"
-#include "cli/shell/output_names.hpp"
-#include "cli/shell/scene_input.hpp"
 #include "raster/table/formats.hpp"
 #include "simulate/plan/plan.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
 
@@ -31,7 +31,7 @@ struct Choice {
 // The outputs of a script, and how a file comes to one of them.
 std::string ways_to_outputs(const scene::Scene& scene, const Choice& choice) {
   std::string known;
-  for (const fs::path& other : output_names(scene, {}).simulations)
+  for (const fs::path& other : workflow::output_names(scene, {}).simulations)
     known += (known.empty() ? "" : ", ") + other.filename().string();
   if (known.empty()) return "it has none: say --columns, --bits and --lsb instead of --script";
   return fmt::format("its outputs are {}: give the file its name there, {}{}", known, choice.by_number ? "" : "or ",
@@ -48,7 +48,7 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
                         fmt::format("it has {}", scene.simulations.size()));
   }
   const fs::path name = fs::path(path).filename();
-  const auto found = simulation_that_writes(
+  const auto found = workflow::simulation_that_writes(
       name, scene, "give the file the whole name that the script has for it, or " + choice.other_ways());
   if (found) return *found;
   throw core::Refused(fmt::format("no simulation of {} writes '{}'", script, name.string()),
@@ -58,8 +58,8 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
 // The simulation that writes a file, with its plan.
 std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
                                                           const Choice& choice) {
-  const SceneInput input = read_scene(script, {}, Scrutiny::values);
-  expect_usable(input);
+  const workflow::SceneInput input = workflow::read_scene(script, {}, workflow::Scrutiny::values);
+  workflow::expect_usable(input);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
   return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
 }
@@ -71,7 +71,8 @@ void take_script(raster::SampleFileHints& hints, const std::string& path, const 
   hints.rows = plan.rows;
   hints.bits = simulation.bits;
   hints.lsb_v = simulation.lsb_v;
-  if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
+  if (fs::path(path).extension() == fs::path(workflow::base_name(simulation.file)).extension())
+    hints.format = simulation.format;
 }
 
 raster::SampleFileHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {

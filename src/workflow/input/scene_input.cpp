@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "scene/edit/data_functions.hpp"
@@ -118,16 +119,12 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
   return problems;
 }
 
-}  // namespace
-
-SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                      const core::WorkControl& control, const ChooseProducts& choose) {
-  scene::ScriptReading reading = scene::read_script_file(path, {control});
+// A scene with what its reader found, on its way to an input.
+SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrides, Scrutiny scrutiny,
+                     const core::WorkControl& control, const ChooseProducts& choose) {
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
-  input.sources = {path};
-  append(input.sources, data_files_of(input.scene, std::filesystem::path(path).parent_path()));
   apply(overrides, input.scene);
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
@@ -144,6 +141,28 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
     append(reading.problems, problems_of_echoes(input, wanted, control));
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));
+  return input;
+}
+
+}  // namespace
+
+SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+                      const core::WorkControl& control, const ChooseProducts& choose) {
+  scene::ScriptReading reading = scene::read_script_file(path, {control});
+  std::vector<std::filesystem::path> sources{path};
+  append(sources, data_files_of(reading.scene, std::filesystem::path(path).parent_path()));
+  SceneInput input = looked_at(std::move(reading), overrides, scrutiny, control, choose);
+  input.sources = std::move(sources);
+  return input;
+}
+
+SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, const SceneOverrides& overrides,
+                      Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
+  scene::ScriptReading reading;
+  reading.scene = std::move(scene);
+  std::vector<std::filesystem::path> sources = data_files_of(reading.scene, folder);
+  SceneInput input = looked_at(std::move(reading), overrides, scrutiny, control, choose);
+  input.sources = std::move(sources);
   return input;
 }
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/script/field_places.hpp"
@@ -17,7 +16,7 @@
 
 namespace sarsim::workflow {
 
-/// Options of the command line that stand in for those of the script.
+/// Values that stand in for those of a script.
 struct SceneOverrides {
   std::optional<scene::Profile> profile;
   std::optional<scene::PulseDefinition> pulse;
@@ -57,6 +56,12 @@ using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 /// objects that have one are not checked further.
 /// @param choose  what stands against other products is no problem; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+                                    const core::WorkControl& control = {}, const ChooseProducts& choose = {});
+
+/// Checks a scene that was not read from a file, or not by `read_scene`; otherwise the same.
+/// @param folder  where the data files that it names are looked for
+[[nodiscard]] SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder,
+                                    const SceneOverrides& overrides, Scrutiny scrutiny,
                                     const core::WorkControl& control = {}, const ChooseProducts& choose = {});
 
 /// The data files that a scene names, as far as they are there.

@@ -1,5 +1,7 @@
 #include "workflow/search/pulse_input.hpp"
 
+#include "core/report/refused.hpp"
+
 namespace sarsim::workflow {
 
 namespace {

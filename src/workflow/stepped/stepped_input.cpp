@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/report/refused.hpp"
 #include "scene/check/check.hpp"
 
 namespace sarsim::workflow {

@@ -82,7 +82,7 @@ std::vector<Object> picked(const std::vector<Object>& objects, const std::vector
 class Looker {
  public:
   Looker(const SweepToCheck& work, const core::StopFlag* stop) : work_(work), stop_(stop) {
-    for (const ProductJob& job : work.products) (job.table ? tables_ : simulations_).push_back(job.index);
+    for (const workflow::ProductJob& job : work.products) (job.table ? tables_ : simulations_).push_back(job.index);
   }
 
   // What is not made is not looked at either: it may be as wrong as it likes.
@@ -110,7 +110,7 @@ class Looker {
       const scene::Scene& scene, const std::shared_ptr<const simulate::ResolvedScene>& resolved) const {
     std::vector<ProductSize> sizes;
     std::size_t simulation = 0;
-    for (const ProductJob& job : work_.products) {
+    for (const workflow::ProductJob& job : work_.products) {
       ProductSize size;
       if (!job.table) {
         const simulate::Plan plan = simulate::make_plan(scene, simulation++, resolved, work_.engine, stop_);

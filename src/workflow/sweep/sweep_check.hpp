@@ -26,7 +26,7 @@ struct SweepToCheck {
   const scene::Scene& base;
   const scene::FieldPlaces& places;
   const Sweep& sweep;
-  const std::vector<ProductJob>& products;
+  const std::vector<workflow::ProductJob>& products;
   const std::vector<std::size_t>& variations;             ///< Those that are to be looked at, ascending.
   bool counts = false;                                    ///< As in SinkOptions.
   simulate::Engine engine = simulate::Engine::automatic;  ///< That will run, for the time that is announced.

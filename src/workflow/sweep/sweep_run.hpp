@@ -32,7 +32,7 @@ struct VariationRules {
 class VariationNames {
  public:
   /// @param products  with their files in the script as `path`
-  VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
+  VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<workflow::ProductJob>& products,
                  const VariationRules& rules);
 
   /// The row of a product that has not been made yet: its numbers, file and stamp.
@@ -40,7 +40,7 @@ class VariationNames {
 
  private:
   const Sweep& sweep_;
-  const std::vector<ProductJob>& products_;
+  const std::vector<workflow::ProductJob>& products_;
   std::vector<std::string> stems_;                    // Of each product; no two are alike.
   std::vector<std::size_t> format_axes_;              // Axis that sets the format of a product, or none.
   std::vector<std::vector<std::string>> extensions_;  // Of each product, for each value of that axis.
@@ -55,8 +55,8 @@ class VariationNames {
 ///
 /// @param scene  of the variation
 /// @param done   told each row as soon as its product is complete
-void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
-                   const VariationRules& rules, const core::StopFlag* stop,
+void run_variation(const scene::Scene& scene, const std::vector<workflow::ProductJob>& products,
+                   std::vector<SweepRow*>& rows, const VariationRules& rules, const core::StopFlag* stop,
                    const std::function<void(const SweepRow&)>& done);
 
 }  // namespace sarsim::workflow

@@ -23,7 +23,7 @@ std::string cell(const std::string& text) {
 const char* status_of(const SweepRow& row) { return row.done ? "done" : row.failure.empty() ? "not made" : "failed"; }
 
 std::string product_name(const SweepFrame& frame, const SweepRow& row) {
-  const ProductJob& job = frame.products->at(row.product);
+  const workflow::ProductJob& job = frame.products->at(row.product);
   return fmt::format("{}{}", job.table ? "Geometry" : "Simulation", job.index + 1);
 }
 

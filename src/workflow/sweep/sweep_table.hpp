@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 struct SweepFrame {
   std::string script;
   const Sweep* sweep = nullptr;
-  const std::vector<ProductJob>* products = nullptr;
+  const std::vector<workflow::ProductJob>* products = nullptr;
   std::string status;  ///< "done", "failed", ...
   const core::Problems* problems = nullptr;
 };

@@ -34,7 +34,7 @@ class SweepTable : public testing::Test {
   }
 
   Sweep sweep_{scene(), {"Radar1.bandwidth=1MHz,2MHz", "seed=1..2"}, false};
-  std::vector<ProductJob> products_{{false, 0, "a.bin"}, {true, 1, "t.txt"}};
+  std::vector<workflow::ProductJob> products_{{false, 0, "a.bin"}, {true, 1, "t.txt"}};
   core::Problems problems_;
   SweepFrame frame_{"scene.scr", &sweep_, &products_, "done", &problems_};
 };

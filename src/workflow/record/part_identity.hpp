@@ -6,7 +6,7 @@
 #include "raster/parts/stored_product.hpp"
 #include "scene/model/scene.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// Everything that decides the bytes of a recording: what parts that belong together have in common.
 /// @param simulation  its number in the scene, from 0
@@ -14,4 +14,4 @@ namespace sarsim::cli {
 [[nodiscard]] raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
                                            const raster::StoredProduct& stored);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

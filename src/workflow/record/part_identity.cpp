@@ -1,12 +1,12 @@
-#include "cli/command/part_identity.hpp"
+#include "workflow/record/part_identity.hpp"
 
-#include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
 #include "simulate/resolve/simd_level.hpp"
-#include "workflow/image/script_sum.hpp"
+#include "workflow/input/scene_words.hpp"
+#include "workflow/input/script_sum.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
                              const raster::StoredProduct& stored) {
@@ -27,8 +27,8 @@ raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, 
       {"engine", product.engine},
       {"--simd", simulate::simd_level()},
       {"LSB", product.lsb_v > 0.0 ? core::format_number(product.lsb_v) + " V" : "estimated"},
-      {"script", workflow::script_sum(scene, script)},
+      {"script", script_sum(scene, script)},
   };
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

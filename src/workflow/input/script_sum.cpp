@@ -1,4 +1,4 @@
-#include "workflow/image/script_sum.hpp"
+#include "workflow/input/script_sum.hpp"
 
 #include <span>
 

@@ -8,9 +8,9 @@
 #include "core/task/progress.hpp"
 #include "simulate/run/run.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
-/// Processes that carry out one command together; every function is called by all of them, in the same order.
+/// Processes that make recordings together; every function is called by all of them, in the same order.
 class Team {
  public:
   Team() = default;
@@ -41,4 +41,4 @@ class Team {
                     const core::ProgressReport& progress) = 0;
 };
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

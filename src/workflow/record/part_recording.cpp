@@ -1,15 +1,14 @@
-#include "cli/command/part_recording.hpp"
+#include "workflow/record/part_recording.hpp"
 
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
-#include "core/text/number_text.hpp"
+#include "core/task/kept_interruption.hpp"
 #include "raster/format/sinks.hpp"
 #include "simulate/run/memory_sink.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -35,8 +34,12 @@ class PartMaker {
  public:
   PartMaker(const PartJob& job, const PartWorkshop& workshop) : job_(job), workshop_(workshop) {}
 
-  PartResult make() {
+  PartReport make() {
     const double begin_s = core::now_s();
+    result_.file = job_.output.string();
+    result_.part = words_of(job_.choice);
+    result_.rows = job_.plan.rows;
+    result_.own_file = job_.choice.own_file;
     result_.range = rows_of(job_.choice, job_.plan.rows);
     if (result_.range.count == 0) return result_;
     together([&] { expect_alike(); });
@@ -163,25 +166,23 @@ class PartMaker {
     return task;
   }
 
-  [[nodiscard]] core::WorkControl work() const { return {workshop_.threads, workshop_.streams.stop}; }
+  [[nodiscard]] core::WorkControl work() const { return workshop_.observer.control(workshop_.threads); }
 
   void enter() {
     if (job_.output.has_parent_path()) std::filesystem::create_directories(job_.output.parent_path());
     part_.emplace(task(), work());
     result_.rejected = part_->rejected_rows();
-    if (result_.rejected > 0)
-      workshop_.streams.err << fmt::format("{}: {} pulses are not as the journal says; they are computed again\n",
-                                           job_.output.string(), result_.rejected);
+    if (result_.rejected > 0 && workshop_.events.rejected) workshop_.events.rejected(job_.output, result_.rejected);
   }
 
   void compute() {
     const PartEncoder encoder(job_.product);
     try {
-      ProgressDisplay display(workshop_.streams.err, workshop_.style, label());
+      const core::ProgressReport display = workshop_.observer.stage(label());
       std::size_t total = 0;
       for (const simulate::RowRange& range : part_->missing()) total += range.count;
       const auto show = [&](std::size_t done) {
-        if (total > 0) display.update({done, total, job_.plan.columns});
+        if (total > 0 && display) display({done, total, job_.plan.columns});
       };
       if (workshop_.team == nullptr) {
         for (const simulate::RowRange& range : part_->missing()) make_rows(range, encoder, show);
@@ -197,8 +198,7 @@ class PartMaker {
       throw;
     } catch (const std::exception&) {
       keep();
-      workshop_.streams.err << fmt::format("{}: what is done is kept in {}; go on with --resume\n",
-                                           job_.output.string(), raster::parts_folder_of(job_.output).string());
+      if (workshop_.events.kept) workshop_.events.kept(job_.output, raster::parts_folder_of(job_.output));
       throw;
     }
   }
@@ -207,7 +207,7 @@ class PartMaker {
                  const std::function<void(std::size_t)>& progress) {
     const std::size_t before = result_.made;
     const double lsb_v = job_.product.estimate_lsb ? 0.0 : job_.plan.simulation.lsb_v;
-    const simulate::RunControl control{workshop_.threads, workshop_.streams.stop, [&](const core::Progress& p) {
+    const simulate::RunControl control{workshop_.threads, workshop_.observer.stop, [&](const core::Progress& p) {
                                          result_.made = before + p.done;
                                          if (progress) progress(result_.made);
                                        }};
@@ -226,9 +226,8 @@ class PartMaker {
 
   void finish() {
     result_.journal_seconds = part_->writer().settling_s();
-    ProgressDisplay display(workshop_.streams.err, workshop_.style, job_.output.string() + " (joining its parts)");
-    const simulate::RunControl control{workshop_.threads, workshop_.streams.stop,
-                                       [&](const core::Progress& progress) { display.update(progress); }};
+    const simulate::RunControl control{workshop_.threads, workshop_.observer.stop,
+                                       workshop_.observer.stage(job_.output.string() + " (joining its parts)")};
     const raster::PartOutcome outcome = part_->finish(job_.force, control);
     result_.there = outcome.rows_there;
     result_.elsewhere = outcome.elsewhere;
@@ -242,46 +241,18 @@ class PartMaker {
 
   const PartJob& job_;
   const PartWorkshop& workshop_;
-  PartResult result_;
+  PartReport result_;
   std::optional<raster::PartRun> part_;
 };
 
 }  // namespace
 
-PartResult make_part(const PartJob& job, const PartWorkshop& workshop) {
+PartReport make_part(const PartJob& job, const PartWorkshop& workshop) {
   try {
     return PartMaker(job, workshop).make();
   } catch (const core::Interrupted&) {
-    throw KeptInterruption(raster::parts_folder_of(job.output).string());
+    throw core::KeptInterruption(raster::parts_folder_of(job.output).string());
   }
 }
 
-std::string part_text(const PartJob& job, const PartResult& result) {
-  const std::string output = job.output.string();
-  if (result.finished_before) return output + ": finished before; nothing was computed\n";
-  if (result.range.count == 0)
-    return fmt::format("{}: part {} has none of its {} pulses\n", output, words_of(job.choice), job.plan.rows);
-  std::string text =
-      fmt::format("{}: part {}: pulses {} to {} are made, {} of them now, in {}\n", output, words_of(job.choice),
-                  result.range.first + 1, result.range.end(), result.made, core::duration_text(result.seconds));
-  if (result.elsewhere)
-    text += fmt::format("{}: complete; another part has put it together\n", output);
-  else if (!result.whole && job.choice.own_file)
-    text += fmt::format("  kept in {}, for sarsim merge\n", raster::parts_folder_of(job.output).string());
-  else if (!result.whole)
-    text += fmt::format("  {} of {} pulses are there; the part that comes last completes the file\n", result.there,
-                        job.plan.rows);
-  return text;
-}
-
-void write_json(core::JsonWriter& json, const PartJob& job, const PartResult& result) {
-  json.begin_object().member("kind", "part").member("file", job.output.string());
-  json.member("part", words_of(job.choice)).member("rows", job.plan.rows);
-  json.member("first_row", result.range.first).member("part_rows", result.range.count);
-  json.member("computed_rows", result.made).member("rejected_rows", result.rejected);
-  json.member("rows_there", result.there).member("complete", result.whole.has_value() || result.elsewhere);
-  json.member("seconds", result.seconds).member("journal_seconds", result.journal_seconds);
-  json.member("journal_entries", result.journal_entries).end_object();
-}
-
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

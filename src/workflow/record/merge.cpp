@@ -1,0 +1,161 @@
+#include "workflow/record/merge.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/os/output_file.hpp"
+#include "core/os/raw_file.hpp"
+#include "core/report/refused.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/parts/join_parts.hpp"
+#include "raster/table/formats.hpp"
+#include "workflow/input/output_names.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view parts_extension = ".parts";
+
+// The parts of one recording, from folders to its file.
+class Merger {
+ public:
+  Merger(const MergeRequest& request, const core::Observer& observer) : request_(request), observer_(observer) {}
+
+  MergeReport run() {
+    try {
+      raster::JoinTask task;
+      task.output = output();
+      task.replace = request_.force;
+      for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
+      expect_free_outputs({task.output}, {{}, request_.force, "-o"});
+      for (const std::string& folder : request_.folders) collect(folder, task.journals);
+      task.product = raster::load_product(raster::product_file_of(request_.folders.front()));
+      if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
+        throw core::Refused(std::move(problems));
+      return {joined(task)};
+    } catch (const raster::UnfitParts& unfit) {
+      throw core::Refused(unfit.problems);
+    }
+  }
+
+ private:
+  [[nodiscard]] fs::path output() const {
+    if (!request_.output.empty()) return request_.output;
+    const fs::path folder = fs::path(request_.folders.front() + "/").parent_path();
+    if (folder.extension() != parts_extension)
+      throw core::Refused("'" + request_.folders.front() + "' is not a folder of parts",
+                          "such a folder is called NAME.parts; for another one give the output with -o");
+    return fs::path(folder).replace_extension();
+  }
+
+  // In there the output would be taken for a part, or take the place of one, and go with the parts.
+  static void expect_outside(const fs::path& output, const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    const fs::path inside = fs::canonical(folder);
+    const fs::path place = fs::weakly_canonical(fs::absolute(core::end_of_links(output)));
+    if (std::mismatch(inside.begin(), inside.end(), place.begin(), place.end()).first == inside.end())
+      throw core::Refused(
+          fmt::format("the output '{}' is in the folder of parts '{}'", output.string(), folder.string()),
+          "choose another place with -o");
+  }
+
+  // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
+  // file for a folder with however many parts.
+  void collect(const std::string& folder, std::vector<raster::Journal>& journals) {
+    if (!fs::is_directory(folder))
+      throw core::Refused("there is no folder '" + folder + "'",
+                          "parts are in the folder NAME.parts beside their output");
+    close_door(folder);
+    std::vector<raster::Journal> found = raster::read_journals(folder);
+    if (found.empty()) throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
+    for (raster::Journal& journal : found) {
+      if (!opened(journal.path).try_lock())
+        throw core::Refused(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
+                            "wait for it: the part that comes last completes the file by itself");
+      journals.push_back(std::move(journal));
+    }
+  }
+
+  // Network file systems only lock what is open for writing; what is not ours to write is looked at without.
+  static core::RawFile opened(const fs::path& path) {
+    try {
+      return {path, core::RawFile::Mode::write};
+    } catch (const std::system_error&) {
+      return {path, core::RawFile::Mode::read};
+    }
+  }
+
+  // Folders of parts that were copied may have none.
+  void close_door(const fs::path& folder) {
+    for (const fs::path& other : closed_)
+      if (fs::equivalent(folder, other))
+        throw core::Refused("the folder '" + folder.string() + "' is named twice", "name each folder once");
+    closed_.push_back(folder);
+    if (!fs::exists(folder / "lock")) return;
+    doors_.push_back(opened(folder / "lock"));
+    doors_.back().lock();
+  }
+
+  [[nodiscard]] RecordingReport joined(const raster::JoinTask& task) {
+    RecordingReport report;
+    report.run = raster::join_parts(task, {core::thread_count(request_.threads), observer_.stop,
+                                           observer_.stage(task.output.string())})
+                     .report;
+    clear(task);
+    const simulate::Product& product = task.product.product;
+    report.file = task.output.string();
+    report.simulation.format = task.product.options.format;
+    report.simulation.processing = product.processing;
+    report.simulation.radar = product.radar;
+    report.simulation.bits = product.bits;
+    report.simulation.lsb_v = product.lsb_v;
+    report.options = product.options;
+    report.engine = product.engine;
+    report.engine_reason = task.product.engine_reason;
+    report.counts =
+        task.product.estimate_lsb || raster::holds_counts(task.product.options.format, task.product.options.counts);
+    report.bytes = static_cast<double>(fs::file_size(task.output));
+    report.seconds = report.run.seconds;
+    return report;
+  }
+
+  // Rows that stood at their places have become the output: what is left of their folder is of no use.
+  void clear(const raster::JoinTask& task) {
+    doors_.clear();
+    const fs::path own = raster::parts_folder_of(task.output);
+    for (const std::string& folder : request_.folders)
+      if (request_.remove ||
+          (fs::equivalent(folder, own) && !fs::exists(raster::shared_rows_of(folder)) && placed(task)))
+        raster::remove_parts(folder);
+    remove_if_empty(own);
+  }
+
+  static bool placed(const raster::JoinTask& task) {
+    for (const raster::Journal& journal : task.journals)
+      if (journal.head.store == raster::RowStore::placed) return true;
+    return false;
+  }
+
+  static void remove_if_empty(const fs::path& folder) {
+    std::error_code ignored;
+    fs::remove(folder, ignored);
+  }
+
+  const MergeRequest& request_;
+  const core::Observer& observer_;
+  std::vector<fs::path> closed_;  // Folders whose doors are held.
+  std::vector<core::RawFile> doors_;
+};
+
+}  // namespace
+
+MergeReport merge(const MergeRequest& request, const core::Observer& observer) {
+  return Merger(request, observer).run();
+}
+
+}  // namespace sarsim::workflow

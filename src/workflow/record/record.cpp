@@ -1,0 +1,354 @@
+#include "workflow/record/record.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/os/disk_room.hpp"
+#include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
+#include "core/task/clock.hpp"
+#include "core/task/parallel.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/format/sinks.hpp"
+#include "raster/table/formats.hpp"
+#include "scene/script/reader.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+#include "simulate/run/geometry_table.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_words.hpp"
+#include "workflow/input/simd_choice.hpp"
+#include "workflow/record/part_identity.hpp"
+#include "workflow/record/part_recording.hpp"
+#include "workflow/record/products.hpp"
+#include "workflow/record/record_size.hpp"
+#include "workflow/record/recording.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// One run of a scene, from its text to its products.
+class Recorder {
+ public:
+  Recorder(const RecordRequest& request, const core::Observer& observer, const RecordEvents& events)
+      : request_(request),
+        observer_(observer),
+        events_(events),
+        journaled_(request.team != nullptr || request.part.journaled()) {
+    threads_ = core::thread_count(request.threads);
+    if (request.team != nullptr && request.threads == 0)
+      threads_ = std::max(threads_ / request.team->processes_here(), 1U);
+  }
+
+  RecordReport run() {
+    try {
+      prepare_together();
+      for (const ProductJob& job : jobs_) make(job);
+    } catch (const simulate::ImpossibleEcho& error) {
+      take_problems({error.problem});
+      throw core::Refused({input_.problems.front()});
+    }
+    report_.problems = input_.problems;
+    return std::move(report_);
+  }
+
+ private:
+  // Where processes run together, all of them are ready, or none goes on.
+  void prepare_together() {
+    Team* const team = request_.team;
+    try {
+      choose_simd(request_.simd);
+      expect_partable();
+      prepare();
+    } catch (...) {
+      if (team != nullptr) static_cast<void>(team->all_well(false));
+      throw;
+    }
+    if (team != nullptr && !team->all_well(true)) throw core::Refused(core::Problems());
+  }
+
+  void expect_partable() const {
+    const PartChoice& part = request_.part;
+    if (request_.team != nullptr && (part.share || part.span || part.own_file))
+      throw core::Refused("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
+    if (request_.team != nullptr && request_.discard)
+      throw core::Refused("--discard writes nothing: there is nothing that processes could share",
+                          "measure with sarsim run --discard, of one process");
+    if (journaled_ && request_.discard)
+      throw core::Refused("--discard writes nothing: there is nothing to share, keep or resume",
+                          "leave out --discard, or --part, --pulses and --resume");
+    if (!journaled_ && (part.own_file || part.save_every_s))
+      throw core::Refused("--part-file and --save-every concern parts and runs that can be resumed",
+                          "give --part, --pulses or --resume as well");
+  }
+
+  void make(const ProductJob& job) {
+    ProductReport made;
+    made.path = job.path;
+    if (job.table) {
+      // Tables take no time: the share that holds the first pulse makes them, anew where it resumes.
+      if (journaled_ && !makes_tables()) return;
+      made.table = make_table(job);
+    } else if (journaled_) {
+      make_part_of(job, made);
+    } else {
+      made.recording = make_whole(job);
+    }
+    report_.products.push_back(std::move(made));
+    if (events_.made) events_.made(report_.products.back());
+  }
+
+  [[nodiscard]] simulate::Plan planned(std::size_t simulation) {
+    if (kept_plan_ && kept_plan_->first == simulation) {
+      simulate::Plan plan = std::move(kept_plan_->second);
+      kept_plan_.reset();
+      return plan;
+    }
+    return simulate::make_plan(input_.scene, simulation, input_.resolved, request_.engine);
+  }
+
+  [[nodiscard]] core::WorkControl work() const { return observer_.control(threads_); }
+
+  void prepare() {
+    OutputNames names;
+    // What is not made is not looked at either.
+    const auto choose = [&](const scene::Scene& scene) {
+      names = output_names(scene, {request_.folder, request_.keep_paths, request_.overrides.format});
+      jobs_ = chosen_products(scene, names, request_.products);
+      WantedProducts wanted;
+      for (const ProductJob& job : jobs_) (job.table ? wanted.geometries : wanted.simulations).push_back(job.index);
+      return wanted;
+    };
+    input_ = request_.scene ? take_scene(*request_.scene, fs::path(request_.script).parent_path(), request_.overrides,
+                                         Scrutiny::echoes, work(), choose)
+                            : read_scene(request_.script, request_.overrides, Scrutiny::echoes, work(), choose);
+    tell_problems();
+    expect_usable(input_);
+    if (jobs_.empty()) expect_objects();
+    std::erase_if(names.problems, [this](const core::Problem& p) { return !concerns_any(p); });
+    take_problems(names.problems);
+    expect_usable(input_, request_.strict);
+    if (!request_.discard) expect_free_files();
+    observer_.remarks(input_.problems);
+    resolve_once(input_, work());
+    announce();
+  }
+
+  // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
+  void expect_objects() const {
+    const scene::Scene& scene = input_.scene;
+    if (scene.platforms.empty() && scene.targets.empty() && scene.surfaces.empty() && scene.radars.empty()) {
+      core::Refused nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+      nothing.problems.front().place.file = request_.script;
+      throw nothing;
+    }
+    observer_.announces(request_.script + ": nothing to do: the script has no $SIMULATION and no $GEOMETRY");
+  }
+
+  void take_problems(core::Problems more) {
+    scene::locate(more, input_.places);
+    std::ranges::move(more, std::back_inserter(input_.problems));
+    input_.problems = core::ranked(std::move(input_.problems));
+    tell_problems();
+  }
+
+  void tell_problems() const {
+    if (events_.found) events_.found(input_.problems);
+  }
+
+  [[nodiscard]] static bool concerns(const core::Problem& problem, const ProductJob& job) {
+    return problem.subject.kind == (job.table ? "geometry" : "simulation") && problem.subject.index == job.index;
+  }
+
+  [[nodiscard]] bool concerns_any(const core::Problem& problem) const {
+    return std::ranges::any_of(jobs_, [&](const ProductJob& job) { return concerns(problem, job); });
+  }
+
+  void expect_free_files() const {
+    core::Problems problems;
+    // Whether a recording that is made in parts is finished is looked at when its turn comes.
+    for (const ProductJob& job : jobs_) {
+      const bool later = journaled_ && (!job.table || request_.part.resume || !makes_tables());
+      std::ranges::move(problems_of_output(job.path, {input_.sources, request_.force || later}),
+                        std::back_inserter(problems));
+    }
+    if (fs::exists(request_.folder) && !fs::is_directory(request_.folder))
+      throw core::Refused("'" + request_.folder.string() + "' is not a folder",
+                          "name a folder with --out; it is made when missing");
+    if (!problems.empty()) throw core::Refused(std::move(problems));
+  }
+
+  // One line for each recording, and the room that all of them need.
+  void announce() {
+    double bytes_wanted = 0.0;
+    std::optional<std::size_t> most_rows;
+    std::vector<std::string> lines;
+    core::Problems missing;
+    for (const ProductJob& job : jobs_) {
+      if (job.table) {
+        bytes_wanted += least_table_bytes(input_.scene, *input_.resolved, input_.scene.geometries[job.index]);
+        continue;
+      }
+      simulate::Plan plan = planned(job.index);
+      most_rows = std::max(most_rows.value_or(0), plan.rows);
+      const double bytes = raster::expected_bytes(simulate::product_of(plan, {}), sink_options(plan.simulation));
+      bytes_wanted += room_bytes(job, plan, bytes);
+      lines.push_back(announcement(job, plan, bytes));
+      add_missing_pulses(job, plan, missing);
+      // The first recording comes first; the plans of all of them could be too much to keep.
+      if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
+    }
+    const auto& span = request_.part.span;
+    if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
+      throw core::Refused(
+          {core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
+                            words_of(request_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
+    observer_.remarks(missing);
+    for (const std::string& line : lines) observer_.announces(line);
+    take_problems(std::move(missing));
+    expect_usable(input_, request_.strict);
+    if (!request_.discard)
+      core::expect_room(request_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
+  }
+
+  void add_missing_pulses(const ProductJob& job, const simulate::Plan& plan, core::Problems& missing) const {
+    const auto& span = request_.part.span;
+    if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.rows) return;
+    missing.push_back(core::problem_of(core::Severity::warning,
+                                       fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
+                                       words_of(request_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
+  }
+
+  // What a recording needs on the disk at least.
+  [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
+    const double least = raster::least_bytes(plan.simulation.format, bytes);
+    if (!journaled_) return least;
+    if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
+    const double rows = static_cast<double>(plan.rows);
+    const double made = static_cast<double>(rows_of(request_.part, plan.rows).count);
+    if (seeks_lsb(plan.simulation, request_.counts)) return 16.0 * made * static_cast<double>(plan.columns);
+    return raster::format_of(plan.simulation.format).is_text() || request_.part.own_file ? least * made / rows : least;
+  }
+
+  [[nodiscard]] std::string announcement(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
+    const double passes = journaled_ ? 1.0 : passes_of(plan.simulation, request_.counts);
+    const double made = static_cast<double>(rows_of(request_.part, plan.rows).count) / static_cast<double>(plan.rows);
+    const double seconds = made * estimated_seconds(plan, threads_, passes);
+    return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}", job.path.string(), plan.radar.name,
+                       processing_word(plan.simulation.processing), plan.rows, plan.columns, core::bytes_text(bytes),
+                       core::about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
+  }
+
+  [[nodiscard]] raster::SinkOptions sink_options(const scene::Simulation& simulation) const {
+    return {simulation.format, request_.force, request_.counts, request_.header};
+  }
+
+  // The text of the scene as understood, made when it is first needed.
+  const std::string& script() {
+    if (script_.empty()) script_ = scene::write_script(input_.scene, work());
+    return script_;
+  }
+
+  [[nodiscard]] std::string script_for(scene::FileFormat format) {
+    return raster::format_of(format).carries_script ? script() : std::string();
+  }
+
+  void add_warnings(const ProductJob& job, RecordingReport& report) const {
+    std::ranges::copy_if(input_.problems, std::back_inserter(report.warnings), [&](const core::Problem& p) {
+      return p.severity == core::Severity::warning && (p.subject.kind != "simulation" || concerns(p, job));
+    });
+  }
+
+  RecordingReport make_whole(const ProductJob& job) {
+    const double begin_s = core::now_s();
+    const simulate::Plan plan = planned(job.index);
+    if (!request_.discard) make_folder_of(job.path);
+    RecordingReport report = make_recording(
+        {plan, job.path, sink_options(plan.simulation), script_for(plan.simulation.format), request_.discard}, threads_,
+        observer_);
+    add_warnings(job, report);
+    report.seconds = core::now_s() - begin_s;
+    return report;
+  }
+
+  void make_part_of(const ProductJob& job, ProductReport& made) {
+    const double begin_s = core::now_s();
+    const simulate::Plan plan = planned(job.index);
+    raster::StoredProduct stored;
+    stored.product = simulate::product_of(plan, script_for(plan.simulation.format));
+    stored.options = sink_options(plan.simulation);
+    stored.estimate_lsb = seeks_lsb(plan.simulation, request_.counts);
+    stored.engine_reason = plan.engine.reason;
+    const raster::Identity identity = identity_of(input_.scene, job.index, script(), stored);
+    const PartJob part{plan, job.path, stored, identity, request_.part, request_.force};
+    made.part = make_part(part, {observer_, events_, threads_, request_.team});
+    const auto& whole = made.part->whole;
+    if (!whole) return;
+    RecordingReport report = begun_report(plan, stored.product);
+    add_warnings(job, report);
+    report.counts = stored.estimate_lsb || raster::holds_counts(plan.simulation.format, request_.counts);
+    report.run = *whole;
+    take_file(job.path, report);
+    report.seconds = made.part->finished_before ? whole->seconds : core::now_s() - begin_s;
+    made.recording = std::move(report);
+  }
+
+  [[nodiscard]] bool makes_tables() const {
+    return request_.part.first() && (request_.team == nullptr || request_.team->leads());
+  }
+
+  [[nodiscard]] TableReport make_table(const ProductJob& job) const {
+    const double begin_s = core::now_s();
+    const scene::GeometryTable& table = input_.scene.geometries[job.index];
+    TableReport report;
+    report.radar = table.radar;
+    const auto count = [&](std::string_view piece) { report.bytes += static_cast<double>(piece.size()); };
+    if (request_.discard) {
+      simulate::write_geometry_text(input_.scene, table, count, observer_.stop);
+    } else {
+      make_folder_of(job.path);
+      core::OutputFile file(job.path, request_.force || request_.part.resume);
+      const auto write = [&](std::string_view piece) {
+        count(piece);
+        file.write(std::as_bytes(std::span(piece)));
+      };
+      simulate::write_geometry_text(input_.scene, table, write, observer_.stop);
+      file.commit();
+      report.file = job.path.string();
+    }
+    report.seconds = core::now_s() - begin_s;
+    return report;
+  }
+
+  static void make_folder_of(const fs::path& path) {
+    if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  }
+
+  const RecordRequest& request_;
+  const core::Observer& observer_;
+  const RecordEvents& events_;
+  bool journaled_;
+  unsigned threads_ = 1;
+  std::string script_;
+  SceneInput input_;
+  std::vector<ProductJob> jobs_;
+  // Of a simulation; made to be announced, run afterwards.
+  std::optional<std::pair<std::size_t, simulate::Plan>> kept_plan_;
+  RecordReport report_;
+};
+
+}  // namespace
+
+RecordReport record(const RecordRequest& request, const core::Observer& observer, const RecordEvents& events) {
+  return Recorder(request, observer, events).run();
+}
+
+}  // namespace sarsim::workflow
