@@ -6,7 +6,6 @@
 #include <QMimeData>
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 #include "core/text/number_text.hpp"
@@ -14,6 +13,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/objects/object_tree_icons.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::gui {
 
@@ -30,26 +30,6 @@ std::optional<scene::ObjectKind> kind_named(std::string_view name) {
     if (name == scene::name_of(kind)) return kind;
   return std::nullopt;
 }
-
-// What find_platform says, asked once for each name.
-class PlatformFinder {
- public:
-  explicit PlatformFinder(const scene::Scene& scene) : scene_(scene) {}
-
-  std::size_t find(const std::string& name) {
-    if (last_ != nullptr && *last_ == name) return last_found_;
-    const auto [entry, is_new] = found_.try_emplace(name, scene::not_found);
-    if (is_new) entry->second = scene::find_platform(scene_, name);
-    last_ = &entry->first;
-    return last_found_ = entry->second;
-  }
-
- private:
-  const scene::Scene& scene_;
-  std::unordered_map<std::string, std::size_t> found_;
-  const std::string* last_ = nullptr;
-  std::size_t last_found_ = scene::not_found;
-};
 
 }  // namespace
 
@@ -106,10 +86,10 @@ std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
   Group& world = groups.back();
   world.section = Section::world;
   world.key = QStringLiteral("world");
-  PlatformFinder finder(scene);
+  scene::SceneIndex names(scene);
   const auto place = [&](scene::ObjectKind kind, const auto& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      const std::size_t platform = finder.find(objects[i].platform);
+      const std::size_t platform = names.platform(objects[i].platform);
       (platform == scene::not_found ? world : groups[platform]).children.push_back({kind, i});
     }
   };

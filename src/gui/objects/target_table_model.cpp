@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::gui {
 
@@ -37,13 +37,10 @@ std::vector<std::size_t> TargetTableModel::wanted_rows() const {
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     return rows;
   }
-  const std::size_t wanted = scene::find_platform(session_.scene(), *platform_);
-  std::unordered_map<std::string, bool> known;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const auto [entry, is_new] = known.try_emplace(targets[i].platform, false);
-    if (is_new) entry->second = scene::find_platform(session_.scene(), targets[i].platform) == wanted;
-    if (entry->second) rows.push_back(i);
-  }
+  scene::SceneIndex names(session_.scene());
+  const std::size_t wanted = names.platform(*platform_);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (names.platform(targets[i].platform) == wanted) rows.push_back(i);
   return rows;
 }
 

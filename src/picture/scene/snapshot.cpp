@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "picture/scene/snapshot_beam.hpp"
+#include "scene/model/scene_index.hpp"
 #include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::picture {
@@ -212,20 +212,16 @@ std::vector<core::Vec3> trail_of(const Path& path, double time_s, double length_
 // Positions in the list of resolved platforms; unknown names mean the world, which comes last.
 class PlatformFinder {
  public:
-  explicit PlatformFinder(const scene::Scene& scene) : scene_(scene) {}
+  explicit PlatformFinder(const scene::Scene& scene) : world_(scene.platforms.size()), names_(scene) {}
 
   std::size_t operator()(const std::string& name) {
-    const auto [entry, fresh] = found_.try_emplace(name, 0);
-    if (fresh) {
-      const std::size_t found = scene::find_platform(scene_, name);
-      entry->second = found == scene::not_found ? scene_.platforms.size() : found;
-    }
-    return entry->second;
+    const std::size_t found = names_.platform(name);
+    return found == scene::not_found ? world_ : found;
   }
 
  private:
-  const scene::Scene& scene_;
-  std::map<std::string, std::size_t> found_;
+  std::size_t world_;
+  scene::SceneIndex names_;
 };
 
 // Puts what is to be drawn of an object into a list by ascending indices, in place of what was drawn of it.

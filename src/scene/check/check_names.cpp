@@ -1,52 +1,10 @@
 #include "scene/check/check_names.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::scene {
-
-namespace {
-
-// Either may be a prefix of the other, as the original programs compared (script format, strings).
-bool share_prefix(std::string_view a, std::string_view b) {
-  const std::size_t shared = std::min(a.size(), b.size());
-  return shared > 0 && core::equal_ignoring_case(a.substr(0, shared), b.substr(0, shared));
-}
-
-}  // namespace
-
-NameTable::NameTable(std::vector<std::string_view> names) : names_(std::move(names)) {
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    const auto [first, is_new] = first_.try_emplace(core::lower_case(names_[i]), i);
-    if (!is_new) duplicates_.emplace_back(i, first->second);
-  }
-}
-
-NameTable::Result NameTable::find(std::string_view name) const {
-  if (const auto exact = first_.find(core::lower_case(name)); exact != first_.end())
-    return {Match::exact, exact->second};
-  Result result;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (!share_prefix(names_[i], name)) continue;
-    if (result.match == Match::prefix) return {Match::ambiguous, not_found};
-    result = {Match::prefix, i};
-  }
-  return result;
-}
-
-std::string NameTable::candidates(std::string_view name) const {
-  std::string text;
-  for (const std::string_view candidate : names_) {
-    if (!share_prefix(candidate, name)) continue;
-    if (!text.empty()) text += ", ";
-    text += candidate;
-  }
-  return text;
-}
 
 NameCheck::NameCheck(std::string_view kind, std::vector<std::string_view> names)
     : kind_(kind), table_(std::make_shared<const NameTable>(std::move(names))) {}

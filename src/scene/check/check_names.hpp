@@ -10,39 +10,9 @@
 #include <vector>
 
 #include "scene/check/check_findings.hpp"
-#include "scene/model/scene.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {
-
-/// The names of a scene's platforms or radars, for looking many of them up: agrees with `find_platform` and
-/// `find_radar` and says besides how a name was found.
-class NameTable {
- public:
-  /// How a name was found: as it is, as the beginning of the only one, of several, or not at all.
-  enum class Match { exact, prefix, ambiguous, none };
-
-  /// What a name stands for.
-  struct Result {
-    Match match = Match::none;
-    std::size_t index = not_found;  ///< Where exact or prefix.
-  };
-
-  /// A table of names, which must outlive it, in the order of their definitions.
-  explicit NameTable(std::vector<std::string_view> names);
-
-  /// Looks a name up, without regard to case.
-  [[nodiscard]] Result find(std::string_view name) const;
-  /// The defined names for which `name` could stand, for messages: "Plane, Planet".
-  [[nodiscard]] std::string candidates(std::string_view name) const;
-  /// Position of each name that was defined before, with the position of its first definition.
-  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& duplicates() const { return duplicates_; }
-  [[nodiscard]] const std::vector<std::string_view>& names() const { return names_; }
-
- private:
-  std::vector<std::string_view> names_;
-  std::unordered_map<std::string, std::size_t> first_;  // lower-case name -> its first definition
-  std::vector<std::pair<std::size_t, std::size_t>> duplicates_;
-};
 
 /// Resolves references to platforms or radars and reports what is wrong with them.
 class NameCheck {

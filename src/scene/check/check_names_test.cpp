@@ -1,7 +1,5 @@
 #include "scene/check/check_names.hpp"
 
-#include <random>
-
 #include "scene/check/check_test_scene.hpp"
 
 namespace sarsim::scene {
@@ -112,31 +110,6 @@ TEST(CheckNames, RefuseDefinitionsWithoutAName) {
   scene.platforms.emplace_back();
   scene.platforms.back().name = "";
   expect_error(scene, {"platform", 2, "name"});
-}
-
-// The table exists only for speed and for better messages: it must mean what find_platform means.
-TEST(NameTable, AgreesWithFindPlatform) {
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> letter('a', 'c');
-  std::uniform_int_distribution<int> length(0, 4);
-  std::uniform_int_distribution<int> upper(0, 1);
-  const auto word = [&] {
-    std::string text(static_cast<std::size_t>(length(random)), ' ');
-    for (char& c : text) c = static_cast<char>(letter(random) - (upper(random) == 1 ? 'a' - 'A' : 0));
-    return text;
-  };
-  int found = 0;
-  for (int round = 0; round < 2000; ++round) {
-    Scene scene;
-    for (int i = 0; i < 4; ++i) scene.platforms.emplace_back().name = word();
-    std::vector<std::string_view> names;
-    for (const Platform& platform : scene.platforms) names.emplace_back(platform.name);
-    const std::string name = word();
-    const std::size_t expected = find_platform(scene, name);
-    EXPECT_EQ(NameTable(names).find(name).index, expected) << name;
-    found += expected == not_found ? 0 : 1;
-  }
-  EXPECT_GT(found, 500);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "scene/edit/edit.hpp"
 #include "scene/edit/edit_names.hpp"
 #include "scene/model/object_lists.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {
 
@@ -29,9 +30,10 @@ std::set<ObjectId> with_dependents(const Scene& scene, const std::vector<ObjectI
     const std::vector<ObjectId> standing = objects_on(scene, id.index);
     all.insert(standing.begin(), standing.end());
   }
+  SceneIndex names(scene);
   const auto add_recordings = [&](ObjectKind kind, const auto& list) {
     for (std::size_t i = 0; i < list.size(); ++i)
-      if (const std::size_t radar = find_radar(scene, list[i].radar);
+      if (const std::size_t radar = names.radar(list[i].radar);
           radar != not_found && all.contains({ObjectKind::radar, radar}))
         all.insert({kind, i});
   };
@@ -79,9 +81,9 @@ void append_object(Edit& edit, ObjectId id, AnyObject object, TakenNames& taken)
   edit.changes.push_back({id, std::nullopt, std::move(object)});
 }
 
-ObjectId meant_carrier(const Scene& scene, const AnyObject& object, const std::string& name) {
+ObjectId meant_carrier(SceneIndex& names, const AnyObject& object, const std::string& name) {
   const ObjectKind kind = carrier_kind(kind_of(object));
-  return {kind, kind == ObjectKind::platform ? find_platform(scene, name) : find_radar(scene, name)};
+  return {kind, kind == ObjectKind::platform ? names.platform(name) : names.radar(name)};
 }
 
 }  // namespace
@@ -136,13 +138,14 @@ Edit duplicate_objects(const Scene& scene, const std::vector<ObjectId>& ids) {
   Edit edit;
   edit.label = counted("Duplicate", {ids.begin(), ids.end()});
   TakenNames taken(scene);
+  SceneIndex meanings(scene);
   std::map<ObjectId, std::string> new_names;
   std::map<ObjectKind, std::size_t> counts;
   // Platforms come first, radars before what records them: by the order of the kinds.
   for (const ObjectId id : with_dependents(scene, ids, false)) {
     AnyObject copy = object_of(scene, id);
     if (std::string* const carrier = carrier_in(copy))
-      if (const auto renamed = new_names.find(meant_carrier(scene, copy, *carrier)); renamed != new_names.end())
+      if (const auto renamed = new_names.find(meant_carrier(meanings, copy, *carrier)); renamed != new_names.end())
         *carrier = renamed->second;
     const ObjectId place{id.kind, count_of(scene, id.kind) + counts[id.kind]++};
     append_object(edit, place, std::move(copy), taken);

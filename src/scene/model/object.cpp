@@ -1,10 +1,9 @@
 #include "scene/model/object.hpp"
 
-#include <unordered_map>
-
 #include <fmt/format.h>
 
 #include "scene/model/object_lists.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {
 
@@ -14,17 +13,12 @@ std::string or_number(const std::string& text, const char* kind, std::size_t ind
   return text.empty() ? fmt::format("{} {}", kind, index + 1) : text;
 }
 
-// Appends those objects of a list whose name means the platform. Names repeat by the thousand, so each is looked up
-// once.
+// Appends those objects of a list whose name means the platform.
 template <class Object>
 void append_standing(std::vector<ObjectId>& found, ObjectKind kind, const std::vector<Object>& objects,
-                     const Scene& scene, std::size_t platform) {
-  std::unordered_map<std::string_view, std::size_t> known;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const auto [meaning, is_new] = known.try_emplace(objects[i].platform, not_found);
-    if (is_new) meaning->second = find_platform(scene, objects[i].platform);
-    if (meaning->second == platform) found.push_back({kind, i});
-  }
+                     SceneIndex& index, std::size_t platform) {
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (index.platform(objects[i].platform) == platform) found.push_back({kind, i});
 }
 
 }  // namespace
@@ -73,9 +67,10 @@ std::string carrier_of(const Scene& scene, ObjectId id) {
 
 std::vector<ObjectId> objects_on(const Scene& scene, std::size_t platform) {
   std::vector<ObjectId> found;
-  append_standing(found, ObjectKind::target, scene.targets, scene, platform);
-  append_standing(found, ObjectKind::surface, scene.surfaces, scene, platform);
-  append_standing(found, ObjectKind::radar, scene.radars, scene, platform);
+  SceneIndex index(scene);
+  append_standing(found, ObjectKind::target, scene.targets, index, platform);
+  append_standing(found, ObjectKind::surface, scene.surfaces, index, platform);
+  append_standing(found, ObjectKind::radar, scene.radars, index, platform);
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/model/scene.hpp"
 
 #include "core/text/number_text.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::scene {
 
@@ -12,9 +13,7 @@ std::size_t find_by_name(const Objects& objects, std::string_view name) {
     if (core::equal_ignoring_case(objects[i].name, name)) return i;
   std::size_t found = not_found;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const std::string_view candidate = objects[i].name;
-    const std::size_t shared = std::min(candidate.size(), name.size());
-    if (shared == 0 || !core::equal_ignoring_case(candidate.substr(0, shared), name.substr(0, shared))) continue;
+    if (!share_prefix(objects[i].name, name)) continue;
     if (found != not_found) return not_found;
     found = i;
   }

@@ -1,16 +1,15 @@
 #include "simulate/resolve/resolved.hpp"
 
-#include <optional>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/target/surface.hpp"
-#include "scene/check/check_names.hpp"
 #include "scene/model/radar_pulse.hpp"
+#include "scene/model/scene_index.hpp"
 
 namespace sarsim::simulate {
 
@@ -144,37 +143,13 @@ signal::WindowFunction window_of(const scene::Radar& radar, core::LowPassRule ru
   return [](double) { return 1.0; };
 }
 
-// What names of platforms stand for: positions in ResolvedScene::platforms, of which the last is the world itself.
-class PlatformNames {
- public:
-  explicit PlatformNames(const scene::Scene& scene) : table_(names_of(scene)) {}
-
-  std::uint32_t find(std::string_view name) {
-    // Targets that follow each other nearly always share a platform.
-    if (last_ && name == last_->first) return last_->second;
-    return last_.emplace(name, look_up(name)).second;
-  }
-
- private:
-  static std::vector<std::string_view> names_of(const scene::Scene& scene) {
-    std::vector<std::string_view> names;
-    for (const scene::Platform& platform : scene.platforms) names.emplace_back(platform.name);
-    return names;
-  }
-
-  // As `find_platform` does, which takes too long for many platforms.
-  [[nodiscard]] std::uint32_t look_up(std::string_view name) const {
-    const scene::NameTable::Result found = table_.find(name);
-    const bool world = core::equal_ignoring_case(name, "Earth");
-    if (found.match == scene::NameTable::Match::exact || (found.match == scene::NameTable::Match::prefix && !world))
-      return static_cast<std::uint32_t>(found.index);
-    if (world) return static_cast<std::uint32_t>(table_.names().size());
-    throw std::invalid_argument("platform '" + std::string(name) + "' is not defined");
-  }
-
-  scene::NameTable table_;
-  std::optional<std::pair<std::string_view, std::uint32_t>> last_;
-};
+// Positions in ResolvedScene::platforms, of which the last is the world itself.
+std::uint32_t platform_number(scene::SceneIndex& names, const scene::Scene& scene, const std::string& name) {
+  if (const std::size_t found = names.platform(name); found != scene::not_found)
+    return static_cast<std::uint32_t>(found);
+  if (core::equal_ignoring_case(name, "Earth")) return static_cast<std::uint32_t>(scene.platforms.size());
+  throw std::invalid_argument("platform '" + name + "' is not defined");
+}
 
 }  // namespace
 
@@ -190,17 +165,17 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   resolved.platforms.push_back(
       {"Earth", radar::Track(motion_of(scene::Platform{}, rule), scene.options.seed, "Earth")});
 
-  PlatformNames platforms(scene);
+  scene::SceneIndex names(scene);
   core::reserve_touched(resolved.scatterers, scene.targets.size(), control);
   for (const scene::Target& target : scene.targets) {
     constexpr std::size_t between_looks = 4096;
     if (resolved.scatterers.size() % between_looks == 0 && control.stop != nullptr && control.stop->requested())
       throw core::Interrupted();
-    resolved.scatterers.push_back(scatterer_of(target, platforms.find(target.platform), resolved));
+    resolved.scatterers.push_back(scatterer_of(target, platform_number(names, scene, target.platform), resolved));
   }
   resolved.sheets.resize(scene.surfaces.size());
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    resolved.sheets[i].platform = platforms.find(scene.surfaces[i].platform);
+    resolved.sheets[i].platform = platform_number(names, scene, scene.surfaces[i].platform);
   core::parallel_ranges(scene.surfaces.size(), 1, control, [&](std::size_t i, std::size_t) {
     radar::SurfaceLattice lattice = radar::fill_triangle(scene.surfaces[i].corner_m, surface_points_per_m2);
     ScattererSheet& sheet = resolved.sheets[i];
@@ -216,7 +191,8 @@ ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& reso
   const core::LowPassRule rule = resolved.conventions.low_pass;
   ResolvedRadar r;
   r.name = radar.name;
-  r.platform = PlatformNames(scene).find(radar.platform);
+  scene::SceneIndex names(scene);
+  r.platform = platform_number(names, scene, radar.platform);
   r.pulse = scene::pulse_of(radar, rule);
   r.repetition = radar.repetition == scene::Radar::Repetition::constant
                      ? radar::Repetition::constant(radar.prf_hz)
