@@ -64,7 +64,7 @@ class TextWriter {
 
 // Longest pair in each text format: two numbers with sign and what stands around them, and the row's end.
 TextWriter writer_for(const simulate::Block& block, CountRange range) {
-  const std::size_t number = 1 + digits_of(2 * range.offset() + 1);
+  const std::size_t number = 1 + digits_of(range.highest_stored());
   return {block.rows * block.columns * (2 * number + 4) + block.rows, range};
 }
 

@@ -27,9 +27,7 @@ struct TextMark {
 struct FirstRow {
   TextMark begin;
   TextRow row;
-  bool whole = true;
-  bool negative = false;
-  std::uint64_t highest = 0;
+  TextValues numbers;
   std::uint64_t bytes = 0;
   bool too_long = false;
 };
@@ -44,9 +42,7 @@ FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
   std::size_t values = 0;
   TextRowParser parser(scanner, layout, [&](const TextNumber& number) {
     if (++values > most_values_of_first_row) throw TooLong();
-    first.whole = first.whole && number.whole;
-    first.negative = first.negative || number.value < 0.0;
-    first.highest = std::max(first.highest, number.magnitude);
+    first.numbers.note(number);
   });
   try {
     first.row = parser.parse();
@@ -70,7 +66,7 @@ struct TextSamples {
 
   // Whether a number is none of a converter whose offset is subtracted, which the first row alone made believe.
   [[nodiscard]] bool misfits(const TextNumber& number) const {
-    return offset && (!number.whole || number.value < 0.0 || number.magnitude > 2 * offset->offset() + 1);
+    return offset && (!number.whole || number.value < 0.0 || number.magnitude > offset->highest_stored());
   }
 };
 
@@ -165,7 +161,7 @@ class TextImage final : public ImageSource {
   void report_misfit(Recorder& recorder, const TextMark& mark, double value) {
     core::Problem problem = file_problem(
         file_.path().string(), "a value is not that of an A/D converter with an offset", fmt::format("{}", value),
-        fmt::format("0 to {}, as in the first row", 2 * samples_.offset->offset() + 1),
+        fmt::format("0 to {}, as in the first row", samples_.offset->highest_stored()),
         "give no number of A/D bits to have the values as they stand; the rows before it are shown");
     problem.place.line = mark.line;
     recorder.problem(std::move(problem));
@@ -242,7 +238,7 @@ std::optional<CountRange> offset_of(const FirstRow& first, const SampleFileHints
     return std::nullopt;
   }
   const CountRange range{hints.bits};
-  if (first.whole && !first.negative && first.highest <= 2 * range.offset() + 1) return range;
+  if (first.numbers.may_have_offset(range)) return range;
   problems.push_back(with_severity(
       file_problem(name, fmt::format("the values are not those of {} A/D bits with an offset", hints.bits), {}, {},
                    "they are taken as they stand"),
@@ -291,7 +287,7 @@ OpenedImage open_text_image(core::InputFile file, TextStyle style, const SampleF
     samples.offset = offset_of(first, hints, name, problems);
   }
   info.columns = samples.values / samples.components;
-  info.counts = first.whole && samples.components == 2;
+  info.counts = first.numbers.whole && samples.components == 2;
   info.bits = info.counts ? hints.bits : 0;
   if (hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
   return {std::make_shared<TextImage>(std::move(info), std::move(file), layout, samples, first), std::move(problems)};

@@ -30,9 +30,7 @@ struct TextSurvey {
   std::vector<RowMark> marks;
   std::size_t rows = 0;
   std::size_t values = 0;  // Of each row.
-  bool whole = true;
-  bool negative = false;
-  std::uint64_t highest = 0;
+  TextValues numbers;
   core::Problems problems;
 };
 
@@ -79,12 +77,6 @@ core::Problem uneven_row(const TextRow& row, std::size_t index, std::size_t expe
   return problem;
 }
 
-void note_value(TextSurvey& survey, const TextNumber& number) {
-  survey.whole = survey.whole && number.whole;
-  survey.negative = survey.negative || number.value < 0.0;
-  survey.highest = std::max(survey.highest, number.magnitude);
-}
-
 void list_uneven(TextSurvey& survey, const TextRow& row, bool last) {
   if (survey.problems.size() < most_reported_rows)
     survey.problems.push_back(uneven_row(row, survey.rows, survey.values, last));
@@ -97,7 +89,7 @@ void remember(TextSurvey& survey, std::uint64_t offset, std::size_t line) {
 
 TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const TextLayout& layout) {
   TextSurvey survey;
-  TextRowParser parser(scanner, layout, [&survey](const TextNumber& number) { note_value(survey, number); });
+  TextRowParser parser(scanner, layout, [&survey](const TextNumber& number) { survey.numbers.note(number); });
   for (;;) {
     scanner.skip_white_space();
     const std::uint64_t offset = scanner.offset();
@@ -182,13 +174,13 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFile
     return std::nullopt;
   }
   const CountRange range{hints.bits};
-  const std::uint64_t highest = 2 * range.offset() + 1;
-  if (survey.whole && !survey.negative && survey.highest <= highest) return range;
+  const TextValues& numbers = survey.numbers;
+  if (numbers.may_have_offset(range)) return range;
   problems.push_back(file_problem(
       name, fmt::format("the values are not those of {} A/D bits with an offset of {}", hints.bits, range.offset()),
-      !survey.whole ? "numbers that are not whole"
-                    : (survey.negative ? std::string("negative numbers") : fmt::format("{}", survey.highest)),
-      fmt::format("0 to {}", highest), "leave out the number of bits to take the values as they stand"));
+      !numbers.whole ? "numbers that are not whole"
+                     : (numbers.negative ? std::string("negative numbers") : fmt::format("{}", numbers.highest)),
+      fmt::format("0 to {}", range.highest_stored()), "leave out the number of bits to take the values as they stand"));
   return std::nullopt;
 }
 
@@ -242,7 +234,7 @@ OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHi
   SampleFileInfo info;
   info.rows = survey.rows;
   info.columns = survey.values / 2;
-  info.counts = survey.whole;
+  info.counts = survey.numbers.whole;
   info.bits = hints.bits;
   if (hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
   result.reader = std::make_unique<TextReader>(std::move(file), info, layout, std::move(survey.marks), offset);

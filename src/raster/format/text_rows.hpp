@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "raster/format/sample_reader.hpp"
 #include "raster/format/text_scanner.hpp"
+#include "raster/table/count_range.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
@@ -14,6 +17,24 @@ namespace sarsim::raster {
 struct TextLayout {
   TextStyle style = TextStyle::lines;  ///< Not none.
   std::size_t columns = 0;             ///< Above 0: rows of ASCII and BRACKET end after so many samples.
+};
+
+/// What numbers of a text have in common.
+struct TextValues {
+  bool whole = true;
+  bool negative = false;
+  std::uint64_t highest = 0;  ///< Of the whole ones, without their sign.
+
+  /// Takes one more number into account.
+  void note(const TextNumber& number) {
+    whole = whole && number.whole;
+    negative = negative || number.value < 0.0;
+    highest = std::max(highest, number.magnitude);
+  }
+  /// Whether they may be counts with the offset of a converter.
+  [[nodiscard]] bool may_have_offset(const CountRange& range) const {
+    return whole && !negative && highest <= range.highest_stored();
+  }
 };
 
 /// What `parse_row` found.

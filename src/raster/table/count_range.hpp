@@ -22,6 +22,8 @@ struct CountRange {
   }
   /// Bytes of a component in BINARY: ceil(bits / 8).
   [[nodiscard]] constexpr std::size_t component_bytes() const { return (static_cast<std::size_t>(bits) + 7U) / 8U; }
+  /// The largest number that is stored with the offset: 2C + 1.
+  [[nodiscard]] constexpr std::uint64_t highest_stored() const { return 2 * offset() + 1; }
   /// The count plus C, in arithmetic modulo 2^64: at most 2C + 1 exactly for the counts of the range.
   [[nodiscard]] constexpr std::uint64_t with_offset(std::int64_t count) const {
     return static_cast<std::uint64_t>(count) + offset();
