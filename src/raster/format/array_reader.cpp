@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "raster/format/npy_header.hpp"
+#include "raster/format/npy_array.hpp"
 #include "raster/table/count_range.hpp"
 
 namespace sarsim::raster {
@@ -15,31 +15,6 @@ namespace sarsim::raster {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
-// How one component (I or Q) is stored.
-struct ElementType {
-  std::string_view name;  // As NumPy names it.
-  std::size_t bytes;
-  bool pair;    // The name stands for a whole I/Q pair.
-  bool counts;  // Integers.
-  double (*decode)(const std::byte*);
-};
-
-template <class Number>
-double decode_as(const std::byte* bytes) {
-  Number value;
-  std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
-}
-
-constexpr std::array<ElementType, 7> element_types{{
-    {"<c8", 4, true, false, decode_as<float>},
-    {"<c16", 8, true, false, decode_as<double>},
-    {"<f4", 4, false, false, decode_as<float>},
-    {"<f8", 8, false, false, decode_as<double>},
-    {"<i2", 2, false, true, decode_as<std::int16_t>},
-    {"<i4", 4, false, true, decode_as<std::int32_t>},
-    {"<i8", 8, false, true, decode_as<std::int64_t>},
-}};
 
 // Rows of I/Q pairs of a fixed size, one after the other from some offset on.
 template <class Decode>
@@ -97,7 +72,7 @@ std::optional<core::Problem> strange_values(const core::InputFile& file, const C
   std::array<std::byte, 4096> begin{};
   const std::size_t got = file.read_at(0, begin);
   const std::size_t size = range.component_bytes();
-  const std::uint64_t highest = 2 * range.offset() + 1;
+  const std::uint64_t highest = range.highest_stored();
   for (std::size_t at = 0; at + size <= got; at += size) {
     std::uint64_t stored = 0;
     std::memcpy(&stored, begin.data() + at, size);
@@ -126,34 +101,11 @@ core::Problems binary_hint_problems(const std::string& name, const SampleFileHin
   return problems;
 }
 
-std::string type_names() {
-  std::string names;
-  for (const ElementType& type : element_types) names += fmt::format("{}{}", names.empty() ? "" : ", ", type.name);
-  return names;
-}
-
-struct NpyShape {
-  std::uint64_t rows = 1;
-  std::uint64_t columns = 0;
-};
-
-// Rows and columns that a shape means: the pair's dimension is taken off, a single dimension is a single row.
-std::optional<NpyShape> shape_of(const NpyHeader& header, const ElementType& type) {
-  std::vector<std::uint64_t> sizes = header.shape;
-  if (!type.pair) {
-    if (sizes.empty() || sizes.back() != 2) return std::nullopt;
-    sizes.pop_back();
-  }
-  if (sizes.size() == 1) return NpyShape{1, sizes[0]};
-  if (sizes.size() == 2) return NpyShape{sizes[0], sizes[1]};
-  return std::nullopt;
-}
-
 core::Problem wrong_type(const std::string& name, const NpyHeader& header) {
   if (header.type.starts_with('>'))
-    return file_problem(name, "the array is big-endian", header.type, type_names(),
+    return file_problem(name, "the array is big-endian", header.type, npy_sample_types(),
                         "store it with array.astype(array.dtype.newbyteorder('<'))");
-  return file_problem(name, "the array's type is not one of samples", header.type, type_names());
+  return file_problem(name, "the array's type is not one of samples", header.type, npy_sample_types());
 }
 
 core::Problems rows_problem(const std::string& name, std::uint64_t rows, const SampleFileHints& hints) {
@@ -202,10 +154,11 @@ OpenedReader open_npy(core::InputFile file, const SampleFileHints& hints) {
     return {nullptr,
             {file_problem(name, "the array is in Fortran order", "fortran_order: True", "fortran_order: False",
                           "store it with numpy.ascontiguousarray(array)")}};
-  const auto type = std::ranges::find(element_types, std::string_view(header.type), &ElementType::name);
-  if (type == element_types.end()) return {nullptr, {wrong_type(name, header)}};
-  const auto shape = shape_of(header, *type);
-  const auto bytes = shape ? checked_product(shape->rows, shape->columns, 2 * type->bytes) : std::nullopt;
+  const NpyType* const type = npy_sample_type_of(header);
+  if (type == nullptr) return {nullptr, {wrong_type(name, header)}};
+  const auto shape = npy_plane_of(header, *type);
+  const bool samples = shape && shape->value == ImageValue::complex;
+  const auto bytes = samples ? checked_product(shape->rows, shape->columns, 2 * type->bytes) : std::nullopt;
   if (!bytes || *bytes == 0)
     return {nullptr,
             {file_problem(name, "the array's shape is not one of samples", shape_text(header.shape),
@@ -229,7 +182,7 @@ OpenedReader open_npy(core::InputFile file, const SampleFileHints& hints) {
   info.bits = type->counts ? std::max(hints.bits, 0) : 0;
   info.lsb_v = known(hints.lsb_v);
   info.attributes = {{"descr", header.type}};
-  result.reader = make_array_reader(std::move(file), info, header.data_offset, type->bytes, type->decode);
+  result.reader = make_array_reader(std::move(file), info, header.data_offset, type->bytes, type->component);
   return result;
 }
 

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "raster/format/image_openers.hpp"
-#include "raster/format/npy_header.hpp"
-#include "raster/format/raw_decode.hpp"
+#include "raster/format/npy_array.hpp"
 #include "raster/table/count_range.hpp"
 
 namespace sarsim::raster {
@@ -127,60 +126,6 @@ class TransposedImage final : public ImageSource {
   StoredGrid grid_;
 };
 
-// A type of NumPy's: RawNumber, but also 64-bit integers and booleans.
-struct NpyType {
-  std::string_view name;  // Without the byte order.
-  std::size_t bytes;      // Of a component.
-  bool pair;              // The type stands for a whole I/Q pair.
-  bool counts;
-  StoredGrid::Decode (*decoder)(bool complex, bool big_endian, bool q_first);
-};
-
-constexpr std::array<NpyType, 13> npy_types{{
-    {"c8", 4, true, false, raw_decoder<float>},
-    {"c16", 8, true, false, raw_decoder<double>},
-    {"f4", 4, false, false, raw_decoder<float>},
-    {"f8", 8, false, false, raw_decoder<double>},
-    {"i1", 1, false, true, raw_decoder<std::int8_t>},
-    {"u1", 1, false, true, raw_decoder<std::uint8_t>},
-    {"b1", 1, false, true, raw_decoder<std::uint8_t>},
-    {"i2", 2, false, true, raw_decoder<std::int16_t>},
-    {"u2", 2, false, true, raw_decoder<std::uint16_t>},
-    {"i4", 4, false, true, raw_decoder<std::int32_t>},
-    {"u4", 4, false, true, raw_decoder<std::uint32_t>},
-    {"i8", 8, false, true, raw_decoder<std::int64_t>},
-    {"u8", 8, false, true, raw_decoder<std::uint64_t>},
-}};
-
-// What an array is as an image.
-struct NpyPlane {
-  std::uint64_t rows = 1;
-  std::uint64_t columns = 1;
-  std::uint64_t components = 1;  // Stored for each sample beyond the type's own.
-  ImageValue value = ImageValue::real;
-};
-
-std::optional<NpyPlane> plane_of(const NpyHeader& header, const NpyType& type) {
-  std::vector<std::uint64_t> sizes = header.shape;
-  NpyPlane plane;
-  if (type.pair) plane.value = ImageValue::complex;
-  if (!type.pair && sizes.size() >= 2 && sizes.back() == 2) {
-    plane.value = ImageValue::complex;
-    plane.components = 2;
-    sizes.pop_back();
-  } else if (sizes.size() == 3 && sizes.back() == 3 && type.name == "u1") {
-    plane.value = ImageValue::rgb;
-    plane.components = 3;
-    sizes.pop_back();
-  }
-  if (sizes.empty() || sizes.size() > 2) return std::nullopt;
-  plane.columns = sizes.back();
-  if (sizes.size() == 2) plane.rows = sizes.front();
-  if (plane.rows == 0 || plane.columns == 0) return std::nullopt;
-  if (header.fortran_order && plane.components != 1) return std::nullopt;
-  return plane;
-}
-
 OpenedImage refused(core::Problem problem) { return {nullptr, {std::move(problem)}}; }
 
 ImageInfo info_of(const core::InputFile& file, std::size_t columns) {
@@ -297,14 +242,11 @@ OpenedImage open_npy_image(core::InputFile file, const SampleFileHints& hints) {
     return refused(std::move(*problem));
   }
   const NpyHeader& header = std::get<NpyHeader>(parsed);
-  const std::string_view order = std::string_view(header.type).substr(0, 1);
-  const auto type = order.find_first_of("<>|") == 0
-                        ? std::ranges::find(npy_types, std::string_view(header.type).substr(1), &NpyType::name)
-                        : npy_types.end();
-  if (type == npy_types.end())
+  const NpyType* const type = npy_type_of(header);
+  if (type == nullptr)
     return refused(file_problem(name, "the array's type is not one of numbers", header.type,
                                 "c8, c16, f4, f8, i1 to i8 or u1 to u8, of either byte order"));
-  const auto plane = plane_of(header, *type);
+  const auto plane = npy_plane_of(header, *type);
   if (!plane) return refused(shape_problem(name, header));
   return make_npy(std::move(file), header, *type, *plane, hints);
 }
