@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "raster/format/format_reader.hpp"
 #include "raster/format/format_writer.hpp"
+#include "support/folders.hpp"
 
 namespace sarsim::raster {
 namespace {
@@ -65,6 +70,31 @@ TEST(Formats, CaseDoesNotMatter) {
   EXPECT_EQ(format_from_name("hdf5"), scene::FileFormat::hdf5);
   EXPECT_EQ(format_from_path("A.NPY"), scene::FileFormat::npy);
   EXPECT_EQ(format_from_path("a.hdf5"), scene::FileFormat::hdf5);
+}
+
+// What a source says of formats by their names, line by line, but for the value of a member that nobody has set.
+std::vector<std::string> names_of_formats(const std::filesystem::path& source) {
+  std::vector<std::string> found;
+  std::ifstream file(source);
+  for (std::string line; std::getline(file, line);)
+    if (line.find("FileFormat::") != std::string::npos && !line.starts_with("  scene::FileFormat format = "))
+      found.push_back(source.string() + ": " + line);
+  return found;
+}
+
+TEST(Formats, NobodyElseAsksForAFormatByName) {
+  const std::filesystem::path sources = test::source_folder() / "src";
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(sources)) {
+    const std::filesystem::path& path = entry.path();
+    const std::string name = path.filename().string();
+    const bool source = path.extension() == ".cpp" || path.extension() == ".hpp";
+    const std::string folder = path.lexically_relative(sources).begin()->string();
+    if (!source || folder == "scene" || name.find("_test") != std::string::npos || name == "formats.cpp") continue;
+    ++files;
+    EXPECT_EQ(names_of_formats(path), std::vector<std::string>());
+  }
+  EXPECT_GT(files, 500U);
 }
 
 TEST(Formats, OthersAreNotKnown) {
