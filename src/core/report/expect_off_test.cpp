@@ -1,0 +1,18 @@
+#undef SARSIM_EXPECTATIONS
+#include "core/report/expect.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sarsim::core {
+namespace {
+
+TEST(ExpectOff, EvaluatesNothing) {
+  int count = 0;
+  CORE_EXPECT(++count > 5);
+  CORE_ENSURE(++count > 5);
+  CORE_ASSERT(++count > 5);
+  EXPECT_EQ(count, 0);
+}
+
+}  // namespace
+}  // namespace sarsim::core
