@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/shell/context.hpp"
+#include "core/hash/fnv1a.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/schema/value_list.hpp"
@@ -52,11 +54,6 @@ std::string safe_word(const std::string& text) {
     word += plain ? c : '-';
   }
   return word.empty() ? "-" : word;
-}
-
-std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
 }
 
 std::string SweepAxis::unit() const {
@@ -164,7 +161,8 @@ std::string Sweep::file_name(const std::string& stem, const std::string& extensi
     values += fmt::format("_{}={}", safe_word(axes_[i].name), axes_[i].words[value_of(variation, i)]);
   const std::string safe = safe_word(stem);
   if (safe.size() + values.size() + extension.size() <= longest_name) return safe + values + extension;
-  return fmt::format("{}_{:016x}{}", safe.substr(0, longest_name / 2), hash_of(values, hash_of(safe)), extension);
+  return fmt::format("{}_{:016x}{}", safe.substr(0, longest_name / 2), core::fnv1a(values, core::fnv1a(safe)),
+                     extension);
 }
 
 scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const {

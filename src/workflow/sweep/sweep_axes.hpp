@@ -70,7 +70,4 @@ class Sweep {
 /// Text with nothing but letters, digits, bytes of other alphabets and "._+=-": others become '-'.
 [[nodiscard]] std::string safe_word(const std::string& text);
 
-/// FNV-1a, 64 bits, continued from `hash`.
-[[nodiscard]] std::uint64_t hash_of(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325U);
-
 }  // namespace sarsim::workflow

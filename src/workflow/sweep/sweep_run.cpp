@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "core/hash/fnv1a.hpp"
 #include "core/os/output_file.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
@@ -97,13 +98,13 @@ std::uint64_t hash_of_functions(const scene::KeptObject& object, std::uint64_t h
     if (use.file->empty()) continue;
     for (const core::SampledFunction& part : use.parts)
       for (const core::Knot& knot : part.knots)
-        hash = hash_of({reinterpret_cast<const char*>(&knot), sizeof knot}, hash);
+        hash = core::fnv1a({reinterpret_cast<const char*>(&knot), sizeof knot}, hash);
   }
   return hash;
 }
 
 std::uint64_t hash_of_scene(const scene::Scene& scene) {
-  std::uint64_t hash = hash_of(scene::write_script(scene));
+  std::uint64_t hash = core::fnv1a(scene::write_script(scene));
   for (const scene::Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
   for (const scene::Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
   for (const scene::Target& target : scene.targets)
@@ -120,7 +121,7 @@ VariationRules variation_rules(const SweepRequest& request) {
 VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
                                const VariationRules& rules)
     : sweep_(sweep), products_(products) {
-  stamp_ = hash_of(
+  stamp_ = core::fnv1a(
       fmt::format("{} {} {} {}", core::program_version, simulate::name_of(rules.engine), rules.counts, rules.header),
       hash_of_scene(base));
   std::set<std::string> taken;
@@ -162,7 +163,7 @@ SweepRow VariationNames::row(std::size_t variation, std::size_t product) const {
   row.product = product;
   row.table = job.table;
   row.file = sweep_.file_name(stems_[product], extension, variation);
-  row.stamp = hash_of(
+  row.stamp = core::fnv1a(
       fmt::format("{}\n{}{}", sweep_.label(variation), job.table ? "geometry" : "simulation", job.index), stamp_);
   return row;
 }
