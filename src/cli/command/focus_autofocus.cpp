@@ -11,6 +11,7 @@
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/autofocus.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -37,7 +38,8 @@ Apertures apertures_of(const FocusInput& input, const signal::FocusOptions& opti
   for (const workflow::SarTarget& target : workflow::sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
-    sum_m += 0.5 * wave.light_speed_mps / wave.carrier_hz * target.place.range_m * band_hz / track.speed_mps;
+    sum_m +=
+        radar::range_of_cycle(wave.carrier_hz, wave.light_speed_mps) * target.place.range_m * band_hz / track.speed_mps;
     count += 1.0;
     apertures.band_hz = std::max({apertures.band_hz, 2.0 * (target.highest_doppler_hz - options.doppler_centroid_hz),
                                   2.0 * (options.doppler_centroid_hz - target.lowest_doppler_hz)});

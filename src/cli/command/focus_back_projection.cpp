@@ -7,6 +7,7 @@
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/back_projection.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
@@ -58,7 +59,7 @@ void refine_azimuth(signal::ImageAxis& axis, const FocusInput& input, const sign
 }
 
 signal::BackProjectionOptions options_of(const signal::FocusOptions& options, const signal::FocusedImage& image) {
-  const double per_hz = 0.5 * image.light_speed_mps / (image.carrier_hz * image.frame.speed_mps);
+  const double per_hz = radar::range_of_cycle(image.carrier_hz * image.frame.speed_mps, image.light_speed_mps);
   const auto angle = [&](double hz) { return std::asin(std::clamp(per_hz * hz, -1.0, 1.0)); };
   signal::BackProjectionOptions back;
   back.heading = image.frame.along;

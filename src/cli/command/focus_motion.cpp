@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/report/refused.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
 #include "signal/sar/motion_compensation.hpp"
 #include "signal/sar/reference_track.hpp"
@@ -22,7 +23,7 @@ void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::Motion
     return;  // straight up or down: it has no use for the ground
   const signal::SarWaveform& wave = echoes.waveform;
   const double last_s = echoes.first_delay_s + static_cast<double>(echoes.samples) / wave.sample_rate_hz;
-  const double last_m = 0.5 * wave.light_speed_mps * last_s;
+  const double last_m = radar::range_of(last_s, wave.light_speed_mps);
   const auto reaches = [&](const signal::TrackPoint& point) {
     const core::Vec3 ground_m = sight.point_at(sight.foot_of(point.position_m), last_m);
     return std::abs(ground_m.z - how.scene_m.z) < 1e-6 * last_m;
@@ -69,7 +70,8 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
             100.0 * uneven),
         fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * most_uneven));
   const signal::SarWaveform& wave = input.echoes.waveform;
-  const double sine = 0.5 * wave.light_speed_mps / (wave.carrier_hz * speed_mps) * options.doppler_centroid_hz;
+  const double sine =
+      radar::range_of_cycle(wave.carrier_hz * speed_mps, wave.light_speed_mps) * options.doppler_centroid_hz;
   how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
   how.scene_m = workflow::scene_middle_m(*input.plan);
   if (ground_m) how.scene_m.z = *ground_m;
