@@ -1,5 +1,8 @@
 #include "radar/antenna/beam.hpp"
 
+#include <cmath>
+
+#include "core/report/expect.hpp"
 #include "radar/antenna/pattern.hpp"
 
 namespace sarsim::radar {
@@ -41,6 +44,7 @@ core::Mat3 antenna_axes(const Angles& a) {
 Pointing::Pointing(const Beam& beam, PointingRule rule, double time_s, const core::Vec3& radar_world_m,
                    const core::Mat3& world_from_platform, const std::array<double, 3>& rotation_rad)
     : rule_(rule) {
+  CORE_EXPECT(std::isfinite(time_s));
   const Angles angles = beam_angles(beam, time_s, radar_world_m);
   if (rule == PointingRule::boresight) {
     const core::Mat3 axes = antenna_axes(angles);

@@ -7,6 +7,8 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -105,27 +107,35 @@ HWY_EXPORT(add_double);
 template <>
 void add_products(std::span<std::complex<float>> sum, std::span<const std::complex<float>> a,
                   std::span<const std::complex<float>> b) {
+  CORE_EXPECT(a.size() == sum.size());
+  CORE_EXPECT(b.size() == sum.size());
   HWY_DYNAMIC_DISPATCH(products_single)(a.data(), b.data(), sum.data(), sum.size());
 }
 template <>
 void add_products(std::span<std::complex<double>> sum, std::span<const std::complex<double>> a,
                   std::span<const std::complex<double>> b) {
+  CORE_EXPECT(a.size() == sum.size());
+  CORE_EXPECT(b.size() == sum.size());
   HWY_DYNAMIC_DISPATCH(products_double)(a.data(), b.data(), sum.data(), sum.size());
 }
 template <>
 void multiply_by(std::span<std::complex<float>> row, std::span<const std::complex<float>> b) {
+  CORE_EXPECT(b.size() == row.size());
   HWY_DYNAMIC_DISPATCH(multiply_single)(b.data(), row.data(), row.size());
 }
 template <>
 void multiply_by(std::span<std::complex<double>> row, std::span<const std::complex<double>> b) {
+  CORE_EXPECT(b.size() == row.size());
   HWY_DYNAMIC_DISPATCH(multiply_double)(b.data(), row.data(), row.size());
 }
 template <>
 void add_row(std::span<std::complex<double>> row, std::span<const std::complex<float>> a) {
+  CORE_EXPECT(a.size() == row.size());
   HWY_DYNAMIC_DISPATCH(add_single)(a.data(), row.data(), row.size());
 }
 template <>
 void add_row(std::span<std::complex<double>> row, std::span<const std::complex<double>> a) {
+  CORE_EXPECT(a.size() == row.size());
   HWY_DYNAMIC_DISPATCH(add_double)(a.data(), row.data(), row.size());
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
@@ -322,6 +323,8 @@ std::size_t hash_of(const std::vector<core::Knot>& knots) {
 }  // namespace
 
 CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db) {
+  CORE_EXPECT(tolerance_db > 0.0);
+  CORE_EXPECT(std::ranges::none_of(curves, [](const core::Interpolator* curve) { return curve == nullptr; }));
   CurveTables tables;
   std::vector<Pieces> all;
   std::vector<const core::Interpolator*> distinct;

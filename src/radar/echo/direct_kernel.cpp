@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::radar {
@@ -26,6 +27,9 @@ DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, doubl
       single_precision_(tolerance >= 1e-6),
       sweep_rate_hz_per_s_(pulse.band_limited ? 0.0 : pulse.pulse.sweep_rate_hz_per_s()),
       block_(std::clamp<std::size_t>(grid.count, 1, longest_block)) {
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(tolerance > 0.0);
+  CORE_EXPECT(pulse.light_speed_mps > 0.0);
   if (pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user ||
       pulse.pulse.envelope != Pulse::Envelope::rectangular) {
     shape_.emplace(pulse, grid, single_precision_);
@@ -44,6 +48,10 @@ DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, doubl
 }
 
 void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+  CORE_EXPECT(row.size() >= grid_.count);
+  CORE_EXPECT(std::isfinite(carrier_hz));
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   if (shape_ && !shape_->is_usable()) {
     add_echoes(row, grid_, *pulse_, carrier_hz, echoes);
     return;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
@@ -47,6 +48,7 @@ FitTerms chebyshev_series(const FitTerms& at_nodes) {
 }
 
 std::size_t degree_within(const FitTerms& series, double tolerance) {
+  CORE_EXPECT(tolerance >= 0.0);
   double dropped = 0.0;
   for (std::size_t d = fit_terms - 1; d > 0; --d) {
     dropped += std::abs(series[d]);
@@ -56,6 +58,7 @@ std::size_t degree_within(const FitTerms& series, double tolerance) {
 }
 
 FitTerms powers_of(const FitTerms& series, std::size_t degree) {
+  CORE_EXPECT(degree < fit_terms);
   static const Matrix c = powers_of_polynomials();
   FitTerms powers{};
   for (std::size_t d = 0; d <= degree; ++d)

@@ -5,6 +5,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
@@ -49,6 +50,9 @@ PulseBody::PulseBody(const EchoPulse& pulse, double interval_s, std::size_t edge
       last_((pulse.last_s() + pulse.lead_s) / interval_s),
       width_(static_cast<double>(edge_samples)),
       step_table_(kaiser_step(beta)) {
+  CORE_EXPECT(interval_s > 0.0);
+  CORE_EXPECT(edge_samples > 0);
+  CORE_EXPECT(beta > 0.0);
   const double margin = std::sqrt(1.0 + (beta / core::pi) * (beta / core::pi)) / width_;
   // The sampled band as a rule; more where a pulse keeps its own band and is sampled more slowly than that.
   if (pulse.band_limited)

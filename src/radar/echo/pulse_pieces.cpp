@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -25,6 +27,8 @@ double position_of(double y, double begin, double end) { return begin + 0.5 * (1
 }  // namespace
 
 PulsePieces::PulsePieces(const Pulse& pulse, double interval_s) : pulse_(&pulse), interval_s_(interval_s) {
+  CORE_EXPECT(interval_s > 0.0);
+  CORE_EXPECT(pulse.width_s > 0.0);
   find_borders();
   find_largest();
   const std::vector<double> given = std::move(border_);

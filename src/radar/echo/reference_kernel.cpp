@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::radar {
@@ -30,6 +31,12 @@ SampleSpan touched_samples(const EchoPulse& pulse, const SampleGrid& grid, doubl
 
 void add_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, const EchoPulse& pulse, double carrier_hz,
                 const EchoBatch& echoes) {
+  CORE_EXPECT(row.size() >= grid.count);
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(pulse.light_speed_mps > 0.0);
+  CORE_EXPECT(std::isfinite(carrier_hz));
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   const double tolerance_s = edge_tolerance * grid.interval_s;
   const double sweep_rate = pulse.pulse.sweep_rate_hz_per_s();
   std::vector<std::complex<double>> shape;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -34,6 +36,7 @@ struct ShapeTable::Fits {
 };
 
 bool ShapeTable::is_worth_making(const EchoPulse& pulse, const SampleGrid& grid, bool single_precision) {
+  CORE_EXPECT(grid.interval_s > 0.0);
   // Judged by what most pulses take: six or ten terms in four parts of a cell.
   const bool two_values = pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user;
   const double values = (two_values ? 2.0 : 1.0) * (pulse.band_limited ? 4.0 : 1.0) * (single_precision ? 6.0 : 10.0);
@@ -48,6 +51,7 @@ ShapeTable::ShapeTable(const EchoPulse& pulse, const SampleGrid& grid, bool sing
       complex_(pulse.band_limited || pulse.pulse.kind == Pulse::Kind::user),
       origin_s_(pulse.band_limited ? pulse.band_limited->first_s() : 0.0),
       last_((pulse.last_s() - pulse.first_s()) / grid.interval_s) {
+  CORE_EXPECT(grid.interval_s > 0.0);
   if (!is_worth_making(pulse, grid, single_precision)) return;
   const auto needed = static_cast<std::size_t>(std::ceil(last_)) + 2 + front;
   cells_ = (needed + cells_per_block - 1) / cells_per_block * cells_per_block;

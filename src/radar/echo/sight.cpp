@@ -12,6 +12,8 @@
 #include "radar/echo/simd_normals-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar::HWY_NAMESPACE {
 
 using Tag = hn::ScalableTag<double>;
@@ -317,6 +319,12 @@ HWY_EXPORT(write_on_target);
 
 bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
                   const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
+  CORE_EXPECT(frame.light_speed_mps > 0.0);
+  CORE_EXPECT(first + points.size() <= echoes.delay_s.size());
+  CORE_EXPECT(points.y_m.size() == points.size());
+  CORE_EXPECT(points.z_m.size() == points.size());
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   return HWY_DYNAMIC_DISPATCH(write_on_target)(points, frame, antenna, curves, echoes, first);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
 #include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/pulse_body.hpp"
@@ -399,6 +400,9 @@ struct SpectralKernel::Typed : Implementation {
 
 SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance,
                                const RowFilter& filter) {
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(tolerance > 0.0);
+  CORE_EXPECT(pulse.light_speed_mps > 0.0);
   const Settings settings(tolerance);
   if (settings.single_precision)
     implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance, filter);
@@ -411,15 +415,24 @@ SpectralKernel::SpectralKernel(SpectralKernel&&) noexcept = default;
 SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
 
 void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+  CORE_EXPECT(std::isfinite(carrier_hz));
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   implementation_->add(row, carrier_hz, echoes);
 }
 
 void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) {
+  CORE_EXPECT(std::isfinite(carrier_hz));
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   implementation_->add_filtered(out, carrier_hz, echoes);
 }
 
 SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, double carrier_hz,
                                   double lowest_doppler, double highest_doppler) {
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(tolerance > 0.0);
+  CORE_EXPECT(lowest_doppler <= highest_doppler);
   const Settings settings(tolerance);
   const PulseBody body(pulse, grid.interval_s, settings.edge_samples, settings.beta);
   const auto row = static_cast<double>(grid.count) + body.last() - body.first();

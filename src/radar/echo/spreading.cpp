@@ -11,6 +11,8 @@
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar::HWY_NAMESPACE {
 
 // Where a block of echoes goes: for each the first sample or cell it touches, and what of the table of polynomials
@@ -453,21 +455,31 @@ HWY_EXPORT(edges_double);
 template <>
 void spread(const LanePolynomials<float>& taps, std::size_t width, double period, std::span<const double> position,
             std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {
+  CORE_EXPECT(width > 0);
+  CORE_EXPECT(period > 0.0);
+  CORE_EXPECT(strength.size() == position.size() * grid.term.size());
   HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, period, position, strength, grid);
 }
 template <>
 void spread(const LanePolynomials<double>& taps, std::size_t width, double period, std::span<const double> position,
             std::span<const std::complex<double>> strength, SpreadGrid<double>& grid) {
+  CORE_EXPECT(width > 0);
+  CORE_EXPECT(period > 0.0);
+  CORE_EXPECT(strength.size() == position.size() * grid.term.size());
   HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, period, position, strength, grid);
 }
 template <>
 void add_edges(const EdgePiece<float>& piece, std::span<const double> position,
                std::span<const std::complex<float>> strength, std::span<const double> doppler, EdgeRow<float>& row) {
+  CORE_EXPECT(strength.size() == position.size());
+  CORE_EXPECT(doppler.empty() || doppler.size() == position.size());
   HWY_DYNAMIC_DISPATCH(edges_single)(piece, position, strength, doppler, row);
 }
 template <>
 void add_edges(const EdgePiece<double>& piece, std::span<const double> position,
                std::span<const std::complex<double>> strength, std::span<const double> doppler, EdgeRow<double>& row) {
+  CORE_EXPECT(strength.size() == position.size());
+  CORE_EXPECT(doppler.empty() || doppler.size() == position.size());
   HWY_DYNAMIC_DISPATCH(edges_double)(piece, position, strength, doppler, row);
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/echo/spreading.hpp"
 
 namespace sarsim::radar {
@@ -79,6 +80,8 @@ std::size_t pieces_in(std::size_t bytes, std::size_t bytes_per_piece) {
 template <class Real>
 std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
                                                double tolerance) {
+  CORE_EXPECT(count > 0);
+  CORE_EXPECT(tolerance >= 0.0);
   constexpr std::size_t highest = 24;
   constexpr std::size_t table_bytes = sizeof(Real) == 4 ? 8192 : 32768;
   LanePolynomials<Real> result;
@@ -127,6 +130,7 @@ template std::optional<LanePolynomials<double>> fit_lanes(std::size_t,
 SpreadingKernel::SpreadingKernel(double tolerance)
     : width(static_cast<std::size_t>(std::clamp(std::ceil(std::log10(1.0 / tolerance)) + 1.0, 4.0, 14.0))),
       beta(2.30 * static_cast<double>(width)) {
+  CORE_EXPECT(tolerance > 0.0);
   // With z = sin(theta) the integrand is smooth but for a kink of exp(-beta) at the ends: the midpoint rule is exact to
   // 1e-4 of that.
   constexpr int points = 100;
@@ -151,6 +155,7 @@ double SpreadingKernel::transform(double nu) const {
 }
 
 std::vector<double> SpreadingKernel::transforms(std::size_t cells, std::size_t count) const {
+  CORE_EXPECT(cells > 0);
   const double span = static_cast<double>(count) / static_cast<double>(cells);
   const auto fit = fit_lanes<double>(
       1, [&](std::size_t, double x) { return transform(x * span); }, 1e-13 * transform(0.0));
@@ -162,6 +167,7 @@ std::vector<double> SpreadingKernel::transforms(std::size_t cells, std::size_t c
 
 template <class Real>
 LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tolerance) {
+  CORE_EXPECT(tolerance > 0.0);
   const auto tap = [&](std::size_t lane, double x) {
     const double g = x - 0.5 * static_cast<double>(kernel.width) + static_cast<double>(lane / 2);
     return kernel.value(2.0 * g / static_cast<double>(kernel.width));
@@ -174,6 +180,8 @@ template LanePolynomials<double> tap_polynomials(const SpreadingKernel&, double)
 
 template <class Real>
 void SpreadGrid<Real>::resize(std::size_t cell_count, std::size_t terms) {
+  CORE_EXPECT(cell_count > 0);
+  CORE_EXPECT(terms > 0);
   cells = cell_count;
   term.resize(terms);
   for (auto& grid : term) grid.resize(cells + 2 * padding);
@@ -186,6 +194,7 @@ void SpreadGrid<Real>::clear() {
 
 template <class Real>
 std::span<std::complex<Real>> SpreadGrid<Real>::fold(std::size_t index) {
+  CORE_EXPECT(index < term.size());
   auto& grid = term[index];
   for (std::size_t i = 0; i < padding; ++i) {
     grid[padding + (cells - (padding - i) % cells) % cells] += grid[i];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -226,27 +227,42 @@ HWY_EXPORT(weigh_single);
 HWY_EXPORT(weigh_double);
 
 double doppler_node(std::size_t r, std::size_t terms) {
+  CORE_EXPECT(r < terms);
   return std::cos(core::pi * (static_cast<double>(r) + 0.5) / static_cast<double>(terms));
 }
 
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<float>& out) {
+  CORE_EXPECT(frame.light_speed_mps > 0.0);
+  CORE_EXPECT(frame.interval_s > 0.0);
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   HWY_DYNAMIC_DISPATCH(gather_single)(echoes, frame, out);
 }
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
+  CORE_EXPECT(frame.light_speed_mps > 0.0);
+  CORE_EXPECT(frame.interval_s > 0.0);
+  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
   HWY_DYNAMIC_DISPATCH(gather_double)(echoes, frame, out);
 }
 
 template <>
 void weigh_strengths(const Strengths<float>& echoes, const DopplerSpan& span, std::size_t terms,
                      std::vector<std::complex<float>>& weighted) {
+  CORE_EXPECT(terms > 0);
+  CORE_EXPECT(terms <= most_doppler_terms);
+  CORE_EXPECT(span.half >= 0.0);
   weighted.resize(terms * echoes.position.size());
   HWY_DYNAMIC_DISPATCH(weigh_single)(echoes, span, terms, weighted.data());
 }
 template <>
 void weigh_strengths(const Strengths<double>& echoes, const DopplerSpan& span, std::size_t terms,
                      std::vector<std::complex<double>>& weighted) {
+  CORE_EXPECT(terms > 0);
+  CORE_EXPECT(terms <= most_doppler_terms);
+  CORE_EXPECT(span.half >= 0.0);
   weighted.resize(terms * echoes.position.size());
   HWY_DYNAMIC_DISPATCH(weigh_double)(echoes, span, terms, weighted.data());
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -25,6 +27,7 @@ double mean_over(const core::Interpolator& h, double start, double step) {
 
 ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis)
     : stream_(stream), axis_(axis) {
+  CORE_EXPECT(axis >= 0 && axis <= 2);
   if (envelope.knots().size() < 2) return;
   const double first = envelope.knots().front().x;
   const double last = envelope.knots().back().x;

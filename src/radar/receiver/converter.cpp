@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -31,7 +33,10 @@ bool is_clipped(double value, double clipped) { return !std::isnan(value) && cli
 
 }  // namespace
 
-double full_scale_count(int bits) { return std::max(1.0, std::ldexp(1.0, bits - 1) - 1.0); }
+double full_scale_count(int bits) {
+  CORE_EXPECT(bits >= 1 && bits <= 64);
+  return std::max(1.0, std::ldexp(1.0, bits - 1) - 1.0);
+}
 
 void ConversionTally::add(const ConversionTally& other) {
   maximum_v = std::max(maximum_v, other.maximum_v);
@@ -42,6 +47,8 @@ void ConversionTally::add(const ConversionTally& other) {
 
 void Converter::convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
                         ConversionTally& tally) const {
+  CORE_EXPECT(counts.empty() || counts.size() == 2 * volts.size());
+  CORE_EXPECT(counts.empty() || lsb_v > 0.0);
   const double lowest = lowest_count(bits);
   const double highest = full_scale_count(bits) + 1.0;
   double largest_power = 0.0;

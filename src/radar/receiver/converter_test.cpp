@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 namespace {
 
@@ -139,6 +141,17 @@ TEST(LargestMagnitude, IsThatOfTheComplexSamples) {
   const std::vector<std::complex<double>> volts{{3.0, -4.0}, {4.9, 0.0}, {0.0, -1.0}};
   EXPECT_EQ(largest_magnitude(volts), 5.0);
   EXPECT_EQ(largest_magnitude({}), 0.0);
+}
+
+TEST(Converter, ExpectsTwoCountsForEachSampleAndAnLsb) {
+  if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
+  const std::vector<std::complex<double>> volts(3);
+  std::vector<std::int64_t> counts(5);
+  ConversionTally tally;
+  EXPECT_THROW((Converter{8, 1.0}.convert(volts, counts, tally)), core::BrokenExpectation);
+  counts.resize(6);
+  EXPECT_THROW((Converter{8, 0.0}.convert(volts, counts, tally)), core::BrokenExpectation);
+  EXPECT_NO_THROW((Converter{8, 0.0}.convert(volts, {}, tally)));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -11,10 +13,12 @@ double area_m2(const std::array<core::Vec3, 3>& c) { return 0.5 * core::norm(cor
 }  // namespace
 
 double expected_points(const std::array<core::Vec3, 3>& corners_m, double points_per_m2) {
+  CORE_EXPECT(points_per_m2 > 0.0);
   return area_m2(corners_m) * points_per_m2;
 }
 
 SurfaceLattice fill_triangle(const std::array<core::Vec3, 3>& corners_m, double points_per_m2) {
+  CORE_EXPECT(points_per_m2 > 0.0);
   SurfaceLattice lattice;
   const double area = area_m2(corners_m);
   if (!(area > 0.0)) return lattice;

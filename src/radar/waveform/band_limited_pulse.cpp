@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
@@ -65,6 +66,9 @@ struct BandLimitedPulse::Taps {
 
 BandLimitedPulse::BandLimitedPulse(const Pulse& pulse, double half_band_hz, double sample_rate_hz, double kept_width_s)
     : half_band_hz_(half_band_hz) {
+  CORE_EXPECT(half_band_hz > 0.0);
+  CORE_EXPECT(sample_rate_hz > 0.0);
+  CORE_EXPECT(kept_width_s >= 0.0);
   samples_per_interval_ = static_cast<std::ptrdiff_t>(std::ceil(8.0 * half_band_hz / sample_rate_hz - 1e-9));
   samples_per_interval_ = std::max<std::ptrdiff_t>(samples_per_interval_, 1);
   table_rate_hz_ = sample_rate_hz * static_cast<double>(samples_per_interval_);

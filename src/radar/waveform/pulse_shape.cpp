@@ -6,6 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
@@ -39,6 +40,7 @@ double correlation_power(const std::vector<double>& energy, double lag_periods) 
 }  // namespace
 
 double energy_band_hz(const Pulse& pulse, double share) {
+  CORE_EXPECT(share >= 0.0 && share <= 1.0);
   constexpr std::size_t size = 16 * shape_samples;
   const double step_s = pulse.width_s / static_cast<double>(shape_samples);
   const std::vector<double> energy = energy_spectrum(pulse, size, step_s);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::radar {
 
 namespace {
@@ -17,6 +19,7 @@ std::int64_t to_pulse(double number) {
 }  // namespace
 
 Repetition Repetition::constant(double prf_hz) {
+  CORE_EXPECT(prf_hz > 0.0);
   Repetition repetition;
   repetition.prf_hz_ = prf_hz;
   repetition.shortest_s_ = 1.0 / prf_hz;
@@ -25,6 +28,8 @@ Repetition Repetition::constant(double prf_hz) {
 }
 
 Repetition Repetition::intervals(std::vector<double> pri_s) {
+  CORE_EXPECT(!pri_s.empty());
+  CORE_EXPECT(std::ranges::all_of(pri_s, [](double interval_s) { return interval_s > 0.0; }));
   Repetition repetition;
   repetition.shortest_s_ = pri_s.empty() ? 0.0 : std::ranges::min(pri_s);
   for (const double interval : pri_s) {
@@ -56,6 +61,7 @@ std::int64_t Repetition::first_at_or_after(double time_s) const {
 }
 
 PulseRange Repetition::pulses_in(double start_s, double end_s) const {
+  CORE_EXPECT(!std::isnan(start_s) && !std::isnan(end_s));
   if (start_in_cycle_s_.empty())
     return {to_pulse(std::ceil(start_s * prf_hz_ - window_tolerance)),
             to_pulse(std::floor(end_s * prf_hz_ + window_tolerance))};
@@ -73,12 +79,15 @@ double Repetition::mean_interval_s() const {
 }
 
 CarrierPlan CarrierPlan::single(double carrier_hz) {
+  CORE_EXPECT(carrier_hz > 0.0);
   CarrierPlan plan;
   plan.start_hz_ = carrier_hz;
   return plan;
 }
 
 CarrierPlan CarrierPlan::stepped(double start_hz, double step_hz, int steps, int pulses_per_step) {
+  CORE_EXPECT(steps >= 1);
+  CORE_EXPECT(pulses_per_step >= 1);
   CarrierPlan plan;
   plan.start_hz_ = start_hz;
   plan.step_hz_ = step_hz;
@@ -88,6 +97,7 @@ CarrierPlan CarrierPlan::stepped(double start_hz, double step_hz, int steps, int
 }
 
 CarrierPlan CarrierPlan::list(std::vector<double> carrier_hz) {
+  CORE_EXPECT(!carrier_hz.empty());
   CarrierPlan plan;
   plan.list_hz_ = std::move(carrier_hz);
   return plan;

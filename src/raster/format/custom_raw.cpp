@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "raster/format/raw_decode.hpp"
 #include "raster/format/sample_reader.hpp"
 
@@ -115,12 +116,15 @@ core::Problems check_raw_layout(const RawLayout& layout, const std::string& file
 }
 
 std::size_t raw_rows(const RawLayout& layout, std::uint64_t file_bytes) {
+  CORE_EXPECT(layout.width > 0);
   const std::uint64_t present = file_bytes - std::min(file_bytes, layout.header_bytes);
   const auto rows = static_cast<std::size_t>(present / (std::uint64_t{layout.width} * layout.sample_bytes()));
   return layout.height > 0 ? std::min(rows, layout.height) : rows;
 }
 
 StoredGrid grid_of(const RawLayout& layout) {
+  CORE_EXPECT(layout.width > 0);
+  CORE_EXPECT(layout.value != ImageValue::rgb);
   return {layout.header_bytes, layout.width, layout.sample_bytes(), decoder_of(layout), layout.offset};
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/report/expect.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/format/decimal_digits.hpp"
 #include "raster/format/format_writer.hpp"
@@ -145,6 +146,11 @@ TEST(Encoder, RefusesBlocksOfTheWrongSize) {
   block.counts = counts;
   EXPECT_THROW((void)encode_rows({scene::FileFormat::ascii, true, 8}, block), std::invalid_argument);
   EXPECT_THROW((void)encode_rows({scene::FileFormat::npy, false, 8}, block), std::invalid_argument);
+}
+
+TEST(Encoder, ExpectsBitsThatAConverterCanHave) {
+  if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
+  EXPECT_THROW(static_cast<void>(encode_rows({scene::FileFormat::binary, true, 65}, {})), core::BrokenExpectation);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/npy_header.hpp"
@@ -225,6 +227,8 @@ std::filesystem::path envi_header_of(const std::filesystem::path& data) {
 
 EnviWriter::EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace)
     : header_(std::move(header)), data_(data, replace), text_(header_path(data), replace) {
+  CORE_EXPECT(header_.samples > 0);
+  CORE_EXPECT(header_.lines > 0);
   if (data == header_path(data))
     throw std::invalid_argument("an image and its header cannot both be '" + data.string() + "'");
 }
@@ -299,6 +303,8 @@ std::pair<std::optional<EnviImage>, core::Problems> EnviImage::open(const std::f
 }
 
 void EnviImage::read(std::size_t line, std::size_t first, std::span<std::complex<float>> out) const {
+  CORE_EXPECT(line < header_.lines);
+  CORE_EXPECT(first + out.size() <= header_.samples);
   const std::size_t size = pixel_bytes(header_.pixel);
   std::vector<std::byte> bytes(out.size() * size);
   std::size_t done = 0;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/image_openers.hpp"
 #include "raster/format/sample_file.hpp"
@@ -134,6 +135,7 @@ void ImageSource::read_colours(const ImageWindow&, std::span<Rgb>, const core::W
 
 ImageWindow ImageSource::read_draft(const ImageWindow& window, double seconds, std::span<std::complex<float>> out,
                                     const core::WorkControl& control) const {
+  CORE_EXPECT(seconds >= 0.0);
   check_window(*this, window, out.size());
   if (out.empty()) return window;
   seconds /= slowness_.load(std::memory_order_relaxed);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::raster {
 
 namespace {
@@ -127,6 +129,7 @@ std::variant<NpyHeader, core::Problem> parse_dictionary(std::string_view text) {
 }  // namespace
 
 std::string npy_header_text(std::string_view type, std::span<const std::size_t> shape) {
+  CORE_EXPECT(!type.empty());
   std::string sizes;
   for (const std::size_t size : shape) sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ", size);
   if (shape.size() == 1) sizes += ',';

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::raster {
@@ -28,7 +29,9 @@ bool read_whole(std::string_view text, TextNumber& number) {
 }  // namespace
 
 TextScanner::TextScanner(const core::InputFile& file, std::uint64_t offset, std::size_t line)
-    : file_(file), buffer_(scanner_buffer_bytes), base_(offset), line_start_(offset), line_(line) {}
+    : file_(file), buffer_(scanner_buffer_bytes), base_(offset), line_start_(offset), line_(line) {
+  CORE_EXPECT(line >= 1);
+}
 
 bool TextScanner::fill() {
   base_ += next_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::raster {
 
 namespace {
@@ -47,6 +49,11 @@ void read_row_near(const core::InputFile& file, const StoredGrid& grid, const Im
 
 void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
                std::span<std::complex<float>> out, const core::WorkControl& control) {
+  CORE_EXPECT(grid.decode != nullptr);
+  CORE_EXPECT(grid.sample_bytes > 0);
+  CORE_EXPECT(out.size() == window.samples());
+  CORE_EXPECT(window.row_step >= 1 && window.col_step >= 1);
+  CORE_EXPECT(fits(window.col0, window.cols, window.col_step, grid.columns));
   if (window.samples() == 0) return;
   const bool far = far_apart(grid, window);
   const std::size_t grain = std::max<std::size_t>(1, samples_at_once / window.cols);
@@ -60,6 +67,7 @@ void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageW
 }
 
 double grid_cost_s(const StoredGrid& grid, const ImageWindow& window) {
+  CORE_EXPECT(window.row_step >= 1 && window.col_step >= 1);
   if (window.samples() == 0) return 0.0;
   const auto rows = static_cast<double>(window.rows);
   const auto cols = static_cast<double>(window.cols);

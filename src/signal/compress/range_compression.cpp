@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -29,6 +30,8 @@ std::complex<double> classic_replica(const radar::Pulse& pulse, double t_s, doub
 
 CompressionFilter matched_filter(const radar::Pulse& pulse, const radar::BandLimitedPulse* band_limited,
                                  const WindowFunction& window, double sample_rate_hz) {
+  CORE_EXPECT(sample_rate_hz > 0.0);
+  CORE_EXPECT(pulse.width_s > 0.0);
   const auto count =
       static_cast<std::size_t>(std::max(1.0, std::ceil(pulse.width_s * sample_rate_hz - edge_tolerance)));
   CompressionFilter filter;
@@ -50,6 +53,8 @@ CompressionFilter matched_filter(const radar::Pulse& pulse, const radar::BandLim
 
 CompressionFilter classic_matched_filter(const radar::Pulse& pulse, const WindowFunction& window,
                                          double sample_rate_hz) {
+  CORE_EXPECT(sample_rate_hz > 0.0);
+  CORE_EXPECT(pulse.width_s > 0.0);
   const auto delay = static_cast<std::size_t>(std::floor(pulse.width_s * sample_rate_hz + edge_tolerance));
   CompressionFilter filter;
   filter.taps.resize(delay + 1);
@@ -69,6 +74,9 @@ RangeCompressor::RangeCompressor(CompressionFilter filter, std::size_t input_cou
       output_index_(std::move(output_index)),
       fft_(core::good_fft_size(input_count + filter_.taps.size())),
       response_(fft_.size()) {
+  CORE_EXPECT(!filter_.taps.empty());
+  CORE_EXPECT(input_count_ > 0);
+  CORE_EXPECT(std::ranges::all_of(output_index_, [&](std::size_t i) { return i < fft_.size(); }));
   // Correlation: multiply by the transform of the filter run backwards in time.
   const std::size_t size = fft_.size();
   const double scale = 1.0 / static_cast<double>(size);
@@ -78,6 +86,9 @@ RangeCompressor::RangeCompressor(CompressionFilter filter, std::size_t input_cou
 
 void RangeCompressor::compress(std::span<const std::complex<double>> raw, std::span<std::complex<double>> out,
                                std::span<std::complex<double>> scratch) const {
+  CORE_EXPECT(raw.size() == input_count_);
+  CORE_EXPECT(out.size() == output_index_.size());
+  CORE_EXPECT(scratch.size() >= scratch_size());
   std::ranges::copy(raw, scratch.begin());
   std::fill(scratch.begin() + static_cast<std::ptrdiff_t>(raw.size()), scratch.end(), std::complex<double>());
   fft_.forward(scratch);

@@ -8,6 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -309,6 +310,7 @@ double reach_in_samples(const ResponseFigures& figures, const ImageAxis& axis) {
 }  // namespace
 
 ImageReader reader_of(const FocusedImage& image) {
+  CORE_EXPECT(image.values.size() == image.azimuth.count * image.range.count);
   return [&image](std::size_t row, std::size_t first_column, std::span<std::complex<float>> out) {
     std::copy_n(image.values.data() + row * image.range.count + first_column, out.size(), out.data());
   };
@@ -316,6 +318,10 @@ ImageReader reader_of(const FocusedImage& image) {
 
 std::optional<PointResponse> measure_point(const FocusedImage& image, const ImageReader& reader,
                                            const ImagePlace& expected, double search_m, PointCuts* cuts) {
+  CORE_EXPECT(reader);
+  CORE_EXPECT(search_m >= 0.0);
+  CORE_EXPECT(image.azimuth.step_m != 0.0);
+  CORE_EXPECT(image.range.step_m != 0.0);
   constexpr std::size_t largest_chip = 512;
   const auto middle = largest_sample(image, reader, expected, search_m);
   if (!middle) return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -87,6 +88,7 @@ void weigh(std::vector<std::complex<double>>& spectrum, const SarWindow& window,
 }  // namespace
 
 std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> response, std::size_t peak) {
+  CORE_EXPECT(peak < response.size());
   const auto left = side_of(response, peak, -1);
   const auto right = side_of(response, peak, +1);
   if (!left || !right) return std::nullopt;
@@ -112,6 +114,8 @@ std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> 
 
 ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth, double sampling,
                                     const std::function<double(double)>& filter) {
+  CORE_EXPECT(time_bandwidth >= 0.0);
+  CORE_EXPECT(sampling >= 0.0);
   const bool chirp = time_bandwidth > 0.0;
   const double per_lag = chirp && sampling > 0.0 ? sampling : 16.0;  // samples to the inverse bandwidth
   const double lags = chirp ? std::max(2.0 * time_bandwidth, 256.0) : 4096.0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 namespace {
@@ -111,6 +112,12 @@ TEST(TheoreticalFigures, TakeWeightsOfTheMatchedFilterLikeThoseOverTheBand) {
   const ResponseFigures tapered = theoretical_figures({}, 200.0, 2.0, hamming);
   EXPECT_NEAR(tapered.width, 1.303, 0.02);
   EXPECT_LT(tapered.pslr_db, -35.0);
+}
+
+TEST(Response, ExpectsAPeakWithinTheResponse) {
+  if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
+  const std::vector<std::complex<double>> response(5, 1.0);
+  EXPECT_THROW(static_cast<void>(figures_of(response, 5)), core::BrokenExpectation);
 }
 
 }  // namespace

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::signal {
 
 void SampleStatistics::add(std::span<const std::complex<double>> values, std::size_t first_row, std::size_t columns) {
+  CORE_EXPECT(columns > 0);
+  CORE_EXPECT(values.size() % columns == 0);
   double row_sum = 0.0;  // Summed row by row, so that a long file loses no digits.
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (columns > 0 && i % columns == 0) {

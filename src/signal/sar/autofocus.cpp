@@ -250,6 +250,9 @@ double image_entropy(const FocusedImage& image) {
 
 AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& options,
                           const core::WorkControl& control) {
+  CORE_EXPECT(options.support_share >= 0.0 && options.support_share < 1.0);
+  CORE_EXPECT(options.band_per_m >= 0.0);
+  CORE_EXPECT(options.enough_rad >= 0.0);
   expect_sound(image);
   AutofocusResult result;
   result.image = image;
@@ -281,6 +284,9 @@ AutofocusResult autofocus(const FocusedImage& image, const AutofocusOptions& opt
 
 StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_m, const AutofocusOptions& options,
                                         const core::WorkControl& control) {
+  CORE_EXPECT(piece_m > 0.0);
+  CORE_EXPECT(options.support_share >= 0.0 && options.support_share < 1.0);
+  CORE_EXPECT(options.band_per_m >= 0.0);
   expect_sound(image);
   core::expect(image.frame.plane == ImagePlane::slant_range, "autofocus: a strip must be an image of slant range");
   const long length = 2 * static_cast<long>(0.5 * piece_m / std::abs(image.azimuth.step_m));

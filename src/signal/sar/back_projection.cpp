@@ -158,6 +158,7 @@ void normalize(Sums& sums, std::size_t pulses) {
 }  // namespace
 
 PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range) {
+  CORE_EXPECT(frame.plane == ImagePlane::slant_range || azimuth.count == 0 || azimuth.step_m != 0.0);
   PointGrid grid;
   grid.origin_m = frame.origin_m + azimuth.first_m * frame.along + range.first_m * frame.across;
   grid.row_step_m = azimuth.step_m * frame.along;

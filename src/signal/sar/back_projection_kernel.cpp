@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -402,6 +403,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
 }  // namespace
 
 Stretch stretch_for(double nearest_m, double column_step_m, double wavelength_m) {
+  CORE_EXPECT(wavelength_m > 0.0);
   for (const Stretch stretch : {Stretch::of_64, Stretch::of_32, Stretch::of_16}) {
     const double reach_m = 0.5 * static_cast<double>(stretch) * column_step_m;
     if (reach_m > 0.1 * nearest_m) continue;
@@ -413,6 +415,12 @@ Stretch stretch_for(double nearest_m, double column_step_m, double wavelength_m)
 
 void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
              const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile) {
+  CORE_EXPECT(constants.light_speed_mps > 0.0);
+  CORE_EXPECT(constants.records_per_s > 0.0);
+  CORE_EXPECT(constants.record_count >= 2);
+  CORE_EXPECT(aperture.uniform || aperture.weights.size() == ProjectionAperture::pieces + 2);
+  CORE_EXPECT(tile.used_rows <= ProjectionTile::rows);
+  CORE_EXPECT(tile.used_columns <= ProjectionTile::columns);
   if (stretch != Stretch::by_point) {
     HWY_DYNAMIC_DISPATCH(project_on_target)
     (pulses, constants, aperture, static_cast<std::size_t>(stretch), tile);

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "core/maths/sinc.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -48,9 +49,14 @@ EchoRecords::EchoRecords(const SarEchoes& echoes, const WindowFunction& window, 
       forward_(core::good_fft_size(echoes.samples + guard_samples)),
       inverse_(factor * forward_.size()),
       weights_(frequency_weights(echoes.waveform, window, forward_.size())),
-      records_(pulses * count_ * floats) {}
+      records_(pulses * count_ * floats) {
+  CORE_EXPECT(echoes.volts.size() == echoes.track.size() * echoes.samples);
+  CORE_EXPECT(pulses > 0);
+}
 
 void EchoRecords::fill(std::size_t first, std::size_t count, const core::WorkControl& control) {
+  CORE_EXPECT(count <= slots_);
+  CORE_EXPECT(first + count <= echoes_->track.size());
   const std::size_t size = forward_.size();
   const std::size_t half = size / 2;
   core::parallel_ranges(count, 4, control, [&](std::size_t begin, std::size_t end) {

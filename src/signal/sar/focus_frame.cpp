@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/sinc_table.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -67,6 +68,7 @@ void set_azimuth_axis(FocusFrame& frame) {
 }  // namespace
 
 double FocusFrame::doppler_hz(std::size_t row) const {
+  CORE_EXPECT(row < azimuth_size);
   const double base_hz = static_cast<double>(row) / static_cast<double>(azimuth_size) * prf_hz();
   const double folds = std::floor((options.doppler_centroid_hz - base_hz) / prf_hz() + 0.5);
   return base_hz + folds * prf_hz();
@@ -85,6 +87,10 @@ double FocusFrame::range_hz(std::size_t bin) const {
 }
 
 FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
+  CORE_EXPECT(echoes.track.size() >= 2);
+  CORE_EXPECT(echoes.waveform.sample_rate_hz > 0.0);
+  CORE_EXPECT(echoes.waveform.light_speed_mps > 0.0);
+  CORE_EXPECT(echoes.waveform.carrier_hz > 0.0);
   FocusFrame frame;
   frame.waveform = echoes.waveform;
   frame.track = fit_straight(echoes.track);
@@ -101,6 +107,7 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
 }
 
 double dispersed_samples(const SarWaveform& waveform) {
+  CORE_EXPECT(waveform.sample_rate_hz >= 0.0);
   return dispersed_time_bandwidth * std::pow(waveform.sample_rate_hz / waveform.bandwidth_hz, 2);
 }
 

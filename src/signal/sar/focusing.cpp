@@ -12,6 +12,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/maths/turns.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 #include "signal/sar/work_matrix.hpp"
@@ -332,12 +333,14 @@ FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
 
 FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const core::WorkControl& control,
                        const core::ProgressReport& progress) {
+  CORE_EXPECT(echoes.read);
   for (const core::Problem& problem : problems_of_focusing(echoes, options))
     if (problem.severity == core::Severity::error) throw std::invalid_argument(core::to_string(problem));
   return Focuser(echoes, options, control, progress).carry_out();
 }
 
 FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const core::WorkControl& control) {
+  CORE_EXPECT(echoes.volts.size() == echoes.track.size() * echoes.samples);
   const FocusedRows focused = focus_rows(rows_of(echoes), options, control);
   FocusedImage image = focused.image;
   image.values.resize(image.azimuth.count * image.range.count);
@@ -347,6 +350,8 @@ FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const c
 }
 
 double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const core::WorkControl& control) {
+  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(std::isfinite(near_hz));
   constexpr std::size_t grain = 16;
   const std::size_t steps = echoes.track.size() - 1;
   std::vector<std::complex<double>> sums((steps + grain - 1) / grain);
@@ -368,6 +373,9 @@ double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, cons
 }
 
 double doppler_centroid_hz(const SarWaveform& waveform, double speed_mps, double squint_rad) {
+  CORE_EXPECT(waveform.light_speed_mps > 0.0);
+  CORE_EXPECT(speed_mps >= 0.0);
+  CORE_EXPECT(std::isfinite(squint_rad));
   return radar::turns_of(speed_mps * std::sin(squint_rad), waveform.carrier_hz, waveform.light_speed_mps);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/report/expect.hpp"
 #include "signal/sar/ground_sight.hpp"
 
 namespace sarsim::signal {
@@ -57,6 +58,7 @@ void centre_spectra(FocusedImage& grid, const FocusedImage& slant, const SeenGro
 }  // namespace
 
 FocusedImage on_ground(const FocusedImage& slant, const core::Vec3& scene_m) {
+  CORE_EXPECT(slant.frame.plane == ImagePlane::slant_range);
   FocusedImage grid = slant;
   grid.values.clear();
   ImageFrame& frame = grid.frame;
@@ -85,6 +87,8 @@ FocusedImage on_ground(const FocusedImage& slant, const core::Vec3& scene_m) {
 }
 
 ImagePlace place_on_ground(const ImageFrame& grid, const ImageFrame& slant, const ImagePlace& place) {
+  CORE_EXPECT(grid.plane == ImagePlane::ground_grid);
+  CORE_EXPECT(slant.plane == ImagePlane::slant_range);
   const GroundSight sight(line_of(slant), grid.origin_m + grid.across, 0.0);
   return place_of(grid, sight.point_at(slant.origin_m + place.azimuth_m * slant.along, place.range_m));
 }

@@ -190,6 +190,7 @@ class Compensator {
 
 EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how, const WorkSpace& space,
                            const core::WorkControl& control, const core::ProgressReport& progress) {
+  CORE_EXPECT(echoes.read);
   expect_sound(echoes);
   const Compensator compensator(echoes, how);
   const std::size_t pulses = echoes.track.size();
@@ -211,6 +212,9 @@ SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& h
 }
 
 EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& reference, double squint_rad) {
+  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(std::isfinite(squint_rad));
+  CORE_EXPECT(echoes.waveform.light_speed_mps > 0.0);
   expect_sound(echoes);
   const double speed = core::norm(reference.velocity_mps);
   core::expect(speed > 0.0, "azimuth resampling: the reference track is at rest");

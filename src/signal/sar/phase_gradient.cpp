@@ -5,6 +5,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -163,6 +164,7 @@ void remove_line(std::span<double> values) {
 
 void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
                   const std::function<double(std::size_t, long)>& phase_rad) {
+  CORE_EXPECT(phase_rad);
   const std::size_t size = columns.size();
   const core::Fft fft(size);
   const auto half = static_cast<long>(size / 2);
@@ -180,6 +182,9 @@ void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
 
 GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band, const AutofocusOptions& options,
                               const core::WorkControl& control) {
+  CORE_EXPECT(columns.count() > 0);
+  CORE_EXPECT(columns.size() > 0);
+  CORE_EXPECT(band.width >= 0.0);
   GradientResult result;
   const std::size_t size = columns.size();
   if (columns.count() == 0) return result;

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <thread>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::signal {
 
 EchoRows rows_of(const SarEchoes& echoes) {
@@ -14,6 +16,7 @@ EchoRows rows_of(const SarEchoes& echoes) {
 }
 
 SarEchoes sar_echoes(const EchoRows& rows, const core::WorkControl& control, const core::ProgressReport& progress) {
+  CORE_EXPECT(rows.read);
   constexpr std::size_t grain = 8;
   SarEchoes echoes{rows.waveform, rows.track, rows.samples, rows.first_delay_s, {}};
   echoes.volts.resize(rows.track.size() * rows.samples);

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::signal {
@@ -72,6 +73,9 @@ std::optional<SarWindow> taylor_from_text(std::string_view rest) {
 }  // namespace
 
 std::function<double(double)> weight_of(const SarWindow& window) {
+  CORE_EXPECT(window.beta >= 0.0);
+  CORE_EXPECT(window.sidelobes_db > 0.0);
+  CORE_EXPECT(window.equal_sidelobes >= 1);
   const auto inside = [](auto weight) { return [weight](double u) { return std::abs(u) <= 0.5 ? weight(u) : 0.0; }; };
   switch (window.kind) {
     case SarWindow::Kind::hamming: return inside([](double u) { return core::hamming_window(u + 0.5); });
@@ -87,6 +91,9 @@ std::function<double(double)> weight_of(const SarWindow& window) {
 }
 
 double mean_weight(const SarWindow& window) {
+  CORE_EXPECT(window.beta >= 0.0);
+  CORE_EXPECT(window.sidelobes_db > 0.0);
+  CORE_EXPECT(window.equal_sidelobes >= 1);
   // The midpoint rule: exact for sums of cosines, and Kaiser's weights are smooth.
   constexpr int steps = 4096;
   const auto weight = weight_of(window);

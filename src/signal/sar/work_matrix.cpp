@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::signal {
 
 WorkCounter::WorkCounter(core::ProgressReport report, std::size_t total, std::size_t columns)
@@ -103,6 +105,8 @@ std::size_t WorkMatrix::columns_at_once(unsigned threads) const {
 }
 
 std::vector<WorkMatrix::Piece> WorkMatrix::row_pieces(std::size_t first, std::size_t last) {
+  CORE_EXPECT(first <= last);
+  CORE_EXPECT(last <= rows_);
   if (!file_) return {{first, last - first, 0, columns_, stride_, values_.data() + first * stride_}};
   std::vector<Piece> pieces;
   const std::size_t most = values_.size() / stride_;
@@ -112,6 +116,8 @@ std::vector<WorkMatrix::Piece> WorkMatrix::row_pieces(std::size_t first, std::si
 }
 
 std::vector<WorkMatrix::Piece> WorkMatrix::column_pieces(std::size_t first, std::size_t last) {
+  CORE_EXPECT(first <= last);
+  CORE_EXPECT(last <= columns_);
   if (!file_) return {{0, rows_, first, last - first, stride_, values_.data() + first}};
   std::vector<Piece> pieces;
   const std::size_t most = std::max<std::size_t>(values_.size() / rows_, 1);
@@ -149,6 +155,8 @@ void WorkMatrix::store(const Piece& piece) {
 }
 
 void WorkMatrix::read_row(std::size_t row, std::size_t first, std::span<Value> out) const {
+  CORE_EXPECT(row < rows_);
+  CORE_EXPECT(first + out.size() <= columns_);
   if (file_) {
     file_->read((row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out));
     return;

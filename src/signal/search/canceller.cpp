@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -34,6 +35,7 @@ std::vector<std::complex<float>> cancelled(std::span<const std::complex<float>> 
 }
 
 double canceller_gain(std::size_t order, double doppler_hz, double prf_hz) {
+  CORE_EXPECT(prf_hz > 0.0);
   return std::pow(2.0 * std::sin(core::pi * doppler_hz / prf_hz), 2.0 * static_cast<double>(order));
 }
 

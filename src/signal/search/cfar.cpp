@@ -130,6 +130,8 @@ double exceedance_correlation(double power_correlation, double value) {
 }  // namespace
 
 double cfar_factor(std::size_t cells, const CfarOptions& options) {
+  CORE_EXPECT(cells > 0);
+  CORE_EXPECT(options.independence > 0.0 && options.independence <= 1.0);
   const bool mean = options.kind == CfarOptions::Kind::cell_averaging;
   const std::size_t rank = cfar_rank(cells, options.rank_share);
   if (options.independence == 1.0)
@@ -162,6 +164,8 @@ std::vector<double> power_correlation(std::span<const std::complex<double>> filt
 
 double independence(std::span<const double> along_columns, std::span<const double> along_rows,
                     const CfarOptions& options) {
+  CORE_EXPECT(!along_columns.empty());
+  CORE_EXPECT(!along_rows.empty());
   constexpr double negligible = 1e-4;
   const double quantile = -std::log1p(-std::min(options.rank_share, 0.99));
   const bool mean = options.kind == CfarOptions::Kind::cell_averaging;
@@ -177,6 +181,7 @@ double independence(std::span<const double> along_columns, std::span<const doubl
 }
 
 std::size_t cfar_rank(std::size_t cells, double share) {
+  CORE_EXPECT(share > 0.0 && share <= 1.0);
   const double rank = std::ceil(share * static_cast<double>(cells) - 1e-9);
   return std::clamp<std::size_t>(static_cast<std::size_t>(rank), 1, cells);
 }
@@ -211,21 +216,31 @@ double noise_power(const CfarDetection& detection, const CfarOptions& options) {
 }
 
 double cell_averaging_factor(std::size_t cells, double false_alarm) {
+  CORE_EXPECT(cells > 0);
+  CORE_EXPECT(false_alarm > 0.0 && false_alarm <= 1.0);
   return averaging_factor(static_cast<double>(cells), false_alarm);
 }
 
 double cell_averaging_probability(std::size_t cells, double factor, double snr) {
+  CORE_EXPECT(cells > 0);
+  CORE_EXPECT(factor >= 0.0);
+  CORE_EXPECT(snr >= 0.0);
   const auto n = static_cast<double>(cells);
   return std::exp(-n * std::log1p(factor / (n * (1.0 + snr))));
 }
 
 double ordered_statistic_probability(std::size_t cells, std::size_t rank, double factor, double snr) {
+  CORE_EXPECT(rank >= 1 && rank <= cells);
+  CORE_EXPECT(factor >= 0.0);
+  CORE_EXPECT(snr >= 0.0);
   double logarithm = 0.0;
   for (std::size_t i = 0; i < rank; ++i) logarithm -= std::log1p(factor / (1.0 + snr) / static_cast<double>(cells - i));
   return std::exp(logarithm);
 }
 
 double ordered_statistic_factor(std::size_t cells, std::size_t rank, double false_alarm) {
+  CORE_EXPECT(rank >= 1 && rank <= cells);
+  CORE_EXPECT(false_alarm > 0.0 && false_alarm <= 1.0);
   return factor_where([&](double factor) { return std::log(ordered_statistic_probability(cells, rank, factor, 0.0)); },
                       std::log(false_alarm));
 }

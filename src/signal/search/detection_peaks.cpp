@@ -6,6 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/sinc.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -76,6 +77,8 @@ std::complex<double> interpolated(std::span<const std::complex<float>> line, dou
 
 std::vector<CfarDetection> peaks_of(std::span<const CfarDetection> found, std::span<const float> power,
                                     std::size_t columns) {
+  CORE_EXPECT(columns > 0);
+  CORE_EXPECT(power.size() % columns == 0);
   std::vector<CfarDetection> peaks;
   for (const CfarDetection& cell : found)
     if (is_peak(power, columns, cell)) peaks.push_back(cell);
@@ -83,6 +86,8 @@ std::vector<CfarDetection> peaks_of(std::span<const CfarDetection> found, std::s
 }
 
 double peak_frequency(std::span<const std::complex<double>> values, double near, double reach) {
+  CORE_EXPECT(!values.empty());
+  CORE_EXPECT(reach >= 0.0);
   const auto power = [values](double frequency) {
     const std::complex<double> turn = std::polar(1.0, -2.0 * core::pi * frequency);
     std::complex<double> sum;
@@ -94,6 +99,7 @@ double peak_frequency(std::span<const std::complex<double>> values, double near,
 }
 
 double peak_place(std::span<const std::complex<float>> line, std::size_t near) {
+  CORE_EXPECT(near < line.size());
   const auto middle = static_cast<double>(near);
   constexpr double reach = 0.6;  // Farther away lies the next sidelobe.
   const double low = std::max(0.0, middle - reach);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
@@ -70,7 +71,9 @@ PpiGrid ppi_grid(double x_m, double y_m, double extent_m, double pixel_m) {
   return grid;
 }
 
-PpiPicture::PpiPicture(const PpiGrid& grid) : grid_(grid), values_(grid.rows * grid.columns) {}
+PpiPicture::PpiPicture(const PpiGrid& grid) : grid_(grid), values_(grid.rows * grid.columns) {
+  CORE_EXPECT(grid.pixel_m > 0.0);
+}
 
 void PpiPicture::paint(const PpiLine& line) {
   if (line.edges_m.size() != line.strengths.size() + 1)

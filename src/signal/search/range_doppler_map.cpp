@@ -12,6 +12,7 @@ namespace sarsim::signal {
 namespace {}  // namespace
 
 std::vector<double> pulse_weights(const CoherentInterval& interval) {
+  CORE_EXPECT(interval.pulses > 0);
   std::vector<double> weights(interval.pulses, 1.0);
   if (interval.window && interval.pulses > 1)
     for (std::size_t p = 0; p < interval.pulses; ++p)

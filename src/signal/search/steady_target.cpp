@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::signal {
 
 namespace {
@@ -62,6 +64,9 @@ double steady_probability(const std::vector<double>& failures, const Poisson& si
 }  // namespace
 
 double cell_averaging_steady_probability(std::size_t cells, double factor, double snr) {
+  CORE_EXPECT(cells > 0);
+  CORE_EXPECT(factor >= 0.0);
+  CORE_EXPECT(snr >= 0.0);
   const double mean = factor / static_cast<double>(cells);
   const Poisson signal = signal_of(std::vector<double>(cells, 1.0 / (1.0 + mean)), snr);
   // Before so many equal successes: a negative binomial distribution, each from the one before.
@@ -73,6 +78,9 @@ double cell_averaging_steady_probability(std::size_t cells, double factor, doubl
 }
 
 double ordered_statistic_steady_probability(std::size_t cells, std::size_t rank, double factor, double snr) {
+  CORE_EXPECT(rank >= 1 && rank <= cells);
+  CORE_EXPECT(factor >= 0.0);
+  CORE_EXPECT(snr >= 0.0);
   std::vector<double> success;
   for (std::size_t i = 0; i < rank; ++i) success.push_back(1.0 / (1.0 + factor / static_cast<double>(cells - i)));
   const Poisson signal = signal_of(success, snr);

@@ -85,6 +85,7 @@ std::vector<TrackPoint> track_from_target(const std::vector<TrackPoint>& track, 
 }
 
 SarEchoes seen_from_target(const SarEchoes& echoes, const std::vector<TargetPose>& poses) {
+  CORE_EXPECT(poses.size() == echoes.track.size());
   SarEchoes seen = echoes;
   seen.track = track_from_target(echoes.track, poses);
   return seen;
@@ -94,6 +95,7 @@ std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector
                                       const core::Vec3& cross_range, const core::Vec3& range,
                                       const ImageAxis& cross_range_m, const ImageAxis& range_m,
                                       const IsarBursts& bursts, const core::WorkControl& control) {
+  CORE_EXPECT(poses.size() == echoes.track.size());
   const std::vector<TrackPoint> track = track_from_target(echoes.track, poses);
   const std::size_t length = bursts.interval.pulses;
   const std::size_t step = step_of(bursts.interval);
@@ -130,6 +132,7 @@ std::vector<FocusedImage> isar_images(const SarEchoes& echoes, const std::vector
 std::vector<RangeDopplerMap> isar_range_doppler_maps(const SarEchoes& echoes, const std::vector<TargetPose>& poses,
                                                      const CoherentInterval& interval,
                                                      const core::WorkControl& control) {
+  CORE_EXPECT(poses.size() == echoes.track.size());
   const SarEchoes seen = seen_from_target(echoes, poses);
   const SarWaveform& wave = seen.waveform;
   const std::size_t step = step_of(interval);
@@ -159,6 +162,9 @@ std::vector<RangeDopplerMap> isar_range_doppler_maps(const SarEchoes& echoes, co
 }
 
 double cross_range_m_per_hz(const SarEchoes& echoes, const std::vector<TargetPose>& poses) {
+  CORE_EXPECT(poses.size() == echoes.track.size());
+  CORE_EXPECT(echoes.waveform.carrier_hz > 0.0);
+  CORE_EXPECT(echoes.waveform.light_speed_mps > 0.0);
   const std::vector<TrackPoint> track = track_from_target(echoes.track, poses);
   if (track.size() < 2) return std::numeric_limits<double>::infinity();
   const core::Vec3 first = track.front().position_m;

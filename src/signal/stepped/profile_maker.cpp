@@ -6,6 +6,7 @@
 
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -93,6 +94,9 @@ ProfileMaker::ProfileMaker(const SteppedBand& band, const WindowFunction& window
 
 void ProfileMaker::make(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
                         std::span<std::complex<double>> out) const {
+  CORE_EXPECT(values.size() == band_.values_per_burst());
+  CORE_EXPECT(motion.empty() || motion.size() == band_.waveform().burst_pulses());
+  CORE_EXPECT(out.size() == axis_.count);
   std::vector<std::complex<double>> joined(band_.gates() * band_.cells());
   band_.join(values, motion, joined);
   transform(joined, out);
@@ -100,6 +104,9 @@ void ProfileMaker::make(std::span<const std::complex<double>> values, std::span<
 
 void ProfileMaker::add_power(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
                              std::span<double> power) const {
+  CORE_EXPECT(values.size() == band_.values_per_burst());
+  CORE_EXPECT(motion.empty() || motion.size() == band_.waveform().burst_pulses());
+  CORE_EXPECT(power.size() == period());
   std::vector<std::complex<double>> joined(band_.gates() * band_.cells());
   band_.join(values, motion, joined);
   std::vector<std::complex<double>> work;
@@ -137,6 +144,7 @@ void ProfileMaker::transform_gate(std::span<const std::complex<double>> joined, 
 }
 
 void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::span<std::complex<double>> out) const {
+  CORE_EXPECT(out.size() == axis_.count);
   const double first_s = radar::delay_of(axis_.first_m, band_.waveform().light_speed_mps);
   const double step_s = radar::delay_of(axis_.step_m, band_.waveform().light_speed_mps);
   const double from_centre_hz = band_.frequency_hz(0) - band_.centre_hz();
@@ -155,6 +163,9 @@ void ProfileMaker::transform(std::span<const std::complex<double>> joined, std::
 
 std::optional<ProfilePeak> peak_near(std::span<const std::complex<double>> profile, const ProfileAxis& axis,
                                      double range_m, double search_m) {
+  CORE_EXPECT(profile.size() <= axis.count);
+  CORE_EXPECT(axis.step_m > 0.0);
+  CORE_EXPECT(search_m >= 0.0);
   // Places far outside are brought to the ends before they become indices.
   const auto last = static_cast<double>(profile.size()) - 2.0;
   if (last < 1.0) return std::nullopt;
@@ -169,6 +180,9 @@ std::optional<ProfilePeak> peak_near(std::span<const std::complex<double>> profi
 
 std::vector<ProfilePeak> highest_peaks(std::span<const std::complex<double>> profile, const ProfileAxis& axis,
                                        std::size_t most, double apart_m, double least) {
+  CORE_EXPECT(profile.size() <= axis.count);
+  CORE_EXPECT(apart_m >= 0.0);
+  CORE_EXPECT(axis.step_m > 0.0);
   std::vector<ProfilePeak> all;
   for (std::size_t i = 1; i + 1 < profile.size(); ++i)
     if (tops(profile, i)) all.push_back(peak_at(profile, axis, i));

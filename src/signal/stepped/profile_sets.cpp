@@ -5,10 +5,12 @@
 #include <stdexcept>
 
 #include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::signal {
 
 std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_share) {
+  CORE_EXPECT(least_share >= 0.0 && least_share <= 1.0);
   std::vector<ProfileSet> scans;
   const double largest = gain.empty() ? 0.0 : *std::ranges::max_element(gain);
   if (!(largest > 0.0)) return scans;
@@ -23,6 +25,8 @@ std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_shar
 }
 
 std::vector<std::complex<double>> mean_profile(std::span<const std::complex<double>> profiles, std::size_t bins) {
+  CORE_EXPECT(bins > 0);
+  CORE_EXPECT(profiles.size() % bins == 0);
   std::vector<std::complex<double>> mean(bins);
   const std::size_t rows = bins > 0 ? profiles.size() / bins : 0;
   for (std::size_t k = 0; k < bins && rows > 0; ++k) {

@@ -4,6 +4,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -13,6 +14,9 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
     : gate_turns_(std::move(gates_m)),
       weights_(static_cast<std::size_t>(steps)),
       fft_(static_cast<std::size_t>(steps)) {
+  CORE_EXPECT(steps >= 1);
+  CORE_EXPECT(light_speed_mps > 0.0);
+  CORE_EXPECT(std::isfinite(step_hz));
   for (double& gate : gate_turns_) gate *= radar::turns_per_m(step_hz, light_speed_mps);
   double sum = 0.0;
   double magnitudes = 0.0;
@@ -26,6 +30,8 @@ RangeProfiler::RangeProfiler(std::vector<double> gates_m, int steps, double step
 }
 
 void RangeProfiler::profile(std::span<const std::complex<double>> sums, std::span<std::complex<double>> out) const {
+  CORE_EXPECT(sums.size() == gates() * steps());
+  CORE_EXPECT(out.size() == gates() * steps());
   for (std::size_t g = 0; g < gates(); ++g) {
     const auto bins = out.subspan(g * steps(), steps());
     for (std::size_t n = 0; n < steps(); ++n) {

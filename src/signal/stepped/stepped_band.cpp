@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/maths/turns.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -131,6 +132,9 @@ void SteppedBand::transform(std::span<const std::complex<double>> row, double fi
 
 void SteppedBand::place(std::size_t pulse, std::span<const std::complex<double>> row,
                         std::span<std::complex<double>> out) const {
+  CORE_EXPECT(pulse < waveform_.burst_pulses());
+  CORE_EXPECT(row.size() == waveform_.samples);
+  CORE_EXPECT(out.size() == values_per_pulse());
   if (waveform_.subband_hz <= 0.0) {
     std::ranges::copy(row, out.begin());
     return;
@@ -148,6 +152,9 @@ std::complex<double> SteppedBand::weight(std::size_t cell) const {
 
 void SteppedBand::join(std::span<const std::complex<double>> values, std::span<const PulseMotion> motion,
                        std::span<std::complex<double>> out) const {
+  CORE_EXPECT(values.size() == values_per_burst());
+  CORE_EXPECT(motion.empty() || motion.size() == waveform_.burst_pulses());
+  CORE_EXPECT(out.size() == gates_ * cells_);
   const SteppedWaveform& w = waveform_;
   std::ranges::fill(out, std::complex<double>());
   for (std::size_t p = 0; p < w.burst_pulses(); ++p) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/maths/turns.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
 
@@ -157,6 +158,8 @@ IsarPlane plane_of(std::span<const TrackPoint> seen) {
 }
 
 std::vector<PulseMotion> motion_of_origin(std::span<const TrackPoint> seen, double light_speed_mps) {
+  CORE_EXPECT(!seen.empty());
+  CORE_EXPECT(light_speed_mps > 0.0);
   std::vector<PulseMotion> motion;
   motion.reserve(seen.size());
   if (seen.empty()) return motion;
@@ -172,6 +175,7 @@ std::vector<PulseMotion> motion_of_origin(std::span<const TrackPoint> seen, doub
 FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& echoes, const IsarPlane& plane,
                                 const ImageAxis& cross_range, const core::WorkControl& control,
                                 const core::ProgressReport& progress) {
+  CORE_EXPECT(cross_range.count == 0 || cross_range.step_m != 0.0);
   const SteppedBand& band = maker.band();
   const SteppedWaveform& w = band.waveform();
   const std::size_t bursts = bursts_of(band, echoes, plane.lever.size());

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -12,6 +13,7 @@ double SteppedLimits::smear_cells(double speed_mps) const {
 }
 
 SteppedLimits limits_of(const SteppedBand& band, double pulse_interval_s) {
+  CORE_EXPECT(pulse_interval_s > 0.0);
   const SteppedWaveform& w = band.waveform();
   const double c = w.light_speed_mps;
   SteppedLimits limits;

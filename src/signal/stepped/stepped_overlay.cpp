@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/report/expect.hpp"
 #include "signal/measure/image_quality.hpp"
 
 namespace sarsim::signal {
@@ -142,6 +143,7 @@ ImagePlace refined(const FocusedImage& image, std::span<const OverlayPoint> poin
 
 std::optional<ImagePlace> shift_upon_image(const FocusedImage& image, std::span<const OverlayPoint> points,
                                            const ImagePlace& cell) {
+  CORE_EXPECT(image.values.size() == image.azimuth.count * image.range.count);
   const Magnitudes magnitudes(image, cell);
   const std::vector<OverlayPoint> strongest = strongest_of(points);
   const std::vector<ImagePlace> peaks = magnitudes.peaks(cell);

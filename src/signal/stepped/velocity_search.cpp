@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 
 namespace sarsim::signal {
@@ -97,6 +98,8 @@ Candidate refined(const Sharpness& cost, Candidate best, double step_mps, const 
 
 std::vector<PulseMotion> motion_of_speed(std::span<const double> time_s, double at_s, double speed_mps,
                                          double light_speed_mps) {
+  CORE_EXPECT(light_speed_mps > 0.0);
+  CORE_EXPECT(std::abs(speed_mps) < light_speed_mps);
   std::vector<PulseMotion> motion;
   motion.reserve(time_s.size());
   for (const double t : time_s)
@@ -105,9 +108,13 @@ std::vector<PulseMotion> motion_of_speed(std::span<const double> time_s, double 
   return motion;
 }
 
-double middle_of(std::span<const double> time_s) { return 0.5 * (time_s.front() + time_s.back()); }
+double middle_of(std::span<const double> time_s) {
+  CORE_EXPECT(!time_s.empty());
+  return 0.5 * (time_s.front() + time_s.back());
+}
 
 double first_speed_step_mps(const SteppedBand& band, double span_s) {
+  CORE_EXPECT(span_s >= 0.0);
   const double cell_m = radar::range_of_cycle(band.band_hz(), band.waveform().light_speed_mps);
   return 0.25 * cell_m / span_s;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/report/expect.hpp"
 #include "simulate/plan/cost_of_pulse.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -63,6 +64,7 @@ double seconds_per_raw_sample(const Plan& plan) {
 }  // namespace
 
 Cost estimated_cost(const Plan& plan, unsigned threads) {
+  CORE_EXPECT(plan.scene != nullptr);
   const double scatterers = scatterers_of(*plan.scene);
   const double pulses =
       static_cast<double>(plan.rows) * (plan.profiler ? static_cast<double>(plan.burst_pulses()) : 1.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
 #include "radar/echo/shape_table.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -77,7 +78,10 @@ PulseCost::PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, con
       grid_(grid),
       tolerance_(tolerance),
       echoes_(scatterer_count(scene)),
-      samples_(std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count))) {}
+      samples_(std::min((pulse.last_s() - pulse.first_s()) / grid.interval_s, static_cast<double>(grid.count))) {
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(tolerance > 0.0);
+}
 
 double PulseCost::reference_ns() const { return echoes_ * (reference_echo_ns + samples_ * reference_sample_ns); }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "simulate/plan/cost_of_pulse.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
@@ -32,6 +33,9 @@ std::optional<Engine> engine_from_name(std::string_view name) {
 EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
                            const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
                            const radar::PulseRange& pulses, double tolerance) {
+  CORE_EXPECT(grid.interval_s > 0.0);
+  CORE_EXPECT(tolerance > 0.0);
+  CORE_EXPECT(pulses.count() > 0);
   if (wanted != Engine::automatic) return {wanted, "asked for"};
   if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
   const PulseCost cost(scene, radar, pulse, grid, tolerance);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/noise.hpp"
 
@@ -145,12 +146,14 @@ void plan_rows(Plan& plan, std::size_t count) {
 }  // namespace
 
 std::int64_t Plan::first_pulse_of_row(std::size_t row) const {
+  CORE_EXPECT(row < rows);
   if (simulation.processing == scene::Processing::srp)
     return (first_burst + static_cast<std::int64_t>(row)) * burst_pulses();
   return pulses.first + static_cast<std::int64_t>(row);
 }
 
 double sample_count(const scene::Simulation& simulation, double light_speed_mps) {
+  CORE_EXPECT(light_speed_mps > 0.0);
   // The guard keeps a window that was computed to hold a half sample from losing it to rounding.
   return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
                         light_speed_mps +
@@ -159,6 +162,7 @@ double sample_count(const scene::Simulation& simulation, double light_speed_mps)
 
 Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved,
                Engine engine, const core::StopFlag* stop) {
+  CORE_EXPECT(index < scene.simulations.size());
   Plan plan;
   plan.simulation = scene.simulations.at(index);
   plan.scene = resolved ? std::move(resolved) : std::make_shared<const ResolvedScene>(resolve(scene, {1, stop}));
@@ -185,6 +189,8 @@ Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<con
 }
 
 Product product_of(const Plan& plan, std::string script) {
+  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.column_range_m.size() == plan.columns);
   Product product;
   product.radar = plan.radar.name;
   product.processing = plan.simulation.processing;
@@ -212,6 +218,9 @@ Product product_of(const Plan& plan, std::string script) {
 }
 
 RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
+  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.stc_gain.empty() || plan.stc_gain.size() == plan.raw_grid.count);
+  CORE_EXPECT(plan.column_range_m.size() == plan.columns);
   if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
   if (plan.profiler) scratch_.resize(plan.columns);
   const double tolerance = plan.scene->options.tolerance;
@@ -223,6 +232,8 @@ RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan
 }
 
 void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
+  CORE_EXPECT(row < plan_->rows);
+  CORE_EXPECT(out.size() == plan_->columns);
   const Plan& plan = *plan_;
   switch (plan.simulation.processing) {
     case scene::Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;

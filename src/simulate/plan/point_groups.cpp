@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/maths/random.hpp"
+#include "core/report/expect.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
@@ -148,6 +149,9 @@ void resize(radar::EchoBatch& echoes, std::size_t count) {
 }  // namespace
 
 PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
+  CORE_EXPECT(radar.platform < scene.platforms.size());
+  CORE_EXPECT(
+      std::ranges::all_of(scene.scatterers, [&](const Scatterer& s) { return s.platform < scene.platforms.size(); }));
   const auto look_at_stop = [stop] {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
   };

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
@@ -19,6 +20,8 @@ struct PulseGeometry::Sight {
 
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
     : scene_(&scene), radar_(&radar), poses_(scene.platforms.size()), used_(scene.platforms.size(), false) {
+  CORE_EXPECT(radar.platform < scene.platforms.size());
+  CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
   used_[radar.platform] = true;
   for (const Scatterer& s : scene.scatterers) used_[s.platform] = true;
   for (const ScattererSheet& sheet : scene.sheets) used_[sheet.platform] = true;

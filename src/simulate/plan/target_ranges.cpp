@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
@@ -45,6 +46,7 @@ void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseG
 
 RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses,
                           const core::StopFlag* stop) {
+  CORE_EXPECT(radar.platform < scene.platforms.size());
   RangeExtent extent;
   PulseGeometry geometry(scene, radar);
   const std::int64_t looks = std::min(pulses.count(), most_pulses);

@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::simulate {
 
 core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar,
                               const EchoExtremes& echo, double light_speed_mps) {
+  CORE_EXPECT(light_speed_mps > 0.0);
   core::Problem problem;
   problem.subject = {std::string(kind), index, kind == "target" ? "position_m" : "corner_m"};
   const double speed_mps = std::abs(echo.speed_mps);

@@ -6,6 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/target/surface.hpp"
 #include "scene/model/radar_pulse.hpp"
@@ -187,6 +188,7 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
 }
 
 ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {
+  CORE_EXPECT(radar_index < scene.radars.size());
   const scene::Radar& radar = scene.radars.at(radar_index);
   const core::LowPassRule rule = resolved.conventions.low_pass;
   ResolvedRadar r;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -227,6 +228,7 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses) {
 
 void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
                          const core::StopFlag* stop) {
+  CORE_EXPECT(write);
   TablePulses pulses(scene, table);
   if (pulses.range().count() == 0) return;  // As the originals: not even headings.
   PieceWriter out(write);
@@ -246,6 +248,7 @@ void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& 
 
 void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
                         const core::StopFlag* stop) {
+  CORE_EXPECT(write);
   TablePulses pulses(scene, table);
   PieceWriter out(write);
   put_csv_header(out, pulses);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/expect.hpp"
 #include "core/task/parallel.hpp"
 
 namespace sarsim::simulate {
@@ -168,6 +169,7 @@ RunReport run_all(const Treatment& treatment, Sink& sink, const RunControl& cont
 }  // namespace
 
 double resolved_lsb_v(const Plan& plan, const RunControl& control) {
+  CORE_EXPECT(plan.scene != nullptr);
   if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
   double maximum_v = 0.0;
   run_blocks(
@@ -177,16 +179,23 @@ double resolved_lsb_v(const Plan& plan, const RunControl& control) {
 }
 
 double lsb_of_maximum_v(double maximum_v, int bits) {
+  CORE_EXPECT(maximum_v >= 0.0);
+  CORE_EXPECT(bits >= 1 && bits <= 64);
   return maximum_v > 0.0 ? maximum_v / radar::full_scale_count(bits) : 1.0;
 }
 
 void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder, const RunControl& control,
               const std::function<void(const EncodedRows&)>& take) {
+  CORE_EXPECT(rows.end() <= plan.rows);
+  CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !encoder.wants_counts()));
+  CORE_EXPECT(take);
   run_blocks(
       {recorded_of(plan), &encoder, lsb_v, control.stop}, rows, control, [&] { return PlanRows(plan); }, take);
 }
 
 RunReport report_of(const Recorded& recorded, double lsb_v, const radar::ConversionTally& tally) {
+  CORE_EXPECT(recorded.bits >= 1 && recorded.bits <= 64);
+  CORE_EXPECT(lsb_v >= 0.0);
   const double full_scale = radar::full_scale_count(recorded.bits);
   RunReport report;
   report.rows = recorded.rows;
@@ -201,15 +210,20 @@ RunReport report_of(const Recorded& recorded, double lsb_v, const radar::Convers
 }
 
 RunReport run(const Plan& plan, double lsb_v, Sink& sink, const RunControl& control) {
+  CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !sink.wants_counts()));
+  CORE_EXPECT(plan.scene != nullptr);
   return run_all({recorded_of(plan), &sink, lsb_v, control.stop}, sink, control, [&] { return PlanRows(plan); });
 }
 
 RunReport run_stored(const Recorded& recorded, const std::function<RowReader()>& make_reader, double lsb_v, Sink& sink,
                      const RunControl& control) {
+  CORE_EXPECT(make_reader);
+  CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !sink.wants_counts()));
   return run_all({recorded, &sink, lsb_v, control.stop}, sink, control, make_reader);
 }
 
 Recording record(const Plan& plan, const RunControl& control) {
+  CORE_EXPECT(plan.scene != nullptr);
   Recording recording;
   MemorySink sink(recording);
   run(plan, 0.0, sink, control);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/receiver/converter.hpp"
 #include "simulate/run/memory_sink.hpp"
 
@@ -231,6 +232,17 @@ TEST(RunStored, ConvertsRowsAsTheRunThatComputesThem) {
   EXPECT_EQ(stored.samples, computed.samples);
   EXPECT_EQ(std::tie(a.maximum_v, a.lsb_v, a.range_used, a.saturated, a.zero),
             std::tie(b.maximum_v, b.lsb_v, b.range_used, b.saturated, b.zero));
+}
+
+TEST(Run, ExpectsRowsOfThePlanAndAnLsb) {
+  if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
+  const Plan plan = make_plan(one_target(1000.0), 0);
+  std::vector<std::complex<double>> row(plan.columns);
+  RowMaker maker(plan);
+  EXPECT_THROW(maker.make_row(plan.rows, row), core::BrokenExpectation);
+  EXPECT_THROW(maker.make_row(0, std::span(row).subspan(1)), core::BrokenExpectation);
+  EXPECT_NO_THROW(maker.make_row(0, row));
+  EXPECT_THROW(static_cast<void>(lsb_of_maximum_v(1.0, 0)), core::BrokenExpectation);
 }
 
 }  // namespace

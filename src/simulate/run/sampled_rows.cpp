@@ -4,12 +4,16 @@
 #include <atomic>
 #include <bit>
 
+#include "core/report/expect.hpp"
+
 namespace sarsim::simulate {
 
 SampledRowMaker::SampledRowMaker(const Plan& plan, const SampleSelection& selection, const core::StopFlag* stop)
     : plan_(&plan), selection_(&selection), stop_(stop), rows_(plan), row_(plan.columns) {}
 
 void SampledRowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
+  CORE_EXPECT(row < selection_->rows.size());
+  CORE_EXPECT(out.size() == selection_->columns.size());
   const IndexSpan wanted = selection_->rows[row];
   const bool peak = selection_->pick == SampleSelection::Pick::peak;
   const std::size_t end = peak ? wanted.end : wanted.begin + 1;
@@ -52,6 +56,8 @@ std::vector<std::size_t> refinement_order(std::size_t count) {
 void compute_sampled_rows(const Plan& plan, const SampleSelection& selection, std::span<const std::size_t> order,
                           const core::WorkControl& control, std::span<std::complex<double>> out,
                           const std::function<void(std::size_t row)>& on_row) {
+  CORE_EXPECT(out.size() == selection.rows.size() * selection.columns.size());
+  CORE_EXPECT(std::ranges::all_of(order, [&](std::size_t row) { return row < selection.rows.size(); }));
   const std::size_t columns = selection.columns.size();
   std::atomic<std::size_t> next{0};
   const std::size_t threads = std::clamp<std::size_t>(order.size(), 1, std::max(control.threads, 1U));

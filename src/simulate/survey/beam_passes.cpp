@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -78,6 +79,7 @@ class BeamPasses {
 bool turns(const radar::Beam& beam) { return beam.kind == radar::Beam::Kind::rotating && beam.rate_rad_per_s != 0.0; }
 
 std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most) {
+  CORE_EXPECT(plan.scene != nullptr);
   return BeamPasses(plan).pulses(most);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/expect.hpp"
 #include "radar/echo/reference_kernel.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
@@ -36,6 +37,8 @@ double largest_stc_gain(const Plan& plan) {
 }  // namespace
 
 RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, const Conventions& conventions) {
+  CORE_EXPECT(conventions.light_speed_mps > 0.0);
+  CORE_EXPECT(conventions.boltzmann_j_per_k > 0.0);
   const double c = conventions.light_speed_mps;
   RadarFigures f;
   f.lowest_carrier_hz = radar.carrier.lowest_hz();
@@ -62,6 +65,7 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
 }
 
 double processing_gain(const Plan& plan) {
+  CORE_EXPECT(plan.scene != nullptr);
   if (!plan.compressor) return 1.0;
   radar::EchoPulse pulse = plan.pulse;
   pulse.lead_s = 0.0;
@@ -79,6 +83,8 @@ double processing_gain(const Plan& plan) {
 }
 
 SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey) {
+  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(!plan.column_range_m.empty());
   const double c = plan.scene->conventions.light_speed_mps;
   SimulationFigures f;
   f.first_delay_s = radar::delay_of(plan.column_range_m.front(), c);

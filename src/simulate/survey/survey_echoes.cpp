@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/survey.hpp"
@@ -243,6 +244,7 @@ class Look {
 }  // namespace
 
 double unambiguous_range_m(const Plan& plan) {
+  CORE_EXPECT(plan.scene != nullptr);
   return radar::range_of(plan.radar.repetition.shortest_interval_s(), plan.scene->conventions.light_speed_mps);
 }
 
@@ -250,6 +252,9 @@ EchoExtremes extremes_of(const TargetSurvey& target) {
   return {target.nearest_m > closest_m ? target.nearest_m : 0.0, target.largest_speed_mps, target.largest_amplitude_v};
 }
 
-EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) { return Look(plan, control).survey(); }
+EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) {
+  CORE_EXPECT(plan.scene != nullptr);
+  return Look(plan, control).survey();
+}
 
 }  // namespace sarsim::simulate
