@@ -1,22 +1,20 @@
 #include "gui/runs/run_job.hpp"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "core/task/clock.hpp"
+#include "core/os/disk_room.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
 #include "raster/format/sinks.hpp"
-#include "raster/table/formats.hpp"
-#include "scene/check/check.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
-#include "simulate/run/run.hpp"
-#include "simulate/survey/survey.hpp"
-#include "workflow/record/save_estimate.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/record/record_size.hpp"
+#include "workflow/record/recording.hpp"
 
 namespace sarsim::gui {
 
@@ -35,10 +33,7 @@ scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
 }
 
 // Throws where the scene has errors, with all of them in words; otherwise gives the warnings.
-QStringList warnings_of_sound(const scene::Scene& one) {
-  core::Problems problems = scene::check(one);
-  if (!core::has_errors(problems)) std::ranges::move(simulate::survey(one), std::back_inserter(problems));
-  problems = core::ranked(std::move(problems));
+QStringList warnings_of_sound(const core::Problems& problems) {
   QStringList errors;
   QStringList warnings;
   for (const core::Problem& problem : problems) {
@@ -51,26 +46,23 @@ QStringList warnings_of_sound(const scene::Scene& one) {
 
 void expect_room(const fs::path& file, double bytes) {
   const fs::path folder = fs::absolute(file).parent_path();
-  std::error_code failure;
-  const fs::space_info space = fs::space(folder, failure);
-  if (failure || bytes <= static_cast<double>(space.available)) return;
+  const std::optional<double> free = core::room_if_too_little(folder, bytes);
+  if (!free) return;
   throw std::runtime_error(
       RunJob::tr(
           "The disk of '%1' has not enough room: %2 are needed, %3 are free. Make room or choose another folder.")
-          .arg(QString::fromStdString(folder.string()), size_text(bytes),
-               size_text(static_cast<double>(space.available)))
+          .arg(QString::fromStdString(folder.string()), size_text(bytes), size_text(*free))
           .toStdString());
 }
 
 RunEstimate estimate_of(const simulate::Plan& plan, double bytes, QStringList warnings) {
   const unsigned threads = core::thread_count(0);
   const simulate::Cost cost = simulate::estimated_cost(plan, threads);
-  const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format);
   RunEstimate estimate;
   estimate.rows = plan.rows;
   estimate.columns = plan.columns;
   estimate.bytes = bytes;
-  estimate.seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
+  estimate.seconds = cost.seconds_one_thread / threads * workflow::passes_of(plan.simulation);
   estimate.memory_bytes = cost.memory_bytes;
   const std::string_view engine = simulate::name_of(plan.engine.engine);
   estimate.engine = QString::fromLatin1(engine.data(), static_cast<qsizetype>(engine.size()));
@@ -78,13 +70,20 @@ RunEstimate estimate_of(const simulate::Plan& plan, double bytes, QStringList wa
   return estimate;
 }
 
-// Part of the work, from `from` to `to` of the whole.
-core::ProgressReport part_of(const BackgroundJob::Report& report, double from, double to) {
-  return [&report, from, to](const core::Progress& progress) {
+// Who tells of a recording's progress; where the LSB is found first, that is half of the work.
+core::Observer observer_of(const core::StopFlag& stop, const BackgroundJob::Report& report, bool twice) {
+  core::Observer observer;
+  observer.stop = &stop;
+  observer.progress = [&report, twice, first = std::string()](const std::string& stage,
+                                                              const core::Progress& progress) mutable {
+    if (first.empty()) first = stage;
+    const double from = twice && stage != first ? 0.5 : 0.0;
+    const double to = twice && stage == first ? 0.5 : 1.0;
     const double share =
         progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total) : 1.0;
     report(from + (to - from) * share);
   };
+  return observer;
 }
 
 QString millivolts(double volts) { return QStringLiteral("%1 mV").arg(1e3 * volts, 0, 'g', 6); }
@@ -94,13 +93,6 @@ QString percent(double share) { return QStringLiteral("%1 %").arg(100.0 * share,
 double share(std::uint64_t part, const simulate::RunReport& run) {
   const double samples = static_cast<double>(run.rows) * static_cast<double>(run.columns);
   return samples > 0.0 ? static_cast<double>(part) / samples : 0.0;
-}
-
-std::string base_name(const std::string& name) {
-  const std::size_t slash = name.find_last_of("/\\");
-  std::string base = slash == std::string::npos ? name : name.substr(slash + 1);
-  const bool drive = slash == std::string::npos && base.size() >= 2 && base[1] == ':';
-  return drive ? base.substr(2) : base;
 }
 
 }  // namespace
@@ -136,35 +128,31 @@ void RunJob::wait_for_leave(const core::StopFlag& stop) {
 }
 
 void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) try {
-  QStringList warnings = warnings_of_sound(with_only(request_.scene, request_.simulation));
-  const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(request_.scene));
+  workflow::SceneInput input =
+      workflow::take_scene(with_only(request_.scene, request_.simulation), {}, {}, workflow::Scrutiny::echoes);
+  QStringList warnings = warnings_of_sound(input.problems);
+  workflow::resolve_once(input, {});
   const simulate::Plan plan =
-      simulate::make_plan(request_.scene, request_.simulation, resolved, simulate::Engine::automatic);
-  const bool with_script = raster::format_of(plan.simulation.format).carries_script;
-  const simulate::Product product =
-      simulate::product_of(plan, with_script ? scene::write_script(request_.scene) : std::string());
-  const raster::SinkOptions options{plan.simulation.format, request_.replace, false, false};
-  const double bytes = raster::expected_bytes(product, options);
+      simulate::make_plan(request_.scene, request_.simulation, input.resolved, simulate::Engine::automatic);
+  const scene::FileFormat format = plan.simulation.format;
+  const std::string script = raster::format_of(format).carries_script ? scene::write_script(request_.scene) : std::string();
+  const raster::SinkOptions options{format, request_.replace, false, false};
+  const double bytes = raster::expected_bytes(simulate::product_of(plan, script), options);
   const RunEstimate estimate = estimate_of(plan, bytes, std::move(warnings));
   QMetaObject::invokeMethod(
       this, [this, estimate] { emit estimated(estimate); }, Qt::QueuedConnection);
   wait_for_leave(stop);
 
-  const double begin_s = core::now_s();
-  expect_room(request_.file, raster::least_bytes(plan.simulation.format, bytes));
-  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(request_.file, product, options);
-  const bool seek_lsb = plan.simulation.lsb_v <= 0.0 && sink->wants_counts();
-  double lsb_v = plan.simulation.lsb_v;
-  if (seek_lsb) lsb_v = simulate::resolved_lsb_v(plan, {0, &stop, part_of(report, 0.0, 0.5)});
-  summary_.report = simulate::run(plan, lsb_v, *sink, {0, &stop, part_of(report, seek_lsb ? 0.5 : 0.0, 1.0)});
-  summary_.counts = sink->wants_counts();
+  expect_room(request_.file, raster::least_bytes(format, bytes));
+  const workflow::RecordingReport made = workflow::make_recording(
+      {plan, request_.file, options, script}, 0, observer_of(stop, report, workflow::seeks_lsb(plan.simulation)));
+  summary_.report = made.run;
+  summary_.counts = made.counts;
   summary_.simulation = plan.simulation;
   summary_.file = request_.file;
-  summary_.engine = QString::fromStdString(product.engine + " (" + plan.engine.reason + ")");
-  std::error_code failure;
-  const auto size = fs::file_size(request_.file, failure);
-  summary_.bytes = failure ? bytes : static_cast<double>(size);
-  summary_.seconds = core::now_s() - begin_s;
+  summary_.engine = QString::fromStdString(made.engine + " (" + made.engine_reason + ")");
+  summary_.bytes = made.bytes.value_or(bytes);
+  summary_.seconds = made.seconds;
 } catch (const simulate::ImpossibleEcho& error) {
   throw std::runtime_error(problem_text(error.problem).toStdString());
 }
@@ -207,19 +195,8 @@ QString estimate_text(const RunEstimate& estimate) {
 }
 
 fs::path run_file(const scene::Scene& scene, std::size_t simulation, const fs::path& folder) {
-  std::set<fs::path> taken;
-  for (std::size_t i = 0; i <= simulation && i < scene.simulations.size(); ++i) {
-    const fs::path base = base_name(scene.simulations[i].file);
-    if (base.empty() || base == "." || base == "..") {
-      if (i == simulation) return {};
-      continue;
-    }
-    fs::path file = folder / base;
-    for (int number = 2; !taken.insert(file).second; ++number)
-      file.replace_filename(base.stem().string() + "-" + std::to_string(number) + base.extension().string());
-    if (i == simulation) return file;
-  }
-  return {};
+  if (simulation >= scene.simulations.size()) return {};
+  return workflow::output_names(scene, {folder, false, {}}).simulations[simulation];
 }
 
 }  // namespace sarsim::gui
