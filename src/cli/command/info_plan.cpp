@@ -14,8 +14,8 @@
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
-#include "raster/table/formats.hpp"
 #include "workflow/input/scene_words.hpp"
+#include "workflow/record/record_size.hpp"
 
 namespace sarsim::cli {
 
@@ -115,7 +115,7 @@ class PlanInfo {
     result.echoes = cost.echoes;
     result.memory_bytes = cost.memory_bytes;
     result.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format});
-    result.twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format);
+    result.twice = workflow::seeks_lsb(plan.simulation);
     result.trial = try_plan(plan, rules_, streams_.stop);
     return result;
   }
@@ -130,8 +130,8 @@ class PlanInfo {
     figures.push_back(figure("samples", "", r.samples(),
                              fmt::format("{} x {}, {} rows can be shared out", r.rows, r.columns, r.rows)));
     figures.push_back(si_count("echoes", r.echoes));
-    figures.push_back(
-        figure("file", "", r.bytes, (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
+    figures.push_back(figure("file", "", r.bytes,
+                             (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
     figures.push_back(size("memory of a worker", r.memory_bytes));
     figures.push_back(
         figure("time", "", r.seconds(1),

@@ -16,6 +16,7 @@
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/scene_words.hpp"
+#include "workflow/record/record_size.hpp"
 
 namespace sarsim::cli {
 
@@ -65,8 +66,7 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
   const simulate::Cost cost = simulate::estimated_cost(plan, threads);
   const double bytes =
       raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
-  const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(plan.simulation.format, counts);
-  const double seconds = cost.seconds_one_thread / threads * (twice ? 2.0 : 1.0);
+  const double seconds = cost.seconds_one_thread / threads * workflow::passes_of(plan.simulation, counts);
   const auto microseconds = [](double v) { return core::with_prefix(v, "s"); };
   const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
   std::vector<Figure> f;

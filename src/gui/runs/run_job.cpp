@@ -9,6 +9,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
 #include "raster/format/sinks.hpp"
+#include "raster/table/formats.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "workflow/input/output_names.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "raster/table/formats.hpp"
+#include "workflow/record/record_size.hpp"
 
 namespace sarsim::workflow {
 
@@ -26,7 +26,7 @@ SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double
   estimate.memory_bytes = cost.memory_bytes;
   estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
   // Counts need the largest magnitude before the first of them is written.
-  const double passes = estimate.lsb_estimated && raster::holds_counts(plan.simulation.format) ? 2.0 : 1.0;
+  const double passes = passes_of(plan.simulation);
   estimate.seconds = passes * cost.seconds_one_thread / std::max(threads, 1U);
   estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
   return estimate;
