@@ -1,0 +1,126 @@
+#include "workflow/record/record.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/report/refused.hpp"
+#include "simulate/plan/flight_test_scene.hpp"
+#include "workflow/record/merge.hpp"
+
+namespace sarsim::workflow {
+namespace {
+
+namespace fs = std::filesystem;
+
+scene::Scene recorded_scene() {
+  scene::Scene scene = simulate::flight_scene();
+  scene::Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_start_m = 2100.0;
+  simulation.range_end_m = 2700.0;
+  simulation.time_start_s = -0.01;
+  simulation.time_end_s = 0.01;
+  simulation.sample_rate_hz = 60e6;
+  simulation.lsb_v = 1e-9;
+  simulation.format = scene::FileFormat::binary;
+  simulation.file = "sim.bin";
+  scene.simulations = {simulation};
+  return scene;
+}
+
+class Record : public testing::Test {
+ protected:
+  Record() {
+    fs::remove_all(folder_);
+    request_.scene = recorded_scene();
+    request_.folder = folder_;
+    request_.threads = 1;
+  }
+  ~Record() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string bytes_of(const fs::path& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_ = fs::temp_directory_path() /
+                     (std::string("record-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  RecordRequest request_;
+};
+
+TEST_F(Record, TellsOfEachProductAndReportsIt) {
+  std::vector<std::string> heard;
+  core::Observer observer;
+  observer.announce = [&](const std::string& line) { heard.push_back(line); };
+  observer.progress = [&](const std::string& stage, const core::Progress&) {
+    if (heard.back() != stage) heard.push_back(stage);
+  };
+  RecordEvents events;
+  events.made = [&](const ProductReport& made) { heard.push_back("made " + made.path.filename().string()); };
+  const RecordReport report = record(request_, observer, events);
+  const std::string file = (folder_ / "sim.bin").string();
+  ASSERT_EQ(heard.size(), 3U);
+  EXPECT_THAT(heard[0], testing::StartsWith(file + ": Radar1, raw, "));
+  EXPECT_EQ(heard[1], file);
+  EXPECT_EQ(heard[2], "made sim.bin");
+  ASSERT_EQ(report.products.size(), 1U);
+  const RecordingReport& recording = report.products.front().recording.value();
+  EXPECT_EQ(recording.file, file);
+  EXPECT_EQ(recording.bytes, static_cast<double>(bytes_of("sim.bin").size()));
+  EXPECT_GT(recording.run.maximum_v, 0.0);
+}
+
+TEST_F(Record, DiscardingWritesNothing) {
+  request_.discard = true;
+  const RecordReport report = record(request_, {});
+  EXPECT_TRUE(report.products.front().recording.value().file.empty());
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+TEST_F(Record, RefusesToReplaceAFileUnlessForced) {
+  static_cast<void>(record(request_, {}));
+  EXPECT_THROW(static_cast<void>(record(request_, {})), core::Refused);
+  request_.force = true;
+  EXPECT_EQ(record(request_, {}).products.size(), 1U);
+}
+
+TEST_F(Record, TellsWhatIsWrongBeforeItRefuses) {
+  request_.scene->simulations.front().radar = "Nobody";
+  core::Problems found;
+  RecordEvents events;
+  events.found = [&](const core::Problems& problems) { found = problems; };
+  EXPECT_THROW(static_cast<void>(record(request_, {}, events)), core::Refused);
+  EXPECT_TRUE(core::has_errors(found));
+}
+
+TEST_F(Record, StoppedItLeavesNoFile) {
+  core::StopFlag stop;
+  stop.request();
+  core::Observer observer;
+  observer.stop = &stop;
+  EXPECT_THROW(static_cast<void>(record(request_, observer)), core::Interrupted);
+  EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
+}
+
+TEST_F(Record, MergedPartsAreTheFileOfASingleRun) {
+  static_cast<void>(record(request_, {}));
+  const std::string whole = bytes_of("sim.bin");
+  fs::remove(folder_ / "sim.bin");
+  request_.part.own_file = true;
+  for (const std::int64_t number : {1, 2}) {
+    request_.part.share = PartChoice::Share{number, 2};
+    const RecordReport report = record(request_, {});
+    EXPECT_FALSE(report.products.front().recording);
+    EXPECT_TRUE(report.products.front().part.value().own_file);
+  }
+  const MergeReport merged = merge({{(folder_ / "sim.bin.parts").string()}, {}, 1}, {});
+  EXPECT_EQ(merged.recording.file, (folder_ / "sim.bin").string());
+  EXPECT_EQ(bytes_of("sim.bin"), whole);
+}
+
+}  // namespace
+}  // namespace sarsim::workflow
