@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/command/info_trial.hpp"
 #include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
@@ -16,6 +15,7 @@
 #include "raster/format/sinks.hpp"
 #include "workflow/input/scene_words.hpp"
 #include "workflow/record/record_size.hpp"
+#include "workflow/record/row_trial.hpp"
 
 namespace sarsim::cli {
 
@@ -39,12 +39,12 @@ struct RecordingPlan {
   double memory_bytes = 0.0;
   double fixed_s = 0.0;  // Before the first row; every worker does it.
   bool twice = false;    // The LSB is not known and the file holds counts.
-  Trial trial;
+  workflow::Trial trial;
 
   [[nodiscard]] double samples() const { return static_cast<double>(rows) * static_cast<double>(columns); }
   // The slowest of `workers` has the rows that do not divide.
   [[nodiscard]] double seconds(unsigned workers) const {
-    return fixed_s + seconds_of_rows(trial, std::ceil(static_cast<double>(rows) / workers), twice);
+    return fixed_s + workflow::seconds_of_rows(trial, std::ceil(static_cast<double>(rows) / workers), twice);
   }
 };
 
@@ -116,7 +116,7 @@ class PlanInfo {
     result.memory_bytes = cost.memory_bytes;
     result.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format});
     result.twice = workflow::seeks_lsb(plan.simulation);
-    result.trial = try_plan(plan, rules_, streams_.stop);
+    result.trial = workflow::try_plan(plan, rules_, streams_.stop);
     return result;
   }
 
@@ -195,7 +195,7 @@ class PlanInfo {
   double reading_s_;
   Streams& streams_;
   unsigned threads_ = 1;
-  TrialRules rules_;
+  workflow::TrialRules rules_;
   std::vector<RecordingPlan> recordings_;
 };
 

@@ -12,7 +12,7 @@
 #include "core/task/stop.hpp"
 #include "simulate/plan/plan.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What trying some rows of a recording says about all of them.
 struct Trial {
@@ -43,4 +43,4 @@ using TryRow = std::function<double(std::size_t row)>;
 /// twice.
 [[nodiscard]] double seconds_of_rows(const Trial& trial, double rows, bool twice);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

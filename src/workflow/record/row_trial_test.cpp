@@ -1,11 +1,11 @@
-#include "cli/command/info_trial.hpp"
+#include "workflow/record/row_trial.hpp"
 
 #include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 namespace {
 
 // A clock that only work moves.
@@ -95,4 +95,4 @@ TEST(InfoTrial, PassesOnWhatARowFailsWith) {
 }
 
 }  // namespace
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

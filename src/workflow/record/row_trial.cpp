@@ -1,4 +1,4 @@
-#include "cli/command/info_trial.hpp"
+#include "workflow/record/row_trial.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -8,7 +8,7 @@
 #include "radar/receiver/converter.hpp"
 #include "raster/format/sinks.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -126,4 +126,4 @@ double seconds_of_rows(const Trial& trial, double rows, bool twice) {
   return rows * trial.seconds_per_row * (twice ? 1.0 + trial.computing_share : 1.0);
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
