@@ -74,6 +74,12 @@ std::optional<CellReach> cells_from_text(const std::string& text) {
 
 core::Problems problems_of_request(const PulseRequest& request) {
   core::Problems problems;
+  // The command line lets neither through.
+  if (request.pulses == std::size_t{0})
+    problems.push_back(option_problem("--interval: a coherent interval has no pulses", "0", "1 or more"));
+  if (request.canceller > 2)
+    problems.push_back(
+        option_problem("--canceller: there is none of that order", fmt::format("{}", request.canceller), "0, 1 or 2"));
   const double false_alarm = request.false_alarm.value_or(usual_false_alarm);
   if (!(false_alarm >= 1e-15 && false_alarm <= 0.5))
     problems.push_back(option_problem("--pfa: no probability of false alarm for a cell",

@@ -120,9 +120,13 @@ TEST_F(PulseWorkflow, RefusesBeforeAnythingIsWritten) {
   DopplerRequest request = doppler_request();
   request.false_alarm = 2.0;
   request.rank = 0.5;
+  request.pulses = 0;
+  request.canceller = 3;
   const std::string text = refusal_of([&] { (void)doppler(request); });
   EXPECT_THAT(text, HasSubstr("--pfa: no probability"));
   EXPECT_THAT(text, HasSubstr("--rank is for the ordered statistic"));
+  EXPECT_THAT(text, HasSubstr("a coherent interval has no pulses"));
+  EXPECT_THAT(text, HasSubstr("--canceller: there is none of that order"));
   request = doppler_request();
   request.image = request.detect = false;
   EXPECT_THAT(refusal_of([&] { (void)doppler(request); }), HasSubstr("leaves nothing to do"));

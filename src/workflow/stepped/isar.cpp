@@ -39,6 +39,7 @@ IsarOptions isar_options(const IsarRequest& request) {
   if (options.turn_rate_radps && *options.turn_rate_radps == 0.0)
     throw core::Refused("--turn-rate: without turning there is no cross-range");
   expect_speed(options.fastest_mps);
+  if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a pixel", "1 or more");
   options.autofocus = options.autofocus || options.motion == Motion::estimated;
   if (request.magnitude && !is_envi(output_of(request)))
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");

@@ -36,6 +36,7 @@ SeriesOptions series_options(const ProfilesRequest& request) {
   options.from_m = request.from_m;
   options.to_m = request.to_m;
   options.oversampling = request.oversampling;
+  if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a bin", "1 or more");
   if (!(request.illumination_db >= 0.0))
     throw core::Refused("--illumination: decibels below the strongest burst are not negative");
   options.illuminated_share = std::pow(10.0, -0.1 * request.illumination_db);

@@ -112,6 +112,7 @@ TEST_F(SteppedWorkflow, ProfilesRefuseBeforeAnythingIsWritten) {
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.align = true; }), HasSubstr("--align moves profiles by the speed"));
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.fastest_mps = 0.0; }), HasSubstr("--fastest: 0 m/s is out of range"));
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.illumination_db = -1.0; }), HasSubstr("--illumination"));
+  EXPECT_THAT(refused([](ProfilesRequest& r) { r.oversampling = 0; }), HasSubstr("needs a bin"));
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.burst = 6; }), HasSubstr("burst 7 is not illuminated"));
   EXPECT_THAT(refused([](ProfilesRequest& r) { r.from_m = 4000.0, r.to_m = 4010.0; }),
               HasSubstr("nothing was recorded"));
@@ -168,6 +169,7 @@ TEST_F(SteppedWorkflow, IsarRefusesBeforeAnythingIsWritten) {
                 r.options.motion = IsarOptions::Motion::estimated;
               }),
               HasSubstr("back-projection needs the path"));
+  EXPECT_THAT(refused([](IsarRequest& r) { r.options.oversampling = 0; }), HasSubstr("needs a pixel"));
   EXPECT_THAT(refused([](IsarRequest& r) { r.platform = "Shop"; }), HasSubstr("did you mean 'Ship'?"));
   EXPECT_THAT(refused([](IsarRequest& r) { r.platform = "Earth"; }), HasSubstr("carries the radar itself"));
   EXPECT_THAT(refused([](IsarRequest& r) { r.bursts = 51; }), HasSubstr("an image needs from 2 to 50 bursts"));
