@@ -9,10 +9,6 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/command/focus_arguments.hpp"
-#include "cli/command/focus_autofocus.hpp"
-#include "cli/command/focus_back_projection.hpp"
-#include "cli/command/focus_input.hpp"
-#include "cli/command/image_output.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/progress_display.hpp"
 #include "cli/shell/report.hpp"
@@ -21,8 +17,12 @@
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/autofocus.hpp"
+#include "workflow/focus/back_projection.hpp"
+#include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 
@@ -46,7 +46,7 @@ class FocusRun {
     read_centroid();
     expect_sense();
     expect_free_outputs();
-    input_ = open_focus_input(arguments_.input, control_);
+    input_ = workflow::open_focus_input(arguments_.input, control_);
     options_.scratch_folder = arguments_.scratch;
     options_.doppler_bandwidth_hz = arguments_.bandwidth_hz.value_or(0.0);
     find_centroid();
@@ -54,7 +54,8 @@ class FocusRun {
     compensate_track();
     find_problems();
     signal::FocusedRows image = focused();
-    if (arguments_.autofocus) image = autofocused(image, input_, autofocus_choice(), options_, control_, autofocus_);
+    if (arguments_.autofocus)
+      image = workflow::autofocused(image, input_, autofocus_choice(), options_, control_, autofocus_);
     write(image);
     report(image, core::now_s() - begin_s);
     return exit_done;
@@ -88,8 +89,9 @@ class FocusRun {
   }
 
   [[nodiscard]] std::vector<fs::path> outputs() const {
-    std::vector<fs::path> paths = files_of_image(output());
-    if (arguments_.magnitude) std::ranges::copy(files_of_image(magnitude_path(output())), std::back_inserter(paths));
+    std::vector<fs::path> paths = workflow::files_of_image(output());
+    if (arguments_.magnitude)
+      std::ranges::copy(workflow::files_of_image(workflow::magnitude_path(output())), std::back_inserter(paths));
     if (!arguments_.autofocus_phase.empty()) paths.emplace_back(arguments_.autofocus_phase);
     return paths;
   }
@@ -102,7 +104,7 @@ class FocusRun {
       throw core::Refused("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
     if (!back_projection && arguments_.start_stop)
       throw core::Refused("--start-stop is for back-projection", "add --algorithm back-projection");
-    if (back_projection && arguments_.motion.value_or(MotionOrder::none) != MotionOrder::none)
+    if (back_projection && arguments_.motion.value_or(workflow::MotionOrder::none) != workflow::MotionOrder::none)
       throw core::Refused("back-projection takes the track as it is, and needs no motion compensation",
                           "leave out --motion-compensation");
     if (on_ground() && arguments_.autofocus)
@@ -114,7 +116,7 @@ class FocusRun {
   }
 
   void expect_free_outputs() const {
-    if (arguments_.magnitude && !is_envi(output()))
+    if (arguments_.magnitude && !workflow::is_envi(output()))
       throw core::Refused("--magnitude makes ENVI images", "name the output .img");
     const std::vector<fs::path> paths = outputs();
     workflow::OutputCare care{named_sources(arguments_.input), arguments_.force, "--out"};
@@ -162,8 +164,9 @@ class FocusRun {
   void expect_focusable() {
     core::Problems problems = problems_of_echoes();
     const bool in_time = algorithm() == FocusAlgorithm::back_projection;
-    const bool mended = !in_time && arguments_.motion.value_or(MotionOrder::second) != MotionOrder::none;
-    if (mended && has_speed() && wants_motion() != MotionOrder::none) expect_one_way(input_.echoes);
+    const bool mended =
+        !in_time && arguments_.motion.value_or(workflow::MotionOrder::second) != workflow::MotionOrder::none;
+    if (mended && has_speed() && wants_motion() != workflow::MotionOrder::none) workflow::expect_one_way(input_.echoes);
     std::erase_if(problems, [&](const core::Problem& problem) {
       return problem.severity != core::Severity::error || (mended && problem.subject.field == signal::track_field);
     });
@@ -172,29 +175,30 @@ class FocusRun {
       throw core::Refused(core::ranked(std::move(problems)));
     }
     if (!arguments_.autofocus || !has_speed()) return;
-    expect_autofocus(
-        in_time ? back_projection_axes(input_, options_, control_) : signal::image_of(input_.echoes, options_), input_,
-        autofocus_choice(), options_, control_);
+    workflow::expect_autofocus(in_time ? workflow::back_projection_axes(input_, options_, control_)
+                                       : signal::image_of(input_.echoes, options_),
+                               input_, autofocus_choice(), options_, control_);
   }
 
-  [[nodiscard]] AutofocusChoice autofocus_choice() const {
+  [[nodiscard]] workflow::AutofocusChoice autofocus_choice() const {
     return {arguments_.autofocus_piece_m.value_or(0.0), options_.memory_bytes};
   }
 
   void compensate_track() {
     if (algorithm() == FocusAlgorithm::back_projection || !has_speed()) return;
     motion_ = wants_motion();
-    if (motion_ == MotionOrder::none) return;
+    if (motion_ == workflow::MotionOrder::none) return;
     strays_m_ = signal::fit_straight(input_.echoes.track).worst_position_m;
     ProgressDisplay display(streams_.err, style(), output().string() + ": motion compensation");
-    compensate(input_, motion_, arguments_.ground_m, options_, control_,
-               [&display](const core::Progress& p) { display.update(p); });
+    workflow::compensate(input_, motion_, arguments_.ground_m, options_, control_,
+                         [&display](const core::Progress& p) { display.update(p); });
     measure_centroid();
   }
 
-  [[nodiscard]] MotionOrder wants_motion() const {
+  [[nodiscard]] workflow::MotionOrder wants_motion() const {
     if (arguments_.motion) return *arguments_.motion;
-    return wants_compensation(input_.echoes, options_) ? MotionOrder::second : MotionOrder::none;
+    return workflow::wants_compensation(input_.echoes, options_) ? workflow::MotionOrder::second
+                                                                 : workflow::MotionOrder::none;
   }
 
   // Without it nothing can be focused, which `find_problems` says.
@@ -223,12 +227,12 @@ class FocusRun {
     ProgressDisplay display(streams_.err, style(), output().string());
     const auto progress = [&display](const core::Progress& p) { display.update(p); };
     if (algorithm() == FocusAlgorithm::back_projection) {
-      const BackProjectionChoice choice{on_ground(), arguments_.ground_m, arguments_.start_stop};
-      return back_projected(input_, choice, options_, control_, progress);
+      const workflow::BackProjectionChoice choice{on_ground(), arguments_.ground_m, arguments_.start_stop};
+      return workflow::back_projected(input_, choice, options_, control_, progress);
     }
     signal::FocusOptions options = options_;
     // The compensated echoes have the other half.
-    if (motion_ != MotionOrder::none) options.memory_bytes /= 2;
+    if (motion_ != workflow::MotionOrder::none) options.memory_bytes /= 2;
     return signal::focus_rows(input_.echoes, options, control_, progress);
   }
 
@@ -238,15 +242,16 @@ class FocusRun {
   }
 
   void write(const signal::FocusedRows& image) const {
-    const ImageOrigin origin{
+    const workflow::ImageOrigin origin{
         arguments_.input.path, arguments_.input.script, input_.simulation,          word_of(algorithm()), options_,
         to_string(motion_),    input_.plan->radar.name, input_.plan->scene->options};
     for (const fs::path& path : outputs())
       if (path.has_parent_path()) fs::create_directories(path.parent_path());
-    write_image(image, origin, output(), arguments_.force, false, streams_.stop);
+    workflow::write_image(image, origin, output(), arguments_.force, false, streams_.stop);
     if (arguments_.magnitude)
-      write_image(image, origin, magnitude_path(output()), arguments_.force, true, streams_.stop);
-    if (!arguments_.autofocus_phase.empty()) write_phase(autofocus_, arguments_.autofocus_phase, arguments_.force);
+      workflow::write_image(image, origin, workflow::magnitude_path(output()), arguments_.force, true, streams_.stop);
+    if (!arguments_.autofocus_phase.empty())
+      workflow::write_phase(autofocus_, arguments_.autofocus_phase, arguments_.force);
   }
 
   void report(const signal::FocusedRows& rows, double seconds) const {
@@ -260,7 +265,7 @@ class FocusRun {
           last(image.azimuth), on_ground() ? "ground range" : "slant range", image.range.first_m, last(image.range),
           decimals(options_.doppler_centroid_hz, 1), core::duration_text(seconds),
           rows.on_disk ? " (worked on disk)" : "");
-    if (!arguments_.quiet && motion_ != MotionOrder::none)
+    if (!arguments_.quiet && motion_ != workflow::MotionOrder::none)
       streams_.err << fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
                                   to_string(motion_), strays_m_);
     if (!arguments_.quiet && arguments_.autofocus)
@@ -306,13 +311,13 @@ class FocusRun {
   const FocusArguments& arguments_;
   Streams& streams_;
   core::WorkControl control_;
-  FocusInput input_;
+  workflow::FocusInput input_;
   signal::FocusOptions options_;
   std::optional<double> given_centroid_hz_;
   bool centroid_is_measured_ = false;
-  MotionOrder motion_ = MotionOrder::none;
+  workflow::MotionOrder motion_ = workflow::MotionOrder::none;
   double strays_m_ = 0.0;  // from the straight line, before compensation
-  AutofocusFinding autofocus_;
+  workflow::AutofocusFinding autofocus_;
 };
 
 }  // namespace

@@ -80,9 +80,11 @@ void add_focus_arguments(CLI::App& app, FocusArguments& a) {
            "height of the ground, of --grid ground and motion compensation (default: the targets' mean)");
   app.add_flag("--start-stop", a.start_stop,
                "back-projection as if the antenna rested while a pulse travels: what that neglects is seen");
-  add_choice<MotionOrder>(
+  add_choice<workflow::MotionOrder>(
       app, "--motion-compensation", a.motion,
-      {{"none", MotionOrder::none}, {"first", MotionOrder::first}, {"second", MotionOrder::second}},
+      {{"none", workflow::MotionOrder::none},
+       {"first", workflow::MotionOrder::first},
+       {"second", workflow::MotionOrder::second}},
       "what departs from a straight flight is taken out of the echoes; by default to the second order where the track "
       "needs it");
   app.add_flag("--autofocus", a.autofocus, "take out phase errors that are left, found in the image itself");

@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/command/focus_motion.hpp"
 #include "cli/shell/recording_input.hpp"
 #include "signal/sar/sar_window.hpp"
+#include "workflow/focus/motion.hpp"
 
 namespace sarsim::cli {
 
@@ -34,7 +34,7 @@ struct FocusArguments {
   std::optional<FocusGrid> grid;
   std::optional<double> ground_m;
   bool start_stop = false;
-  std::optional<MotionOrder> motion;  ///< Nothing: what the track needs.
+  std::optional<workflow::MotionOrder> motion;  ///< Nothing: what the track needs.
   bool autofocus = false;
   std::optional<double> autofocus_piece_m;
   std::string autofocus_phase;

@@ -103,7 +103,7 @@ std::string target_line(std::size_t number, const simulate::TargetSurvey& t) {
   return text + (t.in_window ? "\n" : ", outside the window\n");
 }
 
-void write_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t) {
+void write_survey_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t) {
   json.begin_object().member("number", number).member("nearest_m", t.nearest_m).member("farthest_m", t.farthest_m);
   json.member("lowest_doppler_hz", t.lowest_doppler_hz).member("highest_doppler_hz", t.highest_doppler_hz);
   json.member("largest_amplitude_v", t.largest_amplitude_v).member("snr", t.snr).member("in_window", t.in_window);
@@ -216,7 +216,7 @@ class SceneInfo {
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < count; ++i) {
       text_ += target_line(i + 1, survey.targets[i]);
-      write_json(json_, i + 1, survey.targets[i]);
+      write_survey_json(json_, i + 1, survey.targets[i]);
     }
     json_.end_array();
     if (count < survey.targets.size())

@@ -8,12 +8,10 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/focus_input.hpp"
-#include "cli/command/image_fields.hpp"
-#include "cli/command/image_script.hpp"
 #include "cli/command/measure_cuts.hpp"
 #include "cli/command/picture_program.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/recording_input.hpp"
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
@@ -21,7 +19,10 @@
 #include "signal/measure/image_quality.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/sar_theory.hpp"
+#include "workflow/image/image_fields.hpp"
+#include "workflow/image/image_script.hpp"
 
 namespace sarsim::cli {
 
@@ -51,7 +52,7 @@ struct Measured {
 struct MeasuredImage {
   raster::EnviImage file;
   signal::FocusedImage image;
-  ImageOrigin origin;
+  workflow::ImageOrigin origin;
 };
 
 MeasuredImage opened_image(const std::string& path) {
@@ -62,16 +63,16 @@ MeasuredImage opened_image(const std::string& path) {
   if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
     throw core::Refused(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
   MeasuredImage opened{std::move(*file), {}, {}};
-  read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
+  workflow::read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
   return opened;
 }
 
 // What was focused, as the header says, unless the command line says otherwise.
 RecordingArguments input_of(const MeasureArguments& arguments, const MeasuredImage& opened, Streams& streams) {
-  const ImageOrigin& origin = opened.origin;
+  const workflow::ImageOrigin& origin = opened.origin;
   RecordingArguments input = arguments.input;
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
-  WayBack way = way_back(opened.file.header(), origin, arguments.image, input.script);
+  workflow::WayBack way = workflow::way_back(opened.file.header(), origin, arguments.image, input.script);
   print_problems(streams, way.problems);
   input.path = std::move(way.source);
   input.script = std::move(way.script);
@@ -125,7 +126,7 @@ void write_figures(core::JsonWriter& json, const char* name, const std::optional
   json.member("pslr_db", figures->pslr_db).member("islr_db", figures->islr_db).end_object();
 }
 
-void write_json(core::JsonWriter& json, const Measured& target) {
+void write_target_json(core::JsonWriter& json, const Measured& target) {
   const workflow::TargetTheory& theory = target.theory;
   json.begin_object().member("target", theory.target + 1).key("theory").begin_object();
   json.member("azimuth_m", theory.place.azimuth_m).member("range_m", theory.place.range_m);
@@ -179,7 +180,7 @@ void lay_on_ground(workflow::TargetTheory& theory, const signal::ImageFrame& gri
   theory.range->null *= farther.range_m - place.range_m;
 }
 
-std::vector<workflow::TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
+std::vector<workflow::TargetTheory> theories_of(const MeasuredImage& opened, const workflow::FocusInput& input,
                                                 const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
   signal::EchoRows echoes = input.echoes;
@@ -220,7 +221,7 @@ void expect_free_pictures(const MeasureArguments& arguments, const std::vector<w
                           "name another folder, or --force");
 }
 
-std::vector<Measured> measured_targets(const MeasuredImage& opened, const FocusInput& input,
+std::vector<Measured> measured_targets(const MeasuredImage& opened, const workflow::FocusInput& input,
                                        const MeasureArguments& arguments, const core::WorkControl& control) {
   const std::vector<workflow::TargetTheory> theories = theories_of(opened, input, control);
   expect_free_pictures(arguments, theories);
@@ -264,7 +265,7 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
                                   streams.stop};
   const MeasuredImage opened = opened_image(arguments.image);
   expect_folder(arguments.cuts);
-  const FocusInput input = open_focus_input(input_of(arguments, opened, streams), control);
+  const workflow::FocusInput input = workflow::open_focus_input(input_of(arguments, opened, streams), control);
   const std::vector<Measured> targets = measured_targets(opened, input, arguments, control);
   if (!arguments.json) {
     std::string text = fmt::format("{}: {} by {}; theory in parentheses\n  {:<8}{:>18}  {:>18}  {:>18}\n",
@@ -277,7 +278,7 @@ ExitStatus measure(const MeasureArguments& arguments, Streams& streams) {
     json.begin_object().member("sarsim", core::program_version).member("image", arguments.image);
     json.member("source", opened.origin.source).member("algorithm", opened.origin.algorithm);
     json.key("targets").begin_array();
-    for (const Measured& target : targets) write_json(json, target);
+    for (const Measured& target : targets) write_target_json(json, target);
     json.end_array().end_object();
     write_out(streams, json.text());
   }

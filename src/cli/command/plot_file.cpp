@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/command/image_fields.hpp"
 #include "cli/command/plot_arguments.hpp"
 #include "cli/command/plot_samples.hpp"
 #include "core/maths/constants.hpp"
@@ -14,6 +13,7 @@
 #include "picture/image/envi_layout.hpp"
 #include "picture/image/image_figure.hpp"
 #include "raster/format/image_source.hpp"
+#include "workflow/image/image_fields.hpp"
 
 namespace sarsim::cli {
 
@@ -70,9 +70,9 @@ FocusedPlaces places_of_product(const raster::EnviHeader& header) {
 FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& path) {
   if (!header.field("image plane")) return places_of_product(header);
   signal::FocusedImage image;
-  ImageOrigin origin;
-  read_header(header, raster::envi_header_of(path).string(), image, origin);
-  const bool turning = is_of_turning_target(origin);
+  workflow::ImageOrigin origin;
+  workflow::read_header(header, raster::envi_header_of(path).string(), image, origin);
+  const bool turning = workflow::is_of_turning_target(origin);
   const char* along = turning ? "Cross-range" : "Azimuth";
   const char* range = turning                                                ? "Along the line of sight"
                       : image.frame.plane == signal::ImagePlane::slant_range ? "Slant range"

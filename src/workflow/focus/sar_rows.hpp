@@ -1,20 +1,15 @@
 #pragma once
 
-#include <complex>
-#include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "scene/model/scene.hpp"
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
+#include "workflow/input/recorded_rows.hpp"
 
 /// From simulations and their recordings to what focusing begins with.
 namespace sarsim::workflow {
-
-/// Copies a row of a recording, in volts or in counts; called from many threads at once.
-using RecordedRows = std::function<void(std::size_t row, std::span<std::complex<double>> out)>;
 
 /// What keeps a simulation from being focused whatever the method, all at once: a carrier that changes from pulse to
 /// pulse, fewer than two pulses, a radar that rests; of recordings also synthetic range profiles and samples that the

@@ -51,7 +51,7 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
   if (!arguments.simulation) {
     const std::string hint = "say which one did with --simulation N";
     const fs::path file(arguments.path);
-    if (const auto found = workflow::simulation_that_writes(file, scene, hint)) return *found;
+    if (const auto found = simulation_that_writes(file, scene, hint)) return *found;
     if (scene.simulations.size() > 1)
       throw core::Refused(fmt::format("no simulation of the script writes '{}'", file.filename().string()), hint);
   }
@@ -60,8 +60,8 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
 }
 
 scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording) {
-  workflow::SceneInput input = workflow::read_scene(arguments.script, arguments.overrides, workflow::Scrutiny::values);
-  workflow::expect_usable(input);
+  SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values);
+  expect_usable(input);
   take(recording.problems, std::move(input.problems));
   std::ranges::move(input.sources, std::back_inserter(recording.sources));
   return std::move(input.scene);
@@ -77,14 +77,13 @@ scene::Scene scene_in_file(const std::string& path, const raster::SampleFileInfo
       scene::read_script(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
   expect_sound(scene::check(reading.scene));
-  std::ranges::move(workflow::data_files_of(reading.scene, fs::path(path).parent_path()),
-                    std::back_inserter(recording.sources));
+  std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
   return std::move(reading.scene);
 }
 
 // A file that carries its script was recorded with the options that stand there.
 void expect_no_overrides(const RecordingArguments& arguments) {
-  const workflow::SceneOverrides& overrides = arguments.overrides;
+  const SceneOverrides& overrides = arguments.overrides;
   const std::pair<const char*, bool> given[] = {{"--profile", overrides.profile.has_value()},
                                                 {"--pulse", overrides.pulse.has_value()},
                                                 {"--tolerance", overrides.tolerance.has_value()},
@@ -168,9 +167,8 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
                               const core::WorkControl& control) {
   if (!arguments.script.empty())
     throw core::Refused("--script is for files of samples", "a script needs no other script");
-  ScriptedRecording recording{
-      workflow::read_scene(arguments.path, arguments.overrides, workflow::Scrutiny::echoes, control)};
-  workflow::expect_usable(recording.input);
+  ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
+  expect_usable(recording.input);
   recording.simulation = simulation_of_scene(recording.input.scene, arguments.path, arguments.simulation, suits);
   return recording;
 }

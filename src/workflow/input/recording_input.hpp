@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulate/plan/plan.hpp"
-#include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/recorded_rows.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::workflow {

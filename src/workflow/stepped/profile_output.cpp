@@ -135,7 +135,7 @@ void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, sce
 }  // namespace
 
 std::vector<fs::path> files_of_profiles(const fs::path& path) {
-  if (!is_envi(path)) return {path};
+  if (!workflow::is_envi(path)) return {path};
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 

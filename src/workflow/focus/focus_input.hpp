@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "cli/shell/recording_input.hpp"
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
+#include "workflow/input/recording_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
 struct FocusInput {
@@ -19,4 +19,4 @@ struct FocusInput {
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
 [[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,4 +1,4 @@
-#include "cli/command/focus_motion.hpp"
+#include "workflow/focus/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "signal/sar/reference_track.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -73,7 +73,7 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
   const double sine =
       radar::range_of_cycle(wave.carrier_hz * speed_mps, wave.light_speed_mps) * options.doppler_centroid_hz;
   how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
-  how.scene_m = workflow::scene_middle_m(*input.plan);
+  how.scene_m = scene_middle_m(*input.plan);
   if (ground_m) how.scene_m.z = *ground_m;
   how.second_order = order == MotionOrder::second;
   expect_ground_in_reach(input.echoes, how);
@@ -81,4 +81,4 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
                                            control, progress);
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -2,12 +2,12 @@
 
 #include <optional>
 
-#include "cli/command/focus_input.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 #include "signal/sar/focusing.hpp"
+#include "workflow/focus/focus_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What back projection can do that the other methods cannot.
 struct BackProjectionChoice {
@@ -31,4 +31,4 @@ struct BackProjectionChoice {
                                                  const signal::FocusOptions& options, const core::WorkControl& control,
                                                  const core::ProgressReport& progress);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

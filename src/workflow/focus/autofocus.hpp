@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/command/focus_input.hpp"
 #include "core/task/parallel.hpp"
 #include "signal/sar/focusing.hpp"
+#include "workflow/focus/focus_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// What autofocus did to an image.
 struct AutofocusFinding {
@@ -41,4 +41,4 @@ void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input,
 /// Writes places and phases as CSV: along_m, phase_rad.
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,11 +1,11 @@
-#include "cli/command/focus_input.hpp"
+#include "workflow/focus/focus_input.hpp"
 
 #include <algorithm>
 
 #include "core/report/refused.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -15,21 +15,21 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
   focus.simulation = simulation;
   const simulate::Plan window = simulate::make_plan(input.scene, simulation, input.resolved);
   focus.problems = std::move(input.problems);
-  std::ranges::move(workflow::problems_of_sar(window, false), std::back_inserter(focus.problems));
+  std::ranges::move(problems_of_sar(window, false), std::back_inserter(focus.problems));
   if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
   scene::Simulation& recorded = input.scene.simulations[simulation];
-  recorded = workflow::recorded_for_sar(recorded, window);
+  recorded = recorded_for_sar(recorded, window);
   focus.plan = std::make_shared<const simulate::Plan>(
       simulate::make_plan(input.scene, simulation, input.resolved, simulate::Engine::automatic));
-  focus.echoes = workflow::sar_rows_of_scene(focus.plan, window.columns);
+  focus.echoes = sar_rows_of_scene(focus.plan, window.columns);
   return focus;
 }
 
 FocusInput of_file(const RecordingArguments& arguments) {
-  StoredRecording stored = open_recording(
-      arguments, records_pulses, [](const simulate::Plan& plan) { return workflow::problems_of_sar(plan, true); });
+  StoredRecording stored =
+      open_recording(arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); });
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems)};
-  focus.echoes = workflow::sar_rows_of_recording(focus.plan, stored.read);
+  focus.echoes = sar_rows_of_recording(focus.plan, stored.read);
   return focus;
 }
 
@@ -41,4 +41,4 @@ FocusInput open_focus_input(const RecordingArguments& arguments, const core::Wor
   return focus;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

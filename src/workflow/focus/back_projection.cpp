@@ -1,4 +1,4 @@
-#include "cli/command/focus_back_projection.hpp"
+#include "workflow/focus/back_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -44,7 +44,7 @@ void refine_azimuth(signal::ImageAxis& axis, const FocusInput& input, const sign
   double band_hz = 0.0;
   signal::EchoRows echoes = input.echoes;
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const workflow::SarTarget& target : workflow::sar_targets(*input.plan, echoes, control)) {
+  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     // All pulses are summed, those that see the target in sidelobes of the antenna, too.
     const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
@@ -81,7 +81,7 @@ signal::BackProjectionOptions options_of(const signal::FocusOptions& options, co
 
 // The frame of the points that are focused.
 void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
-  core::Vec3 scene_m = workflow::scene_middle_m(*input.plan);
+  core::Vec3 scene_m = scene_middle_m(*input.plan);
   if (choice.ground_m) scene_m.z = *choice.ground_m;
   if (!choice.ground) {
     axes.frame.across = across_of(scene_m, axes.frame);
@@ -140,4 +140,4 @@ signal::FocusedRows back_projected(const FocusInput& input, const BackProjection
   return rows;
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

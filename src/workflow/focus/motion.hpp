@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/command/focus_input.hpp"
+#include "workflow/focus/focus_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// Of what departs from a straight flight at constant speed, what is taken out of the echoes.
 enum class MotionOrder {
@@ -31,4 +31,4 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
                 const signal::FocusOptions& options, const core::WorkControl& control,
                 const core::ProgressReport& progress);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

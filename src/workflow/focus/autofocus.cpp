@@ -1,4 +1,4 @@
-#include "cli/command/focus_autofocus.hpp"
+#include "workflow/focus/autofocus.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace {
 
@@ -35,7 +35,7 @@ Apertures apertures_of(const FocusInput& input, const signal::FocusOptions& opti
   double count = 0.0;
   signal::EchoRows echoes = input.echoes;
   echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const workflow::SarTarget& target : workflow::sar_targets(*input.plan, echoes, control)) {
+  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
     if (!(target.amplitude > 0.0)) continue;
     const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
     sum_m +=
@@ -142,4 +142,4 @@ void write_phase(const AutofocusFinding& finding, const std::filesystem::path& p
   file.commit();
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
