@@ -2,12 +2,13 @@
 
 #include <cctype>
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "cli/shell/options.hpp"
+#include "cli/shell/window_option.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
@@ -16,33 +17,9 @@ namespace sarsim::cli {
 
 namespace {
 
-// Half of the memory that is free; 1 GiB where the system does not say.
-std::size_t half_of_free_memory() {
-  std::ifstream info("/proc/meminfo");
-  std::string name;
-  std::size_t kilobytes = 0;
-  std::string unit;
-  while (info >> name >> kilobytes) {
-    std::getline(info, unit);
-    if (name == "MemAvailable:") return kilobytes * 512;
-  }
-  return std::size_t{1} << 30;
-}
-
-}  // namespace
-
-const char* word_of(FocusAlgorithm algorithm) {
-  switch (algorithm) {
-    case FocusAlgorithm::range_doppler: return "range-doppler";
-    case FocusAlgorithm::chirp_scaling: return "chirp-scaling";
-    case FocusAlgorithm::back_projection: return "back-projection";
-    case FocusAlgorithm::omega_k: break;
-  }
-  return "omega-k";
-}
-
-std::size_t memory_of(const std::string& text) {
-  if (text.empty()) return half_of_free_memory();
+// A number with K, M, G or T (of 1024) behind it; nothing where there is no text.
+std::optional<std::size_t> memory_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
   static constexpr std::string_view units = "KMGT";
   std::string number = text;
   double scale = 1.0;
@@ -57,16 +34,38 @@ std::size_t memory_of(const std::string& text) {
   throw core::Refused(fmt::format("--memory: '{}' is no size", text), "give 1M or more, for instance 800M or 4G");
 }
 
+// Windows of one direction stand before that of both.
+void take_windows(const FocusArguments& arguments, workflow::FocusRequest& request) {
+  request.range_window = window_of("--window", arguments.window);
+  request.azimuth_window = request.range_window;
+  if (!arguments.range_window.empty()) request.range_window = window_of("--range-window", arguments.range_window);
+  if (!arguments.azimuth_window.empty())
+    request.azimuth_window = window_of("--azimuth-window", arguments.azimuth_window);
+}
+
+void take_centroid(const std::string& text, workflow::FocusRequest& request) {
+  if (const auto given_hz = core::parse_number(text)) {
+    request.centroid = workflow::CentroidSource::given;
+    request.given_centroid_hz = *given_hz;
+  } else if (core::equal_ignoring_case(text, "measured")) {
+    request.centroid = workflow::CentroidSource::measured;
+  } else if (!core::equal_ignoring_case(text, "geometry")) {
+    throw core::Refused(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
+  }
+}
+
+}  // namespace
+
 void add_focus_arguments(CLI::App& app, FocusArguments& a) {
   add_text(app, "--out", a.output, "OUT",
            fmt::format("image to write: ENVI (.img, default), or {}; default: the input's name",
                        raster::image_extensions()));
-  add_choice<FocusAlgorithm>(app, "--algorithm", a.algorithm,
-                             {{"range-doppler", FocusAlgorithm::range_doppler},
-                              {"chirp-scaling", FocusAlgorithm::chirp_scaling},
-                              {"omega-k", FocusAlgorithm::omega_k},
-                              {"back-projection", FocusAlgorithm::back_projection}},
-                             "omega-k by default; back-projection for tracks that are not straight");
+  add_choice<workflow::FocusAlgorithm>(app, "--algorithm", a.algorithm,
+                                       {{"range-doppler", workflow::FocusAlgorithm::range_doppler},
+                                        {"chirp-scaling", workflow::FocusAlgorithm::chirp_scaling},
+                                        {"omega-k", workflow::FocusAlgorithm::omega_k},
+                                        {"back-projection", workflow::FocusAlgorithm::back_projection}},
+                                       "omega-k by default; back-projection for tracks that are not straight");
   add_text(app, "--window", a.window, "WINDOW",
            "over range and azimuth: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]");
   add_text(app, "--range-window", a.range_window, "WINDOW", "over range alone");
@@ -74,8 +73,9 @@ void add_focus_arguments(CLI::App& app, FocusArguments& a) {
   add_text(app, "--doppler-centroid", a.centroid, "geometry|measured|HZ",
            "the middle of the Doppler band, as the geometry has it (default), measured, or given");
   add_real(app, "--doppler-bandwidth", a.bandwidth_hz, "HZ", "band to keep about the centroid (default: all)");
-  add_choice<FocusGrid>(app, "--grid", a.grid, {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
-                        "columns are slant ranges (default), or places on level ground: of back-projection");
+  add_choice<workflow::FocusGrid>(app, "--grid", a.grid,
+                                  {{"slant", workflow::FocusGrid::slant}, {"ground", workflow::FocusGrid::ground}},
+                                  "columns are slant ranges (default), or places on level ground: of back-projection");
   add_real(app, "--height", a.ground_m, "M",
            "height of the ground, of --grid ground and motion compensation (default: the targets' mean)");
   app.add_flag("--start-stop", a.start_stop,
@@ -100,6 +100,29 @@ void add_focus_arguments(CLI::App& app, FocusArguments& a) {
   app.add_flag("--force", a.force, "replace files that exist");
   app.add_flag("--json", a.json, "a report as JSON on standard output");
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
+}
+
+workflow::FocusRequest request_of(const FocusArguments& a) {
+  workflow::FocusRequest request;
+  request.memory_bytes = memory_of(a.memory);
+  take_windows(a, request);
+  take_centroid(a.centroid, request);
+  request.input = a.input;
+  request.output = a.output.empty() ? std::filesystem::path(a.input.path).stem().string() + ".img" : a.output;
+  request.algorithm = a.algorithm.value_or(request.algorithm);
+  request.bandwidth_hz = a.bandwidth_hz.value_or(0.0);
+  request.grid = a.grid.value_or(request.grid);
+  request.ground_m = a.ground_m;
+  request.start_stop = a.start_stop;
+  request.motion = a.motion;
+  request.autofocus = a.autofocus;
+  request.autofocus_piece_m = a.autofocus_piece_m;
+  request.autofocus_phase = a.autofocus_phase;
+  request.threads = static_cast<unsigned>(a.threads.value_or(0));
+  request.scratch_folder = a.scratch;
+  request.magnitude = a.magnitude;
+  request.force = a.force;
+  return request;
 }
 
 }  // namespace sarsim::cli

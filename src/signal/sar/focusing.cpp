@@ -327,6 +327,14 @@ core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusO
   return problems;
 }
 
+FocusedImage in_memory(const FocusedRows& rows) {
+  FocusedImage image = rows.image;
+  image.values.resize(image.azimuth.count * image.range.count);
+  for (std::size_t r = 0; r < image.azimuth.count; ++r)
+    rows.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
+  return image;
+}
+
 FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
   return empty_image(focus_frame(echoes, options));
 }
@@ -341,12 +349,7 @@ FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, cons
 
 FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const core::WorkControl& control) {
   CORE_EXPECT(echoes.volts.size() == echoes.track.size() * echoes.samples);
-  const FocusedRows focused = focus_rows(rows_of(echoes), options, control);
-  FocusedImage image = focused.image;
-  image.values.resize(image.azimuth.count * image.range.count);
-  for (std::size_t r = 0; r < image.azimuth.count; ++r)
-    focused.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
-  return image;
+  return in_memory(focus_rows(rows_of(echoes), options, control));
 }
 
 double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const core::WorkControl& control) {

@@ -42,6 +42,9 @@ struct FocusedRows {
   std::function<void(std::size_t row, std::span<std::complex<float>> out)> read;
 };
 
+/// All rows of an image in memory.
+[[nodiscard]] FocusedImage in_memory(const FocusedRows& rows);
+
 inline constexpr const char* track_field = "track";
 
 /// What stands against focusing these echoes in the frequency domain, all at once: no speed, pulses that are not evenly

@@ -14,7 +14,6 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/autofocus.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
 
@@ -26,16 +25,15 @@ struct Apertures {
   double band_hz = 0.0;  // of Doppler frequencies about the centroid that holds those of all targets; 0: none known
 };
 
-Apertures apertures_of(const FocusInput& input, const signal::FocusOptions& options, const core::WorkControl& control) {
-  const signal::StraightTrack track = signal::fit_straight(input.echoes.track);
-  const double flight_m = track.speed_mps * track.interval_s * static_cast<double>(input.echoes.track.size());
-  const signal::SarWaveform& wave = input.echoes.waveform;
+Apertures apertures_of(const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
+                       const signal::FocusOptions& options) {
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  const double flight_m = track.speed_mps * track.interval_s * static_cast<double>(echoes.track.size());
+  const signal::SarWaveform& wave = echoes.waveform;
   Apertures apertures;
   double sum_m = 0.0;
   double count = 0.0;
-  signal::EchoRows echoes = input.echoes;
-  echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+  for (const SarTarget& target : targets) {
     if (!(target.amplitude > 0.0)) continue;
     const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
     sum_m +=
@@ -79,37 +77,12 @@ double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice,
   return choice.piece_m;
 }
 
-signal::FocusedImage in_memory(const signal::FocusedRows& rows) {
-  signal::FocusedImage image = rows.image;
-  image.values.resize(image.azimuth.count * image.range.count);
-  for (std::size_t r = 0; r < image.azimuth.count; ++r)
-    rows.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
-  return image;
-}
-
-}  // namespace
-
-void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
-                      const signal::FocusOptions& options, const core::WorkControl& control) {
-  expect_memory(axes, piece_of(axes, choice, apertures_of(input, options, control).mean_m), choice.memory_bytes);
-}
-
-signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInput& input, const AutofocusChoice& choice,
-                                const signal::FocusOptions& options, const core::WorkControl& control,
-                                AutofocusFinding& finding) {
-  const Apertures apertures = apertures_of(input, options, control);
-  finding.piece_m = piece_of(rows.image, choice, apertures.mean_m);
-  expect_memory(rows.image, finding.piece_m, choice.memory_bytes);
-  const signal::FocusedImage blurred = in_memory(rows);
-  const signal::AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
-  signal::StripmapAutofocusResult result = signal::autofocus_strip(blurred, finding.piece_m, how, control);
-  finding.entropy_before = signal::image_entropy(blurred);
-  finding.entropy_after = signal::image_entropy(result.image);
-  finding.applied = finding.entropy_after < finding.entropy_before;
-
-  const signal::StraightTrack track = signal::fit_straight(input.echoes.track);
+// The phase along the flight, where the antenna was.
+void take_phase(const signal::StripmapAutofocusResult& result, const signal::EchoRows& echoes,
+                AutofocusFinding& finding) {
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
   const double first_m = track.speed_mps * track.time_s(0.0);
-  const double last_m = track.speed_mps * track.time_s(static_cast<double>(input.echoes.track.size()) - 1.0);
+  const double last_m = track.speed_mps * track.time_s(static_cast<double>(echoes.track.size()) - 1.0);
   double sum = 0.0;
   for (std::size_t i = 0; i < result.along_m.size(); ++i) {
     if (result.along_m[i] < first_m || result.along_m[i] > last_m) continue;
@@ -118,6 +91,30 @@ signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInpu
     sum += result.phase_rad[i] * result.phase_rad[i];
   }
   if (!finding.along_m.empty()) finding.rms_rad = std::sqrt(sum / static_cast<double>(finding.along_m.size()));
+}
+
+}  // namespace
+
+void expect_autofocus(const signal::FocusedImage& axes, const signal::EchoRows& echoes,
+                      const std::vector<SarTarget>& targets, const AutofocusChoice& choice,
+                      const signal::FocusOptions& options) {
+  expect_memory(axes, piece_of(axes, choice, apertures_of(echoes, targets, options).mean_m), choice.memory_bytes);
+}
+
+std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
+    const signal::FocusedRows& rows, const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
+    const AutofocusChoice& choice, const signal::FocusOptions& options, const core::WorkControl& control) {
+  const Apertures apertures = apertures_of(echoes, targets, options);
+  AutofocusFinding finding;
+  finding.piece_m = piece_of(rows.image, choice, apertures.mean_m);
+  expect_memory(rows.image, finding.piece_m, choice.memory_bytes);
+  const signal::FocusedImage blurred = signal::in_memory(rows);
+  const signal::AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
+  signal::StripmapAutofocusResult result = signal::autofocus_strip(blurred, finding.piece_m, how, control);
+  finding.entropy_before = signal::image_entropy(blurred);
+  finding.entropy_after = signal::image_entropy(result.image);
+  finding.applied = finding.entropy_after < finding.entropy_before;
+  take_phase(result, echoes, finding);
 
   signal::FocusedRows sharp;
   const auto image = std::make_shared<const signal::FocusedImage>(finding.applied ? std::move(result.image) : blurred);
@@ -126,7 +123,7 @@ signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInpu
   sharp.read = [image](std::size_t row, std::span<std::complex<float>> out) {
     std::copy_n(image->values.data() + row * image->range.count, out.size(), out.data());
   };
-  return sharp;
+  return {std::move(sharp), std::move(finding)};
 }
 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "core/task/parallel.hpp"
 #include "signal/sar/focusing.hpp"
-#include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
 
@@ -29,14 +31,17 @@ struct AutofocusChoice {
 };
 
 /// Throws core::Refused where an image with these axes is too short for the pieces, or the memory too small for it.
-void expect_autofocus(const signal::FocusedImage& axes, const FocusInput& input, const AutofocusChoice& choice,
-                      const signal::FocusOptions& options, const core::WorkControl& control);
+/// @param echoes   their track and waveform
+/// @param targets  from the line of the track (`targets_from_line`)
+void expect_autofocus(const signal::FocusedImage& axes, const signal::EchoRows& echoes,
+                      const std::vector<SarTarget>& targets, const AutofocusChoice& choice,
+                      const signal::FocusOptions& options);
 
 /// Phase gradient autofocus of a strip (signal/sar/autofocus.hpp), in memory, at the Doppler frequencies that the
-/// targets have. core::Refused as above.
-[[nodiscard]] signal::FocusedRows autofocused(const signal::FocusedRows& rows, const FocusInput& input,
-                                              const AutofocusChoice& choice, const signal::FocusOptions& options,
-                                              const core::WorkControl& control, AutofocusFinding& finding);
+/// targets have. The image, sharper where it was, and what was found. core::Refused as above.
+[[nodiscard]] std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
+    const signal::FocusedRows& rows, const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
+    const AutofocusChoice& choice, const signal::FocusOptions& options, const core::WorkControl& control);
 
 /// Writes places and phases as CSV: along_m, phase_rad.
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace);

@@ -11,7 +11,6 @@
 #include "signal/sar/back_projection.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 namespace sarsim::workflow {
@@ -39,12 +38,10 @@ void weigh_pulses(signal::SarEchoes& echoes, const signal::SarWindow& window) {
 
 // Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
 // them nevertheless, and its image is to hold them.
-void refine_azimuth(signal::ImageAxis& axis, const FocusInput& input, const signal::FocusOptions& options,
-                    double speed_mps, const core::WorkControl& control) {
+void refine_azimuth(signal::ImageAxis& axis, const std::vector<SarTarget>& targets, const signal::FocusOptions& options,
+                    double speed_mps) {
   double band_hz = 0.0;
-  signal::EchoRows echoes = input.echoes;
-  echoes.compensated = true;  // The image's frequencies are those about the straight line.
-  for (const SarTarget& target : sar_targets(*input.plan, echoes, control)) {
+  for (const SarTarget& target : targets) {
     if (!(target.amplitude > 0.0)) continue;
     // All pulses are summed, those that see the target in sidelobes of the antenna, too.
     const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
@@ -99,19 +96,18 @@ void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackP
 
 }  // namespace
 
-signal::FocusedImage back_projection_axes(const FocusInput& input, const signal::FocusOptions& options,
-                                          const core::WorkControl& control) {
+signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
+                                          const signal::FocusOptions& options) {
   signal::FocusOptions plain = options;
   plain.method = signal::FocusMethod::range_doppler;
-  signal::FocusedImage axes = signal::image_of(input.echoes, plain);
-  refine_azimuth(axes.azimuth, input, options, axes.frame.speed_mps, control);
+  signal::FocusedImage axes = signal::image_of(echoes, plain);
+  refine_azimuth(axes.azimuth, targets, options, axes.frame.speed_mps);
   return axes;
 }
 
-signal::FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
-                                   const signal::FocusOptions& options, const core::WorkControl& control,
-                                   const core::ProgressReport& progress) {
-  signal::FocusedImage axes = back_projection_axes(input, options, control);
+signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage axes,
+                                   const BackProjectionChoice& choice, const signal::FocusOptions& options,
+                                   const core::WorkControl& control, const core::ProgressReport& progress) {
   signal::BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
   place_axes(axes, input, choice);

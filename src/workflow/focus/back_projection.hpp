@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 #include "signal/sar/focusing.hpp"
 #include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
 
@@ -17,8 +19,10 @@ struct BackProjectionChoice {
 };
 
 /// The axes and the frame of the image of slant range that `back_projected` makes, without values.
-[[nodiscard]] signal::FocusedImage back_projection_axes(const FocusInput& input, const signal::FocusOptions& options,
-                                                        const core::WorkControl& control);
+/// @param targets  from the line of the track (`targets_from_line`)
+[[nodiscard]] signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes,
+                                                        const std::vector<SarTarget>& targets,
+                                                        const signal::FocusOptions& options);
 
 /// Focuses by back projection to the slant-range image that the methods in the frequency domain make: the same axes,
 /// phases and amplitudes, with closer rows where the pulses do not sample the targets' Doppler frequencies. A Doppler
@@ -27,7 +31,9 @@ struct BackProjectionChoice {
 /// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
 /// image of level ground. Throws core::Refused where the echoes need more memory than allowed or the ground is out of
 /// reach.
-[[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, const BackProjectionChoice& choice,
+/// @param axes  `back_projection_axes` of these echoes
+[[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage axes,
+                                                 const BackProjectionChoice& choice,
                                                  const signal::FocusOptions& options, const core::WorkControl& control,
                                                  const core::ProgressReport& progress);
 

@@ -40,8 +40,8 @@ std::string to_string(MotionOrder order) {
   return order == MotionOrder::first ? "first" : "second";
 }
 
-bool wants_compensation(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
-  return std::ranges::any_of(signal::problems_of_focusing(echoes, options),
+bool wants_compensation(const core::Problems& problems) {
+  return std::ranges::any_of(problems,
                              [](const core::Problem& problem) { return problem.subject.field == signal::track_field; });
 }
 

@@ -17,8 +17,9 @@ enum class MotionOrder {
 /// "none", "first" or "second".
 [[nodiscard]] std::string to_string(MotionOrder order);
 
-/// Whether a track leaves the straight line, or is sampled so unevenly, that focusing in the frequency domain suffers.
-[[nodiscard]] bool wants_compensation(const signal::EchoRows& echoes, const signal::FocusOptions& options);
+/// Whether what `signal::problems_of_focusing` found says that a track leaves the straight line, or is sampled so
+/// unevenly, that focusing in the frequency domain suffers.
+[[nodiscard]] bool wants_compensation(const core::Problems& problems);
 
 /// core::Refused where the antenna does not fly the line that fits its track in one direction.
 void expect_one_way(const signal::EchoRows& echoes);

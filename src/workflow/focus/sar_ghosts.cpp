@@ -217,6 +217,12 @@ std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::Ech
   return targets;
 }
 
+std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
+                                         const core::WorkControl& control) {
+  echoes.compensated = true;
+  return sar_targets(plan, echoes, control);
+}
+
 std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
                                  const core::WorkControl& control) {
   const SarLooks looks(plan, echoes);

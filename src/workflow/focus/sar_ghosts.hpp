@@ -46,6 +46,10 @@ struct SarTarget {
 [[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                                  const core::WorkControl& control = {});
 
+/// The same from the line that fits the track, which the frequencies of an image are about.
+[[nodiscard]] std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
+                                                       const core::WorkControl& control = {});
+
 /// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
 /// less is kept than the pulses sample, only what folds into it is there.
 /// @throw  Interrupted

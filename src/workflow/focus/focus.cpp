@@ -1,0 +1,200 @@
+#include "workflow/focus/focus.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/os/free_memory.hpp"
+#include "core/report/refused.hpp"
+#include "core/task/clock.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "workflow/focus/back_projection.hpp"
+#include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/sar_rows.hpp"
+#include "workflow/image/image_output.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool in_time(const FocusRequest& request) { return request.algorithm == FocusAlgorithm::back_projection; }
+
+// Half of the memory that is free, where nobody said how much.
+std::size_t memory_for(const FocusRequest& request) {
+  constexpr std::size_t where_unknown = std::size_t{2} << 30;
+  return request.memory_bytes.value_or(core::free_memory_bytes().value_or(where_unknown) / 2);
+}
+
+signal::FocusOptions options_of(const FocusRequest& request) {
+  signal::FocusOptions options;
+  if (request.algorithm == FocusAlgorithm::range_doppler) options.method = signal::FocusMethod::range_doppler;
+  if (request.algorithm == FocusAlgorithm::chirp_scaling) options.method = signal::FocusMethod::chirp_scaling;
+  options.range_window = request.range_window;
+  options.azimuth_window = request.azimuth_window;
+  options.doppler_bandwidth_hz = request.bandwidth_hz;
+  options.memory_bytes = memory_for(request);
+  options.scratch_folder = request.scratch_folder;
+  return options;
+}
+
+// What does not move cannot be focused, which `problems_of_echoes` says.
+bool moves(const signal::EchoRows& echoes) {
+  return echoes.track.size() >= 2 && signal::fit_straight(echoes.track).speed_mps > 0.0;
+}
+
+// The middle of the Doppler band as the echoes have it, or `otherwise`.
+double measured_centroid_hz(const FocusRequest& request, const signal::EchoRows& echoes, double otherwise_hz,
+                            const core::WorkControl& control) {
+  if (request.centroid != CentroidSource::measured || echoes.samples == 0) return otherwise_hz;
+  return signal::measured_doppler_centroid_hz(echoes, otherwise_hz, control);
+}
+
+// As it is known before motion is compensated; measured, it is that of the echoes as they came.
+double first_centroid_hz(const FocusRequest& request, const FocusInput& input, const core::WorkControl& control) {
+  if (request.centroid == CentroidSource::given) return request.given_centroid_hz;
+  if (!moves(input.echoes)) return 0.0;
+  return measured_centroid_hz(request, input.echoes, geometric_doppler_centroid_hz(*input.plan), control);
+}
+
+core::Problems problems_of_echoes(const FocusRequest& request, const signal::EchoRows& echoes,
+                                  const signal::FocusOptions& options) {
+  return in_time(request) ? signal::problems_of_focusing_in_time(echoes, options)
+                          : signal::problems_of_focusing(echoes, options);
+}
+
+MotionOrder wanted_motion(const FocusRequest& request, const signal::EchoRows& echoes, const core::Problems& problems) {
+  if (in_time(request) || !moves(echoes)) return MotionOrder::none;
+  if (request.motion) return *request.motion;
+  return wants_compensation(problems) ? MotionOrder::second : MotionOrder::none;
+}
+
+// What compensation does not mend is said before it.
+void expect_focusable(const FocusInput& input, core::Problems problems, MotionOrder motion) {
+  if (motion != MotionOrder::none) expect_one_way(input.echoes);
+  std::erase_if(problems, [&](const core::Problem& problem) {
+    return problem.severity != core::Severity::error ||
+           (motion != MotionOrder::none && problem.subject.field == signal::track_field);
+  });
+  if (problems.empty()) return;
+  std::ranges::copy(input.problems, std::back_inserter(problems));
+  throw core::Refused(core::ranked(std::move(problems)));
+}
+
+// Progress of a stage whose clock begins now.
+core::ProgressReport begun_stage(const core::Observer& observer, std::string name) {
+  core::ProgressReport progress = observer.stage(std::move(name));
+  if (progress) progress({});
+  return progress;
+}
+
+std::string name_of(const FocusRequest& request) {
+  return request.output.empty() ? request.input.path : request.output.string();
+}
+
+// Echoes that can be focused, and how.
+struct FocusWork {
+  FocusInput input;
+  signal::FocusOptions options;
+  core::Problems problems;  // of the echoes, for these options
+  MotionOrder motion = MotionOrder::none;
+  double strays_m = 0.0;  // from the straight line, before compensation
+};
+
+FocusWork opened_work(const FocusRequest& request, const core::WorkControl& control) {
+  FocusWork work{.input = open_focus_input(request.input, control), .options = options_of(request), .problems = {}};
+  work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
+  work.problems = problems_of_echoes(request, work.input.echoes, work.options);
+  work.motion = wanted_motion(request, work.input.echoes, work.problems);
+  expect_focusable(work.input, work.problems, work.motion);
+  return work;
+}
+
+void compensate_work(FocusWork& work, const FocusRequest& request, const core::WorkControl& control,
+                     const core::Observer& observer) {
+  work.strays_m = signal::fit_straight(work.input.echoes.track).worst_position_m;
+  compensate(work.input, work.motion, request.ground_m, work.options, control,
+             begun_stage(observer, name_of(request) + ": motion compensation"));
+  work.options.doppler_centroid_hz =
+      measured_centroid_hz(request, work.input.echoes, work.options.doppler_centroid_hz, control);
+  work.problems = problems_of_echoes(request, work.input.echoes, work.options);
+}
+
+// All that there is to say of the work before it is done, ranked.
+core::Problems problems_of_work(const FocusWork& work, const core::WorkControl& control) {
+  core::Problems problems = work.input.problems;
+  std::ranges::copy(work.problems, std::back_inserter(problems));
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
+  std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
+  return core::ranked(std::move(problems));
+}
+
+signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& request, signal::FocusedImage axes,
+                                 const core::WorkControl& control, const core::Observer& observer) {
+  const core::ProgressReport progress = begun_stage(observer, name_of(request));
+  if (in_time(request)) {
+    const BackProjectionChoice choice{request.grid == FocusGrid::ground, request.ground_m, request.start_stop};
+    return back_projected(work.input, std::move(axes), choice, work.options, control, progress);
+  }
+  signal::FocusOptions options = work.options;
+  if (work.motion != MotionOrder::none) options.memory_bytes /= 2;  // The compensated echoes have the other half.
+  return signal::focus_rows(work.input.echoes, options, control, progress);
+}
+
+void write_outputs(const FocusReport& report, const FocusWork& work, const FocusRequest& request,
+                   const core::StopFlag* stop) {
+  const ImageOrigin origin{
+      request.input.path, request.input.script,   work.input.simulation,       word_of(request.algorithm),
+      work.options,       to_string(work.motion), work.input.plan->radar.name, work.input.plan->scene->options};
+  for (const fs::path& path : report.files)
+    if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  if (!request.output.empty()) write_image(report.image, origin, request.output, request.force, false, stop);
+  if (request.magnitude) write_image(report.image, origin, magnitude_path(request.output), request.force, true, stop);
+  if (report.autofocus && !request.autofocus_phase.empty())
+    write_phase(*report.autofocus, request.autofocus_phase, request.force);
+}
+
+}  // namespace
+
+FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
+  const double begin_s = core::now_s();
+  expect_sense(request);
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
+  FocusWork work = opened_work(request, control);
+  const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
+  std::vector<SarTarget> targets;
+  const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
+  if (request.autofocus || in_time(request)) look_at_targets();
+  const signal::FocusedImage axes = in_time(request) ? back_projection_axes(work.input.echoes, targets, work.options)
+                                                     : signal::image_of(work.input.echoes, work.options);
+  if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
+  if (work.motion != MotionOrder::none) {
+    compensate_work(work, request, control, observer);
+    if (request.autofocus) look_at_targets();
+  }
+  FocusReport report{.files = outputs_of(request),
+                     .image = {},
+                     .simulation = work.input.simulation,
+                     .algorithm = request.algorithm,
+                     .grid = request.grid,
+                     .options = work.options,
+                     .motion = work.motion,
+                     .strays_m = work.strays_m,
+                     .autofocus = {},
+                     .problems = problems_of_work(work, control)};
+  observer.remarks(report.problems);
+  report.image = focused_rows(work, request, axes, control, observer);
+  if (request.autofocus)
+    std::tie(report.image, report.autofocus) =
+        autofocused(report.image, work.input.echoes, targets, choice, work.options, control);
+  write_outputs(report, work, request, observer.stop);
+  report.seconds = core::now_s() - begin_s;
+  return report;
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/task/observer.hpp"
+#include "signal/sar/focusing.hpp"
+#include "workflow/focus/autofocus.hpp"
+#include "workflow/focus/focus_request.hpp"
+
+namespace sarsim::workflow {
+
+/// An image and how it came to be.
+struct FocusReport {
+  std::vector<std::filesystem::path> files;  ///< What was written.
+  signal::FocusedRows image;                 ///< Its axes; its rows can be read as long as this object.
+  std::size_t simulation = 0;                ///< Position in the script's list.
+  FocusAlgorithm algorithm = FocusAlgorithm::omega_k;
+  FocusGrid grid = FocusGrid::slant;
+  signal::FocusOptions options;            ///< As they were used: with the Doppler centroid.
+  MotionOrder motion = MotionOrder::none;  ///< To which the echoes were compensated.
+  double strays_m = 0.0;                   ///< Largest distance of the antenna from the straight line, where they were.
+  std::optional<AutofocusFinding> autofocus;
+  core::Problems problems;  ///< Warnings and notes, ranked; all were handed to the observer.
+  double seconds = 0.0;
+};
+
+/// Focuses the echoes of a script or of a recording (docs/theory/focusing.md), and writes the image where the request
+/// names an output. Throws core::Refused with all problems where that cannot be done, Interrupted, and like the sinks.
+[[nodiscard]] FocusReport focus(const FocusRequest& request, const core::Observer& observer);
+
+}  // namespace sarsim::workflow

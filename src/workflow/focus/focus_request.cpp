@@ -1,0 +1,92 @@
+#include "workflow/focus/focus_request.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "workflow/image/image_output.hpp"
+#include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_input.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void expect_options_that_agree(const FocusRequest& request) {
+  const bool back_projection = request.algorithm == FocusAlgorithm::back_projection;
+  const bool on_ground = request.grid == FocusGrid::ground;
+  if (!back_projection && on_ground)
+    throw core::Refused("--grid ground needs an algorithm that takes any points", "add --algorithm back-projection");
+  if (!back_projection && request.start_stop)
+    throw core::Refused("--start-stop is for back-projection", "add --algorithm back-projection");
+  if (back_projection && request.motion.value_or(MotionOrder::none) != MotionOrder::none)
+    throw core::Refused("back-projection takes the track as it is, and needs no motion compensation",
+                        "leave out --motion-compensation");
+  if (on_ground && request.autofocus)
+    throw core::Refused("--autofocus needs an image of slant range", "leave out --grid ground");
+  if (!request.autofocus && (request.autofocus_piece_m || !request.autofocus_phase.empty()))
+    throw core::Refused("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+  if (request.autofocus_piece_m && !(*request.autofocus_piece_m > 0.0))
+    throw core::Refused("--autofocus-piece must be above 0", "give metres along the track");
+}
+
+std::string script_of(const RecordingArguments& input) {
+  if (!input.script.empty()) return input.script;
+  return fs::path(input.path).extension() == ".scr" ? input.path : std::string();
+}
+
+// A folder, or else the nearest one above it.
+fs::path first_that_exists(fs::path folder) {
+  std::error_code ignored;
+  while (!folder.empty() && folder != folder.root_path() && !fs::exists(folder, ignored)) folder = folder.parent_path();
+  return folder;
+}
+
+void expect_outputs_to_be_free(const FocusRequest& request) {
+  if (request.magnitude && (request.output.empty() || !is_envi(request.output)))
+    throw core::Refused("--magnitude makes ENVI images", "name the output .img");
+  const std::vector<fs::path> paths = outputs_of(request);
+  OutputCare care{named_sources(request.input), request.force, "--out"};
+  if (request.force)  // Otherwise nothing that exists is replaced.
+    std::ranges::move(sources_of_script(script_of(request.input)), std::back_inserter(care.sources));
+  expect_free_outputs(paths, care);
+  for (const fs::path& path : paths) {
+    const fs::path folder = first_that_exists(path.parent_path());
+    std::error_code ignored;
+    if (!folder.empty() && !fs::is_directory(folder, ignored))
+      throw core::Refused(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
+                          "give the output another name");
+  }
+}
+
+}  // namespace
+
+const char* word_of(FocusAlgorithm algorithm) {
+  switch (algorithm) {
+    case FocusAlgorithm::range_doppler: return "range-doppler";
+    case FocusAlgorithm::chirp_scaling: return "chirp-scaling";
+    case FocusAlgorithm::back_projection: return "back-projection";
+    case FocusAlgorithm::omega_k: break;
+  }
+  return "omega-k";
+}
+
+void expect_sense(const FocusRequest& request) {
+  expect_options_that_agree(request);
+  expect_outputs_to_be_free(request);
+}
+
+std::vector<fs::path> outputs_of(const FocusRequest& request) {
+  std::vector<fs::path> paths;
+  if (!request.output.empty()) paths = files_of_image(request.output);
+  if (request.magnitude) std::ranges::copy(files_of_image(magnitude_path(request.output)), std::back_inserter(paths));
+  if (!request.autofocus_phase.empty()) paths.push_back(request.autofocus_phase);
+  return paths;
+}
+
+}  // namespace sarsim::workflow

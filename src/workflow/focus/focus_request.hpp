@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+#include "signal/sar/sar_window.hpp"
+#include "workflow/focus/motion.hpp"
+#include "workflow/input/recording_input.hpp"
+
+namespace sarsim::workflow {
+
+/// How an image is made of echoes.
+enum class FocusAlgorithm { range_doppler, chirp_scaling, omega_k, back_projection };
+
+/// As requests and image headers call it: "omega-k".
+[[nodiscard]] const char* word_of(FocusAlgorithm algorithm);
+
+/// What the columns of an image are.
+enum class FocusGrid {
+  slant,   ///< Slant ranges.
+  ground,  ///< Places on level ground; of back projection alone.
+};
+
+/// From where the middle of the Doppler band is known.
+enum class CentroidSource {
+  geometry,  ///< Where the antenna looks and what echoes there are.
+  measured,  ///< The echoes themselves, the frequency nearest to that of the geometry.
+  given,
+};
+
+/// What is to be focused, and how.
+struct FocusRequest {
+  RecordingArguments input;
+  std::filesystem::path output;  ///< Image to write, in the format of its extension; empty: the image stays in memory.
+  FocusAlgorithm algorithm = FocusAlgorithm::omega_k;
+  signal::SarWindow range_window{};
+  signal::SarWindow azimuth_window{};
+  CentroidSource centroid = CentroidSource::geometry;
+  double given_centroid_hz = 0.0;  ///< Where it is given.
+  double bandwidth_hz = 0.0;       ///< Doppler frequencies to keep about the centroid; 0: all.
+  FocusGrid grid = FocusGrid::slant;
+  std::optional<double> ground_m;     ///< Height of the ground, world; nothing: that of the middle of the scene.
+  bool start_stop = false;            ///< Back projection as if the antenna rested while a pulse travels.
+  std::optional<MotionOrder> motion;  ///< Nothing: what the track needs.
+  bool autofocus = false;
+  std::optional<double> autofocus_piece_m;  ///< Nothing: a tenth of the synthetic aperture.
+  std::filesystem::path autofocus_phase;    ///< CSV file of the phase that was found; empty: none.
+  unsigned threads = 0;                     ///< 0: one for each core.
+  std::optional<std::size_t> memory_bytes;  ///< To work in; nothing: half of what is free; 0: no limit.
+  std::filesystem::path scratch_folder;     ///< For what needs more; empty: the system's for temporary files.
+  bool magnitude = false;                   ///< Also an ENVI image of magnitudes beside the output.
+  bool force = false;                       ///< Files that exist are replaced.
+};
+
+/// Refuses what contradicts itself: options of other algorithms, names of outputs that are taken or cannot be.
+void expect_sense(const FocusRequest& request);
+
+/// The files that a request leads to: image, image of magnitudes, phase.
+[[nodiscard]] std::vector<std::filesystem::path> outputs_of(const FocusRequest& request);
+
+}  // namespace sarsim::workflow
