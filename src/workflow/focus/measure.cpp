@@ -1,0 +1,177 @@
+#include "workflow/focus/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
+#include "core/report/refused.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/format/envi.hpp"
+#include "signal/sar/ground_grid.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "workflow/focus/focus_input.hpp"
+#include "workflow/image/image_script.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct MeasuredImage {
+  raster::EnviImage file;
+  signal::FocusedImage image;
+  ImageOrigin origin;
+};
+
+MeasuredImage opened_image(const std::string& path) {
+  if (!fs::exists(path))
+    throw core::Refused(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
+  auto [file, problems] = raster::EnviImage::open(path);
+  if (!file) throw core::Refused(std::move(problems));
+  if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
+    throw core::Refused(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
+  MeasuredImage opened{std::move(*file), {}, {}};
+  read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
+  return opened;
+}
+
+// What was focused, as the header says, unless the request says otherwise.
+RecordingArguments input_of(const MeasureRequest& request, const WayBack& way, const ImageOrigin& origin) {
+  RecordingArguments input = request.input;
+  if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
+  input.path = way.source;
+  input.script = way.script;
+  return input;
+}
+
+void expect_folder(const fs::path& pictures) {
+  if (!pictures.empty() && fs::exists(pictures) && !fs::is_directory(pictures))
+    throw core::Refused(fmt::format("--cuts: '{}' is not a folder", pictures.string()),
+                        "name a folder; it is made when missing");
+}
+
+// Half the distance to the nearest other target, at most three cells: the peak found shall be that of the target.
+double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& theory) {
+  const double cell_m = std::max(theory.azimuth ? theory.azimuth->null : 1.0, theory.range ? theory.range->null : 1.0);
+  double search_m = 3.0 * cell_m;
+  for (const TargetTheory& other : theories) {
+    if (other.target == theory.target || !(other.amplitude > 0.0)) continue;
+    const double distance_m =
+        std::hypot(other.place.azimuth_m - theory.place.azimuth_m, other.place.range_m - theory.place.range_m);
+    search_m = std::min(search_m, std::max(0.5 * distance_m, 0.5 * cell_m));
+  }
+  return search_m;
+}
+
+// On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
+void lay_on_ground(TargetTheory& theory, const signal::ImageFrame& grid, const signal::ImageFrame& slant) {
+  const signal::ImagePlace place = signal::place_on_ground(grid, slant, theory.place);
+  const signal::ImagePlace farther =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  const signal::ImagePlace ahead =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
+  theory.place = place;
+  if (theory.azimuth) {
+    theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
+    theory.azimuth->null *= ahead.azimuth_m - place.azimuth_m;
+  }
+  if (!theory.range) return;
+  theory.range->width *= farther.range_m - place.range_m;
+  theory.range->null *= farther.range_m - place.range_m;
+}
+
+std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
+                                      const core::WorkControl& control) {
+  const bool time_domain = opened.origin.algorithm == "back-projection";
+  signal::EchoRows echoes = input.echoes;
+  echoes.compensated = time_domain || opened.origin.motion != "none";
+  std::vector<TargetTheory> theories =
+      theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain, control);
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  const signal::ImageFrame& frame = opened.image.frame;
+  if (frame.plane == signal::ImagePlane::slant_range) {
+    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+    for (TargetTheory& theory : theories)
+      theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
+    return theories;
+  }
+  const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,
+                                 .origin_m = track.origin_m,
+                                 .along = track.along,
+                                 .speed_mps = track.speed_mps};
+  for (TargetTheory& theory : theories)
+    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
+  return theories;
+}
+
+bool is_asked_for(const MeasureRequest& request, const TargetTheory& theory) {
+  return !request.target || theory.target + 1 == *request.target;
+}
+
+fs::path picture_of(const MeasureRequest& request, const TargetTheory& theory) {
+  if (request.pictures.empty()) return {};
+  return request.pictures / fmt::format("target-{}.png", theory.target + 1);
+}
+
+// Before anything is measured.
+void expect_free_pictures(const MeasureRequest& request, const std::vector<TargetTheory>& theories) {
+  if (request.pictures.empty() || request.force) return;
+  for (const TargetTheory& theory : theories)
+    if (is_asked_for(request, theory) && fs::exists(picture_of(request, theory)))
+      throw core::Refused(fmt::format("'{}' exists", picture_of(request, theory).string()),
+                          "name another folder, or --force");
+}
+
+std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const std::vector<TargetTheory>& theories,
+                                             const MeasureRequest& request, const core::WorkControl& control) {
+  const signal::ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
+    opened.file.read(row, first, out);
+  };
+  const bool cuts = request.cuts || !request.pictures.empty();
+  std::vector<MeasuredTarget> targets(theories.size());
+  core::parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      targets[t].theory = theories[t];
+      targets[t].picture = picture_of(request, theories[t]);
+      if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
+      const double search_m = request.search_m.value_or(search_of(theories, theories[t]));
+      targets[t].found =
+          signal::measure_point(opened.image, reader, theories[t].place, search_m, cuts ? &targets[t].cuts : nullptr);
+    }
+  });
+  std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
+  if (targets.empty())
+    throw core::Refused(fmt::format("there is no target {}", request.target.value_or(0)),
+                        fmt::format("the script has {}", theories.size()));
+  return targets;
+}
+
+}  // namespace
+
+double MeasuredTarget::phase_error_rad() const {
+  return std::remainder(found->phase_rad - theory.phase_rad, 2.0 * core::pi);
+}
+
+double MeasuredTarget::amplitude_error_db() const { return core::amplitude_db(found->amplitude / theory.amplitude); }
+
+MeasureReport measure(const MeasureRequest& request, const core::Observer& observer) {
+  if (request.search_m && !(*request.search_m > 0.0)) throw core::Refused("--search must be above 0");
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
+  const MeasuredImage opened = opened_image(request.image.string());
+  expect_folder(request.pictures);
+  WayBack way = way_back(opened.file.header(), opened.origin, request.image, request.input.script);
+  observer.remarks(way.problems);
+  const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
+  const std::vector<TargetTheory> theories = theories_of(opened, input, control);
+  expect_free_pictures(request, theories);
+  return {opened.origin, measured_targets(opened, theories, request, control), std::move(way.problems)};
+}
+
+}  // namespace sarsim::workflow
