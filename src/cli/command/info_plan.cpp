@@ -13,6 +13,7 @@
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
+#include "raster/table/formats.hpp"
 #include "workflow/input/scene_words.hpp"
 #include "workflow/record/record_size.hpp"
 #include "workflow/record/row_trial.hpp"
@@ -130,8 +131,8 @@ class PlanInfo {
     figures.push_back(figure("samples", "", r.samples(),
                              fmt::format("{} x {}, {} rows can be shared out", r.rows, r.columns, r.rows)));
     figures.push_back(si_count("echoes", r.echoes));
-    figures.push_back(figure("file", "", r.bytes,
-                             (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
+    figures.push_back(
+        figure("file", "", r.bytes, (is_text(r.simulation.format) ? "about " : "") + core::bytes_text(r.bytes)));
     figures.push_back(size("memory of a worker", r.memory_bytes));
     figures.push_back(
         figure("time", "", r.seconds(1),

@@ -136,7 +136,8 @@ void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& repor
   const simulate::Plan plan =
       simulate::make_plan(request_.scene, request_.simulation, input.resolved, simulate::Engine::automatic);
   const scene::FileFormat format = plan.simulation.format;
-  const std::string script = raster::format_of(format).carries_script ? scene::write_script(request_.scene) : std::string();
+  const std::string script =
+      raster::format_of(format).carries_script ? scene::write_script(request_.scene) : std::string();
   const raster::SinkOptions options{format, request_.replace, false, false};
   const double bytes = raster::expected_bytes(simulate::product_of(plan, script), options);
   const RunEstimate estimate = estimate_of(plan, bytes, std::move(warnings));

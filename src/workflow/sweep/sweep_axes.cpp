@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
 #include "core/hash/fnv1a.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
