@@ -1,56 +1,34 @@
 #!/usr/bin/env python3
-"""Every word and every field that the sources of the language name is in its diagrams.
+"""Every word, field and block of the script language is in its diagrams.
 
-The diagrams come from asking the program (tools/railway); this looks from the other side, so that nothing is missing
-that the questions did not lead to.
+The diagrams come from asking the program (tools/railway); this looks from the other side, at the library's tables, so
+that nothing is missing that the questions did not lead to.
 
-usage: language_test.py PROJECT
+usage: language_test.py PROJECT FIELD_TABLES
 """
 
 import html
 import pathlib
-import re
+import subprocess
 import sys
-
-WORD = re.compile(r'\{\s*"([A-Z0-9_]+)",\s*[\w:]+')
-FIELD = re.compile(r'inline constexpr Field (\w+)\{\s*"[^"]*",\s*"([^"]+)"')
-BLOCK = re.compile(r'inline constexpr FunctionBlock \w+\{\s*"([^"]+)"')
-# How a value is read; choices and blocks are in the diagrams by their words.
-VALUE = re.compile(r"reader\.(?:number|integer|seed|text|leading_name|angle|angles|vector|decibels)\((?:\w+_)?grammar::(\w+)")
-
-
-def without_breaks(source):
-    return re.sub(r'"\s*\n\s*"', "", source)
-
-
-def read(files):
-    return "\n".join(without_breaks(file.read_text(encoding="utf-8")) for file in files)
 
 
 def main():
-    project = pathlib.Path(sys.argv[1])
-    folder = project / "docs/formats"
+    folder = pathlib.Path(sys.argv[1]) / "docs/formats"
     page = (folder / "script-diagrams.md").read_text(encoding="utf-8")
     pictures = html.unescape(" ".join(file.read_text(encoding="utf-8") for file in (folder / "diagrams").glob("*.svg")))
-    schema = project / "src/scene/schema"
-    grammar = read([schema / "scene_grammar.hpp", schema / "radar_grammar.hpp"])
-    words = WORD.findall(grammar)
-    blocks = BLOCK.findall(read([schema / "function_block.hpp"]))
-    read_as_values = set(VALUE.findall(read((project / "src/scene/script").glob("read_*.cpp"))))
-    values = [words_of_field for name, words_of_field in FIELD.findall(grammar) if name in read_as_values]
-    wrong = [f"word {word}" for word in words if word not in page or f">{word}<" not in pictures]
     reference = (folder / "script.md").read_text(encoding="utf-8")
-    wrong += [f"word {word} in script.md" for word in words if word not in reference]
-    wrong += [f"block {block}" for block in blocks if block not in page or block not in pictures]
-    wrong += [f"field {field}" for field in values if field not in page or field not in pictures]
-    if len(words) < 50 or len(values) < 40 or len(blocks) != 14:
-        wrong.append(
-            f"only {len(words)} words, {len(values)} fields and {len(blocks)} blocks were found in the sources"
-        )
-    print(
-        "\n".join(f"not in the diagrams: {text}" for text in wrong)
-        or f"{len(words)} words, {len(values)} fields, {len(blocks)} blocks"
-    )
+    text = subprocess.run([sys.argv[2]], check=True, capture_output=True, encoding="utf-8").stdout
+    lines = [line.split(" ", 1) for line in text.split("=== language\n")[1].splitlines()]
+    of_kind = {kind: [name for found, name in lines if found == kind] for kind in ("word", "field", "block")}
+    wrong = [f"word {word}" for word in of_kind["word"] if word not in page or f">{word}<" not in pictures]
+    wrong += [f"word {word} in script.md" for word in of_kind["word"] if word not in reference]
+    for kind in ("field", "block"):
+        wrong += [f"{kind} {name}" for name in of_kind[kind] if name not in page or name not in pictures]
+    counts = ", ".join(f"{len(names)} {kind}s" for kind, names in of_kind.items())
+    if len(of_kind["word"]) < 50 or len(of_kind["field"]) < 40 or len(of_kind["block"]) != 14:
+        wrong.append(f"only {counts} were found in the tables")
+    print("\n".join(f"not in the diagrams: {name}" for name in wrong) or counts)
     sys.exit(1 if wrong else 0)
 
 

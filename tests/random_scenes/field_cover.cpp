@@ -1,13 +1,10 @@
 #include "random_scenes/field_cover.hpp"
 
-#include <array>
-#include <fstream>
-#include <regex>
 #include <sstream>
-#include <stdexcept>
 
 #include "random_scenes/scene_maker.hpp"
-#include "scene/schema/scene_grammar.hpp"
+#include "scene/schema/kinds.hpp"
+#include "scene/script/order.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 
@@ -17,14 +14,6 @@ namespace {
 
 // The most values of a field that are worth remembering.
 constexpr std::size_t enough = 50;
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string word_at(const std::vector<std::string>& lines, const core::Place& place) {
   if (place.line == 0 || place.line > lines.size() || place.column == 0) return {};
@@ -53,27 +42,24 @@ std::size_t objects_of(const scene::Scene& scene, const std::string& kind) {
 
 }  // namespace
 
-FieldCover::FieldCover(const std::filesystem::path& schema_folder) {
-  read_tables(text_of(schema_folder / "scene_grammar.hpp"));
-  read_tables(text_of(schema_folder / "radar_grammar.hpp"));
-  if (values_.size() < 50 || keywords_.size() < 50)
-    throw std::runtime_error("the grammar's tables were not understood");
+FieldCover::FieldCover() {
+  const auto add = [this]<class Object>(const std::string& kind, const scene::FieldTable<Object>& table) {
+    for (const scene::FieldOf<Object>& field : table.fields()) {
+      values_[{kind, std::string(field.spec.problem_place())}];
+      for (const scene::Choice& choice : field.spec.choices)
+        if (!choice.word.empty()) keywords_[{kind, std::string(choice.word)}] = 0;
+    }
+  };
+  scene::for_each_kind([&](const auto& kind) { add(std::string(kind.name()), kind.table()); });
+  add("options", scene::table_of<scene::RunOptions>());
+  for (const auto& option : scene::table_of<scene::RunOptions>().fields())
+    keywords_[{"options", scene::script::option_key(option.spec)}] = 0;
+  keywords_[{"radar", std::string(scene::script::stc_switch)}] = 0;
   for (const scene::FunctionBlock* block : scene::function_blocks::all) {
     for (const auto& method : scene::script::interpolations)
       blocks_[std::string(block->words) + " by " + std::string(method.word)] = 0;
     blocks_[std::string(block->words) + " INLINE"] = 0;
     blocks_[std::string(block->words) + " in a FILE"] = 0;
-  }
-}
-
-void FieldCover::read_tables(const std::string& text) {
-  static const std::regex part(
-      R"re(namespace (?:sarsim::scene::script::)?(\w+)_grammar \{|Field \w+\{\s*"([^"]+)"|\{"([A-Z0-9_]{3,})",)re");
-  std::string kind;
-  for (auto match = std::sregex_iterator(text.begin(), text.end(), part); match != std::sregex_iterator(); ++match) {
-    if ((*match)[1].matched) kind = (*match)[1];
-    if ((*match)[2].matched) values_[{kind, (*match)[2]}];
-    if ((*match)[3].matched && !kind.empty()) keywords_[{kind, (*match)[3]}] = 0;
   }
 }
 

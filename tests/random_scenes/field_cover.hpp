@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -11,12 +10,11 @@
 
 namespace sarsim::test {
 
-/// Which fields and keywords of the language some scenes have used. What there is to be used is read from the tables
-/// that reader and writer work from, as they stand in the sources, so that a field that is added there is missed here.
+/// Which fields and keywords of the language some scenes have used. What there is to be used is in the tables that
+/// reader and writer work from, so that a field that is added there is missed here.
 class FieldCover {
  public:
-  /// @param schema_folder  where scene_grammar.hpp and radar_grammar.hpp are; throws where they hold no tables
-  explicit FieldCover(const std::filesystem::path& schema_folder);
+  FieldCover();
 
   /// Notes what a scene's script says.
   void note(const scene::Scene& scene);
@@ -28,7 +26,6 @@ class FieldCover {
   [[nodiscard]] std::size_t blocks() const { return blocks_.size(); }
 
  private:
-  void read_tables(const std::string& text);
   void note_fields(const scene::Scene& scene, const std::string& text);
   void note_keywords(const std::string& text);
   void note_blocks(const scene::Scene& scene);

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -67,7 +66,7 @@ void print_count(const Count& count, const FieldCover& cover, double seconds) {
 }
 
 int run(const Limits& limits) {
-  FieldCover cover(std::filesystem::path(SARSIM_SOURCE_DIR) / "src/scene/schema");
+  FieldCover cover;
   Count count;
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/model/object_lists.hpp"
-#include "scene/schema/scene_grammar.hpp"
+#include "scene/schema/grammar.hpp"
 
 namespace sarsim::scene {
 

@@ -9,8 +9,6 @@
 
 #include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
-#include "scene/schema/radar_grammar.hpp"
-#include "scene/schema/scene_grammar.hpp"
 
 namespace sarsim::scene {
 
@@ -229,74 +227,12 @@ NamedField expect_settable(NamedField named, std::string_view name) {
   return named;
 }
 
-// Words of the script language in the order of the choices of a field.
-struct ScriptWord {
-  std::string_view word;
-  std::size_t choice;
-};
-
-template <class... Lists>
-std::vector<ScriptWord> words_of(const Lists&... lists) {
-  std::vector<ScriptWord> words;
-  const auto add = [&](const auto& list) {
-    for (const auto& alternative : list)
-      words.push_back({alternative.word, static_cast<std::size_t>(alternative.value)});
-  };
-  (add(lists), ...);
-  return words;
-}
-
-struct ScriptChoice {
-  const std::vector<Field>* fields;
-  std::string_view id;
-  std::vector<ScriptWord> words;
-};
-
-const std::vector<ScriptChoice>& script_choices() {
-  namespace radar_grammar = script::radar_grammar;
-  namespace platform_grammar = script::platform_grammar;
-  namespace target_grammar = script::target_grammar;
-  namespace simulation_grammar = script::simulation_grammar;
-  namespace options_grammar = script::options_grammar;
-  static const std::vector<ScriptChoice> choices = [] {
-    const std::vector<Field>* radar = &fields_of(ObjectKind::radar);
-    const std::vector<Field>* platform = &fields_of(ObjectKind::platform);
-    const std::vector<Field>* target = &fields_of(ObjectKind::target);
-    const std::vector<Field>* simulation = &fields_of(ObjectKind::simulation);
-    return std::vector<ScriptChoice>{{radar, "pulse", words_of(radar_grammar::pulses)},
-                                     {radar, "envelope", words_of(radar_grammar::envelopes)},
-                                     {radar, "repetition", words_of(radar_grammar::repetitions)},
-                                     {radar, "carrier", words_of(radar_grammar::carriers)},
-                                     {radar, "transmit_antenna.pattern", words_of(radar_grammar::transmit_patterns)},
-                                     {radar, "receive_antenna.pattern", words_of(radar_grammar::transmit_patterns)},
-                                     {radar, "beam", words_of(radar_grammar::beams)},
-                                     {radar, "window", words_of(radar_grammar::windows)},
-                                     {radar, "stc", words_of(radar_grammar::stc_laws)},
-                                     {platform, "path", words_of(platform_grammar::paths)},
-                                     {platform, "rotation_kind", words_of(platform_grammar::rotations)},
-                                     {platform, "position_error", words_of(platform_grammar::position_errors)},
-                                     {platform, "rotation_error", words_of(platform_grammar::rotation_errors)},
-                                     {target, "reflectivity", words_of(target_grammar::reflectivities)},
-                                     {target, "gain", words_of(target_grammar::gains)},
-                                     {simulation, "format", words_of(simulation_grammar::formats)},
-                                     {simulation, "processing", words_of(simulation_grammar::processings)},
-                                     {simulation, "pulse_position", words_of(simulation_grammar::pulse_positions)},
-                                     {&option_fields(), "profile", words_of(options_grammar::profiles)},
-                                     {&option_fields(), "pulse", words_of(options_grammar::pulses)}};
-  }();
-  return choices;
-}
-
 // The choice that a word of the script language stands for; the text itself where it is none.
 std::string_view choice_text(const NamedField& named, std::string_view text) {
   if (named.field->kind != FieldKind::choice) return text;
   const std::string wanted = plain(text);
-  for (const ScriptChoice& choice : script_choices()) {
-    if (choice.fields != &fields_for(named) || choice.id != named.field->id) continue;
-    for (const ScriptWord& word : choice.words)
-      if (plain(word.word) == wanted && word.choice < named.field->choices.size())
-        return named.field->choices[word.choice];
-  }
+  for (const Choice& choice : named.field->spec->choices)
+    if (!choice.word.empty() && plain(choice.word) == wanted) return choice.shown;
   return text;
 }
 

@@ -1,20 +1,84 @@
 #include "scene/schema/fields.hpp"
 
-#include "scene/schema/field_table.hpp"
+#include <algorithm>
+#include <stdexcept>
+
+#include "scene/schema/field_form.hpp"
+#include "scene/schema/kinds.hpp"
 
 namespace sarsim::scene {
 
 namespace {
 
-using namespace field_tables;
+using namespace field_forms;
 
-// The table of each alternative of AnyObject.
-const FieldTable<Platform>& table_of(const Platform&) { return platform_table(); }
-const FieldTable<Target>& table_of(const Target&) { return target_table(); }
-const FieldTable<Surface>& table_of(const Surface&) { return surface_table(); }
-const FieldTable<Radar>& table_of(const Radar&) { return radar_table(); }
-const FieldTable<Simulation>& table_of(const Simulation&) { return simulation_table(); }
-const FieldTable<GeometryTable>& table_of(const GeometryTable&) { return geometry_table(); }
+// One field of a form, and what it is part of.
+template <class Object>
+struct FormField {
+  const FieldOf<Object>* of;
+  std::size_t part;
+};
+
+// The form of a kind of object, made from its table.
+template <class Object>
+class Form {
+ public:
+  Form() {
+    for (const FieldOf<Object>& field : table_of<Object>().fields()) {
+      const std::vector<Field> parts = form_fields(field.spec);
+      for (std::size_t part = 0; part < parts.size(); ++part) parts_.push_back({&field, part});
+      fields_.insert(fields_.end(), parts.begin(), parts.end());
+    }
+  }
+
+  [[nodiscard]] const std::vector<Field>& fields() const { return fields_; }
+
+  [[nodiscard]] bool applies(const Object& object, std::string_view id) const {
+    return table_of<Object>().applies(object, *parts_[position(id)].of);
+  }
+  [[nodiscard]] std::string text(const Object& object, std::string_view id) const {
+    const auto& [field, part] = parts_[position(id)];
+    return form_text(field->spec, field->get(object), part);
+  }
+
+  // Says why not, and leaves the object as it is, where it cannot.
+  [[nodiscard]] std::string set(Object& object, std::string_view id, std::string_view text) const {
+    const std::size_t at = position(id);
+    const auto& [field, part] = parts_[at];
+    const FieldValue before = field->get(object);
+    FieldValue after = before;
+    if (std::string failure = set_value(field->spec, after, part, text); !failure.empty()) return failure;
+    if (form_text(field->spec, before, part) == form_text(field->spec, after, part)) return {};
+    if (!table_of<Object>().applies(object, *field))
+      return fields_[at].label + " means nothing with what is chosen elsewhere; change that choice first";
+    if (fields_[at].kind != FieldKind::choice && fields_[at].kind != FieldKind::check) {
+      field->put(object, after);
+      return {};
+    }
+    // Other fields may lose their meaning with a choice, or get one.
+    Object changed = object;
+    field->put(changed, after);
+    table_of<Object>().settle(object, changed);
+    object = std::move(changed);
+    return {};
+  }
+
+ private:
+  [[nodiscard]] std::size_t position(std::string_view id) const {
+    const auto found = std::ranges::find(fields_, id, &Field::id);
+    if (found == fields_.end()) throw std::invalid_argument("there is no field '" + std::string(id) + "'");
+    return static_cast<std::size_t>(found - fields_.begin());
+  }
+
+  std::vector<Field> fields_;
+  std::vector<FormField<Object>> parts_;
+};
+
+template <class Object>
+const Form<Object>& form_of(const Object&) {
+  static const Form<Object> made;
+  return made;
+}
 
 std::string_view matching_field(const std::vector<Field>& fields, std::string_view name) {
   if (name.empty()) return {};
@@ -31,16 +95,15 @@ std::string_view matching_field(const std::vector<Field>& fields, std::string_vi
 }  // namespace
 
 const std::vector<Field>& fields_of(ObjectKind kind) {
-  static const std::array<std::vector<Field>, 6> fields{platform_table().fields(),   target_table().fields(),
-                                                        surface_table().fields(),    radar_table().fields(),
-                                                        simulation_table().fields(), geometry_table().fields()};
-  return fields.at(static_cast<std::size_t>(kind));
+  const std::vector<Field>* fields = nullptr;
+  for_each_kind([&]<class Object>(const Kind<Object>& known) {
+    if (known.kind == kind) fields = &form_of(Object{}).fields();
+  });
+  if (fields == nullptr) throw std::out_of_range("no such kind of object");
+  return *fields;
 }
 
-const std::vector<Field>& option_fields() {
-  static const std::vector<Field> fields = options_table().fields();
-  return fields;
-}
+const std::vector<Field>& option_fields() { return form_of(RunOptions{}).fields(); }
 
 std::string_view field_of_problem(ObjectKind kind, std::string_view problem_field) {
   return matching_field(fields_of(kind), problem_field);
@@ -51,21 +114,21 @@ std::string_view option_field_of_problem(std::string_view problem_field) {
 }
 
 bool field_applies(const AnyObject& object, std::string_view id) {
-  return std::visit([&](const auto& alternative) { return table_of(alternative).applies(alternative, id); }, object);
+  return std::visit([&](const auto& alternative) { return form_of(alternative).applies(alternative, id); }, object);
 }
 
 std::string field_text(const AnyObject& object, std::string_view id) {
-  return std::visit([&](const auto& alternative) { return table_of(alternative).text(alternative, id); }, object);
+  return std::visit([&](const auto& alternative) { return form_of(alternative).text(alternative, id); }, object);
 }
 
-std::string field_text(const RunOptions& options, std::string_view id) { return options_table().text(options, id); }
+std::string field_text(const RunOptions& options, std::string_view id) { return form_of(options).text(options, id); }
 
 std::string set_field(AnyObject& object, std::string_view id, std::string_view text) {
-  return std::visit([&](auto& alternative) { return table_of(alternative).set(alternative, id, text); }, object);
+  return std::visit([&](auto& alternative) { return form_of(alternative).set(alternative, id, text); }, object);
 }
 
 std::string set_field(RunOptions& options, std::string_view id, std::string_view text) {
-  return options_table().set(options, id, text);
+  return form_of(options).set(options, id, text);
 }
 
 }  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 #include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
-#include "scene/schema/quantity.hpp"
+#include "scene/schema/field_spec.hpp"
 
 namespace sarsim::scene {
 
@@ -31,6 +31,7 @@ struct Field {
   Quantity quantity = Quantity::number;
   std::vector<std::string> choices;  ///< FieldKind::choice, as shown.
   bool rare = false;                 ///< Shown a level down.
+  const FieldSpec* spec = nullptr;   ///< The field that this is, or is a part of.
 };
 
 /// The fields of a kind of object, in the order of the thesis's dialogs (4.2 to 4.5, 4.10).

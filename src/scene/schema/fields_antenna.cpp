@@ -1,99 +1,154 @@
-#include "scene/schema/field_table.hpp"
-#include "scene/schema/radar_grammar.hpp"
+#include "scene/schema/fields_radar.hpp"
 
-namespace sarsim::scene::field_tables {
+namespace sarsim::scene::radar_fields {
 
 namespace {
 
-// One of a radar's two antennas, and when it is used.
-struct AntennaFields {
-  std::string id;
-  Antenna Radar::*member;
-  bool (*used)(const Radar&);
-  const script::Field& elevation;
-  const script::Field& azimuth;
+using Pattern = Antenna::Pattern;
+
+constexpr Range beam_widths{0.0, 360.0, true};
+constexpr std::string_view width_tip =
+    "Between the half-power points; sin(x)/x with x = 0.88 pi sin(offset)/width. Above 0 and up to 360 deg.";
+constexpr std::string_view pattern_tip =
+    "The same in all directions, sin(x)/x in either plane, or given cuts through the pattern.";
+constexpr std::string_view cuts_tip =
+    "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added.";
+
+// What is called differently in the two antennas of a radar; what it means is the same.
+struct AntennaWords {
+  std::string_view pattern_id;
+  std::string_view elevation_id;
+  std::string_view azimuth_id;
+  std::string_view gain_id;
+  std::string_view antenna;
+  std::array<std::string_view, 3> patterns;
+  std::string_view elevation;
+  std::string_view azimuth;
+  std::string_view gain;
+  const FunctionBlock& block;
 };
 
-void add_antenna(FieldTable<Radar>& table, const AntennaFields& fields) {
-  const auto member = fields.member;
-  const auto used = fields.used;
-  const auto has = [member, used](Antenna::Pattern pattern) {
-    return [=](const Radar& radar) { return used(radar) && (radar.*member).pattern == pattern; };
-  };
-  table.where(used);
-  table.choice(
-      fields.id + ".pattern", "Antenna gain", [member](auto& radar) -> auto& { return (radar.*member).pattern; },
-      {"Isotropic", "Simple sin(x)/x", "User-defined"},
-      "The same in all directions, sin(x)/x in either plane, or given cuts through the pattern.");
-  table.where(has(Antenna::Pattern::sinx));
-  table.number(
-      fields.elevation, "Elevation beam width",
-      Quantity::angle, [member](auto& radar) -> auto& { return (radar.*member).elevation_beamwidth; },
-      "Between the half-power points; sin(x)/x with x = 0.88 pi sin(offset)/width. Above 0 and up to 360 deg.");
-  table.number(
-      fields.azimuth, "Azimuth beam width",
-      Quantity::angle, [member](auto& radar) -> auto& { return (radar.*member).azimuth_beamwidth; },
-      "Between the half-power points; sin(x)/x with x = 0.88 pi sin(offset)/width. Above 0 and up to 360 deg.");
-  table.where(has(Antenna::Pattern::user));
-  table.function(
-      fields.id + ".gain_db", "Gain definition", [member](auto& radar) -> auto& { return (radar.*member).gain_db; },
-      "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added.");
+template <auto Which>
+void add_antenna(FieldTable<Radar>& table, const AntennaWords& words) {
+  table.add<Which, &Antenna::pattern>({.id = words.pattern_id,
+                                       .label = "Antenna gain",
+                                       .words = words.antenna,
+                                       .place = words.pattern_id.substr(0, words.pattern_id.find('.')),
+                                       .choices = {{"ISOTROPIC", Pattern::isotropic, "Isotropic", words.patterns[0]},
+                                                   {"SINX", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
+                                                   {"SIMPLE", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
+                                                   {"OTHER", Pattern::user, "User-defined", words.patterns[2]}},
+                                       .tip = pattern_tip});
+  table.when<Which, &Antenna::pattern>(Pattern::sinx);
+  table.add<Which, &Antenna::elevation_beamwidth>({.id = words.elevation_id,
+                                                   .label = "Elevation beam width",
+                                                   .words = "beam width in elevation",
+                                                   .noun = words.elevation,
+                                                   .quantity = Quantity::angle,
+                                                   .usable = beam_widths,
+                                                   .likely = {0.01, 360.0},
+                                                   .tip = width_tip});
+  table.add<Which, &Antenna::azimuth_beamwidth>({.id = words.azimuth_id,
+                                                 .label = "Azimuth beam width",
+                                                 .words = "beam width in azimuth",
+                                                 .noun = words.azimuth,
+                                                 .quantity = Quantity::angle,
+                                                 .usable = beam_widths,
+                                                 .likely = {0.01, 360.0},
+                                                 .tip = width_tip});
+  table.when<Which, &Antenna::pattern>(Pattern::user);
+  table.add<Which, &Antenna::gain_db>(
+      {.id = words.gain_id, .label = "Gain definition", .words = words.gain, .block = &words.block, .tip = cuts_tip});
 }
 
-void add_direction(FieldTable<Radar>& table) {
-  const auto is = [](Radar::Beam beam) { return [beam](const Radar& radar) { return radar.beam == beam; }; };
-  table.always().group("Direction");
-  table.choice("beam", "Antenna direction", &Radar::beam, {"Fixed", "Constant rotation", "Spot mode", "User-defined"},
-               "Fixed to the platform, turning about its vertical, held on a point of the world, or on a moving one.");
-  table.where([](const Radar& r) { return r.beam == Radar::Beam::fixed || r.beam == Radar::Beam::rotating; });
-  table.number(script::radar_grammar::beam_elevation, "Beam elevation", Quantity::angle, &Radar::beam_elevation,
-               "Above the platform's x-y plane.");
-  table.where(is(Radar::Beam::fixed));
-  table.number(script::radar_grammar::beam_azimuth, "Beam azimuth", Quantity::angle, &Radar::beam_azimuth,
-               "From the platform's +y axis clockwise towards +x.");
-  table.where(is(Radar::Beam::rotating));
-  table.number(script::radar_grammar::beam_rate, "Rotation speed", Quantity::angle_rate, &Radar::beam_rate,
-               "The azimuth is speed times time.");
-  table.where(is(Radar::Beam::spot));
-  table.vector(script::radar_grammar::spot, "coordinate of the spot", Quantity::length, &Radar::spot_world_m,
-               "World point at which the beam is held.");
-  table.where(is(Radar::Beam::user));
-  table.function("beam_target_world_m", "Point looked at", &Radar::beam_target_world_m,
-                 "World x, y and z of the point at which the beam looks, against time.");
-}
-
-void add_receiver(FieldTable<Radar>& table) {
-  table.always().group("Matched filter window").rare();
-  table.choice("window", "Window", &Radar::window, {"Rectangular", "Hanning", "Bartlett", "Hamming", "User-defined"},
-               "Weights the matched filter: lower range side lobes for a wider main lobe.");
-  table.where([](const Radar& r) { return r.window == Radar::Window::hanning; });
-  table.number(script::radar_grammar::hanning_pedestal, "Hanning constant", Quantity::number, &Radar::hanning_pedestal,
-               "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends.");
-  table.where([](const Radar& r) { return r.window == Radar::Window::user; });
-  table.function("window_gain", "Window definition", &Radar::window_gain,
-                 "Weight against the fraction of the pulse width, 0 to 1.");
-  table.always().group("Sensitivity time control");
-  table.choice(
-      "stc", "STC", &Radar::stc, {"None", "1/R^4", "User-defined"},
-      "Gain against range before the A/D converter: none, one that takes the loss with range out of the echoes, or "
-      "given.");
-  table.where([](const Radar& r) { return r.stc == Radar::Stc::user; });
-  table.function("stc_gain", "STC definition", &Radar::stc_gain, "Voltage gain against range.");
-  table.always().rare(false);
-}
+constexpr AntennaWords transmit_words{"transmit_antenna.pattern",
+                                      "transmit_antenna.elevation_beamwidth",
+                                      "transmit_antenna.azimuth_beamwidth",
+                                      "transmit_antenna.gain_db",
+                                      "transmit antenna",
+                                      {"transmit antenna: the same in all directions", "transmit antenna: sin(x)/x",
+                                       "transmit antenna: gain given by points"},
+                                      "elevation beam width of the transmit antenna",
+                                      "azimuth beam width of the transmit antenna",
+                                      "gain of the transmit antenna",
+                                      function_blocks::transmit_gain};
+constexpr AntennaWords receive_words{"receive_antenna.pattern",
+                                     "receive_antenna.elevation_beamwidth",
+                                     "receive_antenna.azimuth_beamwidth",
+                                     "receive_antenna.gain_db",
+                                     "receive antenna",
+                                     {"receive antenna: the same in all directions", "receive antenna: sin(x)/x",
+                                      "receive antenna: gain given by points"},
+                                     "elevation beam width of the receive antenna",
+                                     "azimuth beam width of the receive antenna",
+                                     "gain of the receive antenna",
+                                     function_blocks::receive_gain};
 
 }  // namespace
 
-void add_antenna_fields(FieldTable<Radar>& table) {
+void add_antennas(FieldTable<Radar>& table) {
   table.group("Transmitter antenna");
-  add_antenna(table, {"transmit_antenna", &Radar::transmit_antenna, [](const Radar&) { return true; },
-                      script::radar_grammar::transmit_elevation, script::radar_grammar::transmit_azimuth});
-  table.always().group("Receiver antenna");
-  table.check("same_antenna", "Same as transmitter", &Radar::same_antenna, "Receive with the transmit antenna.");
-  add_antenna(table, {"receive_antenna", &Radar::receive_antenna, [](const Radar& r) { return !r.same_antenna; },
-                      script::radar_grammar::receive_elevation, script::radar_grammar::receive_azimuth});
-  add_direction(table);
-  add_receiver(table);
+  add_antenna<&Radar::transmit_antenna>(table, transmit_words);
+  table.group("Receiver antenna");
+  table.add<&Radar::same_antenna>({.id = "same_antenna",
+                                   .label = "Same as transmitter",
+                                   .words = "receive antenna",
+                                   .place = "receive_antenna",
+                                   .choices = {{"SAME", true, "yes", "receive antenna: the transmit antenna"}},
+                                   .tip = "Receive with the transmit antenna."});
+  table.when<&Radar::same_antenna>(false);
+  add_antenna<&Radar::receive_antenna>(table, receive_words);
 }
 
-}  // namespace sarsim::scene::field_tables
+void add_direction(FieldTable<Radar>& table) {
+  using Beam = Radar::Beam;
+  table.group("Direction");
+  table.add<&Radar::beam>(
+      {.id = "beam",
+       .label = "Antenna direction",
+       .words = "direction of the beam",
+       .choices = {{"FIXED", Beam::fixed, "Fixed", "beam fixed to the platform"},
+                   {"ROTATING", Beam::rotating, "Constant rotation", "beam turning about the vertical"},
+                   {"SPOT", Beam::spot, "Spot mode", "beam held on a point of the world"},
+                   {"OTHER", Beam::user, "User-defined", "beam held on a moving point of the world"}},
+       .tip = "Fixed to the platform, turning about its vertical, held on a point of the world, or on a moving one."});
+  table.when<&Radar::beam>(Beam::fixed, Beam::rotating);
+  table.add<&Radar::beam_elevation>({.id = "beam_elevation",
+                                     .label = "Beam elevation",
+                                     .words = "elevation of the beam",
+                                     .noun = "beam elevation",
+                                     .quantity = Quantity::angle,
+                                     .likely = {-90.0, 90.0},
+                                     .tip = "Above the platform's x-y plane."});
+  table.when<&Radar::beam>(Beam::fixed);
+  table.add<&Radar::beam_azimuth>({.id = "beam_azimuth",
+                                   .label = "Beam azimuth",
+                                   .words = "azimuth of the beam",
+                                   .noun = "beam azimuth",
+                                   .quantity = Quantity::angle,
+                                   .likely = {-360.0, 360.0},
+                                   .tip = "From the platform's +y axis clockwise towards +x."});
+  table.when<&Radar::beam>(Beam::rotating);
+  table.add<&Radar::beam_rate>({.id = "beam_rate",
+                                .label = "Rotation speed",
+                                .words = "rotation rate of the beam",
+                                .quantity = Quantity::angle_rate,
+                                .range = zero_or_more,
+                                .usable = any_value,
+                                .tip = "The azimuth is speed times time."});
+  table.when<&Radar::beam>(Beam::spot);
+  table.add<&Radar::spot_world_m>({.id = "spot_world_m",
+                                   .label = "coordinate of the spot",
+                                   .words = "spot",
+                                   .quantity = Quantity::length,
+                                   .tip = "World point at which the beam is held."});
+  table.when<&Radar::beam>(Beam::user);
+  table.add<&Radar::beam_target_world_m>(
+      {.id = "beam_target_world_m",
+       .label = "Point looked at",
+       .words = "point the beam looks at",
+       .block = &function_blocks::beam_target,
+       .tip = "World x, y and z of the point at which the beam looks, against time."});
+}
+
+}  // namespace sarsim::scene::radar_fields

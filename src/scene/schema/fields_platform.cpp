@@ -1,66 +1,133 @@
 #include "scene/schema/field_table.hpp"
-#include "scene/schema/scene_grammar.hpp"
 
-namespace sarsim::scene::field_tables {
+namespace sarsim::scene {
 
 namespace {
 
-bool stationary(const Platform& p) { return p.path == Platform::Path::stationary; }
-bool moving(const Platform& p) { return p.path == Platform::Path::trajectory; }
+using MotionError = Platform::MotionError;
 
 void add_position(FieldTable<Platform>& table) {
   table.group("Position");
-  table.choice("path", "Position", &Platform::path, {"Stationary", "Trajectory"},
-               "Whether the platform stays where it is or follows a path.");
-  table.where(stationary);
-  table.vector(script::platform_grammar::position, "coordinate", Quantity::length, &Platform::position_m,
-               "Place of the platform's origin in world coordinates.");
-  table.where(moving);
-  table.function("trajectory_m", "Trajectory", &Platform::trajectory_m,
-                 "World x, y and z against time. Speeds are its derivative.");
+  table.add<&Platform::path>(
+      {.id = "path",
+       .label = "Position",
+       .words = "kind of path",
+       .choices = {{"STATIONARY", Platform::Path::stationary, "Stationary", "the platform stays where it is"},
+                   {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path"}},
+       .tip = "Whether the platform stays where it is or follows a path."});
+  table.when<&Platform::path>(Platform::Path::stationary);
+  table.add<&Platform::position_m>({.id = "position_m",
+                                    .label = "coordinate",
+                                    .words = "position",
+                                    .quantity = Quantity::length,
+                                    .tip = "Place of the platform's origin in world coordinates."});
+  table.when<&Platform::path>(Platform::Path::trajectory);
+  table.add<&Platform::trajectory_m>({.id = "trajectory_m",
+                                      .label = "Trajectory",
+                                      .words = "trajectory",
+                                      .block = &function_blocks::trajectory,
+                                      .tip = "World x, y and z against time. Speeds are its derivative."});
 }
 
 void add_rotation(FieldTable<Platform>& table) {
-  table.always().group("Rotation");
-  table.choice("rotation_kind", "Rotation", &Platform::rotation_kind, {"Fixed", "User-defined"},
-               "Whether the rotation is given by angles or by functions of time. A rate is added to either.");
-  table.where([](const Platform& p) { return p.rotation_kind == Platform::Rotation::constant; });
-  table.vector(script::platform_grammar::rotation, "rotation", Quantity::angle, &Platform::rotation,
-               "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z.");
-  table.where([](const Platform& p) { return p.rotation_kind == Platform::Rotation::user; });
-  table.function("rotation_deg", "Rotation against time", &Platform::rotation_deg,
-                 "Rotation about x, y and z in degrees against time.");
-  table.where(moving);
-  table.check(
-      "aligned", "Align X-axis to path", &Platform::aligned,
-      "Turns the platform so that its x axis points along the velocity; the y axis stays parallel to the world's "
-      "x-y plane.");
+  table.group("Rotation");
+  table.add<&Platform::rotation_kind>(
+      {.id = "rotation_kind",
+       .label = "Rotation",
+       .words = "kind of rotation",
+       .choices = {{"CONST", Platform::Rotation::constant, "Fixed", "rotation given by angles and rates"},
+                   {"OTHER", Platform::Rotation::user, "User-defined", "rotation given by functions of time"}},
+       .tip = "Whether the rotation is given by angles or by functions of time. A rate is added to either."});
+  table.when<&Platform::rotation_kind>(Platform::Rotation::constant);
+  table.add<&Platform::rotation>(
+      {.id = "rotation",
+       .label = "rotation",
+       .words = "rotation about",
+       .noun = "rotation",
+       .quantity = Quantity::angle,
+       .tip = "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z."});
+  table.when<&Platform::rotation_kind>(Platform::Rotation::user);
+  table.add<&Platform::rotation_deg>({.id = "rotation_deg",
+                                      .label = "Rotation against time",
+                                      .words = "rotation",
+                                      .block = &function_blocks::rotation,
+                                      .tip = "Rotation about x, y and z in degrees against time."});
+  table.when<&Platform::path>(Platform::Path::trajectory);
+  table.add<&Platform::aligned>(
+      {.id = "aligned",
+       .label = "Align X-axis to path",
+       .words = "alignment with the path",
+       .choices = {{"NOT_ALIGNED", false, "no", "keeps its own attitude"},
+                   {"ALIGNED", true, "yes", "x axis along the velocity"}},
+       .tip = "Turns the platform so that its x axis points along the velocity; the y axis stays parallel to the "
+              "world's x-y plane."});
   table.always();
-  table.vector(script::platform_grammar::rotation_rate, "rotation rate", Quantity::angle_rate, &Platform::rotation_rate,
-               "Added to the rotation as rate times time.");
+  table.add<&Platform::rotation_rate>({.id = "rotation_rate",
+                                       .label = "rotation rate",
+                                       .words = "rotation rate about",
+                                       .noun = "rotation rate",
+                                       .quantity = Quantity::angle_rate,
+                                       .tip = "Added to the rotation as rate times time."});
 }
 
-void add_motion_errors(FieldTable<Platform>& table) {
-  table.always().group("Motion errors").rare();
-  table.choice("position_error", "Position errors", &Platform::position_error, {"Standard deviation", "User-defined"},
-               "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.");
-  table.where([](const Platform& p) { return p.position_error == Platform::MotionError::gaussian; });
-  table.vector(script::platform_grammar::position_stddev, "position std. deviation", Quantity::length,
-               &Platform::position_stddev_m,
-               "Standard deviation of the Gaussian error of each pulse's position; 0 for none.");
-  table.where([](const Platform& p) { return p.position_error == Platform::MotionError::envelope; });
-  table.function("position_envelope", "Position error envelope", &Platform::position_envelope,
-                 "White noise is integrated with this weight against the time before now. No points: no error.");
+void add_position_errors(FieldTable<Platform>& table) {
+  table.group("Motion errors");
+  table.add<&Platform::position_error>(
+      {.id = "position_error",
+       .label = "Position errors",
+       .words = "kind of position errors",
+       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "position errors drawn anew for each pulse"},
+                   {"OTHER", MotionError::envelope, "User-defined", "position errors of a given correlation"}},
+       .tip = "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.",
+       .rare = true});
+  table.when<&Platform::position_error>(MotionError::gaussian);
+  table.add<&Platform::position_stddev_m>(
+      {.id = "position_stddev_m",
+       .label = "position std. deviation",
+       .words = "standard deviation of position",
+       .noun = "standard deviation of the position",
+       .quantity = Quantity::length,
+       .range = zero_or_more,
+       .tip = "Standard deviation of the Gaussian error of each pulse's position; 0 for none.",
+       .rare = true});
+  table.when<&Platform::position_error>(MotionError::envelope);
+  table.add<&Platform::position_envelope>(
+      {.id = "position_envelope",
+       .label = "Position error envelope",
+       .words = "envelope of the position errors",
+       .block = &function_blocks::position_envelope,
+       .tip = "White noise is integrated with this weight against the time before now. No points: no error.",
+       .rare = true});
+}
+
+void add_rotation_errors(FieldTable<Platform>& table) {
   table.always();
-  table.choice("rotation_error", "Rotation errors", &Platform::rotation_error, {"Standard deviation", "User-defined"},
-               "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.");
-  table.where([](const Platform& p) { return p.rotation_error == Platform::MotionError::gaussian; });
-  table.vector(script::platform_grammar::rotation_stddev, "rotation std. deviation", Quantity::angle,
-               &Platform::rotation_stddev,
-               "Standard deviation of the Gaussian error of each pulse's rotation; 0 for none.");
-  table.where([](const Platform& p) { return p.rotation_error == Platform::MotionError::envelope; });
-  table.function("rotation_envelope", "Rotation error envelope", &Platform::rotation_envelope,
-                 "White noise is integrated with this weight against the time before now. No points: no error.");
+  table.add<&Platform::rotation_error>(
+      {.id = "rotation_error",
+       .label = "Rotation errors",
+       .words = "kind of rotation errors",
+       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "rotation errors drawn anew for each pulse"},
+                   {"OTHER", MotionError::envelope, "User-defined", "rotation errors of a given correlation"}},
+       .tip = "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.",
+       .rare = true});
+  table.when<&Platform::rotation_error>(MotionError::gaussian);
+  table.add<&Platform::rotation_stddev>(
+      {.id = "rotation_stddev",
+       .label = "rotation std. deviation",
+       .words = "standard deviation of the rotation about",
+       .noun = "standard deviation of the rotation",
+       .quantity = Quantity::angle,
+       .range = zero_or_more,
+       .tip = "Standard deviation of the Gaussian error of each pulse's rotation; 0 for none.",
+       .rare = true});
+  table.when<&Platform::rotation_error>(MotionError::envelope);
+  table.add<&Platform::rotation_envelope>(
+      {.id = "rotation_envelope",
+       .label = "Rotation error envelope",
+       .words = "envelope of the rotation errors",
+       .block = &function_blocks::rotation_envelope,
+       .tip = "White noise is integrated with this weight against the time before now. No points: no error.",
+       .rare = true});
 }
 
 double first_value(const core::SampledFunction& function) {
@@ -69,11 +136,11 @@ double first_value(const core::SampledFunction& function) {
 
 // The platform stays where it was, and as it was turned, at the beginning of what is now given otherwise.
 void begin_platform(const Platform& before, Platform& after) {
-  if (moving(after)) {
+  if (after.path == Platform::Path::trajectory) {
     begin_constant(after.trajectory_m.part[0], before.position_m.x);
     begin_constant(after.trajectory_m.part[1], before.position_m.y);
     begin_constant(after.trajectory_m.part[2], before.position_m.z);
-  } else if (moving(before)) {
+  } else if (before.path == Platform::Path::trajectory) {
     const auto& path = before.trajectory_m.part;
     after.position_m = {first_value(path[0]), first_value(path[1]), first_value(path[2])};
   }
@@ -87,20 +154,23 @@ void begin_platform(const Platform& before, Platform& after) {
 
 }  // namespace
 
-const FieldTable<Platform>& platform_table() {
+template <>
+const FieldTable<Platform>& table_of<Platform>() {
   static const FieldTable<Platform> made = [] {
     FieldTable<Platform> table;
     table.group("Platform");
-    table.name(
-        script::platform_grammar::name, FieldKind::text, "Platform name", &Platform::name,
-        "Targets, surfaces and radars refer to the platform by this name; capital and small letters are the same.");
+    table.add<&Platform::name>({.id = "name",
+                                .label = "Platform name",
+                                .words = "name of the platform",
+                                .tip = "Targets, surfaces and radars refer to the platform by this name; capital and "
+                                       "small letters are the same."});
     add_position(table);
     add_rotation(table);
-    add_motion_errors(table);
-    table.on_switch(begin_platform);
-    return table;
+    add_position_errors(table);
+    add_rotation_errors(table);
+    return table.on_switch(begin_platform);
   }();
   return made;
 }
 
-}  // namespace sarsim::scene::field_tables
+}  // namespace sarsim::scene

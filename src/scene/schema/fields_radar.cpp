@@ -1,156 +1,267 @@
-#include "scene/schema/field_table.hpp"
-#include "scene/schema/radar_grammar.hpp"
+#include "scene/schema/fields_radar.hpp"
 
-namespace sarsim::scene::field_tables {
+#include "scene/model/limits.hpp"
+
+namespace sarsim::scene {
 
 namespace {
 
-const std::vector<std::string> barker_lengths{"2", "3", "4", "5", "7", "11", "13"};
-
-template <auto Member, auto... Values>
-bool is(const Radar& radar) {
-  return ((radar.*Member == Values) || ...);
-}
-
 void add_pulse(FieldTable<Radar>& table) {
+  using Pulse = Radar::Pulse;
   table.group("Pulse");
-  table.choice("pulse", "Pulse type", &Radar::pulse, {"Monochrome", "Chirp", "User-defined", "Barker"},
-               "Modulation within the pulse: none, a linear sweep, given I and Q, or a Barker phase code.");
-  table.where(is<&Radar::pulse, Radar::Pulse::chirp>);
-  table.number(script::radar_grammar::bandwidth, "Chirp bandwidth", Quantity::frequency, &Radar::bandwidth_hz,
-               "Swept over the pulse width; negative sweeps down. Range resolution is c/(2 B).");
-  table.where(is<&Radar::pulse, Radar::Pulse::user>);
-  table.function("pulse_iq", "Pulse definition", &Radar::pulse_iq,
-                 "I and Q against the fraction of the pulse width, 0 to 1.");
-  table.where(is<&Radar::pulse, Radar::Pulse::barker>);
-  table.choice("barker_code", "Barker code length", &Radar::barker_code, barker_lengths,
-               "Chips of the phase code; the range resolution is that of one chip.");
+  table.add<&Radar::pulse>(
+      {.id = "pulse",
+       .label = "Pulse type",
+       .words = "kind of pulse",
+       .choices = {{"MONO", Pulse::mono, "Monochrome", "pulse of a single frequency"},
+                   {"CHIRP", Pulse::chirp, "Chirp", "pulse of linearly swept frequency"},
+                   {"OTHER_PULSE", Pulse::user, "User-defined", "pulse given by its I and Q"},
+                   {"BARKER", Pulse::barker, "Barker", "pulse with a Barker phase code"}},
+       .tip = "Modulation within the pulse: none, a linear sweep, given I and Q, or a Barker phase code."});
+  table.when<&Radar::pulse>(Pulse::chirp);
+  table.add<&Radar::bandwidth_hz>(
+      {.id = "bandwidth_hz",
+       .label = "Chirp bandwidth",
+       .words = "chirp bandwidth",
+       .quantity = Quantity::frequency,
+       .script_unit = "GHz",
+       .likely = {-1e11, 1e11},
+       .tip = "Swept over the pulse width; negative sweeps down. Range resolution is c/(2 B).",
+       .detail = "negative sweeps down"});
+  table.when<&Radar::pulse>(Pulse::user);
+  table.add<&Radar::pulse_iq>({.id = "pulse_iq",
+                               .label = "Pulse definition",
+                               .words = "pulse",
+                               .block = &function_blocks::pulse_iq,
+                               .tip = "I and Q against the fraction of the pulse width, 0 to 1."});
+  table.when<&Radar::pulse>(Pulse::barker);
+  table.add<&Radar::barker_code>({.id = "barker_code",
+                                  .label = "Barker code length",
+                                  .words = "Barker code",
+                                  .range = {0.0, 6.0},
+                                  .choices = {{"", 0, "2", ""},
+                                              {"", 1, "3", ""},
+                                              {"", 2, "4", ""},
+                                              {"", 3, "5", ""},
+                                              {"", 4, "7", ""},
+                                              {"", 5, "11", ""},
+                                              {"", 6, "13", ""}},
+                                  .tip = "Chips of the phase code; the range resolution is that of one chip.",
+                                  .detail = "0 to 6 stand for lengths 2, 3, 4, 5, 7, 11, 13"});
   table.always();
-  table.number(script::radar_grammar::pulse_width, "Pulse width", Quantity::time, &Radar::pulse_width_s,
-               "From edge to edge, Tp. It is c Tp/2 long on the range axis.");
+  table.add<&Radar::pulse_width_s>({.id = "pulse_width_s",
+                                    .label = "Pulse width",
+                                    .words = "pulse width",
+                                    .quantity = Quantity::time,
+                                    .script_unit = "ns",
+                                    .range = zero_or_more,
+                                    .usable = above_zero,
+                                    .likely = {1e-10, 1.0},
+                                    .tip = "From edge to edge, Tp. It is c Tp/2 long on the range axis.",
+                                    .detail = "from edge to edge"});
 }
 
 void add_envelope(FieldTable<Radar>& table) {
-  table.group("Envelope").rare();
-  table.choice("envelope", "Envelope", &Radar::envelope, {"Rectangular", "Linear", "User-defined"},
-               "Amplitude over the pulse: constant, with straight rise and fall, or given.");
-  table.where(is<&Radar::envelope, Radar::Envelope::linear>);
-  table.number(script::radar_grammar::rise, "Rise time", Quantity::time, &Radar::rise_s,
-               "From nothing to the full amplitude.");
-  table.number(script::radar_grammar::fall, "Fall time", Quantity::time, &Radar::fall_s,
-               "From the full amplitude to nothing.");
-  table.where(is<&Radar::envelope, Radar::Envelope::user>);
-  table.function("envelope_gain", "Envelope definition", &Radar::envelope_gain,
-                 "Amplitude against the fraction of the pulse width, 0 to 1.");
-  table.always().rare(false);
+  using Envelope = Radar::Envelope;
+  table.group("Envelope");
+  table.add<&Radar::envelope>(
+      {.id = "envelope",
+       .label = "Envelope",
+       .words = "pulse envelope",
+       .choices = {{"RECT", Envelope::rectangular, "Rectangular", "constant amplitude within the pulse"},
+                   {"LINEAR", Envelope::linear, "Linear", "straight rise and fall"},
+                   {"OTHER", Envelope::user, "User-defined", "envelope given by points"}},
+       .tip = "Amplitude over the pulse: constant, with straight rise and fall, or given.",
+       .rare = true});
+  table.when<&Radar::envelope>(Envelope::linear);
+  table.add<&Radar::rise_s>({.id = "rise_s",
+                             .label = "Rise time",
+                             .words = "rise time",
+                             .quantity = Quantity::time,
+                             .script_unit = "ns",
+                             .range = zero_or_more,
+                             .likely = {0.0, 1.0},
+                             .tip = "From nothing to the full amplitude.",
+                             .rare = true});
+  table.add<&Radar::fall_s>({.id = "fall_s",
+                             .label = "Fall time",
+                             .words = "fall time",
+                             .quantity = Quantity::time,
+                             .script_unit = "ns",
+                             .range = zero_or_more,
+                             .likely = {0.0, 1.0},
+                             .tip = "From the full amplitude to nothing.",
+                             .rare = true});
+  table.when<&Radar::envelope>(Envelope::user);
+  table.add<&Radar::envelope_gain>({.id = "envelope_gain",
+                                    .label = "Envelope definition",
+                                    .words = "pulse envelope",
+                                    .block = &function_blocks::envelope_gain,
+                                    .tip = "Amplitude against the fraction of the pulse width, 0 to 1.",
+                                    .rare = true});
 }
 
 void add_repetition(FieldTable<Radar>& table) {
   table.group("PRF");
-  table.choice("repetition", "Pulse repetition", &Radar::repetition, {"Constant", "User-defined"},
-               "Evenly spaced pulses, or a list of intervals that begins again at its end. Pulse 0 leaves at time 0.");
-  table.where(is<&Radar::repetition, Radar::Repetition::constant>);
-  table.number(script::radar_grammar::prf, "Pulse repetition frequency", Quantity::frequency, &Radar::prf_hz,
-               "Unambiguous range is c/(2 PRF), unambiguous speed lambda PRF/4 either way.");
-  table.where(is<&Radar::repetition, Radar::Repetition::user>);
-  table.function("pri_s", "Repetition intervals", &Radar::pri_s, "Time from each pulse to the next, in turn.");
-  table.always();
+  table.add<&Radar::repetition>(
+      {.id = "repetition",
+       .label = "Pulse repetition",
+       .words = "kind of pulse repetition",
+       .choices = {{"CONSTANT", Radar::Repetition::constant, "Constant", "evenly spaced pulses"},
+                   {"OTHER", Radar::Repetition::user, "User-defined", "list of intervals between pulses"}},
+       .tip = "Evenly spaced pulses, or a list of intervals that begins again at its end. Pulse 0 leaves at time 0."});
+  table.when<&Radar::repetition>(Radar::Repetition::constant);
+  table.add<&Radar::prf_hz>({.id = "prf_hz",
+                             .label = "Pulse repetition frequency",
+                             .words = "pulse repetition frequency",
+                             .quantity = Quantity::frequency,
+                             .range = {1e-5},
+                             .likely = {1.0, 1e6},
+                             .tip = "Unambiguous range is c/(2 PRF), unambiguous speed lambda PRF/4 either way."});
+  table.when<&Radar::repetition>(Radar::Repetition::user);
+  table.add<&Radar::pri_s>({.id = "pri_s",
+                            .label = "Repetition intervals",
+                            .words = "pulse repetition intervals",
+                            .block = &function_blocks::pri,
+                            .tip = "Time from each pulse to the next, in turn."});
 }
 
 void add_carrier(FieldTable<Radar>& table) {
-  constexpr auto stepped = is<&Radar::carrier, Radar::Carrier::stepped>;
+  using Carrier = Radar::Carrier;
   table.group("Frequency");
-  table.choice("carrier", "Centre frequency", &Radar::carrier, {"Single", "Stepped", "User-defined"},
-               "One carrier, steps from pulse to pulse, or a list that begins again at its end.");
-  table.where(is<&Radar::carrier, Radar::Carrier::single, Radar::Carrier::stepped>);
-  table.number(script::radar_grammar::carrier_single, "Frequency", Quantity::frequency, &Radar::carrier_hz,
-               "Carrier; the first one of stepped carriers. Wavelength is c/f.");
-  table.where(stepped);
-  table.number(script::radar_grammar::carrier_step, "Frequency step", Quantity::frequency, &Radar::carrier_step_hz,
-               "From one frequency to the next. N steps resolve c/(2 N step) in range.");
-  table.number(script::radar_grammar::carrier_steps, "Number of steps", Quantity::count, &Radar::carrier_steps,
-               "Frequencies of a burst.");
-  table.number(script::radar_grammar::pulses_per_step, "Pulses per frequency", Quantity::count, &Radar::pulses_per_step,
-               "Pulses sent at each frequency before the next step.");
-  table.where(is<&Radar::carrier, Radar::Carrier::user>);
-  table.function("carrier_list_hz", "Frequency list", &Radar::carrier_list_hz, "Carrier of each pulse, in turn.");
-  table.always();
+  table.add<&Radar::carrier>(
+      {.id = "carrier",
+       .label = "Centre frequency",
+       .words = "kind of carrier",
+       .choices = {{"SINGLE", Carrier::single, "Single", "one carrier"},
+                   {"STEPPED", Carrier::stepped, "Stepped", "carrier stepped from pulse to pulse"},
+                   {"OTHER", Carrier::user, "User-defined", "list of carriers"}},
+       .tip = "One carrier, steps from pulse to pulse, or a list that begins again at its end."});
+  table.when<&Radar::carrier>(Carrier::single, Carrier::stepped);
+  table.add<&Radar::carrier_hz>({.id = "carrier_hz",
+                                 .label = "Frequency",
+                                 .words = "carrier frequency",
+                                 .noun = "carrier",
+                                 .quantity = Quantity::frequency,
+                                 .script_unit = "GHz",
+                                 .range = zero_or_more,
+                                 .usable = above_zero,
+                                 .likely = {1e6, 1e12},
+                                 .tip = "Carrier; the first one of stepped carriers. Wavelength is c/f."});
+  table.when<&Radar::carrier>(Carrier::stepped);
+  table.add<&Radar::carrier_step_hz>({.id = "carrier_step_hz",
+                                      .label = "Frequency step",
+                                      .words = "frequency step",
+                                      .quantity = Quantity::frequency,
+                                      .script_unit = "GHz",
+                                      .range = zero_or_more,
+                                      .usable = any_value,
+                                      .likely = {1e3, 1e10},
+                                      .tip = "From one frequency to the next. N steps resolve c/(2 N step) in range."});
+  table.add<&Radar::carrier_steps>({.id = "carrier_steps",
+                                    .label = "Number of steps",
+                                    .words = "number of frequencies",
+                                    .noun = "number of frequency steps",
+                                    .quantity = Quantity::count,
+                                    .range = {1.0, 1000.0},
+                                    .usable = Range{1.0},
+                                    .tip = "Frequencies of a burst."});
+  table.add<&Radar::pulses_per_step>({.id = "pulses_per_step",
+                                      .label = "Pulses per frequency",
+                                      .words = "pulses at each frequency",
+                                      .noun = "number of pulses per frequency",
+                                      .quantity = Quantity::count,
+                                      .range = {1.0, 100.0},
+                                      .usable = Range{1.0},
+                                      .tip = "Pulses sent at each frequency before the next step."});
+  table.when<&Radar::carrier>(Carrier::user);
+  table.add<&Radar::carrier_list_hz>({.id = "carrier_list_hz",
+                                      .label = "Frequency list",
+                                      .words = "carrier frequencies",
+                                      .block = &function_blocks::carrier_list,
+                                      .tip = "Carrier of each pulse, in turn."});
 }
 
 void add_power(FieldTable<Radar>& table) {
+  constexpr Range gains{0.0, largest_gain_db};
+  constexpr Range usable_gains{-largest_value, largest_gain_db};
   table.group("Power");
-  table.number(script::radar_grammar::power, "Power output", Quantity::power, &Radar::power_w,
-               "Transmitted peak power.");
-  table.number(script::radar_grammar::losses, "System losses", Quantity::ratio_db, &Radar::losses,
-               "Total of the losses; received power is divided by it.");
-  table.number(script::radar_grammar::noise_temperature, "Noise temperature", Quantity::temperature,
-               &Radar::noise_temperature_k, "Of the receiver: noise power is k T B. 0 for no noise.");
-  table.rare();
-  table.number(script::radar_grammar::transmit_gain, "Transmitter gain", Quantity::ratio_db, &Radar::transmit_gain,
-               "Gain at the middle of the transmitted beam, on top of the antenna's pattern.");
-  table.number(script::radar_grammar::receive_gain, "Receiver gain", Quantity::ratio_db, &Radar::receive_gain,
-               "Gain at the middle of the received beam, on top of the antenna's pattern.");
-  table.rare(false);
-}
-
-// A single carrier or repetition frequency lives on as the first entry of a list, and the other way round.
-void begin_lists(const Radar& before, Radar& after) {
-  const auto& intervals = before.pri_s.part[0].knots;
-  if (after.repetition == Radar::Repetition::user)
-    begin_constant(after.pri_s.part[0], before.prf_hz > 0.0 ? 1.0 / before.prf_hz : 1e-3);
-  else if (before.repetition == Radar::Repetition::user && !intervals.empty() && intervals.front().y > 0.0)
-    after.prf_hz = 1.0 / intervals.front().y;
-  const auto& carriers = before.carrier_list_hz.part[0].knots;
-  if (after.carrier == Radar::Carrier::user)
-    begin_constant(after.carrier_list_hz.part[0], before.carrier_hz > 0.0 ? before.carrier_hz : 1e9);
-  else if (before.carrier == Radar::Carrier::user && !carriers.empty() && carriers.front().y > 0.0)
-    after.carrier_hz = carriers.front().y;
-}
-
-void begin_antenna(Antenna& antenna) {
-  if (antenna.pattern != Antenna::Pattern::user) return;
-  for (core::SampledFunction& cut : antenna.gain_db.part) begin_constant(cut, 0.0);
-}
-
-void begin_radar(const Radar& before, Radar& after) {
-  begin_lists(before, after);
-  if (after.pulse == Radar::Pulse::user && after.pulse_iq.part[0].knots.empty()) {
-    begin_constant(after.pulse_iq.part[0], 1.0);
-    begin_constant(after.pulse_iq.part[1], 0.0);
-  }
-  if (after.envelope == Radar::Envelope::user) begin_constant(after.envelope_gain.part[0], 1.0);
-  begin_antenna(after.transmit_antenna);
-  if (!after.same_antenna) begin_antenna(after.receive_antenna);
-  if (after.beam == Radar::Beam::user) {
-    begin_constant(after.beam_target_world_m.part[0], before.spot_world_m.x);
-    begin_constant(after.beam_target_world_m.part[1], before.spot_world_m.y);
-    begin_constant(after.beam_target_world_m.part[2], before.spot_world_m.z);
-  }
-  if (after.window == Radar::Window::user) begin_constant(after.window_gain.part[0], 1.0);
-  if (after.stc == Radar::Stc::user) begin_constant(after.stc_gain.part[0], 1.0);
+  table.add<&Radar::power_w>({.id = "power_w",
+                              .label = "Power output",
+                              .words = "transmitted power",
+                              .noun = "output power",
+                              .quantity = Quantity::power,
+                              .script_unit = "kW",
+                              .range = zero_or_more,
+                              .likely = {1e-6, 1e10},
+                              .tip = "Transmitted peak power."});
+  table.add<&Radar::losses>({.id = "losses",
+                             .label = "System losses",
+                             .words = "losses of the system",
+                             .noun = "total of the losses",
+                             .quantity = Quantity::ratio_db,
+                             .range = zero_or_more,
+                             .likely = {0.0, 100.0},
+                             .tip = "Total of the losses; received power is divided by it."});
+  table.add<&Radar::noise_temperature_k>({.id = "noise_temperature_k",
+                                          .label = "Noise temperature",
+                                          .words = "noise temperature",
+                                          .quantity = Quantity::temperature,
+                                          .range = zero_or_more,
+                                          .likely = {0.0, 1e5},
+                                          .tip = "Of the receiver: noise power is k T B. 0 for no noise."});
+  table.add<&Radar::transmit_gain>(
+      {.id = "transmit_gain",
+       .label = "Transmitter gain",
+       .words = "gain of the transmitter",
+       .noun = "transmit gain",
+       .quantity = Quantity::ratio_db,
+       .range = gains,
+       .usable = usable_gains,
+       .likely = {0.0, 100.0},
+       .tip = "Gain at the middle of the transmitted beam, on top of the antenna's pattern.",
+       .rare = true});
+  table.add<&Radar::receive_gain>({.id = "receive_gain",
+                                   .label = "Receiver gain",
+                                   .words = "gain of the receiver",
+                                   .noun = "receive gain",
+                                   .quantity = Quantity::ratio_db,
+                                   .range = gains,
+                                   .usable = usable_gains,
+                                   .likely = {0.0, 100.0},
+                                   .tip = "Gain at the middle of the received beam, on top of the antenna's pattern.",
+                                   .rare = true});
 }
 
 }  // namespace
 
-const FieldTable<Radar>& radar_table() {
+template <>
+const FieldTable<Radar>& table_of<Radar>() {
   static const FieldTable<Radar> made = [] {
     FieldTable<Radar> table;
     table.group("Radar");
-    table.name(
-        script::radar_grammar::name, FieldKind::text, "Radar name", &Radar::name,
-        "Simulations and geometry tables refer to the radar by this name; capital and small letters are the same.");
-    table.name(script::radar_grammar::platform, FieldKind::platform, "Platform name", &Radar::platform,
-               "The radar stands at the origin of this platform.");
+    table.add<&Radar::name>(
+        {.id = "name",
+         .label = "Radar name",
+         .words = "name of the radar",
+         .tip = "Simulations and geometry tables refer to the radar by this name; capital and small letters are the "
+                "same."});
+    table.add<&Radar::platform>({.id = "platform",
+                                 .label = "Platform name",
+                                 .words = "name of its platform",
+                                 .refers = "platform",
+                                 .tip = "The radar stands at the origin of this platform."});
     add_pulse(table);
     add_envelope(table);
     add_repetition(table);
     add_carrier(table);
     add_power(table);
-    add_antenna_fields(table);
-    table.on_switch(begin_radar);
-    return table;
+    radar_fields::add_antennas(table);
+    radar_fields::add_direction(table);
+    radar_fields::add_receiver(table);
+    return table.on_switch(radar_fields::begin_radar);
   }();
   return made;
 }
 
-}  // namespace sarsim::scene::field_tables
+}  // namespace sarsim::scene

@@ -3,6 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "scene/schema/field_table.hpp"
+
 namespace sarsim::scene::function_tables {
 
 namespace {
@@ -187,53 +189,11 @@ constexpr FunctionKind radar_kinds[] = {
   throw std::invalid_argument("there is no user-defined function '" + std::string(field) + "' in this object");
 }
 
-// The overloads find a function in one kind of object; `visit` is called with it.
-template <class Visit>
-bool visit_function(auto& platform, std::string_view field, const Visit& visit) requires
-    std::same_as<std::remove_const_t<std::remove_reference_t<decltype(platform)>>, Platform> {
-  if (field == "trajectory_m") return visit(platform.trajectory_m), true;
-  if (field == "rotation_deg") return visit(platform.rotation_deg), true;
-  if (field == "position_envelope") return visit(platform.position_envelope), true;
-  if (field == "rotation_envelope") return visit(platform.rotation_envelope), true;
-  return false;
-}
-
-template <class Visit>
-bool visit_function(auto& target, std::string_view field, const Visit& visit) requires
-    std::same_as<std::remove_const_t<std::remove_reference_t<decltype(target)>>, Target> {
-  if (field == "gain_db") return visit(target.gain_db), true;
-  return false;
-}
-
-template <class Visit>
-bool visit_function(auto& radar, std::string_view field, const Visit& visit) requires
-    std::same_as<std::remove_const_t<std::remove_reference_t<decltype(radar)>>, Radar> {
-  if (field == "pulse_iq") return visit(radar.pulse_iq), true;
-  if (field == "envelope_gain") return visit(radar.envelope_gain), true;
-  if (field == "pri_s") return visit(radar.pri_s), true;
-  if (field == "carrier_list_hz") return visit(radar.carrier_list_hz), true;
-  if (field == "transmit_antenna.gain_db") return visit(radar.transmit_antenna.gain_db), true;
-  if (field == "receive_antenna.gain_db") return visit(radar.receive_antenna.gain_db), true;
-  if (field == "beam_target_world_m") return visit(radar.beam_target_world_m), true;
-  if (field == "window_gain") return visit(radar.window_gain), true;
-  if (field == "stc_gain") return visit(radar.stc_gain), true;
-  return false;
-}
-
-template <class Ref, class Object>
-Ref find_function(Object& object, std::string_view field) {
-  Ref ref{{}, nullptr};
-  const auto take = [&](auto& function) { ref = {function.part, &function.file}; };
-  const bool found = std::visit(
-      [&](auto& alternative) {
-        if constexpr (requires { visit_function(alternative, field, take); })
-          return visit_function(alternative, field, take);
-        else
-          return false;
-      },
-      object);
-  if (!found) no_such_function(field);
-  return ref;
+template <class Object>
+const FieldOf<Object>& function_field(std::string_view id) {
+  for (const FieldOf<Object>& field : table_of<Object>().fields())
+    if (field.function != nullptr && field.spec.id == id) return field;
+  no_such_function(id);
 }
 
 }  // namespace
@@ -246,10 +206,21 @@ const FunctionKind& function_kind(ObjectKind object, std::string_view field) {
   no_such_function(field);
 }
 
-FunctionRef function_in(AnyObject& object, std::string_view field) { return find_function<FunctionRef>(object, field); }
+FunctionRef function_in(AnyObject& object, std::string_view field) {
+  return std::visit(
+      [&]<class Object>(Object& alternative) {
+        const FieldOf<Object>& known = function_field<Object>(field);
+        return known.function(alternative);
+      },
+      object);
+}
 
 ConstFunctionRef function_in(const AnyObject& object, std::string_view field) {
-  return find_function<ConstFunctionRef>(object, field);
+  return std::visit(
+      [&]<class Object>(const Object& alternative) {
+        return std::get<ConstFunctionRef>(function_field<Object>(field).get(alternative));
+      },
+      object);
 }
 
 }  // namespace sarsim::scene::function_tables

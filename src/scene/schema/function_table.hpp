@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "scene/model/object.hpp"
-#include "scene/schema/function_block.hpp"
-#include "scene/schema/quantity.hpp"
+#include "scene/schema/field_spec.hpp"
 
 /// Which user-defined functions there are, and what is known of each. Internal to function_model.
 namespace sarsim::scene::function_tables {
@@ -32,16 +31,8 @@ struct FunctionKind {
 /// The function of a field; std::invalid_argument where the object has no such function.
 [[nodiscard]] const FunctionKind& function_kind(ObjectKind object, std::string_view field);
 
-/// The parts and the file name of a function inside an object.
-struct FunctionRef {
-  std::span<core::SampledFunction> parts;
-  std::string* file;
-};
+/// A function inside an object; std::invalid_argument where the object has no such function.
 [[nodiscard]] FunctionRef function_in(AnyObject& object, std::string_view field);
-struct ConstFunctionRef {
-  std::span<const core::SampledFunction> parts;
-  const std::string* file;
-};
 [[nodiscard]] ConstFunctionRef function_in(const AnyObject& object, std::string_view field);
 
 }  // namespace sarsim::scene::function_tables

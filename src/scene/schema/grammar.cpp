@@ -1,10 +1,12 @@
 #include "scene/schema/grammar.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "scene/schema/kinds.hpp"
 
 namespace sarsim::scene::script {
 
@@ -18,14 +20,24 @@ bool letters_match(std::string_view typed, std::string_view word, std::size_t si
   return std::ranges::equal(typed.substr(0, compared), word.substr(0, compared), {}, upper);
 }
 
-// Every keyword by its significant letters.
-constexpr std::array<std::string_view, 40> stems{"ISO", "DIR", "COS", "OTH", "STA", "TRA", "NOT", "ALI", "CON", "STD",
-                                                 "MON", "CHI", "BAR", "REC", "LIN", "SIN", "STE", "SIM", "SAM", "FIX",
-                                                 "ROT", "SPO", "HAN", "HAM", "NO_", "APP", "1OV", "ASC", "BIN", "BRA",
-                                                 "HDF", "CSV", "NPY", "RAW", "MAT", "SRP", "BEG", "CEN", "SPA", "COM"};
-constexpr std::array<std::string_view, 4> block_stems{"CUB", "MFI", "FIL", "INL"};
+// Every keyword of an object's command.
+std::vector<std::string_view> keywords() {
+  std::vector<std::string_view> words{stc_switch};
+  for (const auto& method : interpolations) words.push_back(method.word);
+  for (const auto& source : data_sources) words.push_back(source.word);
+  for_each_kind([&](const auto& kind) {
+    for (const auto& field : kind.table().fields())
+      for (const Choice& choice : field.spec.choices)
+        if (!choice.word.empty()) words.push_back(choice.word);
+  });
+  return words;
+}
 
 }  // namespace
+
+Field parameter_of(const FieldSpec& spec) {
+  return {spec.problem_place(), spec.words, script_unit(spec), script_shift(spec), spec.range, spec.detail};
+}
 
 std::string range_text(const Range& range) {
   const bool bounded_below = std::isfinite(range.low);
@@ -43,8 +55,8 @@ bool command_matches(std::string_view typed, std::string_view command) { return 
 
 bool is_keyword(std::string_view typed) {
   if (typed.size() < 3) return false;
-  const auto is_it = [&](std::string_view stem) { return keyword_matches(typed, stem); };
-  return std::ranges::any_of(stems, is_it) || std::ranges::any_of(block_stems, is_it);
+  static const std::vector<std::string_view> words = keywords();
+  return std::ranges::any_of(words, [&](std::string_view word) { return keyword_matches(typed, word); });
 }
 
 bool begins_like_number(std::string_view typed) {

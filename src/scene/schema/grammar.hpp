@@ -1,37 +1,18 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 
-#include "scene/schema/function_block.hpp"
+#include "scene/schema/field_spec.hpp"
 
-/// The pieces that the language is described with. Reader and writer work from the same descriptions
-/// (scene_grammar.hpp, radar_grammar.hpp), so that what one writes the other reads.
+/// The pieces of the script language that fields are described with, and its words that belong to no field.
 namespace sarsim::scene::script {
 
-/// The values a number may have, in SI units, angles and decibels as typed.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_excluded = false;
-
-  [[nodiscard]] bool holds(double value) const { return value <= high && (low_excluded ? value > low : value >= low); }
-};
-
-inline constexpr Range any_value{};
-inline constexpr Range zero_or_more{0.0};
-inline constexpr Range above_zero{0.0, std::numeric_limits<double>::infinity(), true};
-
-/// ", zero or more" and the like, to follow what kind of value is expected; empty where anything goes.
-[[nodiscard]] std::string range_text(const Range& range);
-
-/// One parameter of a command.
+/// What the script language needs to know of one parameter of a command.
 struct Field {
-  std::string_view member;     ///< Of the scene's structure.
+  std::string_view member;     ///< Of the scene's structure: where problems are shown.
   std::string_view words;      ///< What it is, in a sentence.
   std::string_view unit = {};  ///< Of the number in the script; empty for a pure number or a word.
   int shift = 0;               ///< Decimal exponent from the script's unit to the scene's.
@@ -39,7 +20,13 @@ struct Field {
   std::string_view detail = {};  ///< More about it for the comment beside a written value.
 };
 
-/// One keyword of a selection.
+/// The parameter that stands for a field.
+[[nodiscard]] Field parameter_of(const FieldSpec& spec);
+
+/// ", zero or more" and the like, to follow what kind of value is expected; empty where anything goes.
+[[nodiscard]] std::string range_text(const Range& range);
+
+/// One keyword that belongs to no field of an object.
 template <class Value>
 struct Alternative {
   std::string_view word;
@@ -50,13 +37,31 @@ struct Alternative {
 template <class Value, std::size_t N>
 using Alternatives = std::array<Alternative<Value>, N>;
 
+inline constexpr std::array<std::string_view, 7> command_words{"TARGET",  "PLATFORM", "RADAR",  "SIMULATION",
+                                                               "SURFACE", "GEOMETRY", "OPTIONS"};
+
+inline constexpr Alternatives<core::Interpolation, 3> interpolations{
+    {{"CUBIC", core::Interpolation::cubic, "cubic pieces"},
+     {"MFILTER", core::Interpolation::low_pass, "low-pass filter"},
+     {"LINEAR", core::Interpolation::linear, "straight lines"}}};
+
+/// Where the points of a function stand.
+enum class DataSource { data_file, in_script };
+inline constexpr Alternatives<DataSource, 2> data_sources{
+    {{"FILE", DataSource::data_file, ""}, {"INLINE", DataSource::in_script, ""}}};
+
+/// Stands before the law of the sensitivity-time control, where there is one.
+inline constexpr std::string_view stc_switch = "APPLY_STC";
+inline constexpr std::string_view stc_switch_meaning = "sensitivity-time control";
+
 /// The three significant letters: the comparison ignores case and ends, with success, where either word ends.
 [[nodiscard]] bool keyword_matches(std::string_view typed, std::string_view keyword);
 
 /// The five significant letters of a command word, by the same rule.
 [[nodiscard]] bool command_matches(std::string_view typed, std::string_view command);
 
-/// Whether a word is meant as one of the language's keywords rather than as a mistyped number.
+/// Whether a word is meant as one of the language's keywords rather than as a mistyped number. Those of $OPTIONS are
+/// not among them: they stand in pairs, so that a number is never missing before one.
 [[nodiscard]] bool is_keyword(std::string_view typed);
 
 /// Whether a word begins as a number does.

@@ -324,4 +324,11 @@ std::vector<std::string_view> units_of(Quantity quantity) {
   return names;
 }
 
+int exponent_of(std::string_view name, Quantity quantity) {
+  const Unit& unit = unit_named(quantity, name);
+  if (unit.law != Unit::Law::decimal)
+    throw std::invalid_argument(fmt::format("'{}' is no power of ten of a {}", name, noun_of(quantity)));
+  return unit.exponent;
+}
+
 }  // namespace sarsim::scene

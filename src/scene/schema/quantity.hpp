@@ -43,4 +43,8 @@ struct QuantityReading {
 /// The units that may be typed, the base unit first.
 [[nodiscard]] std::vector<std::string_view> units_of(Quantity quantity);
 
+/// Decimal exponent of a unit to the base unit: 9 for "GHz". std::invalid_argument for a unit that is none of the
+/// quantity's or no power of ten of its base unit.
+[[nodiscard]] int exponent_of(std::string_view unit, Quantity quantity);
+
 }  // namespace sarsim::scene

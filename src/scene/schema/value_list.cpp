@@ -21,7 +21,7 @@ constexpr double rounding = 1e-9;
 ValueList no_values(std::string failure) { return {{}, std::move(failure)}; }
 
 // Length of the decimal number at the beginning of a text.
-std::size_t number_length(std::string_view text) {
+std::size_t leading_number(std::string_view text) {
   const auto digits_from = [&](std::size_t i) {
     while (i < text.size() && core::is_digit(text[i])) ++i;
     return i;
@@ -52,7 +52,7 @@ struct Term {
 
 Term term_of(std::string_view text, const std::string& unit) {
   text = core::trimmed(text);
-  const std::size_t length = number_length(text);
+  const std::size_t length = leading_number(text);
   Term term{std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
   if (length > 0 && term.unit.empty()) term.unit = unit;
   return term;

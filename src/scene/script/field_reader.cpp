@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/schema/scene_grammar.hpp"
 
 namespace sarsim::scene::script {
 
@@ -25,6 +24,15 @@ std::string selection_hint(const Token& token, std::span<const std::string_view>
   if (!near.empty()) return fmt::format("did you mean {}?", near);
   if (begins_like_number(token.text)) return "there may be a number too many before it";
   return {};
+}
+
+// A keyword that belongs to no field of an object, as the value that it stands for.
+template <class Value, std::size_t N>
+void select(FieldReader& reader, const Field& field, const Alternatives<Value, N>& alternatives, Value& value) {
+  std::array<std::string_view, N> words;
+  for (std::size_t i = 0; i < N; ++i) words[i] = alternatives[i].word;
+  const std::size_t chosen = reader.keyword(field, words);
+  if (chosen < N) value = alternatives[chosen].value;
 }
 
 constexpr std::array<char, 3> axis_letters{'x', 'y', 'z'};
@@ -116,25 +124,13 @@ void FieldReader::number(const Field& field, double& value) {
   number_in(field, value);
 }
 
-void FieldReader::angle(const Field& field, core::Angle& value) {
-  double degrees = value.deg();
-  number(field, degrees);
-  value = core::Angle::from_deg(degrees);
-}
-
-void FieldReader::decibels(const Field& field, core::PowerRatio& value) {
-  double db = value.db();
-  number(field, db);
-  value = core::PowerRatio::from_db(db);
-}
-
-void FieldReader::integer(const Field& field, int& value) {
+void FieldReader::integer(const Field& field, double& value) {
   if (!number_follows(field, "a whole number")) return;
   const Token token = take(field);
   note_place(field, token);
   std::int64_t read = 0;
   if (!read_integer(token, field, reporter_, read)) return;
-  if (field.range.holds(static_cast<double>(read))) value = static_cast<int>(read);
+  if (field.range.holds(static_cast<double>(read))) value = static_cast<double>(read);
 }
 
 void FieldReader::seed(const Field& field, std::uint64_t& value) {
@@ -166,13 +162,32 @@ void FieldReader::vector(const Field& field, core::Vec3& value) {
   }
 }
 
-void FieldReader::angles(const Field& field, std::array<core::Angle, 3>& value) {
-  core::Vec3 degrees{value[0].deg(), value[1].deg(), value[2].deg()};
-  vector(field, degrees);
-  value = {core::Angle::from_deg(degrees.x), core::Angle::from_deg(degrees.y), core::Angle::from_deg(degrees.z)};
+void FieldReader::choice(const FieldSpec& spec, const Field& field, FieldValue& value) {
+  std::vector<std::string_view> words;
+  for (const Choice& choice : spec.choices) words.push_back(choice.word);
+  const std::size_t at = keyword(field, words);
+  if (at < words.size()) choose(value, spec.choices[at].value);
 }
 
-std::size_t FieldReader::select(const Field& field, std::span<const std::string_view> words) {
+void FieldReader::read_value(const FieldSpec& spec, const Field& field, FieldValue& value) {
+  switch (spec.type) {
+    case FieldType::number:
+      if (spec.quantity == Quantity::count) return integer(field, std::get<double>(value));
+      return number(field, std::get<double>(value));
+    case FieldType::seed: return seed(field, std::get<std::uint64_t>(value));
+    case FieldType::vector: return vector(field, std::get<core::Vec3>(value));
+    case FieldType::choice:
+      if (!has_words(spec)) return integer(field, std::get<double>(value));
+      return choice(spec, field, value);
+    case FieldType::check: return choice(spec, field, value);
+    case FieldType::flags: return integer(field, std::get<double>(value));
+    case FieldType::text:
+    case FieldType::name: return text(field, std::get<std::string>(value));
+    case FieldType::function: return;
+  }
+}
+
+std::size_t FieldReader::keyword(const Field& field, std::span<const std::string_view> words) {
   if (failed_) return words.size();
   const bool resuming = numbers_missing_;
   numbers_missing_ = false;
@@ -220,16 +235,14 @@ void FieldReader::finish() {
 
 void FieldReader::read_block(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
                              std::string& file) {
-  enum class Source { data_file, in_script };
-  constexpr Alternatives<Source, 2> sources{{{"FILE", Source::data_file, ""}, {"INLINE", Source::in_script, ""}}};
   for (std::size_t i = 0; i < block.count; ++i) {
     const std::string words = fmt::format("interpolation of {}", block.y[i].name);
-    choice(Field{field.member, words}, interpolations, parts[i].method);
+    select(*this, Field{field.member, words}, interpolations, parts[i].method);
   }
-  Source source = Source::in_script;
-  choice(Field{field.member, "source of the data"}, sources, source);
+  DataSource source = DataSource::in_script;
+  select(*this, Field{field.member, "source of the data"}, data_sources, source);
   if (failed_) return;
-  if (source == Source::data_file)
+  if (source == DataSource::data_file)
     read_file(field, block, parts, file);
   else
     read_inline(field, block, parts);

@@ -4,12 +4,12 @@
 #include <span>
 #include <string>
 
-#include "core/maths/angle.hpp"
 #include "core/maths/vector.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/schema/grammar.hpp"
 #include "scene/script/data_file.hpp"
 #include "scene/script/field_places.hpp"
+#include "scene/script/order.hpp"
 #include "scene/script/problem_log.hpp"
 #include "scene/script/tokens.hpp"
 
@@ -41,31 +41,27 @@ class FieldReader {
   void note_object();
   /// The name an object begins with; false where there is none, and then the object cannot be kept.
   bool leading_name(const Field& field, std::string& name);
-  /// @name One parameter each, in the unit of its field.
-  /// @{
-  void text(const Field& field, std::string& text);
-  void number(const Field& field, double& value);
-  void angle(const Field& field, core::Angle& value);
-  void decibels(const Field& field, core::PowerRatio& value);
-  void integer(const Field& field, int& value);
-  void seed(const Field& field, std::uint64_t& value);
-  void vector(const Field& field, core::Vec3& value);
-  void angles(const Field& field, std::array<core::Angle, 3>& value);
-  /// @}
-
-  /// A keyword, as the value that it stands for.
-  template <class Value, std::size_t N>
-  void choice(const Field& field, const Alternatives<Value, N>& alternatives, Value& value) {
-    std::array<std::string_view, N> words;
-    for (std::size_t i = 0; i < N; ++i) words[i] = alternatives[i].word;
-    const std::size_t chosen = select(field, words);
-    if (chosen < N) value = alternatives[chosen].value;
+  /// The fields of an object in their order, those that mean something with what has been read before them.
+  template <class Object>
+  void read(const Order<Object>& order, Object& object) {
+    for (const FieldOf<Object>* const field : order)
+      if (table_of<Object>().applies(object, *field)) read(*field, object);
   }
 
-  template <std::size_t N>
-  void function(const Field& field, const FunctionBlock& block, UserFunction<N>& value) {
-    read_block(field, block, value.part, value.file);
+  /// One field of an object.
+  template <class Object>
+  void read(const FieldOf<Object>& field, Object& object) {
+    if (field.spec.type == FieldType::function) {
+      const FunctionRef function = field.function(object);
+      return read_block(field.in_script, *field.spec.block, function.parts, *function.file);
+    }
+    FieldValue value = field.get(object);
+    read_value(field.spec, parameter(field, object), value);
+    field.put(object, value);
   }
+
+  /// A keyword: the position of the one that it is; their number where it is none of them.
+  [[nodiscard]] std::size_t keyword(const Field& field, std::span<const std::string_view> words);
 
   /// Reports a mistake at the next token and reads nothing further of this object.
   void structural_error(const Field& field, Complaint complaint);
@@ -95,7 +91,13 @@ class FieldReader {
   void number_in(const Field& field, double& value);
   Token take(const Field& field);
   void note_place(const Field& field, const Token& token);
-  [[nodiscard]] std::size_t select(const Field& field, std::span<const std::string_view> words);
+  void read_value(const FieldSpec& spec, const Field& field, FieldValue& value);
+  void text(const Field& field, std::string& text);
+  void number(const Field& field, double& value);
+  void integer(const Field& field, double& value);
+  void seed(const Field& field, std::uint64_t& value);
+  void vector(const Field& field, core::Vec3& value);
+  void choice(const FieldSpec& spec, const Field& field, FieldValue& value);
   void read_block(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts,
                   std::string& file);
   void read_inline(const Field& field, const FunctionBlock& block, std::span<core::SampledFunction> parts);

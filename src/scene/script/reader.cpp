@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/text/number_text.hpp"
-#include "scene/schema/scene_grammar.hpp"
+#include "scene/schema/grammar.hpp"
 #include "scene/script/make_room.hpp"
 #include "scene/script/pieces.hpp"
 #include "scene/script/read_commands.hpp"

@@ -52,15 +52,9 @@ void ScriptLines::value(std::string_view text, std::string_view comment) {
   text_ += '\n';
 }
 
-void ScriptLines::name(const Field& field, std::string_view name) {
-  value(quoted_where_needed(name), comment_of(field));
-}
-
 void ScriptLines::number(const Field& field, double number) {
   value(core::format_number(number, -field.shift), comment_of(field));
 }
-
-void ScriptLines::integer(const Field& field, int number) { value(fmt::format("{}", number), comment_of(field)); }
 
 void ScriptLines::vector(const Field& field, const core::Vec3& vector) {
   value(core::format_number(vector.x, -field.shift), comment_of(field, "x"));
@@ -68,8 +62,29 @@ void ScriptLines::vector(const Field& field, const core::Vec3& vector) {
   value(core::format_number(vector.z, -field.shift), comment_of(field, "z"));
 }
 
-void ScriptLines::angles(const Field& field, const std::array<core::Angle, 3>& angles) {
-  vector(field, {angles[0].deg(), angles[1].deg(), angles[2].deg()});
+const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
+  for (const Choice& choice : spec.choices)
+    if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
+  return nullptr;
+}
+
+void ScriptLines::write_field(const FieldSpec& spec, const Field& field, const FieldValue& held) {
+  switch (spec.type) {
+    case FieldType::number:
+      if (spec.quantity != Quantity::count) return number(field, std::get<double>(held));
+      return value(fmt::format("{}", chosen(held)), comment_of(field));
+    case FieldType::seed: return value(fmt::format("{}", std::get<std::uint64_t>(held)), comment_of(field));
+    case FieldType::vector: return vector(field, std::get<core::Vec3>(held));
+    case FieldType::choice:
+    case FieldType::check:
+      if (const Choice* const choice = chosen_word(spec, held)) return value(choice->word, choice->meaning);
+      if (has_words(spec)) return;
+      return value(fmt::format("{}", chosen(held)), comment_of(field));
+    case FieldType::flags: return value(fmt::format("{}", chosen(held)), comment_of(field));
+    case FieldType::text:
+    case FieldType::name: return value(quoted_where_needed(std::get<std::string>(held)), comment_of(field));
+    case FieldType::function: return write_block(*spec.block, std::get<ConstFunctionRef>(held));
+  }
 }
 
 void ScriptLines::row(std::initializer_list<double> values, std::string_view comment) {
@@ -84,8 +99,9 @@ void ScriptLines::row(std::initializer_list<double> values, std::string_view com
   text_ += '\n';
 }
 
-void ScriptLines::write_block(const FunctionBlock& block, std::span<const core::SampledFunction> parts,
-                              std::string_view file) {
+void ScriptLines::write_block(const FunctionBlock& block, const ConstFunctionRef& function) {
+  const auto parts = function.parts;
+  const std::string& file = *function.file;
   for (std::size_t i = 0; i < block.count; ++i)
     for (const auto& method : interpolations)
       if (method.value == parts[i].method)

@@ -3,12 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/maths/angle.hpp"
 #include "core/maths/vector.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/schema/grammar.hpp"
-#include "scene/schema/scene_grammar.hpp"
 #include "scene/script/data_file.hpp"
+#include "scene/script/order.hpp"
 
 namespace sarsim::scene::script {
 
@@ -25,39 +24,35 @@ class ScriptLines {
   /// A value and its comment; without the comment's mark where it is empty.
   void value(std::string_view text, std::string_view comment);
 
-  /// A name, in quotes where it needs them.
-  void name(const Field& field, std::string_view name);
-  /// A number from SI units (angles and decibels: as typed) in the unit of the script.
-  void number(const Field& field, double value);
-  /// A whole number.
-  void integer(const Field& field, int value);
-  /// Three numbers on a line each, x, y and z.
-  void vector(const Field& field, const core::Vec3& value);
-  /// Three angles on a line each, in degrees as typed.
-  void angles(const Field& field, const std::array<core::Angle, 3>& value);
+  /// The fields of an object that mean something for it, in their order.
+  template <class Object>
+  void fields(const Order<Object>& order, const Object& object) {
+    for (const FieldOf<Object>* const field : order)
+      if (table_of<Object>().applies(object, *field)) this->field(*field, object);
+  }
+  /// One field: a value with its unit and meaning, a keyword, or a block of functions.
+  template <class Object>
+  void field(const FieldOf<Object>& field, const Object& object) {
+    write_field(field.spec, parameter(field, object), field.get(object));
+  }
   /// Some numbers on one line, with a comment.
   void row(std::initializer_list<double> values, std::string_view comment);
-
-  template <class Value, std::size_t N>
-  void choice(const Alternatives<Value, N>& alternatives, Value chosen) {
-    for (const auto& alternative : alternatives)
-      if (alternative.value == chosen) return value(alternative.word, alternative.meaning);
-  }
-
-  template <std::size_t N>
-  void function(const FunctionBlock& block, const UserFunction<N>& function) {
-    write_block(block, function.part, function.file);
-  }
 
   [[nodiscard]] std::string take() { return std::move(text_); }
 
  private:
-  void write_block(const FunctionBlock& block, std::span<const core::SampledFunction> parts, std::string_view file);
+  void write_field(const FieldSpec& spec, const Field& field, const FieldValue& value);
+  void number(const Field& field, double number);
+  void vector(const Field& field, const core::Vec3& vector);
+  void write_block(const FunctionBlock& block, const ConstFunctionRef& function);
 
   std::string text_;
 };
 
 /// "(GHz) Carrier frequency: detail", the comment beside a field's value.
 [[nodiscard]] std::string comment_of(const Field& field, std::string_view more = {});
+
+/// The alternative that is chosen, of those that a script has a word for; null where it has none.
+[[nodiscard]] const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value);
 
 }  // namespace sarsim::scene::script

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "scene/schema/scene_grammar.hpp"
 #include "scene/script/tokens.hpp"
 #include "scene/script/write_commands.hpp"
 
@@ -17,20 +16,18 @@ void write_surface(ScriptLines& lines, const Surface& surface) {
 }
 
 void write_target(ScriptLines& lines, const Target& target) {
-  namespace grammar = target_grammar;
   lines.plain("$TARGET " + quoted_where_needed(target.platform) + "  ! Platform that carries the target");
   const core::Vec3& at = target.position_m;
   const core::Vec3& spread = target.position_stddev_m;
   lines.row({at.x, at.y, at.z}, "(m) Position: x, y, z");
   lines.row({spread.x, spread.y, spread.z}, "(m) Standard deviation of the position: x, y, z");
   lines.row({target.rcs_m2, target.rcs_stddev_m2}, "(m^2) Radar cross-section and its standard deviation");
-  lines.choice(grammar::reflectivities, target.reflectivity);
+  lines.field(field_of<&Target::reflectivity>(), target);
   if (target.reflectivity == Target::Reflectivity::directional) {
     lines.row(
         {target.azimuth.deg(), target.elevation.deg(), target.azimuth_stddev.deg(), target.elevation_stddev.deg()},
         "(deg) Azimuth and elevation of the face, their standard deviations");
-    lines.choice(grammar::gains, target.gain);
-    if (target.gain == Target::Gain::user) lines.function(function_blocks::target_gain, target.gain_db);
+    lines.fields({&field_of<&Target::gain>(), &field_of<&Target::gain_db>()}, target);
   }
   lines.blank();
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/schema/field_spec.hpp"
+#include "scene/schema/fields.hpp"
+
+/// Fields as forms show them: a vector as three, flags as one for each. Internal to fields.cpp and field_names.cpp.
+namespace sarsim::scene::field_forms {
+
+/// The fields of a form that stand for a field.
+[[nodiscard]] std::vector<Field> form_fields(const FieldSpec& spec);
+
+/// The names that a form shows for the values of a choice, which count from 0.
+[[nodiscard]] std::vector<std::string> shown_choices(const FieldSpec& spec);
+
+/// The value of one of `form_fields` as text.
+[[nodiscard]] std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_t part);
+
+/// Sets the value of one of `form_fields` from what was typed; says why not, and leaves it as it is, where it cannot.
+[[nodiscard]] std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text);
+
+}  // namespace sarsim::scene::field_forms

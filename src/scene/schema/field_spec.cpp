@@ -1,0 +1,47 @@
+#include "scene/schema/field_spec.hpp"
+
+#include <algorithm>
+
+#include "scene/schema/field_table.hpp"
+
+namespace sarsim::scene {
+
+int chosen(const FieldValue& value) {
+  if (const auto* const number = std::get_if<double>(&value)) return static_cast<int>(*number);
+  if (const auto* const yes = std::get_if<bool>(&value)) return *yes ? 1 : 0;
+  return std::get<int>(value);
+}
+
+void choose(FieldValue& value, int alternative) {
+  if (auto* const number = std::get_if<double>(&value))
+    *number = alternative;
+  else if (auto* const yes = std::get_if<bool>(&value))
+    *yes = alternative != 0;
+  else
+    value = alternative;
+}
+
+bool is_among(const FieldValue& value, const std::vector<int>& among) {
+  return std::ranges::find(among, chosen(value)) != among.end();
+}
+
+bool has_words(const FieldSpec& spec) {
+  return std::ranges::any_of(spec.choices, [](const Choice& choice) { return !choice.word.empty(); });
+}
+
+int script_shift(const FieldSpec& spec) {
+  return spec.script_unit.empty() ? 0 : exponent_of(spec.script_unit, spec.quantity);
+}
+
+std::string_view script_unit(const FieldSpec& spec) {
+  if (!spec.script_unit.empty()) return spec.script_unit;
+  if (spec.quantity == Quantity::area) return "m^2";
+  const auto units = units_of(spec.quantity);
+  return units.empty() ? std::string_view{} : units.front();
+}
+
+void begin_constant(core::SampledFunction& function, double value) {
+  if (function.knots.empty()) function.knots.push_back({0.0, value});
+}
+
+}  // namespace sarsim::scene

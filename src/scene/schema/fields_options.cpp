@@ -1,0 +1,44 @@
+#include "scene/schema/field_table.hpp"
+
+namespace sarsim::scene {
+
+template <>
+const FieldTable<RunOptions>& table_of<RunOptions>() {
+  static const FieldTable<RunOptions> made = [] {
+    FieldTable<RunOptions> table;
+    table.group("Run options");
+    table.add<&RunOptions::profile>(
+        {.id = "profile",
+         .label = "Profile",
+         .words = "profile",
+         .choices = {{"CLASSIC", Profile::classic, "Classic", "conventions of the 1998 programs"},
+                     {"PHYSICAL", Profile::physical, "Physical", "conventions of radar engineering"}},
+         .tip = "Conventions of radar engineering, or those of the programs of 1998 with their constants."});
+    table.add<&RunOptions::seed>(
+        {.id = "seed",
+         .label = "Seed",
+         .words = "seed of the random numbers",
+         .quantity = Quantity::count,
+         .tip = "Of all random numbers: the same seed gives the same noise and jitter. Takes 0 to "
+                "18446744073709551615."});
+    table.add<&RunOptions::pulse>(
+        {.id = "pulse",
+         .label = "Pulse definition",
+         .words = "definition of the pulse",
+         .choices = {{"IDEAL", PulseDefinition::ideal, "Ideal", "hard edges, sampled where they are"},
+                     {"BAND_LIMITED", PulseDefinition::band_limited, "Band-limited", "confined to the sampled band"}},
+         .tip = "Hard edges sampled where they are, or confined to the sampled band."});
+    table.add<&RunOptions::tolerance>(
+        {.id = "tolerance",
+         .label = "Tolerance",
+         .words = "tolerated relative error of the echoes",
+         .noun = "tolerance",
+         .range = above_zero,
+         .usable = Range{1e-12, 0.1},
+         .tip = "Largest error of the echoes that a fast method may make, relative to the echo; 1e-12 to 0.1."});
+    return table;
+  }();
+  return made;
+}
+
+}  // namespace sarsim::scene
