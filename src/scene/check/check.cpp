@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/check/check_objects.hpp"
+#include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
 
 namespace sarsim::scene {
@@ -70,9 +71,7 @@ void check_surfaces_together(Findings& findings, const std::vector<Surface>& sur
 
 }  // namespace
 
-void check_options(Findings& findings, const RunOptions& options) {
-  findings.between("tolerance", "tolerance", options.tolerance, 1e-12, 0.1, "");
-}
+void check_options(Findings& findings, const RunOptions& options) { check_values(findings, options); }
 
 core::Problems check(const Scene& scene, const core::WorkControl& control) {
   Findings findings;

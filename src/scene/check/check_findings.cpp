@@ -15,19 +15,6 @@ namespace sarsim::scene {
 
 namespace {
 
-bool is_finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-Finding too_large(std::string_view what, std::string found, std::string_view unit) {
-  return {.message = fmt::format("the {} is too large to compute with", what),
-          .found = std::move(found),
-          .expected = fmt::format("a magnitude up to {:g} {}", largest_value, unit),
-          .hint = {}};
-}
-
-std::string vector_text(const core::Vec3& v, std::string_view unit) {
-  return fmt::format("({:.9g}, {:.9g}, {:.9g}) {}", v.x, v.y, v.z, unit);
-}
-
 // Names can be of any length, messages cannot.
 std::string clipped(std::string text) {
   constexpr std::size_t longest = 200;
@@ -121,6 +108,13 @@ bool check_not_empty(Findings& findings, const FunctionRule& rule, std::size_t p
 
 }  // namespace
 
+Finding too_large(std::string_view what, std::string found, std::string_view unit) {
+  return {.message = fmt::format("the {} is too large to compute with", what),
+          .found = std::move(found),
+          .expected = fmt::format("a magnitude up to {:g} {}", largest_value, unit),
+          .hint = {}};
+}
+
 std::string value_text(double value, std::string_view unit) {
   static constexpr std::string_view prefixed[] = {"Hz", "s", "W", "V"};
   if (std::ranges::find(prefixed, unit) != std::end(prefixed)) return core::with_prefix(value, unit);
@@ -155,74 +149,6 @@ void Findings::warning(Consequence consequence, std::string_view field, Finding 
 
 void Findings::note(std::string_view field, Finding finding, std::size_t count) {
   add(core::Severity::note, 0, field, std::move(finding), count);
-}
-
-bool Findings::finite(std::string_view field, std::string_view what, double value, std::string_view unit) {
-  if (computable(value)) return true;
-  if (std::isfinite(value)) {
-    error(field, too_large(what, value_text(value, unit), unit));
-    return false;
-  }
-  error(field, {.message = fmt::format("the {} is not a finite number", what),
-                .found = value_text(value, unit),
-                .expected = "a finite number",
-                .hint = {}});
-  return false;
-}
-
-bool Findings::finite(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit) {
-  if (computable(value.x) && computable(value.y) && computable(value.z)) return true;
-  if (is_finite(value)) {
-    error(field, too_large(what, vector_text(value, unit), unit));
-    return false;
-  }
-  error(field, {.message = fmt::format("the {} is not made of finite numbers", what),
-                .found = vector_text(value, unit),
-                .expected = "finite numbers",
-                .hint = {}});
-  return false;
-}
-
-bool Findings::positive(std::string_view field, std::string_view what, double value, std::string_view unit) {
-  if (!finite(field, what, value, unit)) return false;
-  if (value > 0.0) return true;
-  error(field, {.message = fmt::format("the {} is not above zero", what),
-                .found = value_text(value, unit),
-                .expected = "a number above 0",
-                .hint = {}});
-  return false;
-}
-
-bool Findings::not_negative(std::string_view field, std::string_view what, double value, std::string_view unit) {
-  if (!finite(field, what, value, unit)) return false;
-  if (value >= 0.0) return true;
-  error(field, {.message = fmt::format("the {} is negative", what),
-                .found = value_text(value, unit),
-                .expected = "0 or a number above",
-                .hint = {}});
-  return false;
-}
-
-bool Findings::not_negative(std::string_view field, std::string_view what, const core::Vec3& value,
-                            std::string_view unit) {
-  if (!finite(field, what, value, unit)) return false;
-  if (value.x >= 0.0 && value.y >= 0.0 && value.z >= 0.0) return true;
-  error(field, {.message = fmt::format("the {} is negative", what),
-                .found = vector_text(value, unit),
-                .expected = "0 or numbers above",
-                .hint = {}});
-  return false;
-}
-
-bool Findings::between(std::string_view field, std::string_view what, double value, double low, double high,
-                       std::string_view unit) {
-  if (!finite(field, what, value, unit)) return false;
-  if (value >= low && value <= high) return true;
-  error(field, {.message = fmt::format("the {} is out of range", what),
-                .found = value_text(value, unit),
-                .expected = fmt::format("{} to {}", value_text(low, ""), value_text(high, unit)),
-                .hint = {}});
-  return false;
 }
 
 void Findings::append(Findings&& later) { std::ranges::move(later.entries_, std::back_inserter(entries_)); }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/maths/sampled_function.hpp"
-#include "core/maths/vector.hpp"
 #include "core/report/problem.hpp"
 
 namespace sarsim::scene {
@@ -42,18 +41,6 @@ class Findings {
   /// A note that stands for `count` occurrences.
   void note(std::string_view field, Finding finding, std::size_t count = 1);
 
-  /// @name Rules for one number; each reports an error and returns false where the number breaks it. `what` completes
-  /// "the ...". A number that is too large to compute with (scene/model/limits.hpp) breaks all of them.
-  /// @{
-  bool finite(std::string_view field, std::string_view what, double value, std::string_view unit);
-  bool finite(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit);
-  bool positive(std::string_view field, std::string_view what, double value, std::string_view unit);
-  bool not_negative(std::string_view field, std::string_view what, double value, std::string_view unit);
-  bool not_negative(std::string_view field, std::string_view what, const core::Vec3& value, std::string_view unit);
-  bool between(std::string_view field, std::string_view what, double value, double low, double high,
-               std::string_view unit);
-  /// @}
-
   /// Adds what was found elsewhere, behind everything here.
   void append(Findings&& later);
 
@@ -74,6 +61,10 @@ class Findings {
 
 /// A value with its unit for people to read: "5.3 GHz", "-12.5 m", "nan deg".
 [[nodiscard]] std::string value_text(double value, std::string_view unit);
+
+/// A number, or one of several, that is larger than anything that can be computed with.
+/// @param what  "the ..."
+[[nodiscard]] Finding too_large(std::string_view what, std::string found, std::string_view unit);
 
 /// What has to hold for a user-defined function.
 struct FunctionRule {

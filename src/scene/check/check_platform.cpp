@@ -1,19 +1,14 @@
 #include <algorithm>
-#include <array>
 
 #include "scene/check/check_objects.hpp"
+#include "scene/check/check_values.hpp"
 
 namespace sarsim::scene {
 
 namespace {
 
-core::Vec3 degrees(const std::array<core::Angle, 3>& angles) {
-  return {angles[0].deg(), angles[1].deg(), angles[2].deg()};
-}
-
 void check_path(Findings& findings, const Platform& platform) {
   const bool moves = platform.path == Platform::Path::trajectory;
-  findings.finite("position_m", "position", platform.position_m, "m");
   const bool sound = check_function(findings,
                                     {.field = "trajectory_m",
                                      .what = "trajectory",
@@ -32,8 +27,6 @@ void check_path(Findings& findings, const Platform& platform) {
 }
 
 void check_rotation(Findings& findings, const Platform& platform) {
-  findings.finite("rotation", "rotation", degrees(platform.rotation), "deg");
-  findings.finite("rotation_rate", "rotation rate", degrees(platform.rotation_rate), "deg/s");
   check_function(findings,
                  {.field = "rotation_deg",
                   .what = "rotation",
@@ -58,9 +51,6 @@ void check_envelope(Findings& findings, std::string_view field, std::string_view
 }
 
 void check_errors(Findings& findings, const Platform& platform) {
-  findings.not_negative("position_stddev_m", "standard deviation of the position", platform.position_stddev_m, "m");
-  findings.not_negative("rotation_stddev", "standard deviation of the rotation", degrees(platform.rotation_stddev),
-                        "deg");
   check_envelope(findings, "position_envelope", "position error function",
                  platform.position_error == Platform::MotionError::envelope, platform.position_envelope);
   check_envelope(findings, "rotation_envelope", "rotation error function",
@@ -70,6 +60,7 @@ void check_errors(Findings& findings, const Platform& platform) {
 }  // namespace
 
 void check_platform(Findings& findings, const Platform& platform) {
+  check_values(findings, platform);
   check_path(findings, platform);
   check_rotation(findings, platform);
   check_errors(findings, platform);

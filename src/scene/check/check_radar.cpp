@@ -5,6 +5,7 @@
 
 #include "radar/waveform/pulse.hpp"
 #include "scene/check/check_objects.hpp"
+#include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/model/radar_pulse.hpp"
 
@@ -38,8 +39,7 @@ void check_user_pulse(Findings& findings, const Radar& radar) {
 }
 
 void check_modulation(Findings& findings, const Radar& radar) {
-  if (findings.finite("bandwidth_hz", "chirp bandwidth", radar.bandwidth_hz, "Hz") &&
-      radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz == 0.0)
+  if (radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz == 0.0)
     findings.warning(Consequence::surprise, "bandwidth_hz",
                      {.message = "a chirp without bandwidth is an unmodulated pulse",
                       .found = value_text(radar.bandwidth_hz, "Hz"),
@@ -54,10 +54,8 @@ void check_modulation(Findings& findings, const Radar& radar) {
 }
 
 void check_pulse_envelope(Findings& findings, const Radar& radar) {
-  const bool numbers = findings.not_negative("rise_s", "rise time", radar.rise_s, "s") &
-                       findings.not_negative("fall_s", "fall time", radar.fall_s, "s");
   const bool ramps = radar.envelope == Radar::Envelope::linear && radar.pulse_width_s > 0.0;
-  if (ramps && numbers && radar.rise_s + radar.fall_s > radar.pulse_width_s)
+  if (ramps && radar.rise_s + radar.fall_s > radar.pulse_width_s)
     findings.warning(Consequence::surprise, "rise_s",
                      {.message = "the pulse's rise and fall together are longer than the pulse",
                       .found = fmt::format("{} and {} in a pulse of {}", value_text(radar.rise_s, "s"),
@@ -90,10 +88,6 @@ void check_list(Findings& findings, std::string_view field, std::string_view wha
 }
 
 void check_repetition(Findings& findings, const Radar& radar) {
-  if (radar.repetition == Radar::Repetition::constant)
-    findings.positive("prf_hz", "pulse repetition frequency", radar.prf_hz, "Hz");
-  else
-    findings.finite("prf_hz", "pulse repetition frequency", radar.prf_hz, "Hz");
   check_list(findings, "pri_s", "list of pulse repetition intervals", "s", radar.repetition == Radar::Repetition::user,
              radar.pri_s);
   const auto repetition = repetition_of(radar);
@@ -108,19 +102,9 @@ void check_repetition(Findings& findings, const Radar& radar) {
 }
 
 void check_steps(Findings& findings, const Radar& radar) {
-  bool sound = findings.finite("carrier_step_hz", "frequency step", radar.carrier_step_hz, "Hz");
-  for (const auto& [field, what, count] :
-       {std::tuple("carrier_steps", "number of frequency steps", radar.carrier_steps),
-        std::tuple("pulses_per_step", "number of pulses per frequency", radar.pulses_per_step)}) {
-    if (count >= 1) continue;
-    sound = false;
-    findings.error(field, {.message = fmt::format("the {} is below one", what),
-                           .found = std::to_string(count),
-                           .expected = "1 or more",
-                           .hint = {}});
-  }
+  if (!computable(radar.carrier_step_hz) || radar.carrier_steps < 1 || radar.pulses_per_step < 1) return;
   const double last_hz = radar.carrier_hz + radar.carrier_step_hz * (radar.carrier_steps - 1);
-  if (sound && radar.carrier_hz > 0.0 && !(last_hz > 0.0))
+  if (radar.carrier_hz > 0.0 && !(last_hz > 0.0))
     findings.error("carrier_step_hz", {.message = "the frequency steps lead to a carrier that is not above zero",
                                        .found = value_text(last_hz, "Hz"),
                                        .expected = "carriers above 0",
@@ -128,39 +112,13 @@ void check_steps(Findings& findings, const Radar& radar) {
 }
 
 void check_carrier(Findings& findings, const Radar& radar) {
-  const bool listed = radar.carrier == Radar::Carrier::user;
-  if (listed)
-    findings.finite("carrier_hz", "carrier", radar.carrier_hz, "Hz");
-  else
-    findings.positive("carrier_hz", "carrier", radar.carrier_hz, "Hz");
-  if (radar.carrier == Radar::Carrier::stepped)
-    check_steps(findings, radar);
-  else
-    findings.finite("carrier_step_hz", "frequency step", radar.carrier_step_hz, "Hz");
-  check_list(findings, "carrier_list_hz", "list of carriers", "Hz", listed, radar.carrier_list_hz);
-}
-
-void check_power(Findings& findings, const Radar& radar) {
-  findings.not_negative("power_w", "output power", radar.power_w, "W");
-  findings.between("transmit_gain", "transmit gain", radar.transmit_gain.db(), -largest_value, largest_gain_db, "dB");
-  findings.between("receive_gain", "receive gain", radar.receive_gain.db(), -largest_value, largest_gain_db, "dB");
-  findings.not_negative("losses", "total of the losses", radar.losses.db(), "dB");
-  findings.not_negative("noise_temperature_k", "noise temperature", radar.noise_temperature_k, "K");
+  if (radar.carrier == Radar::Carrier::stepped) check_steps(findings, radar);
+  check_list(findings, "carrier_list_hz", "list of carriers", "Hz", radar.carrier == Radar::Carrier::user,
+             radar.carrier_list_hz);
 }
 
 void check_antenna(Findings& findings, std::string_view field, std::string_view what, bool used,
                    const Antenna& antenna) {
-  const bool beam = used && antenna.pattern == Antenna::Pattern::sinx;
-  for (const auto& [plane, width] :
-       {std::pair("elevation", antenna.elevation_beamwidth), std::pair("azimuth", antenna.azimuth_beamwidth)}) {
-    const std::string name = fmt::format("{} beam width of the {} antenna", plane, what);
-    const std::string member = fmt::format("{}.{}_beamwidth", field, plane);
-    if (findings.finite(member, name, width.deg(), "deg") && beam && !(width.deg() > 0.0 && width.deg() <= 360.0))
-      findings.error(member, {.message = fmt::format("the {} is out of range", name),
-                              .found = value_text(width.deg(), "deg"),
-                              .expected = "above 0 and up to 360 deg",
-                              .hint = {}});
-  }
   check_function(findings,
                  {.field = field,
                   .what = fmt::format("{} antenna's", what),
@@ -172,10 +130,6 @@ void check_antenna(Findings& findings, std::string_view field, std::string_view 
 void check_beam(Findings& findings, const Radar& radar) {
   check_antenna(findings, "transmit_antenna", "transmit", true, radar.transmit_antenna);
   check_antenna(findings, "receive_antenna", "receive", !radar.same_antenna, radar.receive_antenna);
-  findings.finite("beam_elevation", "beam elevation", radar.beam_elevation.deg(), "deg");
-  findings.finite("beam_azimuth", "beam azimuth", radar.beam_azimuth.deg(), "deg");
-  findings.finite("beam_rate", "rotation rate of the beam", radar.beam_rate.deg(), "deg/s");
-  findings.finite("spot_world_m", "spot", radar.spot_world_m, "m");
   check_function(findings,
                  {.field = "beam_target_world_m",
                   .what = "beam direction",
@@ -186,10 +140,6 @@ void check_beam(Findings& findings, const Radar& radar) {
 }
 
 void check_receiver(Findings& findings, const Radar& radar) {
-  if (radar.window == Radar::Window::hanning)
-    findings.between("hanning_pedestal", "Hanning constant", radar.hanning_pedestal, 0.0, 1.0, "");
-  else
-    findings.finite("hanning_pedestal", "Hanning constant", radar.hanning_pedestal, "");
   const bool windowed = radar.window == Radar::Window::user;
   const bool sound = check_function(
       findings, {.field = "window_gain", .what = "matched-filter window", .parts = single_part, .used = windowed},
@@ -211,12 +161,11 @@ void check_receiver(Findings& findings, const Radar& radar) {
 
 void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar) {
   platforms.resolve(findings, "platform", radar.platform);
+  check_values(findings, radar);
   check_modulation(findings, radar);
-  findings.positive("pulse_width_s", "pulse width", radar.pulse_width_s, "s");
   check_pulse_envelope(findings, radar);
   check_repetition(findings, radar);
   check_carrier(findings, radar);
-  check_power(findings, radar);
   check_beam(findings, radar);
   check_receiver(findings, radar);
 }

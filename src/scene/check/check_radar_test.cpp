@@ -95,6 +95,14 @@ TEST(CheckRadar, RefusesARepetitionFrequencyThatIsNotAboveZero) {
     expect_error(with_radar([&](Radar& r) { r.prf_hz = prf_hz; }), radar_field("prf_hz"));
 }
 
+// A script cannot say it either (FieldSpec::range).
+TEST(CheckRadar, RefusesARepetitionFrequencyThatIsTooSmallForAScript) {
+  const core::Problem problem = expect_error(with_radar([](Radar& r) { r.prf_hz = 1e-6; }), radar_field("prf_hz"));
+  EXPECT_EQ(problem.message, "the pulse repetition frequency is too small");
+  EXPECT_EQ(problem.found, "1 uHz");
+  EXPECT_EQ(problem.expected, "at least 10 uHz");
+}
+
 TEST(CheckRadar, NeedsAListOfIntervalsAboveZeroInAnyOrderOfX) {
   Scene scene = with_radar([](Radar& r) { r.repetition = Radar::Repetition::user; });
   EXPECT_THAT(expect_error(scene, radar_field("pri_s")).message, HasSubstr("has no points"));

@@ -8,6 +8,7 @@
 #include "radar/path/path.hpp"
 #include "radar/waveform/pulse_shape.hpp"
 #include "scene/check/check_objects.hpp"
+#include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/model/radar_pulse.hpp"
 
@@ -31,10 +32,8 @@ Window window_of(const Product& product) {
 }
 
 bool check_ends(Findings& findings, const Window& window) {
-  const bool range = findings.finite("range_start_m", "slant range start", window.range_start_m, "m") &
-                     findings.finite("range_end_m", "slant range end", window.range_end_m, "m");
-  const bool time = findings.finite("time_start_s", "azimuth start", window.time_start_s, "s") &
-                    findings.finite("time_end_s", "azimuth end", window.time_end_s, "s");
+  const bool range = computable(window.range_start_m) && computable(window.range_end_m);
+  const bool time = computable(window.time_start_s) && computable(window.time_end_s);
   bool sound = range && time;
   if (range && window.range_end_m <= window.range_start_m) {
     sound = false;
@@ -151,8 +150,7 @@ void check_file(Findings& findings, std::string_view file) {
 // Only a band-limited pulse is shaped by them (decision 7).
 void check_pulse_factors(Findings& findings, const Simulation& simulation, PulseDefinition pulse) {
   const bool numbers =
-      findings.between("oversampling", "over-sampling factor", simulation.oversampling, 1.0, 100.0, "") &
-      findings.between("width_factor", "pulse width factor", simulation.width_factor, 1.0, 100.0, "");
+      is_sound<&Simulation::oversampling>(simulation) && is_sound<&Simulation::width_factor>(simulation);
   if (!numbers || pulse != PulseDefinition::ideal) return;
   if (simulation.oversampling == 1.0 && simulation.width_factor == 1.0) return;
   findings.note(
@@ -168,18 +166,12 @@ void check_pulse_factors(Findings& findings, const Simulation& simulation, Pulse
 }
 
 void check_converter(Findings& findings, const Simulation& simulation) {
-  if (simulation.bits < 1 || simulation.bits > 64)
-    findings.error("bits", {.message = "the number of A/D bits is out of range",
-                            .found = std::to_string(simulation.bits),
-                            .expected = "1 to 64",
-                            .hint = {}});
-  else if (simulation.bits > 53)
+  if (simulation.bits > 53)
     findings.warning(Consequence::surprise, "bits",
                      {.message = "numbers are exact to 53 bits only; the lowest bits of larger ones mean nothing",
                       .found = std::to_string(simulation.bits),
                       .expected = "up to 53",
                       .hint = {}});
-  findings.not_negative("lsb_v", "value of the least significant bit", simulation.lsb_v, "V");
 }
 
 // The band that sampling has to keep. A given shape has edges of any kind, and what lies beyond nine tenths of its
@@ -283,8 +275,9 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
 
 void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation) {
   const std::size_t index = radars.resolve(findings, "radar", simulation.radar);
+  check_values(findings, simulation);
   const bool window_sound = check_ends(findings, window_of(simulation));
-  const bool rate_sound = findings.positive("sample_rate_hz", "sampling frequency", simulation.sample_rate_hz, "Hz");
+  const bool rate_sound = is_sound<&Simulation::sample_rate_hz>(simulation);
   check_converter(findings, simulation);
   check_pulse_factors(findings, simulation, scene.options.pulse);
   check_file(findings, simulation.file);
@@ -305,6 +298,7 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
 
 void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table) {
   const std::size_t index = radars.resolve(findings, "radar", table.radar);
+  check_values(findings, table);
   const bool window_sound = check_ends(findings, window_of(table));
   if (table.columns < 0 || table.columns > 255)
     findings.error("columns", {.message = "the choice of columns is out of range",
