@@ -220,7 +220,6 @@ Product product_of(const Plan& plan, std::string script) {
 RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
   CORE_EXPECT(plan.scene != nullptr);
   CORE_EXPECT(plan.stc_gain.empty() || plan.stc_gain.size() == plan.raw_grid.count);
-  CORE_EXPECT(plan.column_range_m.size() == plan.columns);
   if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
   if (plan.profiler) scratch_.resize(plan.columns);
   const double tolerance = plan.scene->options.tolerance;
