@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "core/report/expect.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/table/count_range.hpp"
 #include "raster/table/formats.hpp"
@@ -81,6 +82,7 @@ std::size_t component_bytes(const Encoding& encoding) {
 }
 
 std::vector<std::byte> encode_rows(const Encoding& encoding, const simulate::Block& block) {
+  CORE_EXPECT(encoding.bits >= 1 && encoding.bits <= 64);
   return format_of(encoding.format).writer->encode(encoding, block);
 }
 
