@@ -13,7 +13,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace scene_test {
 
 using signal::test::CutFigures;
 
@@ -170,5 +170,5 @@ TEST(SimulatedPoint, IsSharpenedByAutofocus) {
   EXPECT_NEAR(signal::image_entropy(result.image), signal::image_entropy(sharp), 0.02 * signal::image_entropy(sharp));
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace sarsim

@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace commands_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -194,5 +194,5 @@ TEST_F(Commands, GeometryPrintsTablesOfTheScriptAndOthers) {
   EXPECT_EQ(text_of(folder_ / "other.txt"), table.out);
 }
 
-}  // namespace
+}  // namespace commands_test
 }  // namespace sarsim::test

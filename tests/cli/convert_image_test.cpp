@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace convert_image_test {
 
 namespace fs = std::filesystem;
 
@@ -134,5 +134,5 @@ TEST_F(ConvertImage, MeasuresACopyAsTheImage) {
   EXPECT_EQ(copy.out.substr(copy.out.find(": ")), image.out.substr(image.out.find(": ")));
 }
 
-}  // namespace
+}  // namespace convert_image_test
 }  // namespace sarsim::test

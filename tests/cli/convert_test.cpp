@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace convert_test {
 
 namespace fs = std::filesystem;
 
@@ -178,5 +178,5 @@ TEST_F(Convert, CountsZeroForWhatIsNoNumberAndTellsOfIt) {
   EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 8 bits; some of the numbers are infinite"));
 }
 
-}  // namespace
+}  // namespace convert_test
 }  // namespace sarsim::test

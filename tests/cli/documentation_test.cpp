@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace documentation_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST_F(Documentation, BashCompletesCommandsOptionsAndChoices) {
   EXPECT_EQ(text_of(folder_ / "answers"), "check\n--threads\nhdf5\nfish\n");
 }
 
-}  // namespace
+}  // namespace documentation_test
 }  // namespace sarsim::test

@@ -5,7 +5,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace failures_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -126,5 +126,5 @@ TEST_F(Failures, MissingAndUnreadableScriptsAreBadInput) {
   EXPECT_EQ(sarsim({"run", "."}).status, 2);
 }
 
-}  // namespace
+}  // namespace failures_test
 }  // namespace sarsim::test

@@ -11,7 +11,7 @@
 #include "report_numbers.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace focus_geometry_test {
 
 using testing::Each;
 using testing::HasSubstr;
@@ -313,5 +313,5 @@ TEST_F(FocusGeometry, OfAVerticalFlightHasNoGroundGrid) {
   EXPECT_THAT(run.err, testing::Not(HasSubstr("--height")));
 }
 
-}  // namespace
+}  // namespace focus_geometry_test
 }  // namespace sarsim::test

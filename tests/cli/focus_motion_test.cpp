@@ -12,7 +12,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace focus_motion_test {
 
 using testing::Each;
 using testing::HasSubstr;
@@ -322,5 +322,5 @@ TEST_F(FocusMotion, OfPulsesAtOddTimesKeepsItsDopplerCentroid) {
   EXPECT_NEAR(centroid_hz("odd.scr", "measured"), even_hz, 20.0);
 }
 
-}  // namespace
+}  // namespace focus_motion_test
 }  // namespace sarsim::test

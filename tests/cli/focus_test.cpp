@@ -6,7 +6,7 @@
 #include "report_numbers.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace focus_test {
 
 using testing::HasSubstr;
 
@@ -130,5 +130,5 @@ TEST_F(Focus, TakesTheCentroidFromTheDataOrAsGiven) {
   EXPECT_EQ(numbers_of(given.out, "doppler_centroid_hz").at(0), -12.5);
 }
 
-}  // namespace
+}  // namespace focus_test
 }  // namespace sarsim::test

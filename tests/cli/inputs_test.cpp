@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace inputs_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -219,5 +219,5 @@ TEST_F(Inputs, AnInstalledPictureProgramThatCannotStartSaysWhy) {
               AllOf(HasSubstr("libOther.so"), testing::Not(HasSubstr("not installed")), testing::EndsWith("1\n")));
 }
 
-}  // namespace
+}  // namespace inputs_test
 }  // namespace sarsim::test

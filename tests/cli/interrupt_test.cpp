@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace interrupt_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -149,5 +149,5 @@ TEST_F(Interruption, ReachesTheEstimateOfTheLsb) {
   EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace sarsim::test

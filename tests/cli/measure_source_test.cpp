@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace measure_source_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -111,5 +111,5 @@ TEST_F(MeasureSource, ImagesOfEarlierHeadersAreStillMeasured) {
   EXPECT_THAT(measure.err, Not(HasSubstr("warning")));
 }
 
-}  // namespace
+}  // namespace measure_source_test
 }  // namespace sarsim::test

@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace measure_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -71,5 +71,5 @@ TEST_F(Measure, KnowsTheWindowOfEachAxis) {
   EXPECT_THAT(header, HasSubstr("azimuth window = {taylor:35:5}"));
 }
 
-}  // namespace
+}  // namespace measure_test
 }  // namespace sarsim::test

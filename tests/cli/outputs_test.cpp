@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace outputs_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -166,5 +166,5 @@ TEST_F(Outputs, CutsNeedAFolderAndMeasureAnImage) {
   EXPECT_EQ(refused.out, "");
 }
 
-}  // namespace
+}  // namespace outputs_test
 }  // namespace sarsim::test

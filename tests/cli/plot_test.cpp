@@ -7,7 +7,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace plot_test {
 
 #ifdef SARSIM_HAS_GUI
 
@@ -473,5 +473,5 @@ TEST_F(PlotArguments, NamingAFileThatIsNotThereAreRefused) {
   EXPECT_NE(sarsim({"plot", "nothing.npy", "-o", "a.png"}).status, 0);
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace sarsim::test

@@ -3,7 +3,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace run_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -252,5 +252,5 @@ TEST_F(RunCommand, NamesTheLevelsOfSimdThatThereAre) {
   EXPECT_THAT(run.err, HasSubstr("choose among "));
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace sarsim::test

@@ -12,7 +12,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace search_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -324,5 +324,5 @@ TEST_F(Search, EndsOnControlCWithoutLeavingAnything) {
   EXPECT_THAT(entries("."), testing::ElementsAre("long.scr"));
 }
 
-}  // namespace
+}  // namespace search_test
 }  // namespace sarsim::test

@@ -7,7 +7,7 @@
 #include "report_numbers.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace stepped_test {
 
 using testing::HasSubstr;
 
@@ -275,5 +275,5 @@ TEST_F(Isar, IsInterruptedWithoutLeavingAnything) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "turning_ship-isar.img"));
 }
 
-}  // namespace
+}  // namespace stepped_test
 }  // namespace sarsim::test

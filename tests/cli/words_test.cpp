@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace words_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -251,5 +251,5 @@ TEST_F(Words, ADiscardedRecordingHasNoSize) {
   EXPECT_THAT(text_of(folder_ / "s/sweep.csv"), HasSubstr(",done,20,334,,"));
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace sarsim::test

@@ -7,7 +7,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace amplitude_test {
 
 // Amplitude of the recorded echo of one target on the x axis.
 double amplitude_v(scene::Scene scene, double range_m, double rcs_m2 = 1.0) {
@@ -102,5 +102,5 @@ TEST(Antenna, OfSinxIsDownByItsTwoWayCurveSquaredInThePhysicalProfile) {
   EXPECT_NEAR(decibels(amplitude_v(scene, 1000.0) / on_axis_v), -6.0, 0.1);
 }
 
-}  // namespace
+}  // namespace amplitude_test
 }  // namespace sarsim

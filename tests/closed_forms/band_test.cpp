@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace band_test {
 
 // Share of the energy of samples at `rate_hz` beyond +-half_band_hz, in dB.
 double energy_outside_db(std::vector<std::complex<double>> samples, double rate_hz, double half_band_hz) {
@@ -108,5 +108,5 @@ TEST(BandLimitedEcho, IsTheHardEdgedOneInTheMiddleOfThePassBand) {
   for (std::size_t i = 0; i < hard.size(); ++i) EXPECT_LT(std::abs(soft[i] - hard[i]), 2e-6 * std::abs(hard[i]));
 }
 
-}  // namespace
+}  // namespace band_test
 }  // namespace sarsim

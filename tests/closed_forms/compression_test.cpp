@@ -8,7 +8,7 @@
 #include "support/response.hpp"
 
 namespace sarsim {
-namespace {
+namespace compression_test {
 
 using test::Response;
 
@@ -123,5 +123,5 @@ TEST(Resolution, IsTheHalfPowerWidthTimesHalfTheSpeedOfLight) {
   EXPECT_NEAR(width_m, 0.443 * core::exact_light_speed_mps / bandwidth_hz, 0.001 * width_m);
 }
 
-}  // namespace
+}  // namespace compression_test
 }  // namespace sarsim

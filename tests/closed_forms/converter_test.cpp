@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace converter_test {
 
 // Signal over quantisation noise in dB, less what 6.02 b + 1.76 dB says for a sine of this amplitude.
 double excess_db(const std::vector<std::complex<double>>& volts, int bits, double amplitude_v, double lsb_v) {
@@ -58,5 +58,5 @@ TEST(Converter, FindsTheBestLsbFromTheLargestMagnitude) {
   EXPECT_DOUBLE_EQ(simulate::resolved_lsb_v(plan, {}), recording.report.maximum_v / 2047.0);
 }
 
-}  // namespace
+}  // namespace converter_test
 }  // namespace sarsim

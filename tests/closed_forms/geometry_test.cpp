@@ -7,7 +7,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace geometry_test {
 
 using test::recorded;
 
@@ -194,5 +194,5 @@ TEST(Speed, OfATurningPlatformsPointIsTheArmTimesTheRate) {
   EXPECT_NEAR(geometry.view(0).speed_mps, arm_rate_mps * 1000.0 / std::hypot(1000.0, 20.0), 1e-11);
 }
 
-}  // namespace
+}  // namespace geometry_test
 }  // namespace sarsim

@@ -7,7 +7,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace profile_test {
 
 constexpr int steps = 64;
 constexpr double step_hz = 1e6;
@@ -64,5 +64,5 @@ TEST(RangeProfile, LeavesIncompleteBurstsOut) {
   EXPECT_EQ(plan.dropped_pulses, 4 * steps + 3 - 2 * steps);
 }
 
-}  // namespace
+}  // namespace profile_test
 }  // namespace sarsim

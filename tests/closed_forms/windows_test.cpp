@@ -8,7 +8,7 @@
 #include "support/response.hpp"
 
 namespace sarsim {
-namespace {
+namespace windows_test {
 
 constexpr double bandwidth_hz = 50e6;
 
@@ -50,5 +50,5 @@ TEST(Windows, HaveTheTextbooksSideLobesAndWidths) {
   }
 }
 
-}  // namespace
+}  // namespace windows_test
 }  // namespace sarsim

@@ -12,7 +12,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim {
-namespace {
+namespace engines_test {
 
 scene::Scene scene_of(const std::string& script) {
   const scene::ScriptReading reading = scene::read_script(script, "test.scr", {});
@@ -181,5 +181,5 @@ TEST(Engines, RefuseATargetAtTheRadar) {
     EXPECT_THROW(samples_with(scene, engine), std::runtime_error) << simulate::name_of(engine);
 }
 
-}  // namespace
+}  // namespace engines_test
 }  // namespace sarsim

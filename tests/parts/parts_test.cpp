@@ -1,7 +1,7 @@
 #include "parts_support.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace parts_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -173,5 +173,5 @@ TEST_F(PartsOfScenes, WithRowsAtTheirPlacesAreMergedWhereNobodyCompletedThem) {
   EXPECT_THAT(entries("a"), ElementsAre("sim.bin", "sim.bin.journal"));
 }
 
-}  // namespace
+}  // namespace parts_test
 }  // namespace sarsim::test

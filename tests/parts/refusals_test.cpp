@@ -8,7 +8,7 @@
 #include "parts_support.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace refusals_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -189,5 +189,5 @@ TEST_F(PartRefusals, FoldersThatHoldNoParts) {
   expect_refusal(sarsim({"merge", "."}), "is not a folder of parts");
 }
 
-}  // namespace
+}  // namespace refusals_test
 }  // namespace sarsim::test

@@ -3,7 +3,7 @@
 #include "parts_support.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace resume_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -160,5 +160,5 @@ TEST_F(Resume, LeavesOutAnEntryThatWasBeingWritten) {
   expect_same_bytes("whole/sim.bin", "out/sim.bin");
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace sarsim::test

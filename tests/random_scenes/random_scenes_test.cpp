@@ -14,7 +14,7 @@
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace random_scenes_test {
 
 TEST(RandomScenes, SameSeedSameScene) {
   EXPECT_EQ(random_scene(7), random_scene(7));
@@ -72,5 +72,5 @@ TEST(RandomScenes, AFailureIsShownByAPlainerScene) {
   EXPECT_TRUE(plain.radars.empty());
 }
 
-}  // namespace
+}  // namespace random_scenes_test
 }  // namespace sarsim::test

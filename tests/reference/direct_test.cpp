@@ -11,7 +11,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim {
-namespace {
+namespace direct_test {
 
 using test::ascii_samples;
 using test::reference_folder;
@@ -49,5 +49,5 @@ TEST(DirectReference, ClassicProfileReproducesEveryCase) {
   }
 }
 
-}  // namespace
+}  // namespace direct_test
 }  // namespace sarsim

@@ -14,7 +14,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim {
-namespace {
+namespace original_test {
 
 using Samples = std::vector<std::complex<double>>;
 using test::reference_folder;
@@ -145,5 +145,5 @@ TEST_F(OriginalSamples, WithStcAgreeInMagnitude) {
   EXPECT_GT(agreement, 0.9955);
 }
 
-}  // namespace
+}  // namespace original_test
 }  // namespace sarsim

@@ -15,7 +15,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim {
-namespace {
+namespace runs_test {
 
 namespace fs = std::filesystem;
 
@@ -106,5 +106,5 @@ TEST(OriginalScriptsThroughTheCommand, PassCheckAndRunTwiceInAnEmptyFolderToTheS
   fs::remove_all(base);
 }
 
-}  // namespace
+}  // namespace runs_test
 }  // namespace sarsim

@@ -15,7 +15,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim {
-namespace {
+namespace scripts_test {
 
 using test::reference_folder;
 
@@ -110,5 +110,5 @@ TEST_F(OriginalScripts, AreSimulated) {
   }
 }
 
-}  // namespace
+}  // namespace scripts_test
 }  // namespace sarsim

@@ -8,7 +8,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace independence_test {
 
 using namespace test;
 
@@ -101,5 +101,5 @@ TEST(ChangedWindow, OfTheMatchedFilterKeepsTheNoiseUnderTheSamples) {
     EXPECT_LT(std::abs(cut.samples[i] - whole.samples[i]), 1e-13 * whole.report.maximum_v) << i;
 }
 
-}  // namespace
+}  // namespace independence_test
 }  // namespace sarsim

@@ -8,7 +8,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace jitter_test {
 
 using namespace test;
 
@@ -154,5 +154,5 @@ TEST(PointingJitter, OfADirectionalTargetTurnsItsNormal) {
   }
 }
 
-}  // namespace
+}  // namespace jitter_test
 }  // namespace sarsim

@@ -10,7 +10,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace motion_error_test {
 
 using namespace test;
 
@@ -143,5 +143,5 @@ TEST(MotionErrors, MoveTheSpeedToo) {
   EXPECT_GT(moving, 5);
 }
 
-}  // namespace
+}  // namespace motion_error_test
 }  // namespace sarsim

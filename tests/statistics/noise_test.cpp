@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace noise_test {
 
 using namespace test;
 
@@ -151,5 +151,5 @@ TEST(Noise, IsMultipliedByTheStcGainOfItsRange) {
   }
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace sarsim

@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace monte_carlo_test {
 
 using testing::HasSubstr;
 
@@ -51,5 +51,5 @@ TEST_F(MonteCarlo, SeedsGiveDifferentRecordingsAndTheSameSeedTheSame) {
   EXPECT_NE(text_of(folder_ / "a/sim_seed=1000.bin"), text_of(folder_ / "a/sim_seed=999.bin"));
 }
 
-}  // namespace
+}  // namespace monte_carlo_test
 }  // namespace sarsim::test

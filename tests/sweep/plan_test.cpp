@@ -8,7 +8,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace plan_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -110,5 +110,5 @@ TEST_F(PlanCommand, EstimatesTheTimeOfARunWithinAFactorOfTwo) {
   }
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace sarsim::test

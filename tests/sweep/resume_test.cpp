@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace resume_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -184,5 +184,5 @@ TEST_F(SweepResume, SuddenDeathLosesNoFinishedVariation) {
   EXPECT_THAT(rest.err, Not(HasSubstr(" 0 done before")));
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace sarsim::test

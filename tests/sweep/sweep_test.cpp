@@ -6,7 +6,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace sweep_test {
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -316,5 +316,5 @@ TEST_F(SweepCommand, PrintsTheTableAsJson) {
   EXPECT_THAT(bad.out, HasSubstr("\"status\": \"bad input\""));
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace sarsim::test

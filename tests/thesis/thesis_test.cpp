@@ -21,7 +21,7 @@ namespace sarsim::test {
 using workflow::verify::thesis_numbers;
 using workflow::verify::ThesisNumber;
 
-namespace {
+namespace thesis_test {
 
 const std::map<std::string, TableRow>& table() {
   static const auto rows = read_table(SARSIM_DOCS "/theory/thesis-numbers.md");
@@ -67,5 +67,5 @@ TEST_P(ThesisNumbers, AreExpectedAsTheTableSays) {
   EXPECT_EQ(GetParam().tolerance, row.tolerance);
 }
 
-}  // namespace
+}  // namespace thesis_test
 }  // namespace sarsim::test

@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 
 namespace sarsim {
-namespace {
+namespace vectors_test {
 
 // A side-looking radar that passes the origin at 100 m/s; the radar's schedule and the simulation's fields are free.
 std::string script(const std::string& repetition, const std::string& carrier, const std::string& simulation) {
@@ -92,5 +92,5 @@ TEST(ScriptVectors, EightBitsConvert200LsbTo128AndTheOppositeToMinus127) {
   EXPECT_EQ(counts[2], std::complex(128.0, -127.0));
 }
 
-}  // namespace
+}  // namespace vectors_test
 }  // namespace sarsim

@@ -8,7 +8,7 @@
 #include "program.hpp"
 
 namespace sarsim::test {
-namespace {
+namespace verify_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -87,5 +87,5 @@ TEST_F(VerifyCommand, ReplacesAPageOnlyWhenAsked) {
   EXPECT_NE(text_of(folder_ / "v.html"), "precious");
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace sarsim::test

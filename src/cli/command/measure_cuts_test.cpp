@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::cli {
-namespace {
+namespace measure_cuts_test {
 
 // sinc(x/null_m), 32 values to a metre.
 signal::ResponseCut sinc_cut(double null_m) {
@@ -45,5 +45,5 @@ TEST(FigureOfCuts, ShowsDecibelsBelowThePeakAndWhatTheoryHas) {
   EXPECT_EQ(figure.panels[1].curves.size(), 1U);
 }
 
-}  // namespace
+}  // namespace measure_cuts_test
 }  // namespace sarsim::cli

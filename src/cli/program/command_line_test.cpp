@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::cli {
-namespace {
+namespace command_line_test {
 
 using testing::HasSubstr;
 
@@ -82,5 +82,5 @@ TEST(CommandLine, StreamThatFailsIsAFailure) {
   EXPECT_THAT(err.str(), HasSubstr("standard output"));
 }
 
-}  // namespace
+}  // namespace command_line_test
 }  // namespace sarsim::cli

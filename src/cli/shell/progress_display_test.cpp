@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::cli {
-namespace {
+namespace progress_display_test {
 
 using Style = ProgressDisplay::Style;
 
@@ -74,5 +74,5 @@ TEST(ProgressDisplay, WorkWithoutUnitsIsSilent) {
   EXPECT_TRUE(out.str().empty());
 }
 
-}  // namespace
+}  // namespace progress_display_test
 }  // namespace sarsim::cli

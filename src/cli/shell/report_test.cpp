@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::cli {
-namespace {
+namespace report_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -68,5 +68,5 @@ TEST(Report, ZeroHasNoSign) {
   EXPECT_EQ(decimals(2.25, 2), "2.25");
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace sarsim::cli

@@ -5,7 +5,7 @@
 #include <sstream>
 
 namespace sarsim::cli {
-namespace {
+namespace watch_test {
 
 TEST(Watch, ShowsStagesProblemsAndAnnouncementsInTheirOrder) {
   std::ostringstream out;
@@ -45,5 +45,5 @@ TEST(Watch, ShowsNothingWhereQuietButHandsTheStopOn) {
   EXPECT_EQ(observer.control(3).threads, 3U);
 }
 
-}  // namespace
+}  // namespace watch_test
 }  // namespace sarsim::cli

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace sarsim::core {
-namespace {
+namespace checksum_test {
 
 std::uint64_t in_pieces(const std::string& text, std::size_t piece) {
   Checksum sum;
@@ -49,5 +49,5 @@ TEST(Checksum, SeesEveryByteAndTheLength) {
   EXPECT_NE(checksum_of(text + 'x'), checksum_of(text));
 }
 
-}  // namespace
+}  // namespace checksum_test
 }  // namespace sarsim::core

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::core {
-namespace {
+namespace fnv1a_test {
 
 // Published with the algorithm.
 TEST(Fnv1a, GivesTheKnownAnswers) {
@@ -18,5 +18,5 @@ TEST(Fnv1a, TakesBytesAbove127AsNumbersWithoutSign) {
   EXPECT_EQ(fnv1a("\xff"), (fnv1a_of_nothing ^ 0xffU) * 0x100000001b3U);
 }
 
-}  // namespace
+}  // namespace fnv1a_test
 }  // namespace sarsim::core

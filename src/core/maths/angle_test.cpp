@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace sarsim::core {
-namespace {
+namespace angle_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -44,5 +44,5 @@ TEST(PowerRatio, IsTenToATenthOfTheDecibels) {
   EXPECT_NEAR(PowerRatio::from_db(3.0).factor(), 1.995262314968880, 4.0 * epsilon);
 }
 
-}  // namespace
+}  // namespace angle_test
 }  // namespace sarsim::core

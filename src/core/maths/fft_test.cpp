@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace fft_test {
 
 using Signal = std::vector<std::complex<double>>;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -135,5 +135,5 @@ TEST(GoodFftSize, IsTheSmallestProductOfTwosThreesAndFivesFromTheMinimumOn) {
   }
 }
 
-}  // namespace
+}  // namespace fft_test
 }  // namespace sarsim::core

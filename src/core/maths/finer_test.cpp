@@ -7,7 +7,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace finer_test {
 
 using Samples = std::vector<std::complex<double>>;
 
@@ -49,5 +49,5 @@ TEST(FinerSamples, OfFactorOneAreTheSame) {
   expect_same(finer(Samples{{2.0, 1.0}}, 0.0, 3), Samples(3, {2.0, 1.0}));
 }
 
-}  // namespace
+}  // namespace finer_test
 }  // namespace sarsim::core

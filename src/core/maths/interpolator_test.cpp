@@ -12,7 +12,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace interpolator_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::array all_methods{Interpolation::linear, Interpolation::cubic, Interpolation::low_pass};
@@ -243,5 +243,5 @@ TEST(ClassicLowPassInterpolator, HasItsGridAnchoredAtZeroAndLeavesGapsEmpty) {
   EXPECT_NEAR(f.value(2.0), 1.5, 10.0 * epsilon);
 }
 
-}  // namespace
+}  // namespace interpolator_test
 }  // namespace sarsim::core

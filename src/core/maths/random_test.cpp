@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace sarsim::core {
-namespace {
+namespace random_test {
 
 constexpr RandomKind noise = RandomKind::receiver_noise;
 
@@ -133,5 +133,5 @@ TEST(NameKey, IgnoresCaseAndTellsNamesApart) {
   EXPECT_EQ(name_key("a"), 0xaf63dc4c8601ec8cU);
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace sarsim::core

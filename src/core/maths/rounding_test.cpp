@@ -8,7 +8,7 @@
 #include "core/text/number_text.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace rounding_test {
 
 TEST(Rounding, TakesAwayWhatSumsLeaveBehind) {
   EXPECT_EQ(tidy(0.1 + 0.2), 0.3);
@@ -38,5 +38,5 @@ TEST(Rounding, KeepsAValueWhereThereIsNoStep) {
   EXPECT_EQ(rounded_to(1e308, 1e308), 1e308);
 }
 
-}  // namespace
+}  // namespace rounding_test
 }  // namespace sarsim::core

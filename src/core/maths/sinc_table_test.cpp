@@ -8,7 +8,7 @@
 #include "core/maths/turns.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace sinc_table_test {
 
 // Largest error over positions of tones within a band.
 double worst_error(const SincTable& table, double band) {
@@ -52,5 +52,5 @@ TEST(Turned, IsThePhasorOfItsTurns) {
   }
 }
 
-}  // namespace
+}  // namespace sinc_table_test
 }  // namespace sarsim::core

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace sarsim::core {
-namespace {
+namespace vector_test {
 
 using std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -99,5 +99,5 @@ TEST(Direction, HasTheAzimuthAndElevationItWasMadeFrom) {
   }
 }
 
-}  // namespace
+}  // namespace vector_test
 }  // namespace sarsim::core

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace sarsim::core {
-namespace {
+namespace window_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -61,5 +61,5 @@ TEST(KaiserWindow, IsTheRatioOfBesselFunctions) {
   EXPECT_EQ(kaiser_window(-1.001, 2.0), 0.0);
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace sarsim::core

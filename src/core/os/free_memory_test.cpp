@@ -5,7 +5,7 @@
 #include <filesystem>
 
 namespace sarsim::core {
-namespace {
+namespace free_memory_test {
 
 TEST(FreeMemory, IsKnownWhereTheSystemSays) {
   const auto bytes = free_memory_bytes();
@@ -15,5 +15,5 @@ TEST(FreeMemory, IsKnownWhereTheSystemSays) {
   }
 }
 
-}  // namespace
+}  // namespace free_memory_test
 }  // namespace sarsim::core

@@ -13,7 +13,7 @@
 #include "support/test_folder.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace output_file_test {
 
 using test::contents;
 using test::put;
@@ -230,5 +230,5 @@ TEST(OutputFile, TakesNamesOfEveryLength) {
   EXPECT_EQ(contents(folder / name), "x");
 }
 
-}  // namespace
+}  // namespace output_file_test
 }  // namespace sarsim::core

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::core {
-namespace {
+namespace expect_off_test {
 
 TEST(ExpectOff, EvaluatesNothing) {
   int count = 0;
@@ -14,5 +14,5 @@ TEST(ExpectOff, EvaluatesNothing) {
   EXPECT_EQ(count, 0);
 }
 
-}  // namespace
+}  // namespace expect_off_test
 }  // namespace sarsim::core

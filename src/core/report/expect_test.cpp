@@ -9,7 +9,7 @@
 #include <array>
 
 namespace sarsim::core {
-namespace {
+namespace expect_test {
 
 std::string message_of(void (*broken)()) {
   try {
@@ -41,5 +41,5 @@ TEST(Expect, BrokenIsAnInvalidArgument) {
   EXPECT_NO_THROW(expect(true, "what"));
 }
 
-}  // namespace
+}  // namespace expect_test
 }  // namespace sarsim::core

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::core {
-namespace {
+namespace problem_test {
 
 Problem problem(Severity severity, std::string message, Subject subject = {}, Place place = {}) {
   Problem made;
@@ -97,5 +97,5 @@ TEST(Ranked, LeavesErrorsWithAPlaceAlone) {
   EXPECT_EQ(warnings[0].place.line, 1U);
 }
 
-}  // namespace
+}  // namespace problem_test
 }  // namespace sarsim::core

@@ -10,7 +10,7 @@
 #include <string>
 
 namespace sarsim::core {
-namespace {
+namespace parallel_test {
 
 using std::chrono::milliseconds;
 
@@ -252,5 +252,5 @@ TEST(ThreadCount, IsTheWantedOneOrAtLeastOne) {
   EXPECT_GE(thread_count(0), 1u);
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace sarsim::core

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::core {
-namespace {
+namespace worker_pool_test {
 
 // Says when two threads hold it.
 struct Item {
@@ -56,5 +56,5 @@ TEST(WorkerPool, ThrowsAwayAnItemWhoseUseFailed) {
   pool.lend([](int& item) { EXPECT_EQ(item, 2); });
 }
 
-}  // namespace
+}  // namespace worker_pool_test
 }  // namespace sarsim::core

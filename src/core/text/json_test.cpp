@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::core {
-namespace {
+namespace json_test {
 
 TEST(Json, NestsObjectsAndArrays) {
   JsonWriter json;
@@ -44,5 +44,5 @@ TEST(Json, NumbersAreExactAndNeverNan) {
   EXPECT_EQ(json.text(), "[\n  0.1,\n  5300000000,\n  1E-30,\n  null,\n  null,\n  18446744073709551615\n]\n");
 }
 
-}  // namespace
+}  // namespace json_test
 }  // namespace sarsim::core

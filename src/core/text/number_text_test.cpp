@@ -8,7 +8,7 @@
 #include <random>
 
 namespace sarsim::core {
-namespace {
+namespace number_text_test {
 
 TEST(ParseNumber, ReadsDecimalNumbers) {
   EXPECT_EQ(parse_number("0"), 0.0);
@@ -253,5 +253,5 @@ TEST(NearestWord, AllowsOneChangeAndAThirdOfTheLength) {
   EXPECT_EQ(nearest_word("abcdef", std::vector<std::string>{"xyzuef"}), "");
 }
 
-}  // namespace
+}  // namespace number_text_test
 }  // namespace sarsim::core

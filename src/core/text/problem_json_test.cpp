@@ -5,7 +5,7 @@
 #include "core/text/counted.hpp"
 
 namespace sarsim::core {
-namespace {
+namespace problem_json_test {
 
 using testing::HasSubstr;
 
@@ -26,5 +26,5 @@ TEST(Counted, CountsThings) {
   EXPECT_EQ(counted(2, "turn"), "2 turns");
 }
 
-}  // namespace
+}  // namespace problem_json_test
 }  // namespace sarsim::core

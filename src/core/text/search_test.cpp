@@ -4,7 +4,7 @@
 
 namespace sarsim::core {
 
-namespace {
+namespace search_test {
 
 using Positions = std::vector<std::size_t>;
 
@@ -40,6 +40,6 @@ TEST(Search, CapitalsWithinAWordBeginWords) { EXPECT_EQ(ranked_matches("sa", {"V
 
 TEST(Search, EqualsKeepTheirOrder) { EXPECT_EQ(ranked_matches("a", {"ab", "ac", "ad"}), (Positions{0, 1, 2})); }
 
-}  // namespace
+}  // namespace search_test
 
 }  // namespace sarsim::core

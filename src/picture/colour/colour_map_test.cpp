@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace colour_map_test {
 
 constexpr std::array sequential{ColourMap::ocean, ColourMap::ember, ColourMap::grey};
 constexpr std::array diverging{ColourMap::balance, ColourMap::balance_dark};
@@ -209,5 +209,5 @@ TEST(ClassicPalette, CustomHasOneHueFromBlackToWhite) {
   EXPECT_EQ(table[177], (raster::Rgb{255, 128, 128}));
 }
 
-}  // namespace
+}  // namespace colour_map_test
 }  // namespace sarsim::picture

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace display_quantity_test {
 
 using Samples = std::vector<std::complex<double>>;
 
@@ -155,5 +155,5 @@ TEST(ColourIndex, OfACyclicQuantityWrapsAround) {
   EXPECT_EQ(colour_index(181.0, turn, 256, true), colour_index(-179.0, turn, 256, true));
 }
 
-}  // namespace
+}  // namespace display_quantity_test
 }  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "core/maths/vector.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace theme_test {
 
 double linear(std::uint8_t channel) {
   const double value = channel / 255.0;
@@ -104,5 +104,5 @@ TEST(Theme, AxesAreRedGreenAndBlue) {
   }
 }
 
-}  // namespace
+}  // namespace theme_test
 }  // namespace sarsim::picture

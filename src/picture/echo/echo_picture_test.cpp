@@ -10,7 +10,7 @@
 #include "picture/echo/preview_test_scene.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace echo_picture_test {
 
 // 11 pulses from 0 to 10 ms and 40 samples.
 EchoWindow small_window() {
@@ -177,5 +177,5 @@ TEST(HighestMagnitude, IsInMillivoltsOrUnknown) {
   EXPECT_EQ(highest_magnitude_text(statistics), "Highest magnitude: 40.985 nV");
 }
 
-}  // namespace
+}  // namespace echo_picture_test
 }  // namespace sarsim::picture

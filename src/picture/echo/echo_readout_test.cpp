@@ -9,7 +9,7 @@
 #include "picture/echo/preview_test_scene.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace echo_readout_test {
 
 // 11 pulses from 0 to 10 ms and 40 samples.
 EchoWindow small_window() {
@@ -182,5 +182,5 @@ TEST(EchoCurves, OfAPlotWithoutPixelsAreFew) {
   EXPECT_TRUE(image.pixel.empty());
 }
 
-}  // namespace
+}  // namespace echo_readout_test
 }  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace echo_window_test {
 
 constexpr EchoView view{1000.0, 3000.0, -1.0, 1.0};
 constexpr PlotSize size{200, 101};
@@ -198,5 +198,5 @@ TEST(EchoView, FollowsAnotherWindowInTheLinkedAxesOnly) {
   EXPECT_EQ(linked(view, leader, {}), view);
 }
 
-}  // namespace
+}  // namespace echo_window_test
 }  // namespace sarsim::picture

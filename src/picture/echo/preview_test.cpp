@@ -17,7 +17,7 @@
 #include "simulate/run/run.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace preview_test {
 
 using Kind = PreviewEvent::Kind;
 
@@ -517,5 +517,5 @@ TEST(EchoMatrix, ShowsTheNearestRowThatIsReady) {
   EXPECT_EQ(matrix.carrier_hz(3), 5e9);
 }
 
-}  // namespace
+}  // namespace preview_test
 }  // namespace sarsim::picture

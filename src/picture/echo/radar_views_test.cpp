@@ -13,7 +13,7 @@
 #include "simulate/run/run.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace radar_views_test {
 
 // One target at 3000 m that recedes at 3 m/s, 1 GHz, 1 kHz, 64 pulses; no noise, no jitter.
 simulate::Plan receding_plan(double speed_mps = 3.0) {
@@ -176,5 +176,5 @@ TEST(CurvesTable, LeavesPlacesThatAreNotKnownEmpty) {
   EXPECT_EQ(table_over({nan, -infinite}), "Time [s],a [V],b [V]\n,1,1\n,2,2\n");
 }
 
-}  // namespace
+}  // namespace radar_views_test
 }  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 #include "picture/echo/echo_window.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace view_history_test {
 
 TEST(ViewHistory, GoesBackAndForwardAndForgetsWhatLayAhead) {
   ViewHistory<EchoView> history;
@@ -40,5 +40,5 @@ TEST(ViewHistory, KeepsAViewThatIsLeftTwiceOnce) {
   EXPECT_FALSE(history.can_go_forward());
 }
 
-}  // namespace
+}  // namespace view_history_test
 }  // namespace sarsim::picture

@@ -12,7 +12,7 @@
 
 namespace sarsim::picture {
 
-namespace {
+namespace derived_figures_test {
 
 constexpr scene::ObjectKind all_kinds[] = {scene::ObjectKind::platform,   scene::ObjectKind::target,
                                            scene::ObjectKind::surface,    scene::ObjectKind::radar,
@@ -234,6 +234,6 @@ TEST(DerivedFigures, TakeMillisecondsWithTenThousandTargets) {
   EXPECT_LT(taken.count() / (rounds * std::size(all_kinds)), 0.02);  // some 0.1 ms; the bound is for a loaded machine
 }
 
-}  // namespace
+}  // namespace derived_figures_test
 
 }  // namespace sarsim::picture

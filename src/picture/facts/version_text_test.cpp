@@ -6,7 +6,7 @@
 #include "simulate/resolve/simd_level.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace version_text_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -42,5 +42,5 @@ TEST(VersionText, NamesLibrariesWithTheirVersions) {
   EXPECT_THAT(text, HasSubstr(", Other 7.8\nLicence GPL-3.0-or-later"));
 }
 
-}  // namespace
+}  // namespace version_text_test
 }  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace antenna_figure_test {
 
 simulate::ResolvedRadar radar_with(double azimuth_deg, double elevation_deg) {
   simulate::ResolvedRadar radar;
@@ -111,5 +111,5 @@ TEST(AntennaFigure, RefusesWhatAPatternDoesNotHave) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace antenna_figure_test
 }  // namespace sarsim::picture

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace figure_axes_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -114,5 +114,5 @@ TEST(PeakMarks, OnAFlatTopAreAtItsBeginning) {
   EXPECT_DOUBLE_EQ(panel.marks[0].x, 1.5);
 }
 
-}  // namespace
+}  // namespace figure_axes_test
 }  // namespace sarsim::picture

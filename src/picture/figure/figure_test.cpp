@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 namespace sarsim::picture {
-namespace {
+namespace figure_test {
 
 Figure rich_figure() {
   Figure figure{"Raw return", "highest magnitude 41 pV", {}};
@@ -75,5 +75,5 @@ TEST(Figure, WithAColourBarOfOneColourIsRefused) {
   EXPECT_EQ(reason_of(figure_bytes(figure)), "the figure has a colour bar without colours");
 }
 
-}  // namespace
+}  // namespace figure_test
 }  // namespace sarsim::picture

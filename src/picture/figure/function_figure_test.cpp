@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace function_figure_test {
 
 // Figure 4.12 of the thesis in x, a constant in y and z.
 scene::AnyObject mover() {
@@ -77,5 +77,5 @@ TEST(FunctionFigure, OfThePulseNumberIsBars) {
   EXPECT_LT(figure.panels[0].y.first, 0.0);
 }
 
-}  // namespace
+}  // namespace function_figure_test
 }  // namespace sarsim::picture

@@ -9,7 +9,7 @@
 #include "radar/waveform/pulse.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace pulse_figure_test {
 
 double value_at(const FigureCurve& curve, double x) {
   const auto nearest =
@@ -72,5 +72,5 @@ TEST(SentPulse, OfNothingIsFinite) {
   for (const double level : figure.panels[1].curves[0].y) ASSERT_TRUE(std::isfinite(level));
 }
 
-}  // namespace
+}  // namespace pulse_figure_test
 }  // namespace sarsim::picture

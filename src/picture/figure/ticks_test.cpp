@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace ticks_test {
 
 using testing::ElementsAre;
 
@@ -89,5 +89,5 @@ TEST(RoundBelow, IsTheLargestRoundNumberThatIsNotAbove) {
   EXPECT_EQ(round_below(std::nan("")), 0.0);
 }
 
-}  // namespace
+}  // namespace ticks_test
 }  // namespace sarsim::picture

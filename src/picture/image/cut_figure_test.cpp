@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace cut_figure_test {
 
 // Two pulses of three samples.
 EchoBlock block() {
@@ -97,5 +97,5 @@ TEST(SampleTable, LeavesOutThePlacesThatAllShare) {
   EXPECT_EQ(table.substr(0, table.find('\n')), "sample;I [counts];Q [counts];magnitude [counts];phase [deg]");
 }
 
-}  // namespace
+}  // namespace cut_figure_test
 }  // namespace sarsim::picture

@@ -11,7 +11,7 @@
 #include "raster/format/image_source.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace envi_layout_test {
 
 namespace fs = std::filesystem;
 
@@ -65,5 +65,5 @@ TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
   EXPECT_FALSE(envi_layout(folder_ / "bad.img"));
 }
 
-}  // namespace
+}  // namespace envi_layout_test
 }  // namespace sarsim::picture

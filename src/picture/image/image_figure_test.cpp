@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::picture {
-namespace {
+namespace image_figure_test {
 
 constexpr std::size_t rows = 6;
 constexpr std::size_t columns = 4;
@@ -165,5 +165,5 @@ TEST_F(ImageFigure, SaysTheUnitOfDecibelsOnce) {
   EXPECT_EQ(shown.colour_bar->unit, "dB");
 }
 
-}  // namespace
+}  // namespace image_figure_test
 }  // namespace sarsim::picture

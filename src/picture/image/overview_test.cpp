@@ -13,7 +13,7 @@
 #include <numeric>
 
 namespace sarsim::picture {
-namespace {
+namespace overview_test {
 
 namespace fs = std::filesystem;
 
@@ -361,5 +361,5 @@ TEST_F(CacheTest, FolderOfTheUserIsThatOfTheEnvironment) {
   old == nullptr ? ::unsetenv("XDG_CACHE_HOME") : ::setenv("XDG_CACHE_HOME", kept.c_str(), 1);
 }
 
-}  // namespace
+}  // namespace overview_test
 }  // namespace sarsim::picture

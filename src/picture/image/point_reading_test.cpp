@@ -9,7 +9,7 @@
 #include "core/maths/window.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace point_reading_test {
 
 using Weight = std::function<double(double)>;
 
@@ -147,5 +147,5 @@ TEST(ReadPoint, SaysWhyThereIsNone) {
   EXPECT_THAT(message(plateau, 250, 250), testing::HasSubstr("no main lobe"));
 }
 
-}  // namespace
+}  // namespace point_reading_test
 }  // namespace sarsim::picture

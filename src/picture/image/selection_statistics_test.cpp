@@ -11,7 +11,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace selection_statistics_test {
 
 SamplePlane plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
   const std::size_t rows = samples.size() / columns;
@@ -207,5 +207,5 @@ TEST(SelectionStatistics, ReportProgressAndStop) {
   EXPECT_THROW((void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {1, &stop}), core::Interrupted);
 }
 
-}  // namespace
+}  // namespace selection_statistics_test
 }  // namespace sarsim::picture

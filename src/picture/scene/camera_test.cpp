@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace camera_test {
 
 constexpr double deg = core::pi / 180.0;
 
@@ -255,5 +255,5 @@ TEST(Camera, FitInPerspectiveKeepsNearPointsInFrontOfTheViewer) {
   EXPECT_LE(camera.scale_at(-5000.0), 2.0 * camera.pixels_per_m * (1.0 + 1e-9));
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace sarsim::picture

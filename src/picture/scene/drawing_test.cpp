@@ -12,7 +12,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace drawing_test {
 
 constexpr double deg = core::pi / 180.0;
 
@@ -527,5 +527,5 @@ TEST(Drawing, TenThousandTargetsAreQuick) {
   EXPECT_LT(best_ms, 60.0);
 }
 
-}  // namespace
+}  // namespace drawing_test
 }  // namespace sarsim::picture

@@ -5,7 +5,7 @@
 #include "picture/scene/drawing.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace picking_test {
 
 // Looks along +y at 1 px/m: the world's (x, y, z) is seen at (400 + x, 300 - z).
 Camera front_camera() {
@@ -115,5 +115,5 @@ TEST(Picking, FindsNothingHiddenAndNothingInAnEmptyPicture) {
   EXPECT_FALSE(picture.pick(std::numeric_limits<double>::quiet_NaN(), 300.0));
 }
 
-}  // namespace
+}  // namespace picking_test
 }  // namespace sarsim::picture

@@ -14,7 +14,7 @@
 #include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace snapshot_test {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
@@ -447,5 +447,5 @@ TEST(Snapshot, TenThousandTargetsAreQuick) {
   EXPECT_LT(best_ms, 60.0);
 }
 
-}  // namespace
+}  // namespace snapshot_test
 }  // namespace sarsim::picture

@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace beam_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bound = 20.0 * epsilon;
@@ -163,5 +163,5 @@ TEST(Pointing, OffsetsDoNotDependOnHowTheWorldIsTurned) {
   }
 }
 
-}  // namespace
+}  // namespace beam_test
 }  // namespace sarsim::radar

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace pattern_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -109,5 +109,5 @@ TEST(OneWayAmplitude, OfAUserAntennaAddsTheDecibelsOfTheCutsAtWrappedMagnitudes)
   }
 }
 
-}  // namespace
+}  // namespace pattern_test
 }  // namespace sarsim::radar

@@ -3,7 +3,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace complex_rows_test {
 
 template <class Real>
 class ComplexRows : public testing::Test {};
@@ -41,5 +41,5 @@ TYPED_TEST(ComplexRows, ProductsAndSumsAreExactForEveryLength) {
   });
 }
 
-}  // namespace
+}  // namespace complex_rows_test
 }  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace direct_kernel_shape_test {
 
 // Low, and the rows early: phases of some hundred turns, lest their rounding hide what the shapes contribute.
 constexpr double carrier_hz = 1e8;
@@ -301,5 +301,5 @@ TEST(DirectKernelShapes, LeavePulsesTooLongForATableToTheReference) {
   EXPECT_EQ(row_of(kernel, grid, carrier_hz, echoes), reference_row(pulse, grid, carrier_hz, echoes));
 }
 
-}  // namespace
+}  // namespace direct_kernel_shape_test
 }  // namespace sarsim::radar

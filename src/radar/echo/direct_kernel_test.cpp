@@ -3,7 +3,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace direct_kernel_test {
 
 constexpr double carrier_hz = 2e9;
 
@@ -130,5 +130,5 @@ TEST(DirectKernel, LeavesARowAloneThatNoEchoTouches) {
   }
 }
 
-}  // namespace
+}  // namespace direct_kernel_test
 }  // namespace sarsim::radar

@@ -13,7 +13,7 @@
 #include "radar/echo/spectral_kernel.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace kernel_accuracy_test {
 
 constexpr double light_mps = 299'792'458.0;
 
@@ -165,5 +165,5 @@ TEST(FastKernels, KeepTheirPromiseOnRandomRows) {
   EXPECT_GE(kinds.size(), 10u);
 }
 
-}  // namespace
+}  // namespace kernel_accuracy_test
 }  // namespace sarsim::radar

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace sarsim::radar {
-namespace {
+namespace polynomial_fit_test {
 
 FitTerms at_nodes(const auto& f) {
   FitTerms values;
@@ -53,5 +53,5 @@ TEST(Polynomial, HasTheLowestPowerFirst) {
   EXPECT_EQ(polynomial(powers, 2.0), std::complex<double>(21.0, 399.0));
 }
 
-}  // namespace
+}  // namespace polynomial_fit_test
 }  // namespace sarsim::radar

@@ -5,7 +5,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace pulse_body_test {
 
 constexpr std::size_t edge_samples = 8;
 constexpr double beta_1e6 = 17.28;  // ln(32/1e-6): of a promise of 1e-6
@@ -194,5 +194,5 @@ TEST(PulseBody, SpectrumIsNegligibleBeyondItsBand) {
     }
 }
 
-}  // namespace
+}  // namespace pulse_body_test
 }  // namespace sarsim::radar

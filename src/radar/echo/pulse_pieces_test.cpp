@@ -3,7 +3,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace pulse_pieces_test {
 
 Pulse user_pulse(double samples, const core::Interpolator& in_phase, const core::Interpolator& quadrature) {
   Pulse pulse = test_pulse(Pulse::Kind::user, samples).pulse;
@@ -141,5 +141,5 @@ TEST(PulsePieces, OfAPulseWithoutKnotsAreZero) {
   EXPECT_EQ(pieces.value(0, 3.0), 0.0);
 }
 
-}  // namespace
+}  // namespace pulse_pieces_test
 }  // namespace sarsim::radar

@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace reference_kernel_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -275,5 +275,5 @@ TEST(AddEchoes, ABandLimitedPulseThatIsCutOnSamplesHasTheSameTolerance) {
   }
 }
 
-}  // namespace
+}  // namespace reference_kernel_test
 }  // namespace sarsim::radar

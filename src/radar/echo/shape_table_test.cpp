@@ -3,7 +3,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace shape_table_test {
 
 EchoPulse ramped(double samples, double rise, double fall) {
   EchoPulse pulse = test_pulse(Pulse::Kind::mono, samples);
@@ -111,5 +111,5 @@ TEST(ShapeTable, TakesNoMoreThan32Megabytes) {
   EXPECT_FALSE(ShapeTable(ramped(500'000.0, 10.0, 10.0), test_grid(60), false).is_usable());
 }
 
-}  // namespace
+}  // namespace shape_table_test
 }  // namespace sarsim::radar

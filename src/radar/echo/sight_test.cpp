@@ -5,7 +5,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace sight_test {
 
 constexpr double c = core::exact_light_speed_mps;
 
@@ -284,5 +284,5 @@ TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
   });
 }
 
-}  // namespace
+}  // namespace sight_test
 }  // namespace sarsim::radar

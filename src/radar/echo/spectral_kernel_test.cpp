@@ -3,7 +3,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace spectral_kernel_test {
 
 constexpr double carrier_hz = 2e9;
 constexpr double tolerances[] = {1e-3, 1e-5, 1e-6, 1e-7, 1e-9};
@@ -367,5 +367,5 @@ TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {
             0u);
 }
 
-}  // namespace
+}  // namespace spectral_kernel_test
 }  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace spreading_test {
 
 template <class Real>
 constexpr double rounding_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -296,5 +296,5 @@ TYPED_TEST(Spreading, EdgesOfMovingEchoesTurnByTheExactDopplerPhase) {
     at_every_simd_level([&] { expect_edges<TypeParam>(doppler_step); });
 }
 
-}  // namespace
+}  // namespace spreading_test
 }  // namespace sarsim::radar

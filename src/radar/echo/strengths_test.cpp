@@ -5,7 +5,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace strengths_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -121,5 +121,5 @@ TYPED_TEST(GatherStrengths, WeightsInterpolatePolynomialsOfTheDoppler) {
   });
 }
 
-}  // namespace
+}  // namespace strengths_test
 }  // namespace sarsim::radar

@@ -5,7 +5,7 @@
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace tones_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -173,5 +173,5 @@ TEST(AddTones, OfNoTonesLeavesTheRowAlone) {
   EXPECT_EQ(row.im, before.im);
 }
 
-}  // namespace
+}  // namespace tones_test
 }  // namespace sarsim::radar

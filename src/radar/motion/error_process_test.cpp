@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace sarsim::radar {
-namespace {
+namespace error_process_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -154,5 +154,5 @@ TEST(ErrorProcess, AxesAndObjectsAreIndependent) {
   EXPECT_NEAR(objects / (looks / 2), 0.0, bound);
 }
 
-}  // namespace
+}  // namespace error_process_test
 }  // namespace sarsim::radar

@@ -10,7 +10,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace track_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -233,5 +233,5 @@ TEST(Track, IsFixedOnlyWhereNothingMovesIt) {
   EXPECT_FALSE(with([](Motion& m) { m.rotation_envelope[0] = smooth({{0, 1}, {1, 1}}); }));
 }
 
-}  // namespace
+}  // namespace track_test
 }  // namespace sarsim::radar

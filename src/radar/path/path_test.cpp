@@ -5,7 +5,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace path_test {
 
 constexpr double c = core::exact_light_speed_mps;
 
@@ -56,5 +56,5 @@ TEST(Path, OfAMovingPointChangesItsTurnsByTheDopplerShift) {
 
 static_assert(delay_of(there_and_back(0.0), c) == 0.0);
 
-}  // namespace
+}  // namespace path_test
 }  // namespace sarsim::radar

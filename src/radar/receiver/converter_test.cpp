@@ -9,7 +9,7 @@
 #include "core/report/expect.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace converter_test {
 
 struct Conversion {
   std::vector<std::int64_t> counts;
@@ -154,5 +154,5 @@ TEST(Converter, ExpectsTwoCountsForEachSampleAndAnLsb) {
   EXPECT_NO_THROW((Converter{8, 0.0}.convert(volts, {}, tally)));
 }
 
-}  // namespace
+}  // namespace converter_test
 }  // namespace sarsim::radar

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace sarsim::radar {
-namespace {
+namespace noise_test {
 
 using Row = std::vector<std::complex<double>>;
 constexpr std::size_t count = 100'000;
@@ -84,5 +84,5 @@ TEST(AddNoise, OfNoDeviationLeavesTheRowAlone) {
   EXPECT_EQ(row, Row(5, {1.0, 2.0}));
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace sarsim::radar

@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace reflectivity_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const core::Interpolator none;
@@ -47,5 +47,5 @@ TEST(Reflectivity, ReadsTheUsersCurveInDegreesAndPowerDecibels) {
   EXPECT_NEAR(reflectivity(ReflectivityLaw::user, curve, core::pi), 10.0, 10.0 * 20.0 * epsilon);
 }
 
-}  // namespace
+}  // namespace reflectivity_test
 }  // namespace sarsim::radar

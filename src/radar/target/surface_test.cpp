@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace sarsim::radar {
-namespace {
+namespace surface_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using Triangle = std::array<core::Vec3, 3>;
@@ -105,5 +105,5 @@ TEST(SurfaceLattice, OfATriangleWithoutAreaIsEmpty) {
   EXPECT_EQ(expected_points({core::Vec3{}, core::Vec3{}, core::Vec3{}}, 1.0), 0.0);
 }
 
-}  // namespace
+}  // namespace surface_test
 }  // namespace sarsim::radar

@@ -11,7 +11,7 @@
 #include "core/maths/fft.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace band_limited_pulse_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double half_band_hz = 5e6;
@@ -228,5 +228,5 @@ TEST(BandLimitedPulse, KeptWidthCutsHardAboutTheCentreAndChangesNothingInside) {
   EXPECT_EQ(wide.last_s(), whole.last_s());
 }
 
-}  // namespace
+}  // namespace band_limited_pulse_test
 }  // namespace sarsim::radar

@@ -11,7 +11,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::radar {
-namespace {
+namespace pulse_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -236,5 +236,5 @@ TEST(HalfPowerWidth, OfACodeIsThatOfOneChip) {
   EXPECT_NEAR(half_power_width_s(code), (2.0 - std::sqrt(2.0)) * 1e-6, 0.03e-6);
 }
 
-}  // namespace
+}  // namespace pulse_test
 }  // namespace sarsim::radar

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace sarsim::radar {
-namespace {
+namespace schedule_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -142,5 +142,5 @@ TEST(FloorDivide, RoundsDownAlsoBelowZero) {
     }
 }
 
-}  // namespace
+}  // namespace schedule_test
 }  // namespace sarsim::radar

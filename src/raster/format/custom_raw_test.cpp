@@ -10,7 +10,7 @@
 #include "raster/format/image_source.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace custom_raw_test {
 
 namespace fs = std::filesystem;
 using data_test::put;
@@ -247,5 +247,5 @@ TEST(GuessRawLayout, NamesAFileThatIsNotThere) {
   EXPECT_THAT(core::to_string(std::get<core::Problem>(guesses)), HasSubstr("/nowhere/at/all"));
 }
 
-}  // namespace
+}  // namespace custom_raw_test
 }  // namespace sarsim::raster

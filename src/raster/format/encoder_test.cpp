@@ -14,7 +14,7 @@
 #include "raster/table/count_range.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace encoder_test {
 
 using data_test::text_of;
 
@@ -153,5 +153,5 @@ TEST(Encoder, ExpectsBitsThatAConverterCanHave) {
   EXPECT_THROW(static_cast<void>(encode_rows({scene::FileFormat::binary, true, 65}, {})), core::BrokenExpectation);
 }
 
-}  // namespace
+}  // namespace encoder_test
 }  // namespace sarsim::raster

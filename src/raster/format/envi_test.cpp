@@ -11,7 +11,7 @@
 #include "raster/format/npy_header.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace envi_test {
 
 namespace fs = std::filesystem;
 
@@ -208,5 +208,5 @@ TEST_F(Envi, KeepsItsHeadersReadableWhateverTheirValuesHold) {
   EXPECT_EQ(reading.header->field("scene"), "a, b");
 }
 
-}  // namespace
+}  // namespace envi_test
 }  // namespace sarsim::raster

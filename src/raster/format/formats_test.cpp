@@ -13,7 +13,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace formats_test {
 
 constexpr std::array all_formats{scene::FileFormat::ascii, scene::FileFormat::binary, scene::FileFormat::bracket,
                                  scene::FileFormat::hdf5,  scene::FileFormat::csv,    scene::FileFormat::npy};
@@ -103,5 +103,5 @@ TEST(Formats, OthersAreNotKnown) {
   EXPECT_FALSE(format_from_path("a.png"));
 }
 
-}  // namespace
+}  // namespace formats_test
 }  // namespace sarsim::raster

@@ -15,7 +15,7 @@
 #include "raster/format/hdf5_library.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace hdf5_reader_test {
 
 using namespace data_test;
 using testing::HasSubstr;
@@ -312,5 +312,5 @@ TEST(Hdf5Reader, AxesOfTheWrongLengthAreLeftOut) {
   EXPECT_FALSE(opened.file->axes());
 }
 
-}  // namespace
+}  // namespace hdf5_reader_test
 }  // namespace sarsim::raster

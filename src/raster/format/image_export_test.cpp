@@ -9,7 +9,7 @@
 #include "raster/table/product_attributes.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace image_export_test {
 
 namespace fs = std::filesystem;
 using data_test::put;
@@ -200,5 +200,5 @@ TEST(ExportWindow, ReportsProgressUpToTheEnd) {
   EXPECT_EQ(last, 4096U);
 }
 
-}  // namespace
+}  // namespace image_export_test
 }  // namespace sarsim::raster

@@ -12,7 +12,7 @@
 #include "raster/format/npy_header.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace image_huge_test {
 
 namespace fs = std::filesystem;
 using data_test::read;
@@ -112,5 +112,5 @@ TEST_F(HugeFile, OfNumpyOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
   EXPECT_LT(resident_mb() - before, 300.0);
 }
 
-}  // namespace
+}  // namespace image_huge_test
 }  // namespace sarsim::raster

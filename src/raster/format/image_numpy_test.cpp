@@ -6,7 +6,7 @@
 #include "raster/format/npy_header.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace image_numpy_test {
 
 namespace fs = std::filesystem;
 using data_test::open_whole;
@@ -81,5 +81,5 @@ TEST(ImageSource, ShowsTheRowsOfANumpyArrayThatIsStillBeingWritten) {
   EXPECT_EQ(read(*opened.source, {3, 1, 1, 1})[0].real(), 11.0F);
 }
 
-}  // namespace
+}  // namespace image_numpy_test
 }  // namespace sarsim::raster

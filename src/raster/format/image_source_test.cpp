@@ -8,7 +8,7 @@
 #include "raster/format/recording_hints.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace image_source_test {
 
 namespace fs = std::filesystem;
 using data_test::open_whole;
@@ -294,5 +294,5 @@ TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   EXPECT_FALSE(hints_from_scene(recording_scene(), "other.bin"));
 }
 
-}  // namespace
+}  // namespace image_source_test
 }  // namespace sarsim::raster

@@ -8,7 +8,7 @@
 #include "raster/format/image_test_support.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace image_text_test {
 
 namespace fs = std::filesystem;
 using data_test::open_whole;
@@ -161,5 +161,5 @@ TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
   }
 }
 
-}  // namespace
+}  // namespace image_text_test
 }  // namespace sarsim::raster

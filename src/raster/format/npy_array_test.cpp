@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::raster {
-namespace {
+namespace npy_array_test {
 
 NpyHeader header_of(std::string type, std::vector<std::uint64_t> shape, bool fortran_order = false) {
   return {std::move(type), fortran_order, std::move(shape), 0};
@@ -48,5 +48,5 @@ TEST(NpyArray, OtherShapesHaveNoRowsAndColumns) {
   EXPECT_FALSE(plane_of(header_of("<f4", {2, 3, 2}, true)));
 }
 
-}  // namespace
+}  // namespace npy_array_test
 }  // namespace sarsim::raster

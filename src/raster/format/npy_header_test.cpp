@@ -5,7 +5,7 @@
 #include <array>
 
 namespace sarsim::raster {
-namespace {
+namespace npy_header_test {
 
 std::variant<NpyHeader, core::Problem> parsed(const std::string& bytes) {
   return parse_npy_header(std::as_bytes(std::span(bytes)));
@@ -69,5 +69,5 @@ TEST(NpyHeader, RefusesMalformedOnes) {
     EXPECT_TRUE(std::holds_alternative<core::Problem>(parsed(with_text(1, text)))) << text;
 }
 
-}  // namespace
+}  // namespace npy_header_test
 }  // namespace sarsim::raster

@@ -11,7 +11,7 @@
 
 // Other people's software must read our files and find the same numbers. Skipped where the software is absent.
 namespace sarsim::raster {
-namespace {
+namespace outside_software_test {
 
 using namespace data_test;
 
@@ -150,5 +150,5 @@ TEST(OutsideSoftwareOnHdf5, H5dumpReadsTheWholeFile) {
   EXPECT_TRUE(runs("h5dump '" + path.string() + "'"));
 }
 
-}  // namespace
+}  // namespace outside_software_test
 }  // namespace sarsim::raster

@@ -5,7 +5,7 @@
 
 // Reads what the programs of 1997 to 2015 wrote; the files are not part of the project.
 namespace sarsim::raster {
-namespace {
+namespace reference_files_test {
 
 using namespace data_test;
 
@@ -65,5 +65,5 @@ TEST(ReferenceFiles, TheOldHdf5HoldsTheCountsOfTheText) {
   EXPECT_EQ(same, a.size());
 }
 
-}  // namespace
+}  // namespace reference_files_test
 }  // namespace sarsim::raster

@@ -13,7 +13,7 @@
 #include "raster/format/npy_header.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace sample_file_test {
 
 using namespace data_test;
 using testing::ElementsAre;
@@ -338,5 +338,5 @@ TEST(SampleFile, WarnsOfWhatFollowsANumpyArray) {
   EXPECT_EQ(result.problems.at(0).found, "1 bytes more");
 }
 
-}  // namespace
+}  // namespace sample_file_test
 }  // namespace sarsim::raster

@@ -14,7 +14,7 @@
 #include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace sinks_test {
 
 using namespace data_test;
 using testing::HasSubstr;
@@ -295,5 +295,5 @@ TEST(Sinks, ManyMayEncodeAtOnce) {
   for (const auto& result : results) EXPECT_EQ(result, expected);
 }
 
-}  // namespace
+}  // namespace sinks_test
 }  // namespace sarsim::raster

@@ -9,7 +9,7 @@
 #include "raster/format/sun_run_length.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace sun_raster_test {
 
 namespace fs = std::filesystem;
 using data_test::contents;
@@ -269,5 +269,5 @@ TEST_F(ImageMagick, ReadsWhatWeWrite) {
   EXPECT_EQ(contents(plain), "\11\10\7\6\5\310");
 }
 
-}  // namespace
+}  // namespace sun_raster_test
 }  // namespace sarsim::raster

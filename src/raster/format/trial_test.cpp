@@ -11,7 +11,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace trial_test {
 
 TEST(Trial, TellsSurvivalFromCrashAndHang) {
   EXPECT_EQ(core::run_trial([] { return std::string(); }, 5).result, core::TrialResult::passed);
@@ -89,5 +89,5 @@ TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
   EXPECT_FALSE(opened.problems.empty());
 }
 
-}  // namespace
+}  // namespace trial_test
 }  // namespace sarsim::raster

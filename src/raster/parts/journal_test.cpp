@@ -5,7 +5,7 @@
 #include "raster/parts/join_parts.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace journal_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -133,5 +133,5 @@ TEST(JoinProblems, NameOverlapsGapsAndOtherRuns) {
   EXPECT_THAT(other[0].message, HasSubstr("seed is not said in part 1/2, 2 in part 2/2"));
 }
 
-}  // namespace
+}  // namespace journal_test
 }  // namespace sarsim::raster

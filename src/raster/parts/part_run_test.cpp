@@ -5,7 +5,7 @@
 #include "raster/format/data_test_support.hpp"
 
 namespace sarsim::raster {
-namespace {
+namespace part_run_test {
 
 using data_test::contents;
 using data_test::TestFolder;
@@ -296,5 +296,5 @@ TEST(StoredProduct, IsRefusedWhereAByteIsAnother) {
   EXPECT_THROW(static_cast<void>(load_product(folder / "product")), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace part_run_test
 }  // namespace sarsim::raster

@@ -3,7 +3,7 @@
 #include "scene/check/check_test_scene.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace check_names_test {
 
 using testing::HasSubstr;
 
@@ -112,5 +112,5 @@ TEST(CheckNames, RefuseDefinitionsWithoutAName) {
   expect_error(scene, {"platform", 2, "name"});
 }
 
-}  // namespace
+}  // namespace check_names_test
 }  // namespace sarsim::scene

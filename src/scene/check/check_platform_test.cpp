@@ -1,7 +1,7 @@
 #include "scene/check/check_test_scene.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace check_platform_test {
 
 using testing::HasSubstr;
 
@@ -157,5 +157,5 @@ TEST(CheckFunctions, SayNothingOfUnevenPointsThatNoLowPassFilterReads) {
   EXPECT_TRUE(check(scene).empty()) << "a platform that stands does not look at its trajectory";
 }
 
-}  // namespace
+}  // namespace check_platform_test
 }  // namespace sarsim::scene

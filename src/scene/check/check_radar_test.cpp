@@ -6,7 +6,7 @@
 #include "scene/model/radar_pulse.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace check_radar_test {
 
 using testing::HasSubstr;
 
@@ -250,5 +250,5 @@ TEST(CheckRadar, TakesListsWhoseNumbersAreNotEven) {
   EXPECT_TRUE(check(scene).empty());
 }
 
-}  // namespace
+}  // namespace check_radar_test
 }  // namespace sarsim::scene

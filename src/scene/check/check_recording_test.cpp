@@ -4,7 +4,7 @@
 #include "scene/check/check_test_scene.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace check_recording_test {
 
 using testing::HasSubstr;
 
@@ -337,5 +337,5 @@ TEST(CheckProfile, SaysNothingMoreAboutAFaultyCarrier) {
   expect_error(scene, {"radar", 0, "pulses_per_step"});
 }
 
-}  // namespace
+}  // namespace check_recording_test
 }  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 #include "scene/check/check_test_scene.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace check_test {
 
 using testing::HasSubstr;
 
@@ -314,5 +314,5 @@ TEST(Check, OfAMillionTargetsOnOnePlatformNeedsNoMillionLookUps) {
   EXPECT_TRUE(check(scene).empty());
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace sarsim::scene

@@ -12,7 +12,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace document_data_test {
 
 namespace fs = std::filesystem;
 
@@ -52,8 +52,6 @@ class DataFiles : public testing::Test {
 
   fs::path folder_;
 };
-
-}  // namespace
 
 TEST_F(DataFiles, AreWithinASelfContainedScript) {
   Document document = opened();
@@ -174,4 +172,5 @@ TEST_F(DataFiles, ThatCannotBeWrittenAreNamed) {
   }
 }
 
+}  // namespace document_data_test
 }  // namespace sarsim::scene

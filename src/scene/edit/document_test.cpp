@@ -14,8 +14,7 @@
 #include "scene/script/writer.hpp"
 
 namespace sarsim::scene {
-
-namespace {
+namespace document_test {
 
 namespace fs = std::filesystem;
 
@@ -62,8 +61,6 @@ std::string failure_of(const std::function<void()>& work) {
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Document, BeginsWithThePlatformEarth) {
   const Document document;
@@ -363,13 +360,9 @@ TEST_F(DocumentFiles, InAReadOnlyFolderGiveAnError) {
   EXPECT_EQ(read_text_file(file("a.scr")), "old");
 }
 
-namespace {
-
 std::string directional_script(const std::string& data) {
   return "$TARGET Earth 1 2 3 0 0 0 1 0 DIRECTIONAL 0 0 0 0 OTHER_GAIN LINEAR FILE " + data + "\n";
 }
-
-}  // namespace
 
 TEST_F(DocumentFiles, OfFunctionsKeepTheirNamesWhenTheFunctionIsEdited) {
   write(file("gain.dat"), "2\n0 0\n90 -10\n");
@@ -426,4 +419,5 @@ TEST(DocumentSpeed, AnEditOfALargeSceneDoesNotReadItAll) {
   EXPECT_TRUE(scene_of(document.text()) == document.scene());
 }
 
+}  // namespace document_test
 }  // namespace sarsim::scene

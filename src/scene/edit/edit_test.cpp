@@ -10,7 +10,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace edit_test {
 
 Scene fleet() {
   Scene scene;
@@ -47,8 +47,6 @@ Scene done(const Scene& scene, const Edit& edit) {
 ObjectId platform(std::size_t index) { return {ObjectKind::platform, index}; }
 ObjectId target(std::size_t index) { return {ObjectKind::target, index}; }
 ObjectId radar(std::size_t index) { return {ObjectKind::radar, index}; }
-
-}  // namespace
 
 TEST(Edit, RefusesAnotherSceneAndLeavesItAlone) {
   const Scene scene = fleet();
@@ -376,4 +374,5 @@ TEST(ComposedEdits, DoWhatBothDoInTurn) {
   }
 }
 
+}  // namespace edit_test
 }  // namespace sarsim::scene

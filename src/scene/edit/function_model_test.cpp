@@ -17,7 +17,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace function_model_test {
 
 // All fields of kind `function`, with an object that has them.
 std::vector<std::pair<AnyObject, std::string>> all_functions() {
@@ -303,6 +303,6 @@ TEST(FunctionModel, TenThousandLinesOfCsvTakeNoTimeToSpeakOf) {
   EXPECT_LT(taken.count(), 1.0);  // some 20 ms; the bound is for a loaded machine
 }
 
-}  // namespace
+}  // namespace function_model_test
 
 }  // namespace sarsim::scene

@@ -8,7 +8,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace history_test {
 
 Scene two_targets() {
   Scene scene;
@@ -21,8 +21,6 @@ Edit move_to(const Scene& scene, double x, std::string key = "", std::size_t ind
   target.position_m.x = x;
   return replace_object(scene, {ObjectKind::target, index}, target, "Move target", std::move(key));
 }
-
-}  // namespace
 
 TEST(History, UndoesAndRedoesStepByStep) {
   Scene scene = two_targets();
@@ -201,4 +199,5 @@ TEST(History, TakesAThousandRandomEditsBackAndForth) {
   EXPECT_FALSE(history.can_redo());
 }
 
+}  // namespace history_test
 }  // namespace sarsim::scene

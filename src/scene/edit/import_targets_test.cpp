@@ -8,7 +8,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace import_targets_test {
 
 std::string printed(const TargetImport& import) {
   std::string text;
@@ -136,6 +136,6 @@ TEST(ImportTargets, TenThousandLinesTakeNoTimeToSpeakOf) {
   RecordProperty("microseconds", static_cast<int>(taken.count() * 1e6));
 }
 
-}  // namespace
+}  // namespace import_targets_test
 
 }  // namespace sarsim::scene

@@ -13,7 +13,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace recovery_test {
 
 namespace fs = std::filesystem;
 
@@ -45,8 +45,6 @@ class RecoveryFolder : public testing::Test {
 
   fs::path folder_;
 };
-
-}  // namespace
 
 TEST_F(RecoveryFolder, GivesBackWhatADeadProgramLeft) {
   const Recovery recovery(folder_, dead_process());
@@ -188,4 +186,5 @@ TEST_F(RecoveryFolder, WithoutAFolderThereAreNoCopies) {
   EXPECT_THROW(Recovery(folder_ / "file", 1), std::runtime_error);
 }
 
+}  // namespace recovery_test
 }  // namespace sarsim::scene

@@ -8,7 +8,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace scene_change_test {
 
 Scene three_targets() {
   Scene scene;
@@ -59,8 +59,6 @@ void expect_true(const SceneChange& change, const Edit& edit, bool forwards, con
   EXPECT_EQ(change.inserted, inserted);
   for (const ChangedObject& object : change.changed) EXPECT_NE(std::ranges::find(there, object.id), there.end());
 }
-
-}  // namespace
 
 TEST(SceneChange, TellsTheObjectThatMoved) {
   const Scene scene = three_targets();
@@ -129,4 +127,5 @@ TEST(SceneChange, IsTrueOfRandomEditsAndOfRunsOfThem) {
   }
 }
 
+}  // namespace scene_change_test
 }  // namespace sarsim::scene

@@ -13,8 +13,7 @@
 #include "support/folders.hpp"
 
 namespace sarsim::scene {
-
-namespace {
+namespace splice_test {
 
 namespace fs = std::filesystem;
 
@@ -72,8 +71,6 @@ std::string after_edit(const std::string& text, const Edit& edit) {
 }
 
 Scene scene_of(const std::string& text) { return read_script(text, "", {}).scene; }
-
-}  // namespace
 
 TEST(Splice, ReplacesOnlyTheValuesThatDiffer) {
   const std::string text = commented;
@@ -272,8 +269,6 @@ TEST(AsScriptSays, KeepsFaultyValues) {
   EXPECT_TRUE(as_script_says(radar, {}) == AnyObject(radar));
 }
 
-namespace {
-
 std::vector<fs::path> all_scripts() {
   std::vector<fs::path> scripts;
   for (const fs::path& folder : {sarsim::test::source_folder() / "examples", sarsim::test::reference_folder()}) {
@@ -332,8 +327,6 @@ void edit_and_undo(Document document, const fs::path& path, std::uint64_t seed, 
   EXPECT_TRUE(document.scene() == last_scene) << path;
 }
 
-}  // namespace
-
 TEST(SpliceProperty, TextAndSceneAgreeThroughRandomEditsOfEveryScript) {
   constexpr std::uint64_t seed = 4711;
   const std::vector<fs::path> scripts = all_scripts();
@@ -360,4 +353,5 @@ TEST(SpliceProperty, TextAndSceneAgreeThroughRandomEditsOfCommentedAndCrampedTex
     for (int i = 0; i < 8 && !HasFatalFailure(); ++i) edit_and_undo(Document::from_text(text), "text", ++seed, 40);
 }
 
+}  // namespace splice_test
 }  // namespace sarsim::scene

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 namespace sarsim::scene {
+namespace text_change_test {
 
 TEST(TextChange, IsAppliedAndReverted) {
   const TextChanges changes{{0, "one", "1"}, {4, "", "and "}, {4, "two", ""}};
@@ -72,4 +73,5 @@ TEST(ComposedTextChanges, DoWhatBothDoInTurn) {
   }
 }
 
+}  // namespace text_change_test
 }  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 #include <string>
 
 namespace sarsim::scene {
-namespace {
+namespace text_file_test {
 
 namespace fs = std::filesystem;
 
@@ -75,5 +75,5 @@ TEST_F(TextFile, IsNotReadWhereItIsNoRegularFile) {
   EXPECT_EQ(read_text_file(folder_ / "none"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace text_file_test
 }  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace object_test {
 
 Scene harbour() {
   Scene scene;
@@ -26,8 +26,6 @@ Scene harbour() {
   scene.geometries.resize(1);
   return scene;
 }
-
-}  // namespace
 
 TEST(Object, KindsStandInTheOrderOfTheVariant) {
   for (const ObjectKind kind : all_object_kinds) {
@@ -88,4 +86,5 @@ TEST(ObjectsOn, TheWorldAreThoseThatNoPlatformCarries) {
   EXPECT_EQ(objects_on(harbour(), not_found), (std::vector<ObjectId>{{ObjectKind::target, 2}}));
 }
 
+}  // namespace object_test
 }  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace sarsim::scene {
-namespace {
+namespace scene_index_test {
 
 // The table exists only for speed and for better messages: it must mean what find_platform means.
 TEST(NameTable, AgreesWithFindPlatform) {
@@ -62,5 +62,5 @@ TEST(SceneIndex, SaysTheSameHoweverOftenAndInWhateverOrderItIsAsked) {
   }
 }
 
-}  // namespace
+}  // namespace scene_index_test
 }  // namespace sarsim::scene

@@ -7,7 +7,7 @@
 #include "scene/model/object_lists.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace field_names_test {
 
 using testing::HasSubstr;
 
@@ -174,5 +174,5 @@ TEST(FieldNames, EveryFieldTakesTheValueThatItHas) {
   EXPECT_EQ(scene, before);
 }
 
-}  // namespace
+}  // namespace field_names_test
 }  // namespace sarsim::scene

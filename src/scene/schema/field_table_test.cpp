@@ -9,7 +9,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace field_table_test {
 
 // Every field of every kind and of the options, with an initial object.
 template <class Visit>
@@ -130,6 +130,6 @@ TEST(Kinds, AreThoseOfAScene) {
   EXPECT_EQ(objects, std::variant_size_v<AnyObject>);
 }
 
-}  // namespace
+}  // namespace field_table_test
 
 }  // namespace sarsim::scene

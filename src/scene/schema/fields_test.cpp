@@ -15,7 +15,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace fields_test {
 
 constexpr ObjectKind all_kinds[] = {ObjectKind::platform, ObjectKind::target,     ObjectKind::surface,
                                     ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
@@ -494,6 +494,6 @@ TEST(Fields, AnUnknownIdIsAProgrammersMistake) {
   EXPECT_THROW(static_cast<void>(field_applies(object, "position_m.x")), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace fields_test
 
 }  // namespace sarsim::scene

@@ -10,7 +10,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace quantity_test {
 
 constexpr Quantity all_quantities[] = {Quantity::number,   Quantity::length,      Quantity::time,   Quantity::frequency,
                                        Quantity::angle,    Quantity::angle_rate,  Quantity::area,   Quantity::power,
@@ -191,6 +191,6 @@ TEST(Quantity, TheBaseUnitIsTheFirstThatMayBeTyped) {
       EXPECT_TRUE(read_quantity("1 " + std::string(unit), quantity).value) << unit;
 }
 
-}  // namespace
+}  // namespace quantity_test
 
 }  // namespace sarsim::scene

@@ -5,7 +5,7 @@
 #include "scene/model/object_lists.hpp"
 
 namespace sarsim::scene {
-namespace {
+namespace value_list_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -123,5 +123,5 @@ TEST(ValueList, RefusesMoreValuesThanMany) {
   EXPECT_THAT(failure("1,2,3", length(), 2), HasSubstr("more than 2 values"));
 }
 
-}  // namespace
+}  // namespace value_list_test
 }  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace data_file_test {
 
 const FunctionBlock& trajectory = function_blocks::trajectory;
 const FunctionBlock& carriers = function_blocks::carrier_list;
@@ -35,8 +35,6 @@ core::Problems script_problems(const std::string& block, const std::string& data
                      })
       .problems;
 }
-
-}  // namespace
 
 TEST(DataFile, HoldsCountAndPointsOfEachFunction) {
   const DataFileReading reading = read_data_file(three_functions, "p.dat", trajectory);
@@ -209,4 +207,5 @@ TEST(FunctionBlock, ReadsMoreInlinePointsThanTheOldLimit) {
   EXPECT_TRUE(script_problems(block + " 1 0 1 1 0 1", "").empty());
 }
 
+}  // namespace data_file_test
 }  // namespace sarsim::scene

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::scene {
+namespace field_places_test {
 
 TEST(FieldPlaces, FindTheFieldThenItsObjectThenNothing) {
   FieldPlaces places;
@@ -68,4 +69,5 @@ TEST(FieldPlaces, OfLaterObjectsAreCountedFromThoseBefore) {
   EXPECT_FALSE(first == whole);
 }
 
+}  // namespace field_places_test
 }  // namespace sarsim::scene

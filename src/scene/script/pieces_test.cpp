@@ -6,7 +6,7 @@
 
 namespace sarsim::scene::script {
 
-namespace {
+namespace pieces_test {
 
 std::vector<std::string> parts_of(std::string_view text, std::size_t piece_bytes, unsigned threads = 1) {
   std::vector<std::string> parts;
@@ -16,8 +16,6 @@ std::vector<std::string> parts_of(std::string_view text, std::size_t piece_bytes
 }
 
 using Parts = std::vector<std::string>;
-
-}  // namespace
 
 TEST(Pieces, BeginWithTheCommandsThatBeginALine) {
   EXPECT_EQ(parts_of("! head\n$A 1\n 2\n$B $C\n, \t$D\r\n\n$E", 1),
@@ -66,4 +64,5 @@ TEST(Pieces, KnowTheirLinesForAnyNumberOfThreads) {
   }
 }
 
+}  // namespace pieces_test
 }  // namespace sarsim::scene::script

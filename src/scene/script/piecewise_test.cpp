@@ -16,7 +16,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace piecewise_test {
 
 namespace fs = std::filesystem;
 
@@ -146,8 +146,6 @@ void change_line_ends(std::mt19937& random, std::string& text) {
   if (kind == 2 && !text.empty() && text.back() == '\n') text.pop_back();
 }
 
-}  // namespace
-
 TEST(PiecewiseReading, IsTheSameForTheExamples) {
   const std::vector<std::string> texts = scripts_in(sarsim::test::source_folder() / "examples");
   ASSERT_GE(texts.size(), 5U);
@@ -269,4 +267,5 @@ TEST(PiecewiseReading, PassesOnWhatALoaderThrows) {
     EXPECT_THROW(static_cast<void>(read_script(target + target, "t.scr", failing, {{threads}, 1})), std::bad_alloc);
 }
 
+}  // namespace piecewise_test
 }  // namespace sarsim::scene

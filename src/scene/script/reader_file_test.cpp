@@ -10,7 +10,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace reader_file_test {
 
 namespace fs = std::filesystem;
 
@@ -43,8 +43,6 @@ class ScriptOnDisk : public testing::Test {
 };
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
-}  // namespace
 
 TEST_F(ScriptOnDisk, TakesDataFromItsOwnFolderFirst) {
   write(folder_ / "a.scr", target_with_file);
@@ -126,4 +124,5 @@ TEST_F(ScriptOnDisk, RefusesAFileOfMoreThanTheLimitWithoutReadingIt) {
   EXPECT_TRUE(holds(only_problem_of(folder_ / "a.scr").message, "is larger than"));
 }
 
+}  // namespace reader_file_test
 }  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace reader_problem_test {
 
 constexpr std::string_view radar_start = "$RADAR R P ";
 constexpr std::string_view radar_end = " ISO SAM FIX 0 0 RECT NO_STC";
@@ -28,8 +28,6 @@ core::Problem radar_problem(std::string_view middle) {
 core::Problem target_problem(std::string_view values) { return only_problem("$TARGET E " + std::string(values)); }
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
-}  // namespace
 
 TEST(ReaderProblem, NamesPlaceTextFieldUnitAndRangeOfABadNumber) {
   const core::Problem problem =
@@ -283,4 +281,5 @@ TEST(ReaderProblem, RecognizesUtf16) {
             "");
 }
 
+}  // namespace reader_problem_test
 }  // namespace sarsim::scene

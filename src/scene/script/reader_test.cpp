@@ -8,7 +8,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace reader_test {
 
 std::string printed(const core::Problems& problems) {
   std::string text;
@@ -51,8 +51,6 @@ Radar read_radar(std::string_view middle) {
 }
 
 std::string simulation_with(std::string_view end) { return "$SIM R 1 2 3 4 8 0.1 0 " + std::string(end); }
-
-}  // namespace
 
 TEST(ReadScript, ReadsAnExampleOfTheCurrentDialect) {
   const Scene scene = read_clean(example);
@@ -279,4 +277,5 @@ TEST(Locate, FillsInThePlacesOfSceneProblemsOnly) {
   EXPECT_EQ(problems[2].place, core::Place{});
 }
 
+}  // namespace reader_test
 }  // namespace sarsim::scene

@@ -13,7 +13,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace reference_test {
 
 namespace fs = std::filesystem;
 
@@ -46,8 +46,6 @@ class ReferenceScripts : public testing::Test {
       GTEST_SKIP() << "no reference scripts at " << reference_folder() << "; SARSIM_REFERENCE may name their folder";
   }
 };
-
-}  // namespace
 
 TEST_F(ReferenceScripts, AreReadWithoutAnyProblem) {
   const std::vector<fs::path> scripts = scripts_in(reference_folder());
@@ -84,4 +82,5 @@ TEST_F(ReferenceScripts, GiveTheValuesThatTheyState) {
   EXPECT_EQ(reading.places.find({"simulation", 0, "lsb_v"}).line, 111U);
 }
 
+}  // namespace reference_test
 }  // namespace sarsim::scene

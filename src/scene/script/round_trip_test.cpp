@@ -9,7 +9,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace round_trip_test {
 
 std::string printed(const core::Problems& problems) {
   std::string text;
@@ -54,8 +54,6 @@ UserFunction<1> some_list() {
   list.part[0].knots[1].y = 7.0;
   return list;
 }
-
-}  // namespace
 
 TEST(RoundTrip, KeepsAThousandRandomScenesBitForBit) {
   constexpr std::uint64_t first_seed = 20240;
@@ -198,4 +196,5 @@ TEST(RoundTrip, KeepsNamesThatNeedQuotes) {
   }
 }
 
+}  // namespace round_trip_test
 }  // namespace sarsim::scene

@@ -9,7 +9,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace speed_test {
 
 // About ten times what an optimised build takes on one slow core; sanitizers and debug builds stay within it too.
 constexpr double allowed_seconds_for_20_mb = 20.0;
@@ -20,8 +20,6 @@ double seconds_of(const std::function<void()>& work) {
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-}  // namespace
 
 TEST(ReadingSpeed, IsLinearInTheNumberOfTargets) {
   std::string text;
@@ -55,4 +53,5 @@ TEST(ReadingSpeed, IsLinearInNonsense) {
   EXPECT_LE(reading.problems.size(), 2010U);
 }
 
+}  // namespace speed_test
 }  // namespace sarsim::scene

@@ -6,7 +6,7 @@
 
 namespace sarsim::scene::script {
 
-namespace {
+namespace tokens_test {
 
 std::vector<std::string> words(std::string_view text) {
   std::vector<std::string> result;
@@ -18,8 +18,6 @@ std::vector<std::string> words(std::string_view text) {
 }
 
 using Words = std::vector<std::string>;
-
-}  // namespace
 
 TEST(Tokens, AreSeparatedByAnyMixOfBlanksTabsCommasAndLineEnds) {
   EXPECT_EQ(words("a b\tc,d\r\ne ,\t, f"), (Words{"a", "b", "c", "d", "e", "f"}));
@@ -104,4 +102,5 @@ TEST(QuotedWhereNeeded, QuotesOnlyWhatWouldNotBeReadBack) {
   EXPECT_EQ(quoted_where_needed("$a"), "\"$a\"");
 }
 
+}  // namespace tokens_test
 }  // namespace sarsim::scene::script

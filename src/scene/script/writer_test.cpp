@@ -11,7 +11,7 @@
 
 namespace sarsim::scene {
 
-namespace {
+namespace writer_test {
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
@@ -20,8 +20,6 @@ Scene scene_with_radar() {
   scene.radars.emplace_back();
   return scene;
 }
-
-}  // namespace
 
 TEST(WriteScript, NamesTheProgramAndItsVersion) { EXPECT_TRUE(holds(write_script({}), core::program_version)); }
 
@@ -130,4 +128,5 @@ TEST(WriteScript, EndsWhenAskedTo) {
   EXPECT_THROW(static_cast<void>(write_script(scene, {2, &stop})), core::Interrupted);
 }
 
+}  // namespace writer_test
 }  // namespace sarsim::scene

@@ -13,7 +13,7 @@
 #include "core/maths/window.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace range_compression_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using Row = std::vector<std::complex<double>>;
@@ -260,5 +260,5 @@ TEST(RangeCompressor, TakesTheAskedSamplesAlsoRepeatedly) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(std::abs(out[i] - expected[i]), 20.0 * epsilon);
 }
 
-}  // namespace
+}  // namespace range_compression_test
 }  // namespace sarsim::signal

@@ -8,7 +8,7 @@
 #include "core/maths/sinc.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace image_quality_test {
 
 // A point whose spectrum fills the band that the samples have: null to null it is two samples wide.
 FocusedImage point_at(double row, double column) {
@@ -54,5 +54,5 @@ TEST(MeasurePoint, GivesTheCutsThatItMeasured) {
   EXPECT_LT(std::abs(cuts.range.values[cuts.range.values.size() / 2 + 32]), 0.02 * found->amplitude);
 }
 
-}  // namespace
+}  // namespace image_quality_test
 }  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/report/expect.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace response_test {
 
 struct Row {
   const char* window;
@@ -120,5 +120,5 @@ TEST(Response, ExpectsAPeakWithinTheResponse) {
   EXPECT_THROW(static_cast<void>(figures_of(response, 5)), core::BrokenExpectation);
 }
 
-}  // namespace
+}  // namespace response_test
 }  // namespace sarsim::signal

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::signal {
-namespace {
+namespace sample_statistics_test {
 
 using Samples = std::vector<std::complex<double>>;
 
@@ -34,5 +34,5 @@ TEST(SampleStatistics, NanCountsNowhereElse) {
 
 TEST(SampleStatistics, NothingIsZero) { EXPECT_EQ(SampleStatistics{}.rms(), 0.0); }
 
-}  // namespace
+}  // namespace sample_statistics_test
 }  // namespace sarsim::signal

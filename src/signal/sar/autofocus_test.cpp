@@ -11,7 +11,7 @@
 #include "core/maths/fft.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace autofocus_test {
 
 const core::WorkControl one{1, nullptr};
 
@@ -287,5 +287,5 @@ TEST(AutofocusOfAStrip, LeavesASharpStripAlone) {
   EXPECT_NEAR(image_entropy(result.image), image_entropy(sharp), 0.005 * image_entropy(sharp));
 }
 
-}  // namespace
+}  // namespace autofocus_test
 }  // namespace sarsim::signal

@@ -8,7 +8,7 @@
 #include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace back_projection_kernel_test {
 
 constexpr double carrier_hz = 5.3e9;
 constexpr double wavelength_m = core::exact_light_speed_mps / carrier_hz;
@@ -150,5 +150,5 @@ TEST(StretchFor, IsTheLongestWhoseNeglectedTermIsSmall) {
   EXPECT_EQ(stretch_for(-5.0, 1.0, wavelength_m), Stretch::by_point);
 }
 
-}  // namespace
+}  // namespace back_projection_kernel_test
 }  // namespace sarsim::signal

@@ -12,7 +12,7 @@
 #include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace back_projection_test {
 
 using Values = std::vector<std::complex<double>>;
 using Aperture = BackProjectionOptions::Aperture;
@@ -438,5 +438,5 @@ TEST(BackProjection, RefusesWhatContradictsItself) {
   refuses([](SarEchoes& e) { e.waveform.bandwidth_hz = 0.0; }, options);
 }
 
-}  // namespace
+}  // namespace back_projection_test
 }  // namespace sarsim::signal

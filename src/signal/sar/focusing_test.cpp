@@ -10,7 +10,7 @@
 #include "signal/sar/sar_test_scene.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace focusing_test {
 
 using namespace sar_test;
 
@@ -396,5 +396,5 @@ TEST(MeasurePoint, FindsNothingOutsideTheImageOrWhereItIsZero) {
   EXPECT_FALSE(measure_point(image, reader_of(image), {1e6, 10198.0}, 3.0));
 }
 
-}  // namespace
+}  // namespace focusing_test
 }  // namespace sarsim::signal

@@ -8,7 +8,7 @@
 #include "signal/sar/ground_sight.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace ground_grid_test {
 
 constexpr double height_m = 3000.0;
 
@@ -112,5 +112,5 @@ TEST(GroundGrid, RefusesGroundOutOfReachAndVerticalLines) {
   EXPECT_THROW((void)on_ground(vertical, {0.0, 0.0, 0.0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace ground_grid_test
 }  // namespace sarsim::signal

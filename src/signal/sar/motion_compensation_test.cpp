@@ -9,7 +9,7 @@
 #include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace motion_compensation_test {
 
 using test::CutFigures;
 using Values = std::vector<std::complex<double>>;
@@ -258,5 +258,5 @@ TEST(DistanceFrom, IsThatOfTheWholeLine) {
   EXPECT_NEAR(distance_from({0.0, {1.0, 0.0, 0.0}, {}}, {1.0, 3.0, 4.0}), 5.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace motion_compensation_test
 }  // namespace sarsim::signal

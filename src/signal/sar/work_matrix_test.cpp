@@ -5,7 +5,7 @@
 #include <system_error>
 
 namespace sarsim::signal {
-namespace {
+namespace work_matrix_test {
 
 using Value = WorkMatrix::Value;
 
@@ -88,5 +88,5 @@ TEST(WorkCounter, TellsInRowsAndNeverMoreThanAll) {
   EXPECT_EQ(told, (std::vector<std::size_t>{1, 9, 10}));
 }
 
-}  // namespace
+}  // namespace work_matrix_test
 }  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace canceller_test {
 
 using Volts = std::vector<std::complex<float>>;
 
@@ -58,5 +58,5 @@ TEST(Canceller, RefusesPartsOfPulses) {
   EXPECT_THROW((void)cancelled(volts, 0, 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace canceller_test
 }  // namespace sarsim::signal

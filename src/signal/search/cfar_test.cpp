@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 namespace sarsim::signal {
-namespace {
+namespace cfar_test {
 
 using Kind = CfarOptions::Kind;
 const core::WorkControl one{1, nullptr};
@@ -340,5 +340,5 @@ TEST(DetectCfar, RefusesWhatMakesNoSense) {
   EXPECT_THROW((void)detect_cfar(map, 10, options, one), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace cfar_test
 }  // namespace sarsim::signal

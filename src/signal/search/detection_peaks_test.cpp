@@ -8,7 +8,7 @@
 #include "core/maths/window.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace detection_peaks_test {
 
 std::vector<CfarDetection> all_cells_of(std::span<const float> power, std::size_t columns, float above) {
   std::vector<CfarDetection> found;
@@ -79,5 +79,5 @@ TEST(PeakPlace, StaysWithinTheLine) {
   EXPECT_EQ(peak_place(std::vector<std::complex<float>>{3.0F}, 0), 0.0);
 }
 
-}  // namespace
+}  // namespace detection_peaks_test
 }  // namespace sarsim::signal

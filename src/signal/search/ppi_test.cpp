@@ -9,7 +9,7 @@
 #include "core/maths/constants.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace ppi_test {
 
 constexpr double degree = core::pi / 180.0;
 
@@ -141,5 +141,5 @@ TEST(PpiPicture, RefusesWhatMakesNoSense) {
   EXPECT_THROW(picture.paint({0.0, 0.0, 0.0, 7.0, ends, two}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace ppi_test
 }  // namespace sarsim::signal

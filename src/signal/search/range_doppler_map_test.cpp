@@ -14,7 +14,7 @@
 #include "signal/search/cfar.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace range_doppler_map_test {
 
 using Volts = std::vector<std::complex<float>>;
 
@@ -128,5 +128,5 @@ TEST(RangeDopplerMaps, RefuseWhatMakesNoSense) {
   EXPECT_THROW((void)range_doppler_maps(volts, 5, prf_hz, {4, 0, 0, {}}, {1, &stop}), core::Interrupted);
 }
 
-}  // namespace
+}  // namespace range_doppler_map_test
 }  // namespace sarsim::signal

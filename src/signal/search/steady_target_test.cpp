@@ -9,7 +9,7 @@
 #include "signal/search/cfar.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace steady_target_test {
 
 // Marcum's Q(a, b) by its definition, the integral of x exp(-(x^2 + a^2)/2) I0(a x) from b on.
 double marcum_q(double a, double b) {
@@ -136,5 +136,5 @@ TEST(SteadyTarget, IsFoundByTheDetectorsAsOftenAsTheFormulasSay) {
   }
 }
 
-}  // namespace
+}  // namespace steady_target_test
 }  // namespace sarsim::signal

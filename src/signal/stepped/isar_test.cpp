@@ -10,7 +10,7 @@
 #include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace isar_test {
 
 const core::WorkControl one{1, nullptr};
 constexpr double prf_hz = 500.0;
@@ -171,5 +171,5 @@ TEST(CrossRange, IsInfiniteWithoutTurning) {
   EXPECT_TRUE(std::isinf(cross_range_m_per_hz(t.echoes, t.poses)));
 }
 
-}  // namespace
+}  // namespace isar_test
 }  // namespace sarsim::signal

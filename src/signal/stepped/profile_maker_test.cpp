@@ -10,7 +10,7 @@
 #include "signal/stepped/stepped_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace profile_maker_test {
 
 using test::burst_echoes;
 using test::moving_point;
@@ -176,5 +176,5 @@ TEST(ProfileMaker, RefusesWhatMakesNoProfile) {
   EXPECT_THROW(ProfileMaker(band, {}, 3000.0, 3001.0, 0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace profile_maker_test
 }  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/maths/window.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace range_profile_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -126,5 +126,5 @@ TEST(RangeProfiler, OfOneStepIsTheSampleItself) {
   EXPECT_EQ(out, sums);
 }
 
-}  // namespace
+}  // namespace range_profile_test
 }  // namespace sarsim::signal

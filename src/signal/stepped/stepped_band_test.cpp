@@ -9,7 +9,7 @@
 #include "signal/stepped/stepped_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace stepped_band_test {
 
 using test::burst_echoes;
 using test::moving_point;
@@ -178,5 +178,5 @@ TEST(SteppedBand, RefusesWaveformsThatMakeNoBand) {
   refused([](SteppedWaveform& w) { w.subband_hz = 5e6; });
 }
 
-}  // namespace
+}  // namespace stepped_band_test
 }  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "signal/stepped/stepped_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace stepped_isar_test {
 
 using test::burst_echoes;
 
@@ -226,5 +226,5 @@ TEST(IsarEchoes, ThatContradictThemselvesAreRefused) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace stepped_isar_test
 }  // namespace sarsim::signal

@@ -9,7 +9,7 @@
 #include "core/maths/sinc.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace stepped_overlay_test {
 
 constexpr ImagePlace cell{1.0, 1.0};
 
@@ -88,5 +88,5 @@ TEST(ShiftUponImage, IsNoneOfAnEmptyImageOrWithoutPoints) {
   EXPECT_FALSE(shift_upon_image({}, four_points(), cell));
 }
 
-}  // namespace
+}  // namespace stepped_overlay_test
 }  // namespace sarsim::signal

@@ -11,7 +11,7 @@
 #include "signal/stepped/stepped_test_support.hpp"
 
 namespace sarsim::signal {
-namespace {
+namespace velocity_search_test {
 
 using test::burst_echoes;
 using test::moving_point;
@@ -147,5 +147,5 @@ TEST(ShiftOnto, IsByHowManyBinsAProfileIsEarlier) {
   EXPECT_THROW((void)shift_onto(here, {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace velocity_search_test
 }  // namespace sarsim::signal

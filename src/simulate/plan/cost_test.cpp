@@ -6,7 +6,7 @@
 // Estimates are held against each other: how long a machine takes is another matter on each, and on a busy one.
 
 namespace sarsim::simulate {
-namespace {
+namespace cost_test {
 
 // Chirps of 300 samples, 20 pulses, `count` targets around 1 km.
 scene::Scene scene_of(int count) {
@@ -82,5 +82,5 @@ TEST(Cost, LeavesOutBacksOfSurfaces) {
   EXPECT_GT(std::max(one_s, other_s), 20.0 * std::min(one_s, other_s));
 }
 
-}  // namespace
+}  // namespace cost_test
 }  // namespace sarsim::simulate

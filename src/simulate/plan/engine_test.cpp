@@ -8,7 +8,7 @@
 #include "simulate/run/run.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace engine_test {
 
 // A chirp of 20 us at 30 MHz, 3 km of window, 10 pulses, and `count` targets in a row.
 scene::Scene scene_with(int count, scene::Radar::Pulse pulse = scene::Radar::Pulse::chirp) {
@@ -122,5 +122,5 @@ TEST(SimdLevel, ChosenIsTheOneThatComputesHoweverOftenItIsLookedAt) {
   EXPECT_EQ(fast, samples());
 }
 
-}  // namespace
+}  // namespace engine_test
 }  // namespace sarsim::simulate

@@ -8,7 +8,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace jitter_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int pulses = 20'000;
@@ -143,5 +143,5 @@ TEST(Jitter, OfTwoTargetsIsIndependentAndFollowsTheSeed) {
   EXPECT_NE(views_of(scene, 0, 1)[0].distance_m, first[0].distance_m);
 }
 
-}  // namespace
+}  // namespace jitter_test
 }  // namespace sarsim::simulate

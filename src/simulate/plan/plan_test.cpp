@@ -9,7 +9,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace plan_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -280,5 +280,5 @@ TEST(Plan, OfManyTargetsIsGivenUpWhenAskedTo) {
   EXPECT_NO_THROW((void)make_plan(scene, 0, resolved, Engine::direct));
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace sarsim::simulate

@@ -11,7 +11,7 @@
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace point_groups_test {
 
 constexpr std::array methods{core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass};
 
@@ -373,5 +373,5 @@ TEST(FastEchoes, OfCurvesThatAreNotFiniteAreLookedUpOneByOne) {
   EXPECT_EQ(echoes.fast.amplitude_sqrt_w, echoes.plain.amplitude_sqrt_w);
 }
 
-}  // namespace
+}  // namespace point_groups_test
 }  // namespace sarsim::simulate

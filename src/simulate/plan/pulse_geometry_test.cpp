@@ -11,7 +11,7 @@
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace pulse_geometry_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -309,5 +309,5 @@ TEST(PulseGeometry, RefusesEchoesThatNoRecordingCanHold) {
   EXPECT_NE(impossible_echo(scene).message.find("too strong"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace pulse_geometry_test
 }  // namespace sarsim::simulate

@@ -5,7 +5,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace target_ranges_test {
 
 RangeExtent extent_of(const scene::Scene& scene, const radar::PulseRange& pulses,
                       const core::StopFlag* stop = nullptr) {
@@ -59,5 +59,5 @@ TEST(TargetRanges, EndWhenAskedTo) {
   EXPECT_THROW((void)extent_of(one_target_scene(), {0, 0}, &stop), core::Interrupted);
 }
 
-}  // namespace
+}  // namespace target_ranges_test
 }  // namespace sarsim::simulate

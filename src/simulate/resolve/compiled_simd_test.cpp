@@ -10,7 +10,7 @@
 #include "simulate/resolve/simd_level.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace compiled_simd_test {
 
 TEST(CompiledSimd, HoldsEveryLevelThatTheProcessorCanUseInTheSameOrder) {
   const std::vector<std::string> compiled = compiled_simd_levels();
@@ -33,5 +33,5 @@ TEST(CompiledSimd, LibraryHasAVersionOfThreeNumbers) {
   EXPECT_THAT(simd_library_version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
 }
 
-}  // namespace
+}  // namespace compiled_simd_test
 }  // namespace sarsim::simulate

@@ -10,7 +10,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace resolved_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -236,5 +236,5 @@ TEST(ResolveRadar, InterpolatesLowPassFunctionsByTheRuleOfTheProfile) {
   EXPECT_GT(std::abs(resolved_radar(radar, scene::Profile::classic).window(0.25) - 1.0), 0.05);
 }
 
-}  // namespace
+}  // namespace resolved_test
 }  // namespace sarsim::simulate

@@ -12,7 +12,7 @@
 #include "core/text/number_text.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace geometry_table_test {
 
 // Thesis A.3: two targets 8 m apart on a platform that leaves 300 m at 50 m/s, seen from the origin at 0.5 GHz, 1 kHz.
 scene::Scene moving_scene(double speed_mps = 50.0) {
@@ -262,5 +262,5 @@ TEST(GeometryTable, UnknownRadarIsRefused) {
   EXPECT_THROW(write_geometry_text(moving_scene(), table, [](std::string_view) {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace geometry_table_test
 }  // namespace sarsim::simulate

@@ -8,7 +8,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace invariance_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double c = core::exact_light_speed_mps;
@@ -151,5 +151,5 @@ TEST(Recording, BandLimitedPulsesAreSampledWhereTheClassicProfilesSamplesLie) {
   }
 }
 
-}  // namespace
+}  // namespace invariance_test
 }  // namespace sarsim::simulate

@@ -16,7 +16,7 @@
 #include "simulate/run/memory_sink.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace run_test {
 
 // Radar at the origin, one target on the x axis, one pulse at t = 0.
 scene::Scene one_target(double distance_m) {
@@ -245,5 +245,5 @@ TEST(Run, ExpectsRowsOfThePlanAndAnLsb) {
   EXPECT_THROW(static_cast<void>(lsb_of_maximum_v(1.0, 0)), core::BrokenExpectation);
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace sarsim::simulate

@@ -13,7 +13,7 @@
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace sampled_rows_test {
 
 using Samples = std::vector<std::complex<double>>;
 
@@ -160,5 +160,5 @@ TEST(RefinementOrder, EveryBeginningCoversTheWhole) {
   }
 }
 
-}  // namespace
+}  // namespace sampled_rows_test
 }  // namespace sarsim::simulate

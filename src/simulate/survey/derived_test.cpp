@@ -9,7 +9,7 @@
 #include "simulate/run/run.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace derived_test {
 
 constexpr double c = core::exact_light_speed_mps;
 
@@ -160,5 +160,5 @@ TEST(Derived, RangeLawStcScalesTheEstimate) {
   EXPECT_NEAR(f.largest_sum_v, plain_v * last_m * last_m, 1e-9 * f.largest_sum_v);
 }
 
-}  // namespace
+}  // namespace derived_test
 }  // namespace sarsim::simulate

@@ -9,7 +9,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
-namespace {
+namespace survey_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -344,5 +344,5 @@ TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
   EXPECT_EQ(survey_echoes(make_plan(scene, 0)).pulses_sampled, 1u);
 }
 
-}  // namespace
+}  // namespace survey_test
 }  // namespace sarsim::simulate

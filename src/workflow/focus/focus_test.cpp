@@ -15,7 +15,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace focus_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -154,5 +154,5 @@ TEST_F(FocusWorkflow, ARequestedStopLeavesNoFile) {
   EXPECT_EQ(folder_.entries(), 1U);
 }
 
-}  // namespace
+}  // namespace focus_test
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace moving_target_test {
 
 // Simulated, compressed and focused: a target that recedes from the track appears R u/v behind where it is
 // (R. K. Raney, IEEE Trans. AES-7, 1971).
@@ -26,5 +26,5 @@ TEST(MovingTarget, IsDisplacedByRangeTimesRecessionOverSpeedWithinATenthOfACell)
   }
 }
 
-}  // namespace
+}  // namespace moving_target_test
 }  // namespace sarsim::workflow

@@ -7,7 +7,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace recorded_gain_test {
 
 const signal::WindowFunction even = [](double) { return 1.0; };
 
@@ -71,5 +71,5 @@ TEST(RecordedGain, IsTheMeanOfTheReceiversGainOverTheEcho) {
   EXPECT_NEAR(gain.noise(delay_of_sample(plan, 10.0)) / (mean * mean), 1.0, 1e-4);
 }
 
-}  // namespace
+}  // namespace recorded_gain_test
 }  // namespace sarsim::workflow

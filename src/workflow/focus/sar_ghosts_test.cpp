@@ -7,7 +7,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace sar_ghosts_test {
 
 TEST(SarTargets, AreWhereAndAsStrongAsTheImageShowsThem) {
   const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}}));
@@ -148,5 +148,5 @@ TEST(SarTargets, EndWhenAskedTo) {
   EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, {.threads = 2, .stop = &stop}), core::Interrupted);
 }
 
-}  // namespace
+}  // namespace sar_ghosts_test
 }  // namespace sarsim::workflow

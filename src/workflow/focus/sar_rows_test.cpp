@@ -7,7 +7,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace sar_rows_test {
 
 TEST(SarRows, OfASceneFocusToTheRadarEquationAtTheTargetsPlace) {
   const core::Vec3 point{3.0, 17.0, 0.0};
@@ -156,5 +156,5 @@ TEST(ProblemsOfSar, RefuseOfRecordingsAloneWhatAScriptIsRecordedAnewWithout) {
   EXPECT_NE(first_problem(classic, true).find("the classic profile"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace sar_rows_test
 }  // namespace sarsim::workflow

@@ -9,7 +9,7 @@
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace sar_theory_test {
 
 void expect_like(const signal::ResponseFigures& found, const signal::ResponseFigures& theory) {
   EXPECT_NEAR(found.width, theory.width, 0.01 * theory.width);
@@ -184,5 +184,5 @@ TEST(TheoryOfTargets, IsTheSameForAnyNumberOfThreadsAndEndsWhenAskedTo) {
   EXPECT_THROW((void)theory_of_targets(*plan, rows, {}, false, {.threads = 2, .stop = &stop}), core::Interrupted);
 }
 
-}  // namespace
+}  // namespace sar_theory_test
 }  // namespace sarsim::workflow

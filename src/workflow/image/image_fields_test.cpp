@@ -5,7 +5,7 @@
 #include <string>
 
 namespace sarsim::workflow {
-namespace {
+namespace image_fields_test {
 
 std::string description_of(const std::string& algorithm, signal::ImagePlane plane) {
   signal::FocusedImage image;
@@ -31,5 +31,5 @@ TEST(HeaderOfImage, OfATurningTargetHasItsCrossRange) {
               std::string::npos);
 }
 
-}  // namespace
+}  // namespace image_fields_test
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::workflow {
-namespace {
+namespace output_names_test {
 
 namespace fs = std::filesystem;
 
@@ -140,5 +140,5 @@ TEST_F(OutputPlaces, HintsNameWhatTheCommandHas) {
   EXPECT_EQ(hint("OUT"), "replace it with --force, or name another file as OUT");
 }
 
-}  // namespace
+}  // namespace output_names_test
 }  // namespace sarsim::workflow

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::workflow {
-namespace {
+namespace part_choice_test {
 
 PartChoice share_choice(std::int64_t number, std::int64_t count) {
   PartChoice choice;
@@ -64,5 +64,5 @@ TEST(PartChoice, ReadsSharesAndRangesOfPulses) {
   for (const char* text : {"", "5", "0:3", "4:3", "a:3", "1:b"}) EXPECT_FALSE(span_from(text));
 }
 
-}  // namespace
+}  // namespace part_choice_test
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 #include "core/report/refused.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace products_test {
 
 scene::Scene three_products() {
   scene::Scene scene;
@@ -63,5 +63,5 @@ TEST(Products, WordsThatChooseNothingAreRefusedWithTheNearestName) {
     EXPECT_THROW((void)chosen({word}), core::Refused) << word;
 }
 
-}  // namespace
+}  // namespace products_test
 }  // namespace sarsim::workflow

@@ -12,7 +12,7 @@
 #include "workflow/record/merge.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace record_test {
 
 namespace fs = std::filesystem;
 
@@ -122,5 +122,5 @@ TEST_F(Record, MergedPartsAreTheFileOfASingleRun) {
   EXPECT_EQ(bytes_of("sim.bin"), whole);
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace sarsim::workflow

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::workflow {
-namespace {
+namespace row_trial_test {
 
 // A clock that only work moves.
 struct Machine {
@@ -94,5 +94,5 @@ TEST(InfoTrial, PassesOnWhatARowFailsWith) {
   }
 }
 
-}  // namespace
+}  // namespace row_trial_test
 }  // namespace sarsim::workflow

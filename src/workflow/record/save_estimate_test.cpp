@@ -6,7 +6,7 @@
 #include "simulate/plan/flight_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace save_estimate_test {
 
 simulate::Plan plan_of(double lsb_v, scene::FileFormat format = scene::FileFormat::hdf5) {
   scene::Scene scene = simulate::flight_scene();
@@ -74,5 +74,5 @@ TEST(SaveEstimate, KeepsTheLsbThatIsSetAndAdmitsWhenNoneIsKnown) {
   EXPECT_NE(text_of(unknown).find("LSB unknown"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace save_estimate_test
 }  // namespace sarsim::workflow

@@ -8,7 +8,7 @@
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace pulse_rows_test {
 
 std::vector<std::complex<float>> row_of(const PulseRows& rows, std::size_t pulse) {
   std::vector<std::complex<float>> row(rows.samples());
@@ -99,5 +99,5 @@ TEST(PulseRows, RefuseWhatHoldsNone) {
   EXPECT_THROW((void)pulse_rows_of_recording(plan, {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace pulse_rows_test
 }  // namespace sarsim::workflow

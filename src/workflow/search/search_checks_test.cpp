@@ -5,7 +5,7 @@
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace search_checks_test {
 
 simulate::Plan plan_of(scene::Scene scene) {
   scene.simulations[0] = compressed_simulation(scene.simulations[0]);
@@ -191,5 +191,5 @@ TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
       mentions(remarks_on_search(simulate::make_plan(scene, 0), train_of(64)), core::Severity::warning, "of the end"));
 }
 
-}  // namespace
+}  // namespace search_checks_test
 }  // namespace sarsim::workflow

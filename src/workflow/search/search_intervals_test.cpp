@@ -9,7 +9,7 @@
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace search_intervals_test {
 
 const double wavelength_m = core::exact_light_speed_mps / 10e9;
 
@@ -221,5 +221,5 @@ TEST(SearchIntervals, EndWhenAskedTo) {
   EXPECT_THROW(each_interval(rows, options, {}, {}, [](const SearchInterval&) {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace search_intervals_test
 }  // namespace sarsim::workflow

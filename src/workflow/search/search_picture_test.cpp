@@ -9,7 +9,7 @@
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace search_picture_test {
 
 // A beam of 4 degrees that turns once in 1000 pulses, on a platform at a height, over one target on the ground.
 scene::Scene turning_scene(double height_m, const core::Vec3& target_m, double turns = 1.0) {
@@ -135,5 +135,5 @@ TEST(GroundRange, IsThatOfPythagoras) {
   EXPECT_EQ(ground_range_m(2000.0, 3000.0), 0.0);
 }
 
-}  // namespace
+}  // namespace search_picture_test
 }  // namespace sarsim::workflow

@@ -13,7 +13,7 @@
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace search_targets_test {
 
 const double wavelength_m = core::exact_light_speed_mps / 10e9;
 
@@ -367,5 +367,5 @@ TEST(DetectorOf, KnowsWhatCorrelatedCellsAreWorth) {
   EXPECT_NEAR(detector_of(rows, options).independence, alone / (1.0 + 8.0 / 9.0 + 2.0 / 36.0), 3e-3);
 }
 
-}  // namespace
+}  // namespace search_targets_test
 }  // namespace sarsim::workflow

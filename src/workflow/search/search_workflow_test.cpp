@@ -15,7 +15,7 @@
 
 // The workflows of pulses as a program without a command line calls them.
 namespace sarsim::workflow {
-namespace {
+namespace search_workflow_test {
 
 using test::TestFolder;
 using testing::HasSubstr;
@@ -190,5 +190,5 @@ TEST(CellsFromText, AreOfRangeAndBehindAColonOfDoppler) {
   for (const char* text : {"", "many", "2:-1", ":3", "3:", "100001"}) EXPECT_FALSE(cells_from_text(text)) << text;
 }
 
-}  // namespace
+}  // namespace search_workflow_test
 }  // namespace sarsim::workflow

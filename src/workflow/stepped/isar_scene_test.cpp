@@ -6,7 +6,7 @@
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace isar_scene_test {
 
 using testing::HasSubstr;
 
@@ -167,5 +167,5 @@ TEST(IsarImage, SaysWhatStandsAgainstIt) {
   EXPECT_THROW((void)make_isar_image(resting_rows, 0, 3, options_for(resting_rows), two), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace isar_scene_test
 }  // namespace sarsim::workflow

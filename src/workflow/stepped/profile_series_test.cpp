@@ -7,7 +7,7 @@
 #include "workflow/stepped/stepped_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace profile_series_test {
 
 constexpr double c = core::exact_light_speed_mps;
 
@@ -69,5 +69,5 @@ TEST(ShownRanges, AreNoneWhereNoChirpIsRecordedByHalf) {
   EXPECT_LT(shown.to_m, shown.from_m);
 }
 
-}  // namespace
+}  // namespace profile_series_test
 }  // namespace sarsim::workflow

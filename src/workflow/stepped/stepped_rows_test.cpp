@@ -9,7 +9,7 @@
 #include "workflow/stepped/stepped_test_scene.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace stepped_rows_test {
 
 using testing::HasSubstr;
 
@@ -351,5 +351,5 @@ TEST(PlatformOfTargets, CarriesTheStrongestAndIsNotTheRadars) {
   EXPECT_EQ(platform_of_targets(*rows_of(scene).plan), 1u);
 }
 
-}  // namespace
+}  // namespace stepped_rows_test
 }  // namespace sarsim::workflow

@@ -16,7 +16,7 @@
 
 // The workflows of stepped carriers as a program without a command line calls them.
 namespace sarsim::workflow {
-namespace {
+namespace stepped_workflow_test {
 
 using test::TestFolder;
 using testing::HasSubstr;
@@ -178,5 +178,5 @@ TEST_F(SteppedWorkflow, IsarRefusesBeforeAnythingIsWritten) {
   EXPECT_EQ(folder_.entries(), 1U);
 }
 
-}  // namespace
+}  // namespace stepped_workflow_test
 }  // namespace sarsim::workflow

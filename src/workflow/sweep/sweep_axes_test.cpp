@@ -7,7 +7,7 @@
 #include "core/report/refused.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace sweep_axes_test {
 
 using testing::HasSubstr;
 
@@ -146,5 +146,5 @@ TEST(SweepAxes, TablesHoldBaseUnits) {
   EXPECT_EQ(sweep.axes()[1].table_text(0), "Raw");
 }
 
-}  // namespace
+}  // namespace sweep_axes_test
 }  // namespace sarsim::workflow

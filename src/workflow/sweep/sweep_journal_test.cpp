@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace sarsim::workflow {
-namespace {
+namespace sweep_journal_test {
 
 namespace fs = std::filesystem;
 
@@ -116,5 +116,5 @@ TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {
   EXPECT_TRUE(read_journals(folder_ / "none", "sweep").empty());
 }
 
-}  // namespace
+}  // namespace sweep_journal_test
 }  // namespace sarsim::workflow

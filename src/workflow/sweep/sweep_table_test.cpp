@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace sarsim::workflow {
-namespace {
+namespace sweep_table_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -82,5 +82,5 @@ TEST_F(SweepTable, AsJsonHoldsValuesAsTypedAndInBaseUnits) {
   EXPECT_THAT(json, HasSubstr("\"variations\": 4"));
 }
 
-}  // namespace
+}  // namespace sweep_table_test
 }  // namespace sarsim::workflow

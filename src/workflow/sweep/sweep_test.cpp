@@ -12,7 +12,7 @@
 #include "support/test_folder.hpp"
 
 namespace sarsim::workflow {
-namespace {
+namespace sweep_test {
 
 namespace fs = std::filesystem;
 
@@ -175,5 +175,5 @@ TEST(SweepWorkflow, DealsVariationsOutToParts) {
   EXPECT_EQ(report.table.filename(), "sweep-2-of-3.csv");
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace sarsim::workflow

@@ -7,7 +7,7 @@
 #include "workflow/verify/svg.hpp"
 
 namespace sarsim::workflow::verify {
-namespace {
+namespace page_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -67,5 +67,5 @@ TEST(VerifySvg, PutsTicksAtRoundNumbers) {
   for (const char* tick : {">0<", ">2<", ">8<", ">1e-08<", ">100<"}) EXPECT_THAT(svg, HasSubstr(tick)) << tick;
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace sarsim::workflow::verify

@@ -9,7 +9,7 @@
 #include "workflow/verify/page.hpp"
 
 namespace sarsim::workflow::verify {
-namespace {
+namespace record_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -72,5 +72,5 @@ TEST(VerifyAll, QuicklyMeasuresEveryGroupButSpeed) {
             (std::vector<std::string>{"Closed forms", "Numbers of the thesis", "Engines", "Statistics", "Focusing"}));
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace sarsim::workflow::verify

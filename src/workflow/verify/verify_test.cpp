@@ -10,7 +10,7 @@
 #include "core/report/refused.hpp"
 
 namespace sarsim::workflow::verify {
-namespace {
+namespace verify_test {
 
 namespace fs = std::filesystem;
 
@@ -32,5 +32,5 @@ TEST(VerifyWorkflow, StopsWhereItIsAskedToAndLeavesNoPage) {
   EXPECT_FALSE(fs::exists(page));
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace sarsim::workflow::verify
