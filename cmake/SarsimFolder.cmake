@@ -112,7 +112,7 @@ endfunction()
 option(SARSIM_COMPILE_TOGETHER "Compile the sources of a room in few translation units; off to find a forgotten #include" ON)
 
 # Compiles the sources of each room together, at most `most` in one translation unit: what they include is then compiled once
-# for all of them. Highway's foreach_target.h can stand in one source of a translation unit only.
+# for all of them. Alone stay sources with #undef, and those with Highway's foreach_target.h, which can stand once only.
 function(sarsim_compile_together target most)
   if(NOT SARSIM_COMPILE_TOGETHER)
     return()
@@ -121,8 +121,8 @@ function(sarsim_compile_together target most)
   set(last "")
   foreach(source IN LISTS sources)
     get_filename_component(source ${source} ABSOLUTE)
-    file(STRINGS ${source} vectors REGEX "foreach_target" LIMIT_COUNT 1)
-    if(vectors)
+    file(STRINGS ${source} alone REGEX "foreach_target|^#undef" LIMIT_COUNT 1)
+    if(alone)
       continue()
     endif()
     get_filename_component(room ${source} DIRECTORY)

@@ -120,6 +120,14 @@ class Layers(unittest.TestCase):
             ],
         )
 
+    def test_a_room_of_too_many_units_is_found(self):
+        cmake = "sarsim_folder(scene ROOMS model)\n"
+        files = {f"scene/model/a{i}.cpp": "" for i in range(40)} | {"scene/model/a1.hpp": "#pragma once\n"}
+        tests = {f"scene/model/a{i}_test.cpp": "" for i in range(9)}
+        self.assertEqual(check("check-layers", {"CMakeLists.txt": cmake, **files, **tests})[0], 0)
+        found = self.lines({**files, "scene/model/b.cpp": ""}, cmake)
+        self.assertEqual(found, ["scene/model:1: the room has 41 units, more than 40"])
+
     def test_a_room_that_uses_a_later_one_is_found(self):
         found = self.lines({}, 'sarsim_folder(scene ROOMS "model: check" "check: model")\n')
         self.assertEqual(found, ["CMakeLists.txt:1: scene/model uses check, which is not declared before it"])
