@@ -393,6 +393,7 @@ void OpenImageDialog::begin_preview() {
     if (!finding_.busy()) show_picture({}, path_->text().isEmpty() ? tr("Preview") : tr("No preview"));
     return;
   }
+  problems_->clear();
   shown_ = std::make_shared<FilePreview>();
   previewing_.run(
       [file = std::filesystem::path(path_->text().toStdString()), hints = hints(), into = shown_](
