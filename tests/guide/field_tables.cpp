@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/schema/kinds.hpp"
+#include "scene/model/kinds.hpp"
 #include "scene/script/order.hpp"
 
 namespace sarsim::scene {
@@ -147,7 +147,7 @@ void print_all() {
   for (const auto& method : script::interpolations) fmt::print("word {}\n", method.word);
   for (const auto& source : script::data_sources) fmt::print("word {}\n", source.word);
   for_each_kind([](const auto& kind) {
-    for (const auto& field : kind.table().fields()) print_language(field.spec);
+    for (const auto& field : scene::table_of(kind).fields()) print_language(field.spec);
   });
   for (const auto& field : table_of<RunOptions>().fields()) {
     fmt::print("word {}\n", script::option_key(field.spec));

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "random_scenes/scene_maker.hpp"
-#include "scene/schema/kinds.hpp"
+#include "scene/model/object.hpp"
 #include "scene/script/order.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
@@ -50,7 +50,7 @@ FieldCover::FieldCover() {
         if (!choice.word.empty()) keywords_[{kind, std::string(choice.word)}] = 0;
     }
   };
-  scene::for_each_kind([&](const auto& kind) { add(std::string(kind.name()), kind.table()); });
+  scene::for_each_kind([&](const auto& kind) { add(std::string(kind.name), scene::table_of(kind)); });
   add("options", scene::table_of<scene::RunOptions>());
   for (const auto& option : scene::table_of<scene::RunOptions>().fields())
     keywords_[{"options", scene::script::option_key(option.spec)}] = 0;

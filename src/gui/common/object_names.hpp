@@ -6,11 +6,6 @@
 
 namespace sarsim::gui {
 
-/// True for the kinds that have names: platforms and radars.
-[[nodiscard]] inline bool has_name(scene::ObjectKind kind) {
-  return kind == scene::ObjectKind::platform || kind == scene::ObjectKind::radar;
-}
-
 /// The name of a platform or radar; empty for others.
 [[nodiscard]] inline std::string name_of_object(const scene::Scene& scene, scene::ObjectId id) {
   if (!scene::has_object(scene, id)) return {};

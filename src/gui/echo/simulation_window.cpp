@@ -248,10 +248,9 @@ void SimulationWindow::connect_all() {
 
 // Recordings and tables make no echoes, nor do comments of the script.
 void SimulationWindow::follow_scene(const scene::SceneChange& change) {
-  const bool other_echoes =
-      change.options || std::ranges::any_of(std::array{scene::ObjectKind::platform, scene::ObjectKind::target,
-                                                       scene::ObjectKind::surface, scene::ObjectKind::radar},
-                                            [&](scene::ObjectKind kind) { return change.concerns(kind); });
+  const bool other_echoes = change.options || std::ranges::any_of(scene::all_object_kinds, [&](scene::ObjectKind kind) {
+                              return !scene::belongs_to_radar(kind) && change.concerns(kind);
+                            });
   if (!other_echoes) return;
   follow_radar(change);
   scene_ = session_.shared_scene();

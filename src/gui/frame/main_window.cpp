@@ -36,6 +36,7 @@
 #include "gui/scene/time_bar.hpp"
 #include "gui/script/script_editor.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/model/object_lists.hpp"
 
 namespace sarsim::gui {
 
@@ -213,10 +214,8 @@ void MainWindow::add_new(scene::AnyObject object) {
     const std::string carrier = current->kind == scene::ObjectKind::platform
                                     ? session_.scene().platforms[current->index].name
                                     : scene::carrier_of(session_.scene(), *current);
-    const bool carried = current->kind <= scene::ObjectKind::radar && !carrier.empty();
-    if (auto* target = std::get_if<scene::Target>(&object); target && carried) target->platform = carrier;
-    if (auto* surface = std::get_if<scene::Surface>(&object); surface && carried) surface->platform = carrier;
-    if (auto* radar = std::get_if<scene::Radar>(&object); radar && carried) radar->platform = carrier;
+    const bool carried = !scene::belongs_to_radar(current->kind) && !carrier.empty();
+    if (carried && scene::stands_on_platform(kind)) *scene::carrier_in(object) = carrier;
   }
   session_.perform(scene::add_object(session_.scene(), std::move(object)));
   edit_object({kind, scene::count_of(session_.scene(), kind) - 1});

@@ -49,19 +49,11 @@ bool complain(const QString& text) {
   return false;
 }
 
-std::optional<scene::ObjectKind> kind_called(const QString& name) {
-  for (const scene::ObjectKind kind :
-       {scene::ObjectKind::platform, scene::ObjectKind::target, scene::ObjectKind::surface, scene::ObjectKind::radar,
-        scene::ObjectKind::simulation, scene::ObjectKind::geometry})
-    if (name.compare(QLatin1String(scene::name_of(kind).data()), Qt::CaseInsensitive) == 0) return kind;
-  return std::nullopt;
-}
-
 bool select_objects(MainWindow& main, const QStringList& texts) {
   std::set<scene::ObjectId> ids;
   for (const QString& text : texts) {
     const QStringList parts = text.split(':');
-    const auto kind = kind_called(parts.first());
+    const auto kind = scene::kind_called(parts.first().toStdString());
     const std::size_t number = parts.size() == 2 ? parts[1].toULongLong() : 0;
     if (!kind || number == 0 || !scene::has_object(main.session().scene(), {*kind, number - 1}))
       return complain(QStringLiteral("no object '%1'; the first radar is radar:1").arg(text));

@@ -117,7 +117,7 @@ void ObjectTree::connect_all() {
 }
 
 void ObjectTree::request_edit(const QModelIndex& index) {
-  if (const auto id = model_->object_at(index); id && !has_name(id->kind)) emit edit_requested(*id);
+  if (const auto id = model_->object_at(index); id && !scene::is_named(id->kind)) emit edit_requested(*id);
 }
 
 // The user selected something here.
@@ -219,7 +219,7 @@ void ObjectTree::duplicate_selection() {
 
 void ObjectTree::rename_current() {
   const auto current = session_.current();
-  if (!current || !has_name(current->kind)) return;
+  if (!current || !scene::is_named(current->kind)) return;
   const QModelIndex index = model_->index_of(*current);
   if (!index.isValid()) return;
   view_->setCurrentIndex(index);
@@ -264,7 +264,7 @@ std::unique_ptr<QMenu> ObjectTree::context_menu() {
   add("tree_delete", tr("&Delete"), QKeySequence(Qt::Key_Delete), any, [this] { delete_selection(); });
   menu->addSeparator();
   add("tree_duplicate", tr("D&uplicate"), QKeySequence(Qt::CTRL | Qt::Key_D), any, [this] { duplicate_selection(); });
-  add("tree_rename", tr("&Rename"), QKeySequence(Qt::Key_F2), current && has_name(current->kind),
+  add("tree_rename", tr("&Rename"), QKeySequence(Qt::Key_F2), current && scene::is_named(current->kind),
       [this] { rename_current(); });
   const bool all_hidden =
       any && std::ranges::all_of(selection, [this](scene::ObjectId id) { return session_.hidden().contains(id); });

@@ -14,10 +14,6 @@ namespace {
 
 constexpr const char* objects_type = "application/x-sarsim-objects";
 
-bool stands_on_platform(scene::ObjectKind kind) {
-  return kind == scene::ObjectKind::target || kind == scene::ObjectKind::surface || kind == scene::ObjectKind::radar;
-}
-
 }  // namespace
 
 QStringList ObjectTreeModel::mimeTypes() const { return {objects_type}; }
@@ -27,7 +23,7 @@ QMimeData* ObjectTreeModel::mimeData(const QModelIndexList& indexes) const {
   QDataStream stream(&bytes, QIODevice::WriteOnly);
   for (const QModelIndex& index : indexes) {
     const auto id = object_at(index);
-    if (id && index.column() == name_column && stands_on_platform(id->kind))
+    if (id && index.column() == name_column && scene::stands_on_platform(id->kind))
       stream << static_cast<qint32>(id->kind) << static_cast<quint64>(id->index);
   }
   if (bytes.isEmpty()) return nullptr;
@@ -47,9 +43,8 @@ std::vector<scene::ObjectId> ObjectTreeModel::dragged(const QMimeData* data) con
     stream >> kind >> index;
     const scene::ObjectId id{static_cast<scene::ObjectKind>(kind), static_cast<std::size_t>(index)};
     // From another window the numbers may mean nothing here.
-    const bool known =
-        stream.status() == QDataStream::Ok && kind >= 0 && kind <= static_cast<int>(scene::ObjectKind::geometry);
-    if (!known || !stands_on_platform(id.kind) || !scene::has_object(session_.scene(), id)) return {};
+    const bool known = stream.status() == QDataStream::Ok && kind >= 0 && kind < static_cast<qint32>(scene::kind_count);
+    if (!known || !scene::stands_on_platform(id.kind) || !scene::has_object(session_.scene(), id)) return {};
     ids.push_back(id);
   }
   return ids;

@@ -19,17 +19,7 @@ namespace sarsim::gui {
 
 namespace {
 
-bool can_be_hidden(scene::ObjectKind kind) {
-  return kind != scene::ObjectKind::simulation && kind != scene::ObjectKind::geometry;
-}
-
-std::optional<scene::ObjectKind> kind_named(std::string_view name) {
-  for (const scene::ObjectKind kind :
-       {scene::ObjectKind::platform, scene::ObjectKind::target, scene::ObjectKind::surface, scene::ObjectKind::radar,
-        scene::ObjectKind::simulation, scene::ObjectKind::geometry})
-    if (name == scene::name_of(kind)) return kind;
-  return std::nullopt;
-}
+bool can_be_hidden(scene::ObjectKind kind) { return !scene::belongs_to_radar(kind); }
 
 }  // namespace
 
@@ -94,8 +84,9 @@ std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
     }
   };
   place(scene::ObjectKind::radar, scene.radars);
-  place(scene::ObjectKind::target, scene.targets);
-  place(scene::ObjectKind::surface, scene.surfaces);
+  scene::for_each_kind([&](const auto& kind) {
+    if constexpr (kind.stands_on_platform && !kind.is_named) place(kind.kind, scene.*kind.list);
+  });
   if (world.children.empty()) groups.pop_back();
   const auto add_section = [&](Section section, scene::ObjectKind kind, const QString& key) {
     Group group{section, 0, {}, key};
@@ -138,7 +129,7 @@ void ObjectTreeModel::index_rows() {
 bool ObjectTreeModel::read_problems() {
   const std::map<scene::ObjectId, Trouble> before = std::exchange(troubles_, {});
   for (const core::Problem& problem : session_.problems()) {
-    const auto kind = kind_named(problem.subject.kind);
+    const auto kind = scene::kind_called(problem.subject.kind);
     if (!kind || problem.severity == core::Severity::note) continue;
     const auto [entry, is_new] = troubles_.try_emplace({*kind, problem.subject.index});
     Trouble& trouble = entry->second;
@@ -308,7 +299,7 @@ Qt::ItemFlags ObjectTreeModel::flags(const QModelIndex& index) const {
   if (!id) return flags;
   flags |= Qt::ItemIsSelectable;
   if (index.column() == shown_column) return can_be_hidden(id->kind) ? flags | Qt::ItemIsUserCheckable : flags;
-  if (has_name(id->kind)) flags |= Qt::ItemIsEditable;
+  if (scene::is_named(id->kind)) flags |= Qt::ItemIsEditable;
   if (can_be_hidden(id->kind) && id->kind != scene::ObjectKind::platform) flags |= Qt::ItemIsDragEnabled;
   return flags;
 }
@@ -321,7 +312,7 @@ bool ObjectTreeModel::setData(const QModelIndex& index, const QVariant& value, i
     session_.set_hidden({ids.begin(), ids.end()}, value.toInt() == Qt::Unchecked);
     return true;
   }
-  if (role != Qt::EditRole || index.column() != name_column || !has_name(id->kind)) return false;
+  if (role != Qt::EditRole || index.column() != name_column || !scene::is_named(id->kind)) return false;
   const std::string name = value.toString().toStdString();
   if (name == name_of_object(session_.scene(), *id)) return true;
   if (const std::string why = scene::name_objection(session_.scene(), *id, name); !why.empty()) {

@@ -48,7 +48,7 @@ std::string PanelSubject::title(const scene::Scene& scene) const {
   if (!kind_) return "Options of the script";
   if (!single()) return fmt::format("{} {}", ids_.size(), words_of(*kind_, ids_.size()));
   std::string label = scene::label_of(scene, ids_.front());
-  if (*kind_ == scene::ObjectKind::target || *kind_ == scene::ObjectKind::surface) return label;
+  if (scene::reflects(*kind_)) return label;
   std::string word = words_of(*kind_, 1);
   word[0] = static_cast<char>(word[0] - 'a' + 'A');
   return word + " " + label;
@@ -89,7 +89,7 @@ FieldChange PanelSubject::change(const scene::Scene& scene, const scene::Field& 
     change.edit.merge_key = merge_key;
     return change;
   }
-  if (has_name(*kind_) && field.id == "name") {
+  if (scene::is_named(*kind_) && field.id == "name") {
     change.failure =
         single() ? scene::name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
     if (change.failure.empty()) change.edit = scene::rename_object(scene, ids_.front(), text);

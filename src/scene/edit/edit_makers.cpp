@@ -31,16 +31,16 @@ std::set<ObjectId> with_dependents(const Scene& scene, const std::vector<ObjectI
     all.insert(standing.begin(), standing.end());
   }
   SceneIndex names(scene);
-  const auto add_recordings = [&](ObjectKind kind, const auto& list) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (const std::size_t radar = names.radar(list[i].radar);
-          radar != not_found && all.contains({ObjectKind::radar, radar}))
-        all.insert({kind, i});
+  const auto add_recordings = [&]<class Object>(const Kind<Object>& kind) {
+    if constexpr (Kind<Object>::belongs_to_radar) {
+      const std::vector<Object>& list = scene.*kind.list;
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (const std::size_t radar = names.radar(list[i].radar);
+            radar != not_found && all.contains({ObjectKind::radar, radar}))
+          all.insert({kind.kind, i});
+    }
   };
-  if (with_recordings) {
-    add_recordings(ObjectKind::simulation, scene.simulations);
-    add_recordings(ObjectKind::geometry, scene.geometries);
-  }
+  if (with_recordings) for_each_kind(add_recordings);
   return all;
 }
 

@@ -104,10 +104,10 @@ void keep_in_list(const std::vector<Object>& list, ObjectKind kind, const Names&
 
 std::vector<std::string> names_of(const Scene& scene, ObjectKind kind) {
   std::vector<std::string> names;
-  if (kind == ObjectKind::platform)
-    for (const Platform& platform : scene.platforms) names.push_back(platform.name);
-  if (kind == ObjectKind::radar)
-    for (const Radar& radar : scene.radars) names.push_back(radar.name);
+  visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& list) {
+    if constexpr (Kind<Object>::is_named)
+      for (const Object& object : list) names.push_back(object.name);
+  });
   return names;
 }
 
@@ -126,8 +126,10 @@ std::string free_file_name(const std::vector<std::string>& taken, const std::str
 
 std::vector<std::string> file_names_of(const Scene& scene) {
   std::vector<std::string> files;
-  for (const Simulation& simulation : scene.simulations) files.push_back(simulation.file);
-  for (const GeometryTable& table : scene.geometries) files.push_back(table.file);
+  for_each_kind([&]<class Object>(const Kind<Object>& kind) {
+    if constexpr (Kind<Object>::belongs_to_radar)
+      for (const Object& object : scene.*kind.list) files.push_back(object.file);
+  });
   return files;
 }
 
@@ -136,20 +138,20 @@ void keep_references(const Scene& scene, Edit& edit) {
   bool of_named = false;
   for (const ObjectChange& change : edit.changes) {
     if (change.before) touched.insert(change.id);
-    of_named = of_named || change.id.kind == ObjectKind::platform || change.id.kind == ObjectKind::radar;
+    of_named = of_named || is_named(change.id.kind);
   }
   if (!of_named) return;
   const Names platforms = names_around(scene, edit, ObjectKind::platform);
   const Names radars = names_around(scene, edit, ObjectKind::radar);
-  if (!(platforms.before == platforms.after)) {
-    keep_in_list(scene.targets, ObjectKind::target, platforms, touched, edit);
-    keep_in_list(scene.surfaces, ObjectKind::surface, platforms, touched, edit);
-    keep_in_list(scene.radars, ObjectKind::radar, platforms, touched, edit);
-  }
-  if (!(radars.before == radars.after)) {
-    keep_in_list(scene.simulations, ObjectKind::simulation, radars, touched, edit);
-    keep_in_list(scene.geometries, ObjectKind::geometry, radars, touched, edit);
-  }
+  const bool other_platforms = !(platforms.before == platforms.after);
+  const bool other_radars = !(radars.before == radars.after);
+  for_each_kind([&]<class Object>(const Kind<Object>& kind) {
+    if constexpr (Kind<Object>::stands_on_platform) {
+      if (other_platforms) keep_in_list(scene.*kind.list, kind.kind, platforms, touched, edit);
+    } else if constexpr (Kind<Object>::belongs_to_radar) {
+      if (other_radars) keep_in_list(scene.*kind.list, kind.kind, radars, touched, edit);
+    }
+  });
 }
 
 }  // namespace sarsim::scene

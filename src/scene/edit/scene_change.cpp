@@ -100,8 +100,8 @@ class ListStory {
     change.out->visit([&]<class Object>(const Object& before) {
       const Object* const after = change.in->get_if<Object>();
       if (after == nullptr) return;
-      if constexpr (has_name<Object>) object.name = before.name != after->name;
-      if constexpr (stands_on_platform<Object> || belongs_to_radar<Object>)
+      if constexpr (Kind<Object>::is_named) object.name = before.name != after->name;
+      if constexpr (Kind<Object>::stands_on_platform || Kind<Object>::belongs_to_radar)
         object.carrier = *carrier_member(before) != *carrier_member(*after);
     });
     return object;

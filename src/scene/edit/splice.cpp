@@ -22,10 +22,6 @@ struct Entry {
   TextStretch in_change;
 };
 
-// The kinds in the order of the writer.
-constexpr std::array writer_order{ObjectKind::platform, ObjectKind::surface,    ObjectKind::target,
-                                  ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
-
 // Places at which new commands can come.
 struct Gap {
   std::size_t at = 0;
@@ -49,7 +45,7 @@ class Splicer {
       rest = rest.subspan(count);
     }
     for (const TextStretch at : removed_) remove(at);
-    for (const ObjectKind kind : writer_order) write_list(kind);
+    for (const ObjectKind kind : written_object_kinds) write_list(kind);
     if (edit.options_before && edit.options_after && *edit.options_before != *edit.options_after)
       write_options(*edit.options_before, *edit.options_after);
     return finish();
@@ -170,10 +166,10 @@ class Splicer {
   // Where the writer would begin a list: behind the last kind before it that has commands, else before the first one
   // after it, else at the end.
   [[nodiscard]] Gap gap_by_kind(ObjectKind kind) {
-    const auto place = std::ranges::find(writer_order, kind);
-    for (auto lower = place; lower != writer_order.begin();)
+    const auto place = std::ranges::find(written_object_kinds, kind);
+    for (auto lower = place; lower != written_object_kinds.begin();)
       if (const auto last = last_standing(*--lower)) return {last->end, true, true};
-    for (auto higher = place; higher != writer_order.end(); ++higher)
+    for (auto higher = place; higher != written_object_kinds.end(); ++higher)
       for (const Entry& entry : list(*higher))
         if (entry.stands) return {lead_begin(text_, entry.stands->begin), false, true};
     return at_end();
@@ -207,7 +203,7 @@ class Splicer {
     options_.clear();
     if (text.empty()) return;
     Gap gap = at_end();
-    for (const ObjectKind kind : writer_order)
+    for (const ObjectKind kind : written_object_kinds)
       if (const auto last = last_standing(kind)) gap = {last->end, true, true};
     std::string block = opening(gap);
     new_options_ = Entry{};

@@ -44,14 +44,15 @@ void visit_tokens(std::string_view text, Visit visit) {
 
 // The list of CommandPlaces that a command word belongs to; its size for an unknown word.
 std::size_t slot_of(std::string_view word) {
-  constexpr std::array<std::size_t, script::command_words.size()> slots{
-      static_cast<std::size_t>(ObjectKind::target),
-      static_cast<std::size_t>(ObjectKind::platform),
-      static_cast<std::size_t>(ObjectKind::radar),
-      static_cast<std::size_t>(ObjectKind::simulation),
-      static_cast<std::size_t>(ObjectKind::surface),
-      static_cast<std::size_t>(ObjectKind::geometry),
-      CommandPlaces::options};
+  static constexpr auto slots = [] {
+    std::array<std::size_t, script::command_words.size()> made{};
+    made.fill(CommandPlaces::options);
+    for_each_kind([&](const auto& kind) {
+      made[static_cast<std::size_t>(std::ranges::find(script::command_words, kind.command) -
+                                    script::command_words.begin())] = static_cast<std::size_t>(kind.kind);
+    });
+    return made;
+  }();
   for (std::size_t i = 0; i < slots.size(); ++i)
     if (script::command_matches(word, script::command_words[i])) return slots[i];
   return slots.size();

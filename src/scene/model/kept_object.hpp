@@ -75,10 +75,7 @@ class KeptObject {
     kept_ = std::make_shared<const Object>(std::move(object));
   }
 
-  std::variant<std::monostate, std::shared_ptr<const Platform>, std::shared_ptr<const Target>,
-               std::shared_ptr<const Surface>, std::shared_ptr<const Radar>, std::shared_ptr<const Simulation>,
-               std::shared_ptr<const GeometryTable>>
-      kept_;
+  decltype(detail::kept_of_kinds(kinds)) kept_;
 };
 
 }  // namespace sarsim::scene

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
 #include "scene/model/scene_index.hpp"
 
@@ -9,30 +10,20 @@ namespace sarsim::scene {
 
 namespace {
 
-std::string or_number(const std::string& text, const char* kind, std::size_t index) {
-  return text.empty() ? fmt::format("{} {}", kind, index + 1) : text;
-}
-
-// Appends those objects of a list whose name means the platform.
-template <class Object>
-void append_standing(std::vector<ObjectId>& found, ObjectKind kind, const std::vector<Object>& objects,
-                     SceneIndex& index, std::size_t platform) {
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (index.platform(objects[i].platform) == platform) found.push_back({kind, i});
+std::string position_text(const core::Vec3& at_m) {
+  return fmt::format(" ({:.6g}, {:.6g}, {:.6g}) m", at_m.x, at_m.y, at_m.z);
 }
 
 }  // namespace
 
 std::string_view name_of(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::platform: return "platform";
-    case ObjectKind::target: return "target";
-    case ObjectKind::surface: return "surface";
-    case ObjectKind::radar: return "radar";
-    case ObjectKind::simulation: return "simulation";
-    case ObjectKind::geometry: return "geometry";
-  }
-  return "";
+  return visit_kind(kind, [](const auto& known) { return known.name; });
+}
+
+std::optional<ObjectKind> kind_called(std::string_view word) {
+  for (const ObjectKind kind : all_object_kinds)
+    if (core::equal_ignoring_case(name_of(kind), word)) return kind;
+  return std::nullopt;
 }
 
 std::size_t count_of(const Scene& scene, ObjectKind kind) {
@@ -46,16 +37,18 @@ AnyObject object_of(const Scene& scene, ObjectId id) {
 }
 
 std::string label_of(const Scene& scene, ObjectId id) {
-  switch (id.kind) {
-    case ObjectKind::platform: return or_number(scene.platforms.at(id.index).name, "Platform", id.index);
-    case ObjectKind::radar: return or_number(scene.radars.at(id.index).name, "Radar", id.index);
-    case ObjectKind::simulation: return or_number(scene.simulations.at(id.index).file, "Simulation", id.index);
-    case ObjectKind::geometry: return or_number(scene.geometries.at(id.index).file, "Geometry table", id.index);
-    case ObjectKind::surface: return fmt::format("Surface {}", id.index + 1);
-    case ObjectKind::target: break;
-  }
-  const core::Vec3& at = scene.targets.at(id.index).position_m;
-  return fmt::format("Target {} ({:.6g}, {:.6g}, {:.6g}) m", id.index + 1, at.x, at.y, at.z);
+  return visit_kind(id.kind, [&]<class Object>(const Kind<Object>& kind) {
+    const Object& object = (scene.*kind.list).at(id.index);
+    const std::string number = fmt::format("{} {}", kind.title, id.index + 1);
+    if constexpr (requires { object.name; })
+      return object.name.empty() ? number : object.name;
+    else if constexpr (requires { object.file; })
+      return object.file.empty() ? number : object.file;
+    else if constexpr (requires { object.position_m; })
+      return number + position_text(object.position_m);
+    else
+      return number;
+  });
 }
 
 std::string carrier_of(const Scene& scene, ObjectId id) {
@@ -68,9 +61,13 @@ std::string carrier_of(const Scene& scene, ObjectId id) {
 std::vector<ObjectId> objects_on(const Scene& scene, std::size_t platform) {
   std::vector<ObjectId> found;
   SceneIndex index(scene);
-  append_standing(found, ObjectKind::target, scene.targets, index, platform);
-  append_standing(found, ObjectKind::surface, scene.surfaces, index, platform);
-  append_standing(found, ObjectKind::radar, scene.radars, index, platform);
+  for_each_kind([&]<class Object>(const Kind<Object>& kind) {
+    if constexpr (Kind<Object>::stands_on_platform) {
+      const std::vector<Object>& objects = scene.*kind.list;
+      for (std::size_t i = 0; i < objects.size(); ++i)
+        if (index.platform(objects[i].platform) == platform) found.push_back({kind.kind, i});
+    }
+  });
   return found;
 }
 

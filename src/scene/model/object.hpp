@@ -1,17 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "scene/model/scene.hpp"
+#include "scene/model/kinds.hpp"
 
 namespace sarsim::scene {
-
-/// The lists of a scene, in the order in which people see them.
-enum class ObjectKind { platform, target, surface, radar, simulation, geometry };
 
 /// One object of a scene: number `index` of its list. Ids change when objects before them are added or removed.
 struct ObjectId {
@@ -21,13 +18,12 @@ struct ObjectId {
   friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
 };
 
-/// Any object by value. The alternatives stand in the order of ObjectKind.
-using AnyObject = std::variant<Platform, Target, Surface, Radar, Simulation, GeometryTable>;
-
 [[nodiscard]] inline ObjectKind kind_of(const AnyObject& object) { return static_cast<ObjectKind>(object.index()); }
 
 /// "platform", "target", ... as in Subject::kind (core/report/problem.hpp).
 [[nodiscard]] std::string_view name_of(ObjectKind kind);
+/// The kind of that name, ignoring case; nothing for another word.
+[[nodiscard]] std::optional<ObjectKind> kind_called(std::string_view name);
 
 /// Number of objects of a kind.
 [[nodiscard]] std::size_t count_of(const Scene& scene, ObjectKind kind);

@@ -81,12 +81,6 @@ const Field* fitting(const std::vector<const Field*>& fields, std::string_view v
   return fields.front();
 }
 
-std::optional<ObjectKind> kind_called(std::string_view word) {
-  for (const ObjectKind kind : all_object_kinds)
-    if (core::equal_ignoring_case(name_of(kind), word)) return kind;
-  return std::nullopt;
-}
-
 std::string capital(std::string_view word) {
   std::string result(word);
   result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/model/scene.hpp"
+#include "scene/model/kinds.hpp"
 #include "scene/schema/field_spec.hpp"
 #include "scene/schema/field_value.hpp"
 #include "scene/schema/grammar.hpp"
@@ -144,6 +144,12 @@ template <>
 const FieldTable<GeometryTable>& table_of<GeometryTable>();
 template <>
 const FieldTable<RunOptions>& table_of<RunOptions>();
+
+/// The same, for loops over the kinds.
+template <class Object>
+[[nodiscard]] const FieldTable<Object>& table_of(const Kind<Object>&) {
+  return table_of<Object>();
+}
 
 /// The field of a member, found once: `field_of<&Radar::prf_hz>()`.
 template <auto First, auto... Rest>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/schema/kinds.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::scene {
 
@@ -15,7 +15,7 @@ namespace field_table_test {
 template <class Visit>
 void for_each_field(const Visit& visit) {
   for_each_kind([&]<class Object>(const Kind<Object>& kind) {
-    for (const FieldOf<Object>& field : kind.table().fields()) visit(kind.name(), field, Object{});
+    for (const FieldOf<Object>& field : table_of(kind).fields()) visit(kind.name, field, Object{});
   });
   for (const FieldOf<RunOptions>& field : table_of<RunOptions>().fields()) visit("options", field, RunOptions{});
 }
@@ -75,7 +75,7 @@ TEST(FieldTable, ConditionsHoldThroughTheChoicesBeforeThem) {
 
 TEST(FieldTable, AChoiceStandsBeforeWhatDependsOnIt) {
   for_each_kind([]<class Object>(const Kind<Object>& kind) {
-    const auto& fields = kind.table().fields();
+    const auto& fields = table_of(kind).fields();
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const Condition& when = fields[i].spec.when;
       if (when.among.empty()) continue;
@@ -122,7 +122,7 @@ TEST(Kinds, AreThoseOfAScene) {
   std::size_t objects = 0;
   Scene scene;
   for_each_kind([&]<class Object>(const Kind<Object>& kind) {
-    EXPECT_EQ(kind.name(), name_of(kind.kind));
+    EXPECT_EQ(kind.name, name_of(kind.kind));
     EXPECT_EQ(static_cast<std::size_t>(kind.kind), objects++);
     (scene.*kind.list).emplace_back();
     EXPECT_EQ(count_of(scene, kind.kind), 1U);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "scene/model/kinds.hpp"
 #include "scene/schema/field_form.hpp"
-#include "scene/schema/kinds.hpp"
 
 namespace sarsim::scene {
 

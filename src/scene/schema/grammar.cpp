@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "scene/schema/kinds.hpp"
+#include "scene/model/kinds.hpp"
 
 namespace sarsim::scene::script {
 
@@ -26,7 +26,7 @@ std::vector<std::string_view> keywords() {
   for (const auto& method : interpolations) words.push_back(method.word);
   for (const auto& source : data_sources) words.push_back(source.word);
   for_each_kind([&](const auto& kind) {
-    for (const auto& field : kind.table().fields())
+    for (const auto& field : table_of(kind).fields())
       for (const Choice& choice : field.spec.choices)
         if (!choice.word.empty()) words.push_back(choice.word);
   });

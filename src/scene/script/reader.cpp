@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/text/number_text.hpp"
+#include "scene/model/object.hpp"
 #include "scene/schema/grammar.hpp"
 #include "scene/script/make_room.hpp"
 #include "scene/script/pieces.hpp"
@@ -92,15 +93,6 @@ struct PieceReading {
   bool complete = false;  // else only the scene it adds to can tell what it means
 };
 
-std::size_t count_of(const Scene& scene, std::string_view kind) {
-  if (kind == "target") return scene.targets.size();
-  if (kind == "platform") return scene.platforms.size();
-  if (kind == "surface") return scene.surfaces.size();
-  if (kind == "radar") return scene.radars.size();
-  if (kind == "simulation") return scene.simulations.size();
-  return kind == "geometry" ? scene.geometries.size() : 0;
-}
-
 template <class Object>
 void append(std::vector<Object>& list, std::vector<Object>&& more, double share) {
   make_room(list, more.size(), share);
@@ -168,16 +160,14 @@ class PiecewiseReader {
       enough_.store(joined_.log.full(), std::memory_order_relaxed);
       return;
     }
-    const auto objects_before = [this](std::string_view kind) { return count_of(scene_, kind); };
+    const auto objects_before = [this](std::string_view word) {
+      const auto kind = kind_called(word);
+      return kind ? count_of(scene_, *kind) : 0;
+    };
     const double share = static_cast<double>(piece.end) / static_cast<double>(whole_.text().size());
     joined_.log.append(std::move(reading.log), objects_before);
     joined_.places.append(reading.places, objects_before, share);
-    append(scene_.platforms, std::move(reading.scene.platforms), share);
-    append(scene_.surfaces, std::move(reading.scene.surfaces), share);
-    append(scene_.targets, std::move(reading.scene.targets), share);
-    append(scene_.radars, std::move(reading.scene.radars), share);
-    append(scene_.simulations, std::move(reading.scene.simulations), share);
-    append(scene_.geometries, std::move(reading.scene.geometries), share);
+    for_each_kind([&](const auto& kind) { append(scene_.*kind.list, std::move(reading.scene.*kind.list), share); });
   }
 
   std::string_view file_;

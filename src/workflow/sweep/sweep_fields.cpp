@@ -47,8 +47,7 @@ std::string field_list(const scene::Scene& scene) {
   std::vector<Line> lines;
   for (const scene::ObjectKind kind : scene::all_object_kinds) {
     const std::size_t count = scene::count_of(scene, kind);
-    const bool points = kind == scene::ObjectKind::target || kind == scene::ObjectKind::surface;
-    const std::size_t listed = points ? std::min(count, most_listed) : count;
+    const std::size_t listed = scene::reflects(kind) ? std::min(count, most_listed) : count;
     for (std::size_t i = 0; i < listed; ++i) add_object(lines, scene, {kind, i});
     if (listed < count) lines.push_back({fmt::format("... and {} more", count - listed), "", ""});
   }
