@@ -158,14 +158,8 @@ void ScenePanel::focus_on_selection() {
   const picture::Snapshot& snapshot = scene_->snapshot();
   core::Vec3 sum;
   int count = 0;
-  const auto add = [&](scene::ObjectId id, const core::Vec3& place) {
-    if (session_.selection().contains(id)) sum = sum + place, ++count;
-  };
-  for (const auto& t : snapshot.targets) add(t.id, t.position_world_m);
-  for (const auto& r : snapshot.radars) add(r.id, r.position_world_m);
-  for (const auto& p : snapshot.platforms) add(p.id, p.pose.position_world_m);
-  for (const auto& s : snapshot.surfaces)
-    add(s.id, (1.0 / 3.0) * (s.corner_world_m[0] + s.corner_world_m[1] + s.corner_world_m[2]));
+  for (const scene::ObjectId id : session_.selection())
+    if (const auto place = picture::place_of(snapshot, id)) sum = sum + *place, ++count;
   followed_.reset();
   if (count > 0) focus_on((1.0 / count) * sum);
 }

@@ -37,8 +37,7 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
 
 void SceneWidget::set_snapshot(picture::Snapshot snapshot) {
   snapshot_ = std::move(snapshot);
-  if (options_.hovered && press_.gesture == Gesture::none && !position_of(*options_.hovered) &&
-      found_in(snapshot_.surfaces, *options_.hovered) == nullptr)
+  if (options_.hovered && press_.gesture == Gesture::none && !picture::place_of(snapshot_, *options_.hovered))
     set_hovered(std::nullopt);
   redraw();
 }
@@ -106,18 +105,14 @@ void SceneWidget::refresh_drawing(bool coarse) {
   drawn_coarse_ = coarse;
 }
 
-std::optional<core::Vec3> SceneWidget::position_of(scene::ObjectId id) const {
-  if (const auto* target = found_in(snapshot_.targets, id)) return target->position_world_m;
-  if (const auto* radar = found_in(snapshot_.radars, id)) return radar->position_world_m;
-  if (const auto* platform = found_in(snapshot_.platforms, id)) return platform->pose.position_world_m;
-  return std::nullopt;
-}
-
 QString SceneWidget::name_of_object(scene::ObjectId id) const {
   if (namer_) return QString::fromStdString(namer_(id));
   if (const auto* platform = found_in(snapshot_.platforms, id)) return QString::fromStdString(platform->name);
   if (const auto* radar = found_in(snapshot_.radars, id)) return QString::fromStdString(radar->name);
-  return (id.kind == scene::ObjectKind::surface ? tr("Surface %1") : tr("Target %1")).arg(id.index + 1);
+  const std::string_view title = scene::visit_kind(id.kind, [](const auto& kind) { return kind.title; });
+  return QStringLiteral("%1 %2")
+      .arg(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())))
+      .arg(id.index + 1);
 }
 
 void SceneWidget::set_hovered(std::optional<scene::ObjectId> id) {

@@ -97,7 +97,6 @@ class SceneWidget : public QWidget {
 
   [[nodiscard]] QPointF device_point(const QPointF& logical) const { return logical * options_.pixel_scale; }
   [[nodiscard]] std::optional<scene::ObjectId> picked_at(const QPointF& at_px);
-  [[nodiscard]] std::optional<core::Vec3> position_of(scene::ObjectId id) const;
   [[nodiscard]] bool movable(scene::ObjectId id) const;
   [[nodiscard]] QString name_of_object(scene::ObjectId id) const;
   [[nodiscard]] core::Vec3 moved_by(const QPointF& step_px, bool snap) const;

@@ -55,7 +55,7 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
   press_.at_px = device_point(event->position());
   press_.camera = camera_;
   press_.on = picked_at(press_.at_px);
-  if (press_.on) press_.object_world_m = position_of(*press_.on).value_or(core::Vec3{});
+  if (press_.on) press_.object_world_m = picture::place_of(snapshot_, *press_.on).value_or(core::Vec3{});
   QToolTip::hideText();
 }
 
@@ -261,7 +261,7 @@ void SceneWidget::ask_for_menu_by_key() {
   QPointF at = QRectF(rect()).center();
   if (options_.selected.size() == 1) {
     id = *options_.selected.begin();
-    const auto position = position_of(*id);
+    const auto position = picture::place_of(snapshot_, *id);
     const auto point = position ? camera_.project(*position) : std::nullopt;
     const QPointF there = point ? QPointF(point->x, point->y) / options_.pixel_scale : at;
     if (rect().contains(there.toPoint())) at = there;

@@ -58,6 +58,9 @@ struct Snapshot {
   std::vector<Radar> radars;
 };
 
+/// Where an object is: its origin, or the middle of a surface's corners; nothing where the snapshot has no such object.
+[[nodiscard]] std::optional<core::Vec3> place_of(const Snapshot& snapshot, scene::ObjectId id);
+
 /// Makes snapshots of one scene at many times; tracks are prepared once.
 class SnapshotMaker {
  public:

@@ -16,6 +16,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "scene/model/object.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
@@ -145,7 +146,10 @@ class Recorder {
   // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
   void expect_objects() const {
     const scene::Scene& scene = input_.scene;
-    if (scene.platforms.empty() && scene.targets.empty() && scene.surfaces.empty() && scene.radars.empty()) {
+    const bool empty = std::ranges::all_of(scene::all_object_kinds, [&](scene::ObjectKind kind) {
+      return scene::belongs_to_radar(kind) || scene::count_of(scene, kind) == 0;
+    });
+    if (empty) {
       core::Refused nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
       nothing.problems.front().place.file = request_.script;
       throw nothing;
