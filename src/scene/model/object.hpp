@@ -23,7 +23,7 @@ struct ObjectId {
 /// "platform", "target", ... as in Subject::kind (core/report/problem.hpp).
 [[nodiscard]] std::string_view name_of(ObjectKind kind);
 /// The kind of that name, ignoring case; nothing for another word.
-[[nodiscard]] std::optional<ObjectKind> kind_called(std::string_view name);
+[[nodiscard]] std::optional<ObjectKind> kind_called(std::string_view word);
 
 /// Number of objects of a kind.
 [[nodiscard]] std::size_t count_of(const Scene& scene, ObjectKind kind);
