@@ -1,5 +1,6 @@
 #include "core/os/disk_room.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -11,6 +12,9 @@ namespace sarsim::core {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Bytes that are free, where they are too few.
 std::optional<double> room_if_too_little(const fs::path& folder, double bytes) {
   fs::path there = fs::absolute(folder);
   while (!fs::exists(there) && there.has_relative_path()) there = there.parent_path();
@@ -19,6 +23,8 @@ std::optional<double> room_if_too_little(const fs::path& folder, double bytes) {
   if (failure || bytes <= static_cast<double>(space.available)) return std::nullopt;
   return static_cast<double>(space.available);
 }
+
+}  // namespace
 
 void expect_room(const fs::path& folder, double bytes, const std::string& advice) {
   const std::optional<double> free = room_if_too_little(folder, bytes);

@@ -1,14 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 namespace sarsim::core {
-
-/// The free bytes on the disk of a folder, which need not be there yet, where they are fewer than wanted. A disk that
-/// does not tell has room enough.
-[[nodiscard]] std::optional<double> room_if_too_little(const std::filesystem::path& folder, double bytes);
 
 /// Throws std::runtime_error where the disk of a folder, which need not be there yet, has less room than wanted. A disk
 /// that does not tell has room enough.

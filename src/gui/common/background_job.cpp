@@ -4,11 +4,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/report/refused.hpp"
+#include "gui/common/problem_line.hpp"
+
 namespace sarsim::gui {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Warnings beside the errors are of no use to who has to mend these.
+QString words_of(const core::Refused& refused) {
+  QStringList texts;
+  for (const core::Problem& problem : refused.problems)
+    if (problem.severity == core::Severity::error) texts << problem_text(problem);
+  return texts.join('\n');
+}
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -52,6 +63,8 @@ void BackgroundJob::work_through(const Work& work) {
     end_with(JobEnd::done, {});
   } catch (const core::Interrupted&) {
     end_with(JobEnd::cancelled, {});
+  } catch (const core::Refused& refused) {
+    end_with(JobEnd::failed, words_of(refused));
   } catch (const std::bad_alloc&) {
     end_with(JobEnd::failed, tr("There is not enough memory for this."));
   } catch (const std::exception& error) {

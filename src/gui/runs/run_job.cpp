@@ -1,21 +1,11 @@
 #include "gui/runs/run_job.hpp"
 
-#include <algorithm>
-#include <stdexcept>
 #include <utility>
 
-#include "core/os/disk_room.hpp"
-#include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
-#include "raster/format/sinks.hpp"
-#include "raster/table/formats.hpp"
-#include "scene/script/writer.hpp"
-#include "simulate/resolve/impossible_echo.hpp"
 #include "workflow/input/output_names.hpp"
-#include "workflow/input/scene_input.hpp"
 #include "workflow/record/record_size.hpp"
-#include "workflow/record/recording.hpp"
 
 namespace sarsim::gui {
 
@@ -25,49 +15,12 @@ namespace {
 
 QString size_text(double bytes) { return QString::fromStdString(core::bytes_text(bytes)); }
 
-// The scene with this recording alone: problems of others are of no interest.
-scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
-  scene::Scene one = scene;
-  one.simulations = {scene.simulations.at(simulation)};
-  one.geometries.clear();
-  return one;
-}
-
-// Throws where the scene has errors, with all of them in words; otherwise gives the warnings.
-QStringList warnings_of_sound(const core::Problems& problems) {
-  QStringList errors;
-  QStringList warnings;
-  for (const core::Problem& problem : problems) {
-    if (problem.severity == core::Severity::note) continue;
-    (problem.severity == core::Severity::error ? errors : warnings) += problem_text(problem);
-  }
-  if (!errors.isEmpty()) throw std::runtime_error(errors.join('\n').toStdString());
-  return warnings;
-}
-
-void expect_room(const fs::path& file, double bytes) {
-  const fs::path folder = fs::absolute(file).parent_path();
-  const std::optional<double> free = core::room_if_too_little(folder, bytes);
-  if (!free) return;
-  throw std::runtime_error(
-      RunJob::tr(
-          "The disk of '%1' has not enough room: %2 are needed, %3 are free. Make room or choose another folder.")
-          .arg(QString::fromStdString(folder.string()), size_text(bytes), size_text(*free))
-          .toStdString());
-}
-
-RunEstimate estimate_of(const simulate::Plan& plan, double bytes, QStringList warnings) {
-  const unsigned threads = core::thread_count(0);
-  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
-  RunEstimate estimate;
-  estimate.rows = plan.rows;
-  estimate.columns = plan.columns;
-  estimate.bytes = bytes;
-  estimate.seconds = cost.seconds_one_thread / threads * workflow::passes_of(plan.simulation);
-  estimate.memory_bytes = cost.memory_bytes;
-  const std::string_view engine = simulate::name_of(plan.engine.engine);
+RunEstimate estimate_of(const workflow::PreparedRecording& prepared) {
+  RunEstimate estimate{.takes = prepared.estimate, .engine = {}, .warnings = {}};
+  const std::string_view engine = simulate::name_of(prepared.plan.engine.engine);
   estimate.engine = QString::fromLatin1(engine.data(), static_cast<qsizetype>(engine.size()));
-  estimate.warnings = std::move(warnings);
+  for (const core::Problem& problem : prepared.problems)
+    if (problem.severity == core::Severity::warning) estimate.warnings += problem_text(problem);
   return estimate;
 }
 
@@ -128,35 +81,23 @@ void RunJob::wait_for_leave(const core::StopFlag& stop) {
   if (stop.requested()) throw core::Interrupted();
 }
 
-void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) try {
-  workflow::SceneInput input =
-      workflow::take_scene(with_only(request_.scene, request_.simulation), {}, {}, workflow::Scrutiny::echoes);
-  QStringList warnings = warnings_of_sound(input.problems);
-  workflow::resolve_once(input, {});
-  const simulate::Plan plan =
-      simulate::make_plan(request_.scene, request_.simulation, input.resolved, simulate::Engine::automatic);
-  const scene::FileFormat format = plan.simulation.format;
-  const std::string script =
-      raster::format_of(format).carries_script ? scene::write_script(request_.scene) : std::string();
-  const raster::SinkOptions options{format, request_.replace, false, false};
-  const double bytes = raster::expected_bytes(simulate::product_of(plan, script), options);
-  const RunEstimate estimate = estimate_of(plan, bytes, std::move(warnings));
+void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) {
+  const workflow::PreparedRecording prepared =
+      workflow::prepare_recording(request_.scene, request_.simulation, request_.file, request_.replace);
+  const RunEstimate estimate = estimate_of(prepared);
   QMetaObject::invokeMethod(
       this, [this, estimate] { emit estimated(estimate); }, Qt::QueuedConnection);
   wait_for_leave(stop);
 
-  expect_room(request_.file, raster::least_bytes(format, bytes));
-  const workflow::RecordingReport made = workflow::make_recording(
-      {plan, request_.file, options, script}, 0, observer_of(stop, report, workflow::seeks_lsb(plan.simulation)));
+  const workflow::RecordingReport made =
+      workflow::make_recording(prepared, observer_of(stop, report, workflow::seeks_lsb(prepared.plan.simulation)));
   summary_.report = made.run;
   summary_.counts = made.counts;
-  summary_.simulation = plan.simulation;
+  summary_.simulation = prepared.plan.simulation;
   summary_.file = request_.file;
   summary_.engine = QString::fromStdString(made.engine + " (" + made.engine_reason + ")");
-  summary_.bytes = made.bytes.value_or(bytes);
+  summary_.bytes = made.bytes.value_or(prepared.estimate.bytes);
   summary_.seconds = made.seconds;
-} catch (const simulate::ImpossibleEcho& error) {
-  throw std::runtime_error(problem_text(error.problem).toStdString());
 }
 
 QStringList summary_lines(const RunSummary& summary) {
@@ -190,10 +131,10 @@ QString saturation_warning(const RunSummary& summary) {
 
 QString estimate_text(const RunEstimate& estimate) {
   return RunJob::tr("%1 x %2 samples, %3, %4, %5 of memory, %6 engine")
-      .arg(estimate.rows)
-      .arg(estimate.columns)
-      .arg(size_text(estimate.bytes), QString::fromStdString(core::about_duration_text(estimate.seconds)),
-           size_text(estimate.memory_bytes), estimate.engine);
+      .arg(estimate.takes.rows)
+      .arg(estimate.takes.columns)
+      .arg(size_text(estimate.takes.bytes), QString::fromStdString(core::about_duration_text(estimate.takes.seconds)),
+           size_text(estimate.takes.memory_bytes), estimate.engine);
 }
 
 fs::path run_file(const scene::Scene& scene, std::size_t simulation, const fs::path& folder) {

@@ -11,6 +11,7 @@
 
 #include "gui/common/background_job.hpp"
 #include "simulate/plan/sink.hpp"
+#include "workflow/record/prepared_recording.hpp"
 
 namespace sarsim::gui {
 
@@ -24,11 +25,7 @@ struct RunRequest {
 
 /// What a run will take, known before its first pulse.
 struct RunEstimate {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  double bytes = 0.0;    ///< Of the file.
-  double seconds = 0.0;  ///< On all cores; good to a factor of two.
-  double memory_bytes = 0.0;
+  workflow::RecordingEstimate takes;
   QString engine;
   QStringList warnings;  ///< Of the scene and its echoes.
 };

@@ -110,7 +110,7 @@ void RunPanel::show_estimate(const RunEstimate& estimate) {
   report_->setVisible(true);
   if (!estimate.warnings.isEmpty()) problems_->show_texts(core::Severity::warning, estimate.warnings);
   if (!cancel_->isEnabled()) return;
-  if (estimate.seconds <= patience_s_ && estimate.memory_bytes <= modest_memory_bytes) {
+  if (estimate.takes.seconds <= patience_s_ && estimate.takes.memory_bytes <= modest_memory_bytes) {
     proceed();
     return;
   }

@@ -10,6 +10,7 @@
 #include "core/report/refused.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
 #include "workflow/record/merge.hpp"
+#include "workflow/record/prepared_recording.hpp"
 
 namespace sarsim::workflow {
 namespace record_test {
@@ -72,6 +73,26 @@ TEST_F(Record, TellsOfEachProductAndReportsIt) {
   EXPECT_EQ(recording.file, file);
   EXPECT_EQ(recording.bytes, static_cast<double>(bytes_of("sim.bin").size()));
   EXPECT_GT(recording.run.maximum_v, 0.0);
+}
+
+TEST_F(Record, PreparedIsLookedAtAndThenMadeAlike) {
+  scene::Scene scene = *request_.scene;
+  scene.simulations.push_back(scene.simulations.front());
+  scene.simulations.back().bits = 99;  // Another recording's mistake does not matter.
+  const fs::path file = folder_ / "prepared.bin";
+  fs::create_directories(folder_);
+  const PreparedRecording prepared = prepare_recording(scene, 0, file, false);
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_GT(prepared.estimate.seconds, 0.0);
+  const RecordingReport made = make_recording(prepared, {});
+  EXPECT_EQ(made.run.rows, prepared.estimate.rows);
+  EXPECT_EQ(made.run.columns, prepared.estimate.columns);
+  EXPECT_EQ(made.bytes, prepared.estimate.bytes);
+  EXPECT_EQ(made.engine, simulate::name_of(prepared.plan.engine.engine));
+  (void)record(request_, {});
+  EXPECT_EQ(bytes_of("prepared.bin"), bytes_of("sim.bin"));
+  EXPECT_THROW((void)prepare_recording(scene, 1, folder_ / "wrong.bin", false), core::Refused);
+  EXPECT_THROW((void)make_recording(prepared, {}), std::runtime_error) << "the file is there and may not be replaced";
 }
 
 TEST_F(Record, DiscardingWritesNothing) {

@@ -1,0 +1,65 @@
+#include "workflow/record/prepared_recording.hpp"
+
+#include <utility>
+
+#include "core/os/disk_room.hpp"
+#include "core/report/refused.hpp"
+#include "core/task/parallel.hpp"
+#include "raster/table/formats.hpp"
+#include "scene/script/writer.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/record/record_size.hpp"
+#include "workflow/record/recording.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+// The scene with this recording alone: problems of others are of no interest.
+scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
+  scene::Scene one = scene;
+  one.simulations = {scene.simulations.at(simulation)};
+  one.geometries.clear();
+  return one;
+}
+
+RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes) {
+  const unsigned threads = core::thread_count(0);
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
+  return {plan.rows, plan.columns, bytes, cost.seconds_one_thread / threads * passes_of(plan.simulation),
+          cost.memory_bytes};
+}
+
+}  // namespace
+
+PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation, std::filesystem::path file,
+                                    bool replace) {
+  SceneInput input = take_scene(with_only(scene, simulation), {}, {}, Scrutiny::echoes);
+  expect_usable(input);
+  resolve_once(input, {});
+  PreparedRecording prepared{
+      .plan = simulate::make_plan(scene, simulation, input.resolved, simulate::Engine::automatic),
+      .file = std::move(file),
+      .options = {},
+      .script = {},
+      .estimate = {},
+      .problems = std::move(input.problems)};
+  const scene::FileFormat format = prepared.plan.simulation.format;
+  prepared.options = {format, replace, false, false};
+  if (raster::format_of(format).carries_script) prepared.script = scene::write_script(scene);
+  const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);
+  prepared.estimate = estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options));
+  return prepared;
+}
+
+RecordingReport make_recording(const PreparedRecording& prepared, const core::Observer& observer) try {
+  const std::filesystem::path folder = std::filesystem::absolute(prepared.file).parent_path();
+  core::expect_room(folder, raster::least_bytes(prepared.options.format, prepared.estimate.bytes),
+                    "or choose another folder");
+  return make_recording({prepared.plan, prepared.file, prepared.options, prepared.script}, 0, observer);
+} catch (const simulate::ImpossibleEcho& error) {
+  throw core::Refused({error.problem});
+}
+
+}  // namespace sarsim::workflow
