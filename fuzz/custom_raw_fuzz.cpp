@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "raster/format/image_source.hpp"
-#include "raster/format/sample_file_probe.hpp"
+#include "raster/format/open_raster.hpp"
+#include "raster/format/raster_probe.hpp"
 
 namespace {
 
@@ -31,16 +31,17 @@ sarsim::raster::RawLayout layout_from(const std::uint8_t* bytes) {
 }
 
 void read_as(const std::string& path, const sarsim::raster::RawLayout& layout, bool must_open) {
-  sarsim::raster::ImageHints hints;
+  sarsim::raster::RasterHints hints;
   hints.raw = layout;
-  const sarsim::raster::OpenedImage opened = sarsim::raster::ImageSource::open(path, hints);
-  if ((opened.source != nullptr) == sarsim::core::has_errors(opened.problems))
+  const sarsim::raster::OpenedRaster opened =
+      sarsim::raster::open_raster(sarsim::raster::Integrity::partial, path, hints);
+  if ((opened.raster != nullptr) == sarsim::core::has_errors(opened.problems))
     throw std::logic_error("a source without errors or errors without a source are promised");
-  if (!opened.source) {
+  if (!opened.raster) {
     if (must_open) throw std::logic_error("a layout was guessed that the file cannot have");
     return;
   }
-  const sarsim::raster::ImageSource& source = *opened.source;
+  const sarsim::raster::Raster& source = *opened.raster;
   if (source.rows() == 0) throw std::logic_error("an empty image was opened");
   std::vector<std::complex<float>> samples(source.rows() * source.columns());
   source.read_window({0, source.rows(), 0, source.columns()}, samples);

@@ -1,10 +1,10 @@
 // NumPy files of samples.
 
-#include "raster/format/sample_file_probe.hpp"
+#include "raster/format/raster_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  sarsim::raster::SampleFileHints hints;
+  sarsim::raster::RasterHints hints;
   hints.format = sarsim::scene::FileFormat::npy;
-  sarsim::raster::probe_sample_file(data, size, hints);
+  sarsim::raster::probe_raster(data, size, hints);
   return 0;
 }

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cstring>
 
-#include "raster/format/image_source.hpp"
-#include "raster/format/sample_file_probe.hpp"
+#include "raster/format/open_raster.hpp"
+#include "raster/format/raster_probe.hpp"
 
 namespace {
 
 constexpr std::size_t most_pixels = std::size_t{1} << 20;
 
-void read_through(const sarsim::raster::ImageSource& source) {
+void read_through(const sarsim::raster::Raster& source) {
   const std::size_t columns = std::min(source.columns(), most_pixels);
   const std::size_t rows = std::min(source.rows(), most_pixels / columns);
   std::vector<std::complex<float>> samples(rows * columns);
@@ -35,12 +35,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::uint8_t> bytes(data, data + size);
   std::memcpy(bytes.data(), magic, sizeof magic);
   const sarsim::raster::MemoryFile file(bytes.data(), bytes.size());
-  const sarsim::raster::OpenedImage opened = sarsim::raster::ImageSource::open(file.path());
-  if ((opened.source != nullptr) == sarsim::core::has_errors(opened.problems))
+  const sarsim::raster::OpenedRaster opened =
+      sarsim::raster::open_raster(sarsim::raster::Integrity::partial, file.path());
+  if ((opened.raster != nullptr) == sarsim::core::has_errors(opened.problems))
     throw std::logic_error("a source without errors or errors without a source are promised");
-  if (!opened.source) return 0;
-  opened.source->wait_until_indexed(nullptr);
+  if (!opened.raster) return 0;
+  opened.raster->wait_until_indexed(nullptr);
   // A picture of a known size cannot become shorter here: nothing may be thrown.
-  read_through(*opened.source);
+  read_through(*opened.raster);
   return 0;
 }

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "raster/format/sample_file_probe.hpp"
+#include "raster/format/raster_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using sarsim::scene::FileFormat;
@@ -10,10 +10,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::array formats{sarsim::scene::FileFormat::ascii, sarsim::scene::FileFormat::csv,
                                sarsim::scene::FileFormat::bracket};
   const unsigned choice = data[0];
-  sarsim::raster::SampleFileHints hints;
+  sarsim::raster::RasterHints hints;
   if (choice % 4 < 3) hints.format = formats[choice % 4];
   hints.columns = choice / 4 % 4;
   hints.bits = choice / 16 % 2 == 1 ? 8 : 0;
-  sarsim::raster::probe_sample_file(data + 1, size - 1, hints);
+  sarsim::raster::probe_raster(data + 1, size - 1, hints);
   return 0;
 }

@@ -33,16 +33,16 @@ class ImageFilesTest : public QObject {
     bench.viewer.export_to(copy, static_cast<scene::FileFormat>(format));
     QVERIFY(done.wait(patience_ms));
     QVERIFY2(done.front().front().toBool(), qPrintable(bench.viewer.problem_words()));
-    raster::ImageHints hints;
-    hints.samples.format = static_cast<scene::FileFormat>(format);
-    hints.samples.columns = 25;
-    hints.samples.bits = bench.viewer.source()->info().bits > 0 ? bench.viewer.source()->info().bits : 16;
-    const raster::OpenedImage opened = raster::ImageSource::open(copy.toStdString(), hints);
-    QVERIFY(opened.source != nullptr);
-    opened.source->wait_until_indexed(nullptr);
-    QCOMPARE(opened.source->rows(), std::size_t{20});
+    raster::RasterHints hints;
+    hints.format = static_cast<scene::FileFormat>(format);
+    hints.columns = 25;
+    hints.bits = bench.viewer.source()->info().bits > 0 ? bench.viewer.source()->info().bits : 16;
+    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, copy.toStdString(), hints);
+    QVERIFY(opened.raster != nullptr);
+    opened.raster->wait_until_indexed(nullptr);
+    QCOMPARE(opened.raster->rows(), std::size_t{20});
     std::vector<std::complex<float>> one(1);
-    opened.source->read_window({point_row - 60, 1, point_column - 30, 1, 1, 1}, one);
+    opened.raster->read_window({point_row - 60, 1, point_column - 30, 1, 1, 1}, one);
     QVERIFY(std::abs(one[0] - std::complex<float>(1000.0F, 2.0F)) < 1e-3F);
   }
 

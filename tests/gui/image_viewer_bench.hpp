@@ -100,17 +100,17 @@ inline void add_formats() {
 }
 
 /// How a BINARY file of them is to be read.
-inline raster::ImageHints binary_hints() {
-  raster::ImageHints hints;
-  hints.samples.format = scene::FileFormat::binary;
-  hints.samples.columns = columns;
-  hints.samples.bits = 12;
+inline raster::RasterHints binary_hints() {
+  raster::RasterHints hints;
+  hints.format = scene::FileFormat::binary;
+  hints.columns = columns;
+  hints.bits = 12;
   return hints;
 }
 
 /// How a file of pairs of floats is to be read.
-inline raster::ImageHints float_layout(std::size_t width) {
-  raster::ImageHints hints;
+inline raster::RasterHints float_layout(std::size_t width) {
+  raster::RasterHints hints;
   hints.raw = raster::RawLayout{.width = width, .number = raster::RawNumber::float32};
   return hints;
 }
@@ -125,7 +125,7 @@ inline void append_floats(const fs::path& path, std::size_t count) {
 }
 
 /// Shows a viewer and lets it open a file.
-inline void open_in(gui::ImageViewer& viewer, const fs::path& path, const raster::ImageHints& hints = {}) {
+inline void open_in(gui::ImageViewer& viewer, const fs::path& path, const raster::RasterHints& hints = {}) {
   viewer.resize(1000, 700);
   viewer.show();
   viewer.open(path, hints);
@@ -144,7 +144,7 @@ struct Bench {
   explicit Bench(scene::FileFormat format = scene::FileFormat::npy) {
     path = folder.filePath("data.file").toStdString();
     write_samples(path, format);
-    open_in(viewer, path, format == scene::FileFormat::binary ? binary_hints() : raster::ImageHints());
+    open_in(viewer, path, format == scene::FileFormat::binary ? binary_hints() : raster::RasterHints());
     shown = wait_until_open(viewer) && wait_for_picture(viewer);
   }
   QPoint at(double across, double down) {

@@ -37,8 +37,8 @@ class ImageViewerTest : public QObject {
     gui::ImageViewer viewer;
     viewer.resize(1000, 700);
     viewer.show();
-    raster::ImageHints hints = binary_hints();
-    hints.samples.format = static_cast<scene::FileFormat>(format);
+    raster::RasterHints hints = binary_hints();
+    hints.format = static_cast<scene::FileFormat>(format);
     viewer.open(path, hints);
     QVERIFY2(wait_until_open(viewer), qPrintable(viewer.problem_words()));
     QVERIFY(

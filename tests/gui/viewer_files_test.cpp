@@ -278,7 +278,7 @@ class ViewerFilesTest : public QObject {
     gui::ImageViewer viewer;
     viewer.resize(1000, 700);
     viewer.show();
-    raster::ImageHints hints;
+    raster::RasterHints hints;
     hints.raw = raster::RawLayout{.width = 32, .number = raster::RawNumber::float32};
     viewer.open(path, hints);
     QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
@@ -357,10 +357,10 @@ class ViewerFilesTest : public QObject {
     write_samples(path, scene::FileFormat::binary, 20, 30, some_value);
     gui::OpenImageDialog dialog;
     dialog.show();
-    raster::ImageHints hints;
-    hints.samples.format = scene::FileFormat::binary;
-    hints.samples.columns = 30;
-    hints.samples.bits = 12;
+    raster::RasterHints hints;
+    hints.format = scene::FileFormat::binary;
+    hints.columns = 30;
+    hints.bits = 12;
     dialog.show_file(QString::fromStdString(path.string()), hints);
     QTRY_VERIFY_WITH_TIMEOUT(dialog.has_preview(), patience_ms);
     QVERIFY(dialog.hints().samples.format == scene::FileFormat::binary);

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/run/run.hpp"
 #include "support/ascii_samples.hpp"
@@ -116,13 +116,13 @@ TEST_F(OriginalSamples, OfTheRoundingProgramCorrelate) {
 }
 
 TEST_F(OriginalSamples, OfTheOldHdf5LayoutAreTheSameAsTheTextFile) {
-  const raster::OpenedSampleFile opened = raster::SampleFile::open(sample_file("final.h5"));
-  ASSERT_TRUE(opened.file.has_value()) << core::to_string(opened.problems.front());
-  EXPECT_EQ(opened.file->info().rows, 19u);
-  EXPECT_EQ(opened.file->info().columns, 146u);
-  EXPECT_TRUE(opened.file->info().counts);
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, sample_file("final.h5"));
+  ASSERT_TRUE(opened.raster != nullptr) << core::to_string(opened.problems.front());
+  EXPECT_EQ(opened.raster->rows(), 19u);
+  EXPECT_EQ(opened.raster->info().columns, 146u);
+  EXPECT_TRUE(opened.raster->info().counts);
   Samples samples(19 * 146);
-  opened.file->read_rows(0, 19, samples);
+  opened.raster->read_rows(0, 19, samples);
   const Samples text = test::ascii_samples(sample_file("exam2.asc"));
   ASSERT_EQ(samples.size(), text.size());
   const double worst = test::largest_component_difference(samples, text);

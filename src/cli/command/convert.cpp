@@ -53,10 +53,10 @@ std::optional<scene::FileFormat> output_format(const ConvertArguments& arguments
 }
 
 // The description of the recording as far as its file gives it.
-simulate::Product product_of_file(const raster::SampleFile& file) {
-  const raster::SampleFileInfo& info = file.info();
+simulate::Product product_of_file(const raster::Raster& file) {
+  const raster::RasterInfo& info = file.info();
   simulate::Product product;
-  product.rows = info.rows;
+  product.rows = file.rows();
   product.columns = info.columns;
   product.bits = info.bits;
   product.lsb_v = info.lsb_v.value_or(0.0);
@@ -66,7 +66,7 @@ simulate::Product product_of_file(const raster::SampleFile& file) {
   if (product.script.empty()) product.unknown.emplace_back("script");
   if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
   if (auto axes = file.axes()) {
-    const auto shared = std::make_shared<const raster::SampleAxes>(std::move(*axes));
+    const auto shared = std::make_shared<const raster::RasterAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
     product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
     product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
@@ -110,11 +110,11 @@ enum class Change { none, to_volts, to_counts };
 // Turns blocks of one file into those of another.
 class Conversion {
  public:
-  Conversion(const raster::SampleFile& file, const raster::SampleFileHints& hints, const ConvertArguments& arguments,
+  Conversion(const raster::Raster& file, const raster::RasterHints& hints, const ConvertArguments& arguments,
              Streams& streams)
       : file_(file), product_(product_of_file(file)), arguments_(arguments), streams_(streams) {
     choose_converter(hints);
-    const auto image = header_beside(arguments.input, file.info());
+    const auto image = header_beside(arguments.input, file);
     const auto format = output_format(arguments, image.has_value());
     if (image) header_ = carried_header(*image, arguments, format);
     envi_ = !format;
@@ -154,7 +154,7 @@ class Conversion {
 
  private:
   // Counts were made by the converter that their file tells of; volts may go through any other.
-  void choose_converter(const raster::SampleFileHints& hints) {
+  void choose_converter(const raster::RasterHints& hints) {
     const bool volts = !file_.info().counts;
     if (hints.bits > 0 && (volts || product_.bits == 0)) product_.bits = hints.bits;
     if (hints.lsb_v > 0.0 && (volts || product_.lsb_v <= 0.0)) product_.lsb_v = hints.lsb_v;
@@ -245,7 +245,7 @@ class Conversion {
     return report;
   }
 
-  const raster::SampleFile& file_;
+  const raster::Raster& file_;
   simulate::Product product_;
   const ConvertArguments& arguments_;
   Streams& streams_;
@@ -261,8 +261,9 @@ class Conversion {
 ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
   if (arguments.simulation && arguments.sample.script.empty())
     throw core::Refused("--simulation is a number in a script", "name it with --script");
-  const raster::SampleFileHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
-  const raster::SampleFile file = open_samples(arguments.input, hints, streams);
+  const raster::RasterHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
+  const auto opened = open_samples(arguments.input, hints, streams);
+  const raster::Raster& file = *opened;
   Conversion conversion(file, hints, arguments, streams);
   workflow::OutputCare care{workflow::sources_of_script(arguments.sample.script), arguments.force, "OUT"};
   care.sources.emplace_back(arguments.input);

@@ -57,12 +57,13 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 
 }  // namespace
 
-std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::SampleFileInfo& info) {
-  if (!info.format->envi_header || (info.format->recording && !raster::has_envi_header(path))) return std::nullopt;
+std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::Raster& file) {
+  if (!file.info().format->envi_header || (file.info().format->recording && !raster::has_envi_header(path)))
+    return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
   if (!image) throw core::Refused(std::move(problems));
   const raster::EnviHeader& header = image->header();
-  if (header.lines != info.rows || header.samples != info.columns) return std::nullopt;
+  if (header.lines != file.rows() || header.samples != file.columns()) return std::nullopt;
   return header;
 }
 

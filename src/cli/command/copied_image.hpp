@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "raster/format/envi.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/raster.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::cli {
@@ -13,7 +13,7 @@ namespace sarsim::cli {
 /// The ENVI header that describes a file of samples as it was opened; nothing where none does, as for recordings.
 /// Throws core::Refused and std::system_error like EnviImage.
 [[nodiscard]] std::optional<raster::EnviHeader> header_beside(const std::filesystem::path& path,
-                                                              const raster::SampleFileInfo& info);
+                                                              const raster::Raster& file);
 
 /// The file that the header of a copy becomes: "copy.hdr" for "copy.npy", or "copy.npy.hdr" where the former is the
 /// header of the image that is copied.

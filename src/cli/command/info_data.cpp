@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t longest_attribute = 60;
 
-signal::SampleStatistics statistics_of(const raster::SampleFile& file, const core::StopFlag* stop) {
-  const raster::SampleFileInfo& info = file.info();
+signal::SampleStatistics statistics_of(const raster::Raster& file, const core::StopFlag* stop) {
+  const raster::RasterInfo& info = file.info();
   signal::SampleStatistics statistics;
   std::vector<std::complex<double>> values;
   const std::size_t rows = rows_at_once(info.columns);
-  for (std::size_t first = 0; first < info.rows; first += rows) {
+  for (std::size_t first = 0; first < file.rows(); first += rows) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
-    const std::size_t count = std::min(rows, info.rows - first);
+    const std::size_t count = std::min(rows, file.rows() - first);
     values.resize(count * info.columns);
     file.read_rows(first, count, values);
     statistics.add(values, first, info.columns);
@@ -38,10 +38,11 @@ std::string quantity(double value, bool counts) {
   return counts ? fmt::format("{:.9g}", value) : fmt::format("{:.6g} V", value);
 }
 
-std::vector<Figure> shape_figures(const raster::SampleFileInfo& info) {
+std::vector<Figure> shape_figures(const raster::Raster& file) {
+  const raster::RasterInfo& info = file.info();
   std::vector<Figure> f;
   f.push_back(word_figure("format", "format", raster::word_of(*info.format)));
-  f.push_back(figure("rows", "rows", static_cast<double>(info.rows), std::to_string(info.rows)));
+  f.push_back(figure("rows", "rows", static_cast<double>(file.rows()), std::to_string(file.rows())));
   f.push_back(figure("samples of a row", "columns", static_cast<double>(info.columns), std::to_string(info.columns)));
   f.push_back(word_figure("values", "values", info.counts ? "counts" : "volts"));
   if (info.bits > 0) f.push_back(figure("A/D bits", "bits", info.bits));
@@ -59,7 +60,7 @@ void add_axis(std::vector<Figure>& figures, const char* label, const std::string
   figures.push_back({"", "", "last_" + key + suffix, axis.back(), {}});
 }
 
-std::vector<Figure> axis_figures(const raster::SampleFile& file) {
+std::vector<Figure> axis_figures(const raster::Raster& file) {
   std::vector<Figure> f;
   const auto axes = file.axes();
   if (!axes) return f;
@@ -93,7 +94,7 @@ std::string shown(const std::pair<std::string, std::string>& attribute) {
   return fmt::format("({} bytes of text; --json shows them)", attribute.second.size());
 }
 
-std::string text_of(const std::string& path, const raster::SampleFileInfo& info, std::vector<Figure> figures) {
+std::string text_of(const std::string& path, const raster::RasterInfo& info, std::vector<Figure> figures) {
   std::erase_if(figures, [](const Figure& f) { return f.label.empty(); });
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(path, failure);
@@ -104,7 +105,7 @@ std::string text_of(const std::string& path, const raster::SampleFileInfo& info,
   return text;
 }
 
-std::string json_of(const std::string& path, const raster::SampleFileInfo& info, const std::vector<Figure>& figures) {
+std::string json_of(const std::string& path, const raster::RasterInfo& info, const std::vector<Figure>& figures) {
   core::JsonWriter json;
   json.begin_object().member("sarsim", core::program_version).member("file", path);
   write_json(json, figures);
@@ -117,9 +118,10 @@ std::string json_of(const std::string& path, const raster::SampleFileInfo& info,
 }  // namespace
 
 ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams) {
-  const raster::SampleFile file = open_samples(arguments.path, hints_for(arguments.path, arguments.sample), streams);
-  const raster::SampleFileInfo& info = file.info();
-  std::vector<Figure> figures = shape_figures(info);
+  const auto opened = open_samples(arguments.path, hints_for(arguments.path, arguments.sample), streams);
+  const raster::Raster& file = *opened;
+  const raster::RasterInfo& info = file.info();
+  std::vector<Figure> figures = shape_figures(file);
   std::ranges::move(axis_figures(file), std::back_inserter(figures));
   std::ranges::move(statistics_figures(statistics_of(file, streams.stop), info.counts), std::back_inserter(figures));
   write_out(streams, arguments.json ? json_of(arguments.path, info, figures) : text_of(arguments.path, info, figures));

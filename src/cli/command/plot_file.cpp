@@ -12,7 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "picture/image/envi_layout.hpp"
 #include "picture/image/image_figure.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 #include "workflow/image/image_fields.hpp"
 
 namespace sarsim::cli {
@@ -31,9 +31,9 @@ struct FocusedPlaces {
 
 // What a file is, and where its samples are.
 struct Input {
-  std::shared_ptr<raster::ImageSource> source;
+  std::shared_ptr<raster::Raster> source;
   std::optional<FocusedPlaces> focused;
-  std::optional<raster::SampleAxes> axes;  // times, carriers and ranges; of the file or of its script
+  std::optional<raster::RasterAxes> axes;  // times, carriers and ranges; of the file or of its script
   double sample_rate_hz = 0.0;
 };
 
@@ -83,8 +83,8 @@ FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& pat
           image.range.spectrum_centre_per_m};
 }
 
-raster::SampleAxes axes_of(const simulate::Plan& plan) {
-  raster::SampleAxes axes;
+raster::RasterAxes axes_of(const simulate::Plan& plan) {
+  raster::RasterAxes axes;
   for (std::size_t r = 0; r < plan.rows; ++r) {
     const std::int64_t pulse = plan.first_pulse_of_row(r);
     axes.row_time_s.push_back(plan.radar.repetition.send_time_s(pulse));
@@ -104,24 +104,24 @@ void expect_no_hints(const PlotArguments& a) {
 Input opened(const PlotArguments& a, Streams& streams) {
   Input input;
   const auto header = focused_header(a.input);
-  raster::ImageHints hints;
+  raster::RasterHints hints;
   if (header) {
     expect_no_hints(a);
     hints.raw = picture::layout_of(*header);
     input.focused = places_of(*header, a.input);
   } else {
-    hints.samples = hints_for(a.input, a.samples, a.simulation);
+    hints = hints_for(a.input, a.samples, a.simulation);
   }
-  raster::OpenedImage opened = raster::ImageSource::open(a.input, hints);
-  if (!opened.source) throw core::Refused(core::ranked(std::move(opened.problems)));
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, a.input, hints);
+  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   print_problems(streams, core::ranked(std::move(opened.problems)));
-  opened.source->wait_until_indexed(streams.stop);
+  opened.raster->wait_until_indexed(streams.stop);
   // A picture of a part of the rows would be taken for one of all.
-  core::Problems found = opened.source->problems();
+  core::Problems found = opened.raster->problems();
   if (core::has_errors(found)) throw core::Refused(core::ranked(std::move(found)));
   print_problems(streams, core::ranked(std::move(found)));
-  if (opened.source->rows() == 0 || opened.source->columns() == 0) throw core::Refused(a.input + " holds no samples");
-  input.source = std::move(opened.source);
+  if (opened.raster->rows() == 0 || opened.raster->columns() == 0) throw core::Refused(a.input + " holds no samples");
+  input.source = std::move(opened.raster);
   if (header) return input;
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
@@ -249,7 +249,7 @@ Part chosen_part(const PlotArguments& a, const Input& input, const core::StopFla
   part.columns = between(samples.column_place, a.range_m, "--range");
   samples.row_place = cut_out(samples.row_place, part.rows.begin, part.rows.end);
   samples.column_place = cut_out(samples.column_place, part.columns.begin, part.columns.end);
-  const raster::ImageInfo& info = input.source->info();
+  const raster::RasterInfo& info = input.source->info();
   const double volts = info.counts ? info.lsb_v.value_or(0.0) : 1.0;
   if (!(volts > 0.0)) samples.look.unit = "counts";
   samples.read = reader_of(input, part, volts > 0.0 ? volts : 1.0, stop);

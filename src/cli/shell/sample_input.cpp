@@ -64,8 +64,7 @@ std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& pat
   return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
 }
 
-void take_script(raster::SampleFileHints& hints, const std::string& path, const std::string& script,
-                 const Choice& choice) {
+void take_script(raster::RasterHints& hints, const std::string& path, const std::string& script, const Choice& choice) {
   const auto [simulation, plan] = recording_of(path, script, choice);
   hints.columns = plan.columns;
   hints.rows = plan.rows;
@@ -75,8 +74,8 @@ void take_script(raster::SampleFileHints& hints, const std::string& path, const 
     hints.format = simulation.format;
 }
 
-raster::SampleFileHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
-  raster::SampleFileHints hints;
+raster::RasterHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
+  raster::RasterHints hints;
   if (!arguments.script.empty()) take_script(hints, path, arguments.script, choice);
   if (arguments.format) hints.format = arguments.format;
   if (arguments.columns) {
@@ -101,12 +100,12 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
   add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
 }
 
-raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments) {
+raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments) {
   return hints_said(path, arguments, {});
 }
 
-raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
-                                  std::optional<std::int64_t> simulation) {
+raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
+                              std::optional<std::int64_t> simulation) {
   return hints_said(path, arguments, {true, simulation});
 }
 
@@ -115,11 +114,12 @@ simulate::Plan plan_of_file(const std::string& path, const std::string& script,
   return recording_of(path, script, {true, simulation}).second;
 }
 
-raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints, Streams& streams) {
-  raster::OpenedSampleFile opened = raster::SampleFile::open(path, hints);
-  if (!opened.file) throw core::Refused(core::ranked(std::move(opened.problems)));
+std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,
+                                                   Streams& streams) {
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, path, hints);
+  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   print_problems(streams, core::ranked(std::move(opened.problems)));
-  return std::move(*opened.file);
+  return std::move(opened.raster);
 }
 
 std::size_t rows_at_once(std::size_t columns) {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/shell/context.hpp"
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::cli {
@@ -25,20 +25,20 @@ void add_sample_arguments(CLI::App& app, SampleArguments& arguments);
 
 /// The hints for a file: what was said on the command line, otherwise what the simulation of --script with that output
 /// name says. Throws core::Refused where the script has errors or no such simulation.
-[[nodiscard]] raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments);
+[[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments);
 /// The same of a command that has --simulation, which its hints name.
 /// @param simulation  its number from 1, where the name shall not decide
-[[nodiscard]] raster::SampleFileHints hints_for(const std::string& path, const SampleArguments& arguments,
-                                                std::optional<std::int64_t> simulation);
+[[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
+                                            std::optional<std::int64_t> simulation);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
 /// core::Refused like `hints_for`.
 [[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
                                           std::optional<std::int64_t> simulation = {});
 
-/// Opens a file of samples; prints warnings, throws core::Refused for errors.
-[[nodiscard]] raster::SampleFile open_samples(const std::string& path, const raster::SampleFileHints& hints,
-                                              Streams& streams);
+/// Opens a whole file of samples; prints warnings, throws core::Refused for errors.
+[[nodiscard]] std::shared_ptr<const raster::Raster> open_samples(const std::string& path,
+                                                                 const raster::RasterHints& hints, Streams& streams);
 
 /// Rows that are read and converted together: as many as make a few MB.
 [[nodiscard]] std::size_t rows_at_once(std::size_t columns);

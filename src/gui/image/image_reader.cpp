@@ -20,7 +20,7 @@ bool wants_peaks(const PartRequest& request) {
 
 }  // namespace
 
-picture::SamplePlane plane_of(const std::shared_ptr<const raster::ImageSource>& source, std::size_t rows) {
+picture::SamplePlane plane_of(const std::shared_ptr<const raster::Raster>& source, std::size_t rows) {
   return {rows, source->columns(), [source](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
             source->read_window(window, out);
           }};
@@ -149,7 +149,7 @@ ImagePart ImageReader::read_draft(const Job& job, bool& exact) const {
 
 ImagePart ImageReader::read(const Job& job) const {
   const PartRequest& request = job.request;
-  const raster::ImageSource& source = *request.source;
+  const raster::Raster& source = *request.source;
   ImagePart part;
   part.window = request.window;
   part.value = source.info().value;

@@ -12,16 +12,16 @@
 #include "core/task/stop.hpp"
 #include "gui/image/image_part.hpp"
 #include "picture/image/overview.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::gui {
 
 /// Samples of a source as a plane; the plane keeps the source alive.
-[[nodiscard]] picture::SamplePlane plane_of(const std::shared_ptr<const raster::ImageSource>& source, std::size_t rows);
+[[nodiscard]] picture::SamplePlane plane_of(const std::shared_ptr<const raster::Raster>& source, std::size_t rows);
 
 /// What is to be read and painted.
 struct PartRequest {
-  std::shared_ptr<const raster::ImageSource> source;
+  std::shared_ptr<const raster::Raster> source;
   std::shared_ptr<const picture::Overview> overview;  ///< For peaks of wide spacings; may be null.
   raster::ImageWindow window;
   ImageView seen;
@@ -77,7 +77,7 @@ class ImageReader : public QObject {
   bool forgotten_ = false;
   std::uint64_t newest_ = 0;               // On the thread of this object.
   std::shared_ptr<const ImagePart> kept_;  // On the reading thread, as the next two.
-  std::shared_ptr<const raster::ImageSource> kept_source_;
+  std::shared_ptr<const raster::Raster> kept_source_;
   bool kept_peak_ = false;
   std::thread thread_;  // Last: uses everything above.
 };

@@ -27,7 +27,7 @@ constexpr int overview_ms = 200;
 constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the whole image
 
 // How a file is read is part of what an overview of it is.
-std::optional<picture::OverviewCache> cache_for(const raster::ImageSource& source, const raster::ImageHints& hints,
+std::optional<picture::OverviewCache> cache_for(const raster::Raster& source, const raster::RasterHints& hints,
                                                 const std::string& identity) {
   const std::filesystem::path folder = picture::user_cache_folder();
   if (folder.empty()) return std::nullopt;
@@ -53,7 +53,7 @@ unsigned coarser_log2(unsigned base, std::size_t samples) {
 
 ImageViewer::~ImageViewer() = default;
 
-void ImageViewer::open(const std::filesystem::path& path, const raster::ImageHints& hints) {
+void ImageViewer::open(const std::filesystem::path& path, const raster::RasterHints& hints) {
   path_ = path;
   hints_ = hints;
   setWindowTitle(text_of(path.filename()) + " - " + tr("Simulation output"));
@@ -62,7 +62,7 @@ void ImageViewer::open(const std::filesystem::path& path, const raster::ImageHin
     open_again_ = true;
     return;
   }
-  auto result = std::make_shared<raster::OpenedImage>();
+  auto result = std::make_shared<raster::OpenedRaster>();
   // Asked for before the file is opened: one that is replaced meanwhile is opened once more.
   file_number_ = number_of(path);
   disconnect(&opening_, nullptr, this, nullptr);
@@ -71,21 +71,21 @@ void ImageViewer::open(const std::filesystem::path& path, const raster::ImageHin
       open(path_, hints_);
       return;
     }
-    if (end != JobEnd::done) result->source.reset();
+    if (end != JobEnd::done) result->raster.reset();
     if (end == JobEnd::failed) result->problems.emplace_back().message = failure.toStdString();
     take_source(*result);
   });
   opening_.start([result, path, hints](const core::StopFlag&, const BackgroundJob::Report&) {
-    *result = raster::ImageSource::open(path, hints);
+    *result = raster::open_raster(raster::Integrity::partial, path, hints);
   });
 }
 
-void ImageViewer::take_source(raster::OpenedImage& result) {
+void ImageViewer::take_source(raster::OpenedRaster& result) {
   const bool first = source_ == nullptr;
   const std::size_t columns_before = plot_->part() && source_ ? source_->columns() : 0;
   reader_.forget();
   overview_.reset();
-  source_ = std::move(result.source);
+  source_ = std::move(result.raster);
   open_problems_ = std::move(result.problems);
   read_failure_.clear();
   forget_readings();
@@ -354,7 +354,7 @@ void ImageViewer::show_info() {
                                  : tr("%1\ncould not be read").arg(text_of(path_.filename())));
     return;
   }
-  const raster::ImageInfo& info = source_->info();
+  const raster::RasterInfo& info = source_->info();
   const std::string_view values = info.value == raster::ImageValue::complex     ? "complex"
                                   : info.value == raster::ImageValue::real      ? "real"
                                   : info.value == raster::ImageValue::magnitude ? "magnitudes"

@@ -20,7 +20,7 @@
 #include "picture/image/overview.hpp"
 #include "picture/image/point_reading.hpp"
 #include "picture/image/selection_statistics.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 class QCheckBox;
 class QHBoxLayout;
@@ -45,10 +45,10 @@ class ImageViewer : public QWidget {
   ~ImageViewer() override;
 
   /// Opens a file in the background; `opened` or `open_failed` follows.
-  void open(const std::filesystem::path& path, const raster::ImageHints& hints = {});
+  void open(const std::filesystem::path& path, const raster::RasterHints& hints = {});
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] const raster::ImageHints& hints() const { return hints_; }
-  [[nodiscard]] const std::shared_ptr<raster::ImageSource>& source() const { return source_; }
+  [[nodiscard]] const raster::RasterHints& hints() const { return hints_; }
+  [[nodiscard]] const std::shared_ptr<raster::Raster>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
   [[nodiscard]] ImageControls& controls() { return *controls_; }
   [[nodiscard]] const PartLook& look() const { return look_; }
@@ -111,7 +111,7 @@ class ImageViewer : public QWidget {
   QToolButton* add_tool(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
-  void take_source(raster::OpenedImage& result);
+  void take_source(raster::OpenedRaster& result);
   void forget_readings();
   void begin_overview();
   void look_at_file();
@@ -136,11 +136,11 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString words_at(SamplePlace place) const;
 
   std::filesystem::path path_;
-  raster::ImageHints hints_;
-  std::shared_ptr<raster::ImageSource> source_;
+  raster::RasterHints hints_;
+  std::shared_ptr<raster::Raster> source_;
   core::Problems open_problems_;
   QString read_failure_;
-  std::optional<raster::SampleAxes> axes_;
+  std::optional<raster::RasterAxes> axes_;
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;

@@ -84,7 +84,7 @@ void set_span(picture::FigureAxis& axis, const std::vector<double>& values) {
 
 QString ImageViewer::value_unit() const {
   if (!source_) return {};
-  const raster::ImageInfo& info = source_->info();
+  const raster::RasterInfo& info = source_->info();
   // A file that is described by hand does not say what its numbers are.
   const bool volts = info.value == raster::ImageValue::complex && !info.counts && !info.format->by_hand;
   return volts ? QStringLiteral("V") : QString();

@@ -50,13 +50,13 @@ ImageViewer* ImageViewers::open_empty() {
 }
 
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
-  raster::ImageHints hints;
+  raster::RasterHints hints;
+  if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints = *known;
   hints.raw = picture::envi_layout(path);
-  if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints.samples = *known;
   return open_file(path, hints);
 }
 
-ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const raster::ImageHints& hints) {
+ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const raster::RasterHints& hints) {
   ImageViewer* const viewer = open_empty();
   viewer->open(path, hints);
   return viewer;
@@ -64,7 +64,7 @@ ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const ra
 
 OpenImageDialog* ImageViewers::ask_file() { return ask({}, {}, nullptr); }
 
-OpenImageDialog* ImageViewers::ask(const QString& path, const raster::ImageHints& hints, ImageViewer* viewer) {
+OpenImageDialog* ImageViewers::ask(const QString& path, const raster::RasterHints& hints, ImageViewer* viewer) {
   auto* const dialog = new OpenImageDialog(viewer != nullptr ? static_cast<QWidget*>(viewer) : owner_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->set_scene(session_.scene());

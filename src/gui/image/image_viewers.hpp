@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/common/session.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 class QWidget;
 
@@ -30,7 +30,7 @@ class ImageViewers : public QObject {
   /// A viewer of a file; shape and bits of Sarsim's own formats come from the scene where it writes such a file.
   ImageViewer* open_file(const std::filesystem::path& path);
   /// A viewer of a file that is stored so.
-  ImageViewer* open_file(const std::filesystem::path& path, const raster::ImageHints& hints);
+  ImageViewer* open_file(const std::filesystem::path& path, const raster::RasterHints& hints);
   /// A viewer without a file.
   ImageViewer* open_empty();
   /// Asks which file, and how it is stored.
@@ -39,7 +39,7 @@ class ImageViewers : public QObject {
   [[nodiscard]] std::vector<ImageViewer*> viewers() const;
 
  private:
-  OpenImageDialog* ask(const QString& path, const raster::ImageHints& hints, ImageViewer* viewer);
+  OpenImageDialog* ask(const QString& path, const raster::RasterHints& hints, ImageViewer* viewer);
 
   Session& session_;
   QWidget* owner_;

@@ -28,8 +28,8 @@ namespace sarsim::gui {
 // What is to be found out of a file.
 struct FoundOut {
   std::vector<raster::RawGuess> guesses;
-  std::optional<raster::SampleFileHints> known;  // to the scene
-  bool readable = true;                          // by its content
+  std::optional<raster::RasterHints> known;  // to the scene
+  bool readable = true;                      // by its content
 };
 
 // What comes of a file, read as the fields say.
@@ -59,19 +59,19 @@ FoundOut find_out(const std::filesystem::path& file, const scene::Scene& scene) 
     found.guesses.insert(found.guesses.begin(), said);
   }
   found.known = raster::hints_from_scene(scene, file);
-  raster::ImageHints hints;
+  raster::RasterHints hints;
   if (found.known) {
-    hints.samples.columns = found.known->columns;
-    hints.samples.bits = found.known->bits;
+    hints.columns = found.known->columns;
+    hints.bits = found.known->bits;
   }
   std::error_code ignored;
-  found.readable =
-      !std::filesystem::is_regular_file(file, ignored) || raster::ImageSource::open(file, hints).source != nullptr;
+  found.readable = !std::filesystem::is_regular_file(file, ignored) ||
+                   raster::open_raster(raster::Integrity::partial, file, hints).raster != nullptr;
   return found;
 }
 
 // Rows of a text come to be known little by little.
-void wait_for_rows(const raster::ImageSource& source, const core::StopFlag& stop) {
+void wait_for_rows(const raster::Raster& source, const core::StopFlag& stop) {
   constexpr auto patience = std::chrono::seconds(2);
   constexpr auto step = std::chrono::milliseconds(10);
   for (auto waited = std::chrono::milliseconds(0); source.indexed() < 1.0; waited += step) {
@@ -81,7 +81,7 @@ void wait_for_rows(const raster::ImageSource& source, const core::StopFlag& stop
   }
 }
 
-QImage picture_of(const raster::ImageSource& source) {
+QImage picture_of(const raster::Raster& source) {
   const ImageView all = whole_view(source.rows(), source.columns());
   ImagePart part;
   part.window = window_for(all, preview_side, preview_side, source.rows(), source.columns());
@@ -99,14 +99,15 @@ QImage picture_of(const raster::ImageSource& source) {
   return paint(part, look, all).image.scaled(preview_side, preview_side);
 }
 
-FilePreview preview_of(const std::filesystem::path& file, const raster::ImageHints& hints, const core::StopFlag& stop) {
+FilePreview preview_of(const std::filesystem::path& file, const raster::RasterHints& hints,
+                       const core::StopFlag& stop) {
   FilePreview preview;
-  const raster::OpenedImage opened = raster::ImageSource::open(file, hints);
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, file, hints);
   preview.problems = opened.problems;
-  preview.readable = opened.source != nullptr;
-  if (!opened.source) return preview;
-  wait_for_rows(*opened.source, stop);
-  preview.picture = picture_of(*opened.source);
+  preview.readable = opened.raster != nullptr;
+  if (!opened.raster) return preview;
+  wait_for_rows(*opened.raster, stop);
+  preview.picture = picture_of(*opened.raster);
   return preview;
 }
 
@@ -240,13 +241,13 @@ void OpenImageDialog::find_file() {
   if (!found.isEmpty()) show_file(found, {});
 }
 
-void OpenImageDialog::show_file(const QString& path, const raster::ImageHints& hints) {
+void OpenImageDialog::show_file(const QString& path, const raster::RasterHints& hints) {
   path_->setText(path);
   take_file();
   if (hints.raw) show_layout(*hints.raw);
   if (const auto kind = kind_of(hints)) kind_->setCurrentIndex(*kind);
-  if (hints.samples.columns > 0) columns_->setText(QString::number(hints.samples.columns));
-  if (hints.samples.bits > 0) bits_->setText(QString::number(hints.samples.bits));
+  if (hints.columns > 0) columns_->setText(QString::number(hints.columns));
+  if (hints.bits > 0) bits_->setText(QString::number(hints.bits));
   chosen_ = kind_of(hints).has_value();
   changed();
 }
@@ -321,25 +322,25 @@ raster::RawLayout OpenImageDialog::layout() const {
 
 QString OpenImageDialog::path() const { return path_->text(); }
 
-raster::ImageHints OpenImageDialog::hints() const {
-  raster::ImageHints hints;
+raster::RasterHints OpenImageDialog::hints() const {
+  raster::RasterHints hints;
   if (kind_->currentIndex() == custom_kind()) {
     hints.raw = layout();
     return hints;
   }
   if (kind_->currentIndex() > by_content)
-    hints.samples.format = described_.at(static_cast<std::size_t>(kind_->currentIndex()) - 1)->recording;
-  hints.samples.columns = whole_number(columns_);
-  hints.samples.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), most_bits));
+    hints.format = described_.at(static_cast<std::size_t>(kind_->currentIndex()) - 1)->recording;
+  hints.columns = whole_number(columns_);
+  hints.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), most_bits));
   return hints;
 }
 
 bool OpenImageDialog::has_preview() const { return !preview_->pixmap(Qt::ReturnByValue).isNull(); }
 
-std::optional<int> OpenImageDialog::kind_of(const raster::ImageHints& hints) const {
+std::optional<int> OpenImageDialog::kind_of(const raster::RasterHints& hints) const {
   if (hints.raw) return custom_kind();
-  if (!hints.samples.format) return std::nullopt;
-  const auto found = std::ranges::find(described_, hints.samples.format, &raster::Format::recording);
+  if (!hints.format) return std::nullopt;
+  const auto found = std::ranges::find(described_, hints.format, &raster::Format::recording);
   return found == described_.end() ? by_content : static_cast<int>(found - described_.begin()) + 1;
 }
 

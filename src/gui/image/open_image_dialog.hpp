@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gui/common/latest_work.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 #include "scene/model/scene.hpp"
 
 class QCheckBox;
@@ -38,11 +38,11 @@ class OpenImageDialog : public QDialog {
   /// The scene that knows shape and bits of the files its simulations write.
   void set_scene(const scene::Scene& scene) { scene_ = scene; }
   /// Looks at a file, at first as it is said to be stored.
-  void show_file(const QString& path, const raster::ImageHints& hints);
+  void show_file(const QString& path, const raster::RasterHints& hints);
   /// The file that is named.
   [[nodiscard]] QString path() const;
   /// How it is said to be stored.
-  [[nodiscard]] raster::ImageHints hints() const;
+  [[nodiscard]] raster::RasterHints hints() const;
   /// Guesses for the file, likeliest first.
   [[nodiscard]] const std::vector<raster::RawGuess>& guesses() const { return guesses_; }
   /// Whether the preview shows something.
@@ -56,7 +56,7 @@ class OpenImageDialog : public QDialog {
   void make_sample_rows(QFormLayout* form);
   void make_raw_rows(QFormLayout* form);
   QLineEdit* add_number(QFormLayout* form, const QString& label, const char* name, const QString& tip);
-  [[nodiscard]] std::optional<int> kind_of(const raster::ImageHints& hints) const;
+  [[nodiscard]] std::optional<int> kind_of(const raster::RasterHints& hints) const;
   void find_file();
   void take_file();
   void show_found(bool good, const QString& failure);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 namespace sarsim::picture {
 namespace envi_layout_test {
@@ -41,16 +41,16 @@ TEST_F(EnviLayout, OpensImagesOfBothKinds) {
   for (const auto pixel : {raster::EnviHeader::Pixel::complex_float, raster::EnviHeader::Pixel::real_float}) {
     const bool complex = pixel == raster::EnviHeader::Pixel::complex_float;
     const fs::path file = write(complex ? "complex.img" : "real.img", pixel);
-    raster::ImageHints hints;
+    raster::RasterHints hints;
     hints.raw = envi_layout(file);
     ASSERT_TRUE(hints.raw);
-    const raster::OpenedImage opened = raster::ImageSource::open(file, hints);
-    ASSERT_TRUE(opened.source);
-    EXPECT_EQ(opened.source->rows(), 2u);
-    EXPECT_EQ(opened.source->columns(), 3u);
-    EXPECT_EQ(opened.source->info().value, complex ? raster::ImageValue::complex : raster::ImageValue::magnitude);
+    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, file, hints);
+    ASSERT_TRUE(opened.raster);
+    EXPECT_EQ(opened.raster->rows(), 2u);
+    EXPECT_EQ(opened.raster->columns(), 3u);
+    EXPECT_EQ(opened.raster->info().value, complex ? raster::ImageValue::complex : raster::ImageValue::magnitude);
     std::vector<std::complex<float>> read(1);
-    opened.source->read_window({1, 1, 2, 1, 1, 1}, read);
+    opened.raster->read_window({1, 1, 2, 1, 1, 1}, read);
     EXPECT_FLOAT_EQ(std::abs(read[0]), std::hypot(1.0F, 3.0F));
   }
 }

@@ -66,7 +66,7 @@ double place_of(const Extent& extent, const Places& places, std::size_t shown) {
   return places.first + places.step * static_cast<double>(extent.first + shown * extent.step);
 }
 
-Samples read_subset(const raster::ImageSource& source, const Extent& across, const Extent& up,
+Samples read_subset(const raster::Raster& source, const Extent& across, const Extent& up,
                     const core::WorkControl& control) {
   std::vector<std::complex<float>> read(across.shown * up.shown);
   source.read_window({up.first, up.shown, across.first, across.shown, up.step, across.step}, read, control);
@@ -74,7 +74,7 @@ Samples read_subset(const raster::ImageSource& source, const Extent& across, con
 }
 
 // The largest sample of each cell of up.step rows and across.step columns.
-Samples read_peaks(const raster::ImageSource& source, const Extent& across, const Extent& up,
+Samples read_peaks(const raster::Raster& source, const Extent& across, const Extent& up,
                    const core::WorkControl& control) {
   Samples peaks(across.shown * up.shown);
   std::vector<std::complex<float>> read(across.count * up.step);
@@ -115,9 +115,9 @@ ShownSamples shown(Samples samples, const Extent& across, const Extent& up, cons
 }
 
 // Files that others made, and pictures, do not say what their numbers are.
-std::string unit_for(const raster::ImageSource& source, const ImageLook& look) {
+std::string unit_for(const raster::Raster& source, const ImageLook& look) {
   if (look.unit) return *look.unit;
-  const raster::ImageInfo& info = source.info();
+  const raster::RasterInfo& info = source.info();
   const bool unknown = info.counts || info.format->by_hand || info.format->picture;
   return unknown ? "" : "V";
 }
@@ -199,7 +199,7 @@ std::size_t curves_in(std::size_t pixels) {
 
 }  // namespace
 
-Figure image_figure(const raster::ImageSource& source, const ImageLook& wanted, const PlotSize& size,
+Figure image_figure(const raster::Raster& source, const ImageLook& wanted, const PlotSize& size,
                     const core::WorkControl& control) {
   ImageLook look = wanted;
   const std::size_t seen_rows = look.rows > 0 ? look.rows : source.rows();

@@ -6,7 +6,7 @@
 #include "core/task/stop.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/figure/figure.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::picture {
 
@@ -46,7 +46,7 @@ struct ImageLook : ColourLook {
 /// is above, also where the step of the rows is negative.
 /// @param size  device pixels at most
 /// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
-[[nodiscard]] Figure image_figure(const raster::ImageSource& source, const ImageLook& look, const PlotSize& size,
+[[nodiscard]] Figure image_figure(const raster::Raster& source, const ImageLook& look, const PlotSize& size,
                                   const core::WorkControl& control = {});
 
 }  // namespace sarsim::picture

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/format/open_raster.hpp"
+
 namespace sarsim::picture {
 namespace image_figure_test {
 
@@ -29,7 +31,7 @@ class ImageFigure : public testing::Test {
     raster::RawLayout layout;
     layout.width = columns;
     layout.number = raster::RawNumber::float32;
-    source_ = raster::ImageSource::open(path_, {{}, layout}).source;
+    source_ = raster::open_raster(raster::Integrity::partial, path_, {.raw = layout}).raster;
     ASSERT_TRUE(source_);
   }
   void TearDown() override {
@@ -42,7 +44,7 @@ class ImageFigure : public testing::Test {
   }
 
   std::filesystem::path path_;
-  std::shared_ptr<raster::ImageSource> source_;
+  std::shared_ptr<raster::Raster> source_;
 };
 
 TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {

@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "core/report/expect.hpp"
+#include "raster/format/format_reader.hpp"
+#include "raster/format/grid_raster.hpp"
 #include "raster/format/raw_decode.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 
@@ -33,7 +35,7 @@ constexpr std::array<NumberKind, 8> kinds{{
 
 const NumberKind& kind_of(RawNumber number) { return kinds[static_cast<std::size_t>(number)]; }
 
-StoredGrid::Decode decoder_of(const RawLayout& layout) {
+StoredGrid::Decoder decoder_of(const RawLayout& layout) {
   switch (layout.number) {
     case RawNumber::int8:
       return raw_decoder<std::int8_t>(layout.value == ImageValue::complex, layout.big_endian, layout.q_first);
@@ -126,6 +128,24 @@ StoredGrid grid_of(const RawLayout& layout) {
   CORE_EXPECT(layout.width > 0);
   CORE_EXPECT(layout.value != ImageValue::rgb);
   return {layout.header_bytes, layout.width, layout.sample_bytes(), decoder_of(layout), layout.offset};
+}
+
+OpenedRaster open_custom(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+  CORE_EXPECT(hints.raw.has_value());
+  const RawLayout& layout = hints.raw.value();
+  OpenedRaster opened{nullptr, check_raw_layout(layout, file.path().string(), file.size())};
+  for (core::Problem& problem : opened.problems)
+    if (integrity == Integrity::whole && problem.severity == core::Severity::warning) {
+      problem.severity = core::Severity::error;
+      problem.hint = "the file is cut off";
+    }
+  if (core::has_errors(opened.problems)) return opened;
+  RasterInfo info = info_of(file, layout.width, {});
+  info.value = layout.value;
+  info.attributes = {{"layout", to_string(layout)}};
+  const std::uint64_t most = layout.height > 0 ? layout.height : any_rows;
+  opened.raster = make_grid_raster(std::move(info), std::move(file), grid_of(layout), most);
+  return opened;
 }
 
 }  // namespace sarsim::raster

@@ -36,7 +36,7 @@ std::vector<std::complex<float>> samples_of(const std::vector<std::byte>& bytes,
                                             std::size_t most) {
   const StoredGrid grid = grid_of(layout);
   std::vector<std::complex<float>> samples(std::min(most, bytes.size() / grid.sample_bytes));
-  grid.decode(grid, bytes.data(), grid.sample_bytes, samples.size(), samples.data());
+  grid.decode.window(grid, bytes.data(), grid.sample_bytes, samples.size(), samples.data());
   return samples;
 }
 

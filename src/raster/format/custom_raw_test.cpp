@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "raster/format/data_test_support.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 namespace sarsim::raster {
 namespace custom_raw_test {
@@ -24,15 +24,15 @@ std::string stored(Number value, bool big_endian = false) {
   return big_endian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
 
-std::shared_ptr<ImageSource> open_raw(const fs::path& path, const RawLayout& layout) {
-  ImageHints hints;
+std::shared_ptr<Raster> open_raw(const fs::path& path, const RawLayout& layout) {
+  RasterHints hints;
   hints.raw = layout;
-  const OpenedImage opened = ImageSource::open(path, hints);
-  EXPECT_TRUE(opened.source) << text_of(opened.problems);
-  return opened.source;
+  const OpenedRaster opened = open_raster(Integrity::partial, path, hints);
+  EXPECT_TRUE(opened.raster) << text_of(opened.problems);
+  return opened.raster;
 }
 
-std::vector<std::complex<float>> all_of(const ImageSource& source) {
+std::vector<std::complex<float>> all_of(const Raster& source) {
   std::vector<std::complex<float>> samples(source.rows() * source.columns());
   source.read_window({0, source.rows(), 0, source.columns()}, samples);
   return samples;

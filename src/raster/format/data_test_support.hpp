@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/count_range.hpp"
 #include "support/test_folder.hpp"
@@ -91,10 +91,10 @@ inline void write_test_file(const fs::path& path, const simulate::Product& produ
   sink->finish(report);
 }
 
-/// All samples of a file.
-inline std::vector<std::complex<double>> read_all(const SampleFile& file) {
-  std::vector<std::complex<double>> samples(file.info().rows * file.info().columns);
-  file.read_rows(0, file.info().rows, samples);
+/// All samples of a raster, as exactly as it has them.
+inline std::vector<std::complex<double>> read_all_rows(const Raster& raster) {
+  std::vector<std::complex<double>> samples(raster.rows() * raster.columns());
+  raster.read_rows(0, raster.rows(), samples);
   return samples;
 }
 

@@ -18,7 +18,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/npy_header.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 

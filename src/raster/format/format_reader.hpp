@@ -1,32 +1,50 @@
 #pragma once
 
 #include "core/os/input_file.hpp"
-#include "raster/format/image_source.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
-/// How files of a format are opened. Their files are not empty.
-struct FormatReader {
-  /// As samples, whole and sound or not at all; null for what is no file of samples.
-  OpenedReader (*samples)(core::InputFile file, const Format& format, const SampleFileHints& hints) = nullptr;
-  /// To be looked at: what is there of a file that may be cut off or still growing.
-  OpenedImage (*image)(core::InputFile file, const Format& format, const ImageHints& hints) = nullptr;
-};
+/// The openers that the table of formats names (`Format::open`). Their files are not empty; the format is the row that
+/// names them.
 
-extern const FormatReader text_reader;
-extern const FormatReader binary_reader;
-extern const FormatReader npy_reader;
-extern const FormatReader hdf5_file_reader;
-extern const FormatReader envi_file_reader;
-extern const FormatReader sun_reader;
-extern const FormatReader custom_reader;
+/// A text of samples (docs/formats/samples.md): ASCII, CSV, BRACKET.
+///
+/// A whole one is read through once to check every number and every row, and it is remembered where rows begin (at most
+/// a sixteenth of the file's size). Malformed text stops at the first place, rows of different lengths are listed, ten
+/// at most. Of a partial one only the first row is read before this returns.
+[[nodiscard]] OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints,
+                                     Integrity integrity);
 
-/// The format of a file: that of the hints, otherwise that of its first bytes, otherwise that of its extension where
-/// this means no text, otherwise the text that it looks like, otherwise BINARY where its shape is known, otherwise that
-/// of its extension. Null where nothing tells.
-/// @param pictures  look for pictures, too
-[[nodiscard]] const Format* detect_format(const core::InputFile& file, const SampleFileHints& hints, bool pictures);
+/// A BINARY file (docs/formats/samples.md). Without a shape of its own it needs columns and bits as hints.
+[[nodiscard]] OpenedRaster open_binary(core::InputFile file, const Format& format, const RasterHints& hints,
+                                       Integrity integrity);
+
+/// A NumPy array. A whole one is complex64 or complex128 of one or two dimensions, or float32, float64, int16, int32,
+/// int64 with a last dimension of 2, little-endian and in C order. A partial one is of numbers of any size and byte
+/// order, C or Fortran order; a last dimension of 2 makes pairs of I and Q, one of 3 bytes colours. Pairs of integers
+/// are counts.
+[[nodiscard]] OpenedRaster open_npy(core::InputFile file, const Format& format, const RasterHints& hints,
+                                    Integrity integrity);
+
+/// An HDF5 file of samples, see `open_hdf5`; the library opens it anew, by its name.
+[[nodiscard]] OpenedRaster open_hdf5_file(core::InputFile file, const Format& format, const RasterHints& hints,
+                                          Integrity integrity);
+
+/// An image with its ENVI header beside it (docs/formats/focused-images.md), always whole: samples in volts, lines for
+/// rows; real pixels have no imaginary part. Its fields become attributes; that of the script is named "script file",
+/// as "script" is the text of one.
+[[nodiscard]] OpenedRaster open_envi(core::InputFile file, const Format& format, const RasterHints& hints,
+                                     Integrity integrity);
+
+/// A Sun raster. Rows that are missing are never an error.
+[[nodiscard]] OpenedRaster open_sun(core::InputFile file, const Format& format, const RasterHints& hints,
+                                    Integrity integrity);
+
+/// A file of numbers that lie as the layout of the hints says; errors where it says nothing sensible of this file, and
+/// where a whole one has fewer rows.
+[[nodiscard]] OpenedRaster open_custom(core::InputFile file, const Format& format, const RasterHints& hints,
+                                       Integrity integrity);
 
 }  // namespace sarsim::raster

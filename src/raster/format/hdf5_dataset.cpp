@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 

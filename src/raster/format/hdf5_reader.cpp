@@ -13,6 +13,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/hdf5_attributes.hpp"
 #include "raster/format/hdf5_dataset.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 
@@ -64,11 +65,11 @@ void read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std:
   throw std::runtime_error(text);
 }
 
-class Hdf5Reader final : public SampleReader {
+class Hdf5Raster final : public Raster {
  public:
-  Hdf5Reader(SampleFileInfo info, std::string name, Hdf5Handle file, Hdf5Dataset samples, std::uint64_t file_bytes,
+  Hdf5Raster(RasterInfo info, std::string name, Hdf5Handle file, Hdf5Dataset samples, std::uint64_t file_bytes,
              bool old_layout)
-      : SampleReader(std::move(info)),
+      : Raster(std::move(info)),
         name_(std::move(name)),
         file_(std::move(file)),
         samples_(std::move(samples)),
@@ -76,29 +77,49 @@ class Hdf5Reader final : public SampleReader {
         memory_(old_layout ? Hdf5Handle(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose) : complex_in_memory()),
         old_layout_(old_layout) {}
 
-  void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
-    if (out.empty()) return;
-    const Hdf5Use use;
-    read_part(samples_, memory_.get(), first, count, out.data(), name_);
+  [[nodiscard]] std::size_t rows() const override { return static_cast<std::size_t>(samples_.shape[0]); }
+  [[nodiscard]] double read_cost_s(const ImageWindow& window) const override {
+    return static_cast<double>(window.rows) * (20e-6 + static_cast<double>(columns()) * 6e-9);
   }
-
-  [[nodiscard]] std::optional<SampleAxes> axes() const override {
+  [[nodiscard]] std::optional<RasterAxes> axes() const override {
     if (old_layout_) return std::nullopt;
     const Hdf5Use use;
-    auto time = read_axis("/pulse_time_s", info().rows);
-    auto carrier = read_axis("/carrier_hz", info().rows);
-    auto range = read_axis("/slant_range_m", info().columns);
+    auto time = read_axis("/pulse_time_s", rows());
+    auto carrier = read_axis("/carrier_hz", rows());
+    auto range = read_axis("/slant_range_m", columns());
     if (!time || !carrier || !range) return std::nullopt;
-    return SampleAxes{std::move(*time), std::move(*carrier), std::move(*range)};
+    return RasterAxes{std::move(*time), std::move(*carrier), std::move(*range)};
   }
 
   // Reads the axes as `axes` does, in memory that does not grow with their length.
   void try_axes() const {
     if (old_layout_) return;
     const Hdf5Use use;
-    try_axis("/pulse_time_s", info().rows);
-    try_axis("/carrier_hz", info().rows);
-    try_axis("/slant_range_m", info().columns);
+    try_axis("/pulse_time_s", rows());
+    try_axis("/carrier_hz", rows());
+    try_axis("/slant_range_m", columns());
+  }
+
+ protected:
+  // The library is asked for whole rows, which are what is stored in one piece.
+  void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
+                    const core::WorkControl& control) const override {
+    constexpr std::size_t most_at_once = std::size_t{1} << 18;
+    const std::size_t at_once = window.row_step > 1 ? 1 : std::max<std::size_t>(1, most_at_once / columns());
+    std::vector<std::complex<double>> rows;
+    for (std::size_t i = 0; i < window.rows; i += at_once) {
+      if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
+      const std::size_t count = std::min(at_once, window.rows - i);
+      rows.resize(count * columns());
+      read_whole_rows(window.row(i), count, rows);
+      for (std::size_t r = 0; r < count; ++r)
+        for (std::size_t k = 0; k < window.cols; ++k)
+          out[(i + r) * window.cols + k] = std::complex<float>(rows[r * columns() + window.column(k)]);
+    }
+  }
+  void read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
+    const Hdf5Use use;
+    read_part(samples_, memory_.get(), first, count, out.data(), name_);
   }
 
  private:
@@ -161,7 +182,7 @@ std::optional<double> number_attribute(const AttributeTexts& attributes, std::st
   return text ? core::parse_number(*text, shift) : std::nullopt;
 }
 
-void take_known_attributes(SampleFileInfo& info) {
+void take_known_attributes(RasterInfo& info) {
   const auto bits = number_attribute(info.attributes, "bits");
   if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
   info.lsb_v = number_attribute(info.attributes, "lsb_v");
@@ -171,7 +192,7 @@ void take_known_attributes(SampleFileInfo& info) {
 }
 
 // The old program named its attributes after the comments of the script and kept the script's units.
-void take_old_attributes(SampleFileInfo& info) {
+void take_old_attributes(RasterInfo& info) {
   const std::string prefix = "SIMULATION/";
   const auto bits = number_attribute(info.attributes, prefix + "A/D_bit_accuracy");
   if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
@@ -209,13 +230,13 @@ AttributeTexts read_details(hid_t file, std::uint64_t longest) {
   return result;
 }
 
-OpenedReader refused(const std::string& name, core::Problem problem) {
+OpenedRaster refused(const std::string& name, core::Problem problem) {
   problem.place.file = name;
   return {nullptr, {std::move(problem)}};
 }
 
 // Takes the shape over, or says why it is none of samples. `per_sample` is the number of stored columns of a sample.
-std::optional<core::Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset& samples, const char* path,
+std::optional<core::Problem> take_shape(RasterInfo& info, const Hdf5Dataset& samples, const char* path,
                                         std::uint64_t per_sample) {
   const auto& shape = samples.shape;
   if (shape.size() != 2)
@@ -226,12 +247,11 @@ std::optional<core::Problem> take_shape(SampleFileInfo& info, const Hdf5Dataset&
                         fmt::format("{} x {}", shape[0], shape[1]));
   if (!checked_product(shape[0], shape[1], 2 * sizeof(double)))
     return file_problem({}, fmt::format("the dataset {} is too large", path));
-  info.rows = static_cast<std::size_t>(shape[0]);
   info.columns = static_cast<std::size_t>(shape[1] / per_sample);
   return std::nullopt;
 }
 
-std::optional<core::Problem> describe_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+std::optional<core::Problem> describe_samples(RasterInfo& info, const Hdf5Dataset& samples) {
   const auto integers = complex_of_integers(samples.type.get());
   if (!integers)
     return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", samples_path), {},
@@ -240,7 +260,7 @@ std::optional<core::Problem> describe_samples(SampleFileInfo& info, const Hdf5Da
   return take_shape(info, samples, samples_path, 1);
 }
 
-std::optional<core::Problem> describe_old_samples(SampleFileInfo& info, const Hdf5Dataset& samples) {
+std::optional<core::Problem> describe_old_samples(RasterInfo& info, const Hdf5Dataset& samples) {
   const H5T_class_t kind = H5Tget_class(samples.type.get());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER)
     return file_problem({}, fmt::format("the dataset {} does not hold numbers", old_samples_path));
@@ -248,7 +268,7 @@ std::optional<core::Problem> describe_old_samples(SampleFileInfo& info, const Hd
   return take_shape(info, samples, old_samples_path, 2);
 }
 
-OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   const Hdf5Use use;
   const std::string name = path.string();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -264,29 +284,29 @@ OpenedReader open_here(const std::filesystem::path& path, std::uint64_t file_byt
   auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return refused(name, std::move(*problem));
   auto& samples = std::get<Hdf5Dataset>(opened);
-  SampleFileInfo info;
+  RasterInfo info;
+  info.path = path;
   if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
     return refused(name, std::move(*problem));
-  if (hints.rows > 0 && hints.rows != info.rows)
-    return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", info.rows),
+  if (hints.rows > 0 && hints.rows != samples.shape[0])
+    return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", samples.shape[0]),
                                       fmt::format("{}", hints.rows)));
   info.attributes = old_layout ? read_details(file.get(), file_bytes) : read_attributes(file.get(), file_bytes);
   old_layout ? take_old_attributes(info) : take_known_attributes(info);
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
-  return {std::make_unique<Hdf5Reader>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
+  return {std::make_shared<Hdf5Raster>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
 }
 
 // Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
-void read_through(const Hdf5Reader& reader) {
+void read_through(const Hdf5Raster& raster) {
   constexpr std::size_t most_samples = std::size_t{1} << 22U;
-  const SampleFileInfo& info = reader.info();
-  reader.try_axes();
-  if (info.columns > most_samples) return;
-  const std::size_t rows = std::min(info.rows, most_samples / info.columns);
-  std::vector<std::complex<double>> samples(rows * info.columns);
-  reader.read_rows(0, rows, samples);
-  reader.read_rows(info.rows - rows, rows, samples);
+  raster.try_axes();
+  if (raster.columns() > most_samples) return;
+  const std::size_t rows = std::min(raster.rows(), most_samples / raster.columns());
+  std::vector<std::complex<double>> samples(rows * raster.columns());
+  raster.read_rows(0, rows, samples);
+  raster.read_rows(raster.rows() - rows, rows, samples);
 }
 
 // A problem as text and back, for the way from one process to the other.
@@ -317,11 +337,11 @@ core::Problem lacks_memory(const std::string& what) {
 }
 
 // What the child process does: the word that all is well, or a packed problem.
-std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   try {
-    const OpenedReader opened = open_here(path, file_bytes, hints);
-    if (!opened.reader) return packed(opened.problems.front());
-    read_through(static_cast<const Hdf5Reader&>(*opened.reader));
+    const OpenedRaster opened = open_here(path, file_bytes, hints);
+    if (!opened.raster) return packed(opened.problems.front());
+    read_through(static_cast<const Hdf5Raster&>(*opened.raster));
     return good;
   } catch (const LacksMemory& error) {
     return packed(lacks_memory(error.what()));
@@ -334,7 +354,7 @@ std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, c
 
 }  // namespace
 
-OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints) {
+OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
   constexpr unsigned patience_s = 20;

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "raster/format/sample_reader.hpp"
+#include "raster/format/open_raster.hpp"
 
 namespace sarsim::raster {
 
@@ -11,7 +11,7 @@ namespace sarsim::raster {
 ///
 /// Every size is held against the file's before anything is read; datasets in other files, over soft or external
 /// links, of other types or with unknown filters are problems.
-[[nodiscard]] OpenedReader open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes,
-                                     const SampleFileHints& hints);
+[[nodiscard]] OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes,
+                                     const RasterHints& hints);
 
 }  // namespace sarsim::raster

@@ -50,8 +50,8 @@ void add_dataset(hid_t file, const char* name, hid_t type, const Layout& layout,
 }
 
 std::string error_of(const fs::path& path) {
-  const auto opened = SampleFile::open(path);
-  EXPECT_FALSE(opened.file);
+  const auto opened = open_raster(Integrity::whole, path);
+  EXPECT_FALSE(opened.raster);
   EXPECT_EQ(opened.problems.size(), 1U);
   return opened.problems.empty() ? "" : core::to_string(opened.problems[0]);
 }
@@ -71,12 +71,12 @@ TEST(Hdf5Reader, ReadsChunkedAndCompressedSamples) {
                  }},
                 numbers.data());
   }
-  const auto opened = SampleFile::open(folder / "a.h5");
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
-  EXPECT_EQ(read_all(*opened.file),
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(read_all_rows(*opened.raster),
             (std::vector<std::complex<double>>{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}}));
-  EXPECT_FALSE(opened.file->axes());
-  EXPECT_EQ(opened.file->info().bits, 0);
+  EXPECT_FALSE(opened.raster->axes());
+  EXPECT_EQ(opened.raster->info().bits, 0);
 }
 
 // A file is tried in a child process of little memory. All of this one but its structure is a hole, which takes no
@@ -90,17 +90,17 @@ TEST(Hdf5Reader, ReadsShortRowsOneByOneWithoutClearingMegabytes) {
     const std::vector<float> samples(2 * rows * 10, 1.5F);
     add_dataset(file.get(), "samples", complex_float().get(), {.shape = {rows, 10}}, samples.data());
   }
-  OpenedSampleFile opened = SampleFile::open(folder / "rows.h5");
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  OpenedRaster opened = open_raster(Integrity::whole, folder / "rows.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   const auto faults = [] {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     return usage.ru_minflt;
   };
   std::vector<std::complex<double>> row(10);
-  opened.file->read_rows(0, 1, row);
+  opened.raster->read_rows(0, 1, row);
   const long before = faults();
-  for (std::size_t r = 0; r < rows; ++r) opened.file->read_rows(r, 1, row);
+  for (std::size_t r = 0; r < rows; ++r) opened.raster->read_rows(r, 1, row);
   EXPECT_LT(faults() - before, 50'000);
   EXPECT_EQ(row[9], std::complex<double>(1.5, 1.5));
 }
@@ -119,9 +119,9 @@ TEST(Hdf5Reader, OpensFilesWhoseAxesAreLargerThanTheMemoryOfTheTrial) {
       add_dataset(file.get(), name, H5T_IEEE_F64LE, {{rows}, hole});
     add_dataset(file.get(), "slant_range_m", H5T_IEEE_F64LE, {{1}, hole});
   }
-  const auto opened = SampleFile::open(folder / "a.h5");
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
-  EXPECT_EQ(opened.file->info().rows, rows);
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(opened.raster->rows(), rows);
 }
 
 TEST(Hdf5Reader, SaysWhatItCouldNotRead) {
@@ -146,19 +146,19 @@ TEST(Hdf5Reader, OpensFilesWhileOtherThreadsReadAndWriteSome) {
   const TestFolder folder;
   write_test_file(folder / "a.h5", test_product(20, 10, 8), {scene::FileFormat::hdf5});
   write_test_file(folder / "read.h5", test_product(2000, 100, 8), {scene::FileFormat::hdf5});
-  const auto other = SampleFile::open(folder / "read.h5");
-  ASSERT_TRUE(other.file) << text_of(other.problems);
+  const auto other = open_raster(Integrity::whole, folder / "read.h5");
+  ASSERT_TRUE(other.raster) << text_of(other.problems);
   std::atomic<bool> ended = false;
   std::thread reads([&] {
-    while (!ended) (void)read_all(*other.file);
+    while (!ended) (void)read_all_rows(*other.raster);
   });
   std::thread writes([&] {
     while (!ended) write_test_file(folder / "write.h5", test_product(200, 10, 8), {scene::FileFormat::hdf5, true});
   });
   std::string refused;
   for (int i = 0; i < 60 && refused.empty(); ++i) {
-    const auto opened = SampleFile::open(folder / "a.h5");
-    if (!opened.file) refused = "opening number " + std::to_string(i) + ": " + text_of(opened.problems);
+    const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+    if (!opened.raster) refused = "opening number " + std::to_string(i) + ": " + text_of(opened.problems);
   }
   ended = true;
   reads.join();
@@ -174,10 +174,10 @@ TEST(Hdf5Reader, ReadsTheLayoutOf2015) {
     const std::array<double, 8> data{1, 2, 3, 4, -5, 6, 7, -8};
     add_dataset(group.get(), "PulseNo_x_SampleNo_I&Q", H5T_IEEE_F64LE, {{2, 4}, [](hid_t) {}}, data.data());
   }
-  const auto opened = SampleFile::open(folder / "a.h5");
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
-  EXPECT_TRUE(opened.file->info().counts);
-  EXPECT_EQ(read_all(*opened.file), (std::vector<std::complex<double>>{{1, 2}, {3, 4}, {-5, 6}, {7, -8}}));
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_TRUE(opened.raster->info().counts);
+  EXPECT_EQ(read_all_rows(*opened.raster), (std::vector<std::complex<double>>{{1, 2}, {3, 4}, {-5, 6}, {7, -8}}));
 }
 
 TEST(Hdf5Reader, WhatIsNotHdf5IsAProblem) {
@@ -307,9 +307,9 @@ TEST(Hdf5Reader, AxesOfTheWrongLengthAreLeftOut) {
     for (const char* name : {"pulse_time_s", "carrier_hz", "slant_range_m"})
       add_dataset(file.get(), name, H5T_IEEE_F64LE, {{3}, [](hid_t) {}}, axis.data());
   }
-  const auto opened = SampleFile::open(folder / "a.h5");
-  ASSERT_TRUE(opened.file);
-  EXPECT_FALSE(opened.file->axes());
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster);
+  EXPECT_FALSE(opened.raster->axes());
 }
 
 }  // namespace hdf5_reader_test

@@ -19,8 +19,7 @@ constexpr std::size_t samples_at_once = std::size_t{1} << 18;
 
 // Consecutive rows of a window, some MB at a time: use(first row of the window, samples).
 template <class Use>
-void for_each_block(const ImageSource& source, const ImageWindow& window, const core::WorkControl& control,
-                    const Use& use) {
+void for_each_block(const Raster& source, const ImageWindow& window, const core::WorkControl& control, const Use& use) {
   const std::size_t at_once = std::max<std::size_t>(1, samples_at_once / window.cols);
   std::vector<std::complex<float>> samples;
   for (std::size_t i = 0; i < window.rows; i += at_once) {
@@ -39,7 +38,7 @@ double magnitude_of(const std::complex<double>& value) {
   return std::isfinite(magnitude) ? magnitude : 0.0;
 }
 
-double largest_magnitude(const ImageSource& source, const ImageWindow& window, const core::WorkControl& control) {
+double largest_magnitude(const Raster& source, const ImageWindow& window, const core::WorkControl& control) {
   double largest = 0.0;
   for_each_block(source, window, control, [&](std::size_t, const std::vector<std::complex<float>>& samples) {
     for (const auto& sample : samples) largest = std::max(largest, magnitude_of(std::complex<double>(sample)));
@@ -55,8 +54,8 @@ std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t 
   };
 }
 
-simulate::Product product_of(const ImageSource& source, const ImageWindow& window, const ImageExport& options) {
-  const ImageInfo& info = source.info();
+simulate::Product product_of(const Raster& source, const ImageWindow& window, const ImageExport& options) {
+  const RasterInfo& info = source.info();
   simulate::Product product;
   product.rows = window.rows;
   product.columns = window.cols;
@@ -104,9 +103,9 @@ struct BlockMaker {
 
 }  // namespace
 
-simulate::RunReport export_window(const ImageSource& source, const ImageWindow& window,
-                                  const std::filesystem::path& path, const ImageExport& options,
-                                  const core::WorkControl& control, const core::ProgressReport& progress) {
+simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
+                                  const ImageExport& options, const core::WorkControl& control,
+                                  const core::ProgressReport& progress) {
   if (window.samples() == 0) throw std::out_of_range("an empty selection cannot be stored");
   const auto begin = std::chrono::steady_clock::now();
   simulate::Product product = product_of(source, window, options);

@@ -4,8 +4,8 @@
 
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
-#include "raster/format/image_source.hpp"
 #include "raster/format/sinks.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::raster {
 
@@ -28,8 +28,8 @@ struct ImageExport {
 ///
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
 /// std::out_of_range for a window that is not inside or empty, Interrupted.
-simulate::RunReport export_window(const ImageSource& source, const ImageWindow& window,
-                                  const std::filesystem::path& path, const ImageExport& options,
-                                  const core::WorkControl& control = {}, const core::ProgressReport& progress = {});
+simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
+                                  const ImageExport& options, const core::WorkControl& control = {},
+                                  const core::ProgressReport& progress = {});
 
 }  // namespace sarsim::raster

@@ -15,32 +15,32 @@ namespace fs = std::filesystem;
 using data_test::put;
 using data_test::TestFolder;
 
-std::shared_ptr<ImageSource> open_whole(const fs::path& path, const ImageHints& hints = {}) {
-  const OpenedImage opened = ImageSource::open(path, hints);
-  EXPECT_TRUE(opened.source) << data_test::text_of(opened.problems);
-  if (opened.source) opened.source->wait_until_indexed(nullptr);
-  return opened.source;
+std::shared_ptr<Raster> open_whole(const fs::path& path, const RasterHints& hints = {}) {
+  const OpenedRaster opened = open_raster(Integrity::partial, path, hints);
+  EXPECT_TRUE(opened.raster) << data_test::text_of(opened.problems);
+  if (opened.raster) opened.raster->wait_until_indexed(nullptr);
+  return opened.raster;
 }
 
-std::vector<std::complex<float>> read_all(const ImageSource& source) {
+std::vector<std::complex<float>> read_all(const Raster& source) {
   std::vector<std::complex<float>> samples(source.rows() * source.columns());
   source.read_window({0, source.rows(), 0, source.columns()}, samples);
   return samples;
 }
 
-ImageHints shape(std::size_t columns, int bits) {
-  ImageHints hints;
-  hints.samples.columns = columns;
-  hints.samples.bits = bits;
+RasterHints shape(std::size_t columns, int bits) {
+  RasterHints hints;
+  hints.columns = columns;
+  hints.bits = bits;
   return hints;
 }
 
 // Two rows of two samples in volts, as a file of bare numbers.
-std::shared_ptr<ImageSource> open_volts(const fs::path& path, const std::array<float, 8>& volts) {
+std::shared_ptr<Raster> open_volts(const fs::path& path, const std::array<float, 8>& volts) {
   RawLayout layout;
   layout.width = 2;
   layout.number = RawNumber::float32;
-  ImageHints hints;
+  RasterHints hints;
   hints.raw = layout;
   return open_whole(put(path, {reinterpret_cast<const char*>(volts.data()), sizeof volts}), hints);
 }
@@ -61,8 +61,8 @@ TEST_P(ExportTo, KeepsTheCountsOfASelection) {
   const simulate::RunReport report = export_window(*source, part, folder / "out", options);
   EXPECT_EQ(report.rows, 5U);
   EXPECT_EQ(report.saturated, 0U);
-  ImageHints hints = shape(4, 12);
-  hints.samples.format = GetParam();
+  RasterHints hints = shape(4, 12);
+  hints.format = GetParam();
   const auto stored = open_whole(folder / "out", hints);
   ASSERT_TRUE(stored);
   ASSERT_EQ(stored->rows(), 5U);
@@ -159,8 +159,8 @@ TEST(ExportWindow, TurnsVoltsIntoCountsThatUseTheWholeRange) {
 
 TEST(ExportWindow, TurnsCountsIntoVoltsByTheLsb) {
   const TestFolder folder;
-  ImageHints hints = shape(1, 8);
-  hints.samples.lsb_v = 0.25;
+  RasterHints hints = shape(1, 8);
+  hints.lsb_v = 0.25;
   const auto source = open_whole(put(folder / "a.bin", "\x81\x7d"), hints);
   ASSERT_TRUE(source);
   ImageExport options;

@@ -1,4 +1,4 @@
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ class HugeFile : public testing::Test {
   }
 
   // Opens the file and reads windows of 1600 x 1000 at random places and spacings; seconds of a window on average.
-  double window_seconds(const ImageSource& source) {
+  double window_seconds(const Raster& source) {
     std::mt19937_64 random(7);
     std::vector<std::complex<float>> samples(1600 * 1000);
     constexpr int windows = 12;
@@ -76,16 +76,16 @@ TEST_F(HugeFile, OfBinaryOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
   if (!make("", 3'000'000 * row + 2 * 1234, "\x85\x86")) GTEST_SKIP() << "the disk does not take files with holes";
   const double before = resident_mb();
   const auto begin = std::chrono::steady_clock::now();
-  const OpenedImage opened = ImageSource::open(path_, [&] {
-    ImageHints hints = sample_hints(columns, 8);
-    hints.samples.format = scene::FileFormat::binary;
+  const OpenedRaster opened = open_raster(Integrity::partial, path_, [&] {
+    RasterHints hints = sample_hints(columns, 8);
+    hints.format = scene::FileFormat::binary;
     return hints;
   }());
-  ASSERT_TRUE(opened.source) << text_of(opened.problems);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   EXPECT_LT(seconds_since(begin), 1.0);
-  EXPECT_EQ(opened.source->rows(), bytes / row);
-  EXPECT_EQ(read(*opened.source, {2'999'999, 3, 1234, 1})[1], std::complex<float>(6, 7));
-  const double average = window_seconds(*opened.source);
+  EXPECT_EQ(opened.raster->rows(), bytes / row);
+  EXPECT_EQ(read(*opened.raster, {2'999'999, 3, 1234, 1})[1], std::complex<float>(6, 7));
+  const double average = window_seconds(*opened.raster);
   RecordProperty("milliseconds_of_a_window", std::to_string(1e3 * average));
   EXPECT_LT(average, 0.2);  // 33 ms where nothing else runs: docs/formats/images.md.
   EXPECT_LT(resident_mb() - before, 300.0);
@@ -101,12 +101,12 @@ TEST_F(HugeFile, OfNumpyOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
     GTEST_SKIP() << "the disk does not take files with holes";
   const double before = resident_mb();
   const auto begin = std::chrono::steady_clock::now();
-  const OpenedImage opened = ImageSource::open(path_);
-  ASSERT_TRUE(opened.source) << text_of(opened.problems);
+  const OpenedRaster opened = open_raster(Integrity::partial, path_);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   EXPECT_LT(seconds_since(begin), 1.0);
-  EXPECT_EQ(opened.source->rows(), rows);
-  EXPECT_EQ(read(*opened.source, {99'990, 10, 49'990, 10})[99], std::complex<float>(2.5F, 0.0F));
-  const double average = window_seconds(*opened.source);
+  EXPECT_EQ(opened.raster->rows(), rows);
+  EXPECT_EQ(read(*opened.raster, {99'990, 10, 49'990, 10})[99], std::complex<float>(2.5F, 0.0F));
+  const double average = window_seconds(*opened.raster);
   RecordProperty("milliseconds_of_a_window", std::to_string(1e3 * average));
   EXPECT_LT(average, 0.2);
   EXPECT_LT(resident_mb() - before, 300.0);

@@ -1,4 +1,4 @@
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ std::string npy(const std::string& type, const std::string& shape, const std::st
   return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(text.size()) + '\0' + text + data;
 }
 
-TEST(ImageSource, ReadsNumpyArraysOfEitherByteOrderAndOrder) {
+TEST(Raster, ReadsNumpyArraysOfEitherByteOrderAndOrder) {
   const TestFolder folder;
   const auto big =
       open_whole(put(folder / "a.npy", npy(">i2", "(2, 3)", std::string("\0\1\0\2\0\3\0\4\0\5\xff\xff", 12))));
@@ -42,7 +42,7 @@ TEST(ImageSource, ReadsNumpyArraysOfEitherByteOrderAndOrder) {
   EXPECT_EQ(read_all(*row), (std::vector<std::complex<float>>{{1, 2}, {3, 4}}));
 }
 
-TEST(ImageSource, ReadsNumpyArraysOfColours) {
+TEST(Raster, ReadsNumpyArraysOfColours) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.npy", npy("|u1", "(1, 3, 3)", "\1\2\3\4\5\6\377\376\375")));
   ASSERT_TRUE(source);
@@ -53,11 +53,11 @@ TEST(ImageSource, ReadsNumpyArraysOfColours) {
   EXPECT_NEAR(read_all(*source)[1].real(), 0.299 * 4 + 0.587 * 5 + 0.114 * 6, 1e-5);
 }
 
-TEST(ImageSource, RefusesNumpyArraysThatAreNoImages) {
+TEST(Raster, RefusesNumpyArraysThatAreNoImages) {
   const TestFolder folder;
   const auto refusal = [&](const std::string& bytes) {
-    const OpenedImage opened = ImageSource::open(put(folder / "a.npy", bytes));
-    EXPECT_FALSE(opened.source);
+    const OpenedRaster opened = open_raster(Integrity::partial, put(folder / "a.npy", bytes));
+    EXPECT_FALSE(opened.raster);
     return text_of(opened.problems);
   };
   EXPECT_THAT(refusal(npy("<U4", "(2, 3)", std::string(96, 'x'))), HasSubstr("not one of numbers"));
@@ -68,17 +68,17 @@ TEST(ImageSource, RefusesNumpyArraysThatAreNoImages) {
   EXPECT_THAT(refusal("\x93NUMPY"), HasSubstr("a.npy"));
 }
 
-TEST(ImageSource, ShowsTheRowsOfANumpyArrayThatIsStillBeingWritten) {
+TEST(Raster, ShowsTheRowsOfANumpyArrayThatIsStillBeingWritten) {
   const TestFolder folder;
   const fs::path path = put(folder / "a.npy", npy("|u1", "(4, 3)", "\1\2\3\4\5\6\7"));
-  const OpenedImage opened = ImageSource::open(path);
-  ASSERT_TRUE(opened.source);
+  const OpenedRaster opened = open_raster(Integrity::partial, path);
+  ASSERT_TRUE(opened.raster);
   EXPECT_THAT(text_of(opened.problems), HasSubstr("what is there is shown"));
-  EXPECT_EQ(opened.source->rows(), 2U);
+  EXPECT_EQ(opened.raster->rows(), 2U);
   std::ofstream(path, std::ios::binary | std::ios::app) << "\10\11\12\13\14 and more";
-  EXPECT_EQ(opened.source->rows(), 2U);
-  EXPECT_EQ(opened.source->refresh(), 4U);
-  EXPECT_EQ(read(*opened.source, {3, 1, 1, 1})[0].real(), 11.0F);
+  EXPECT_EQ(opened.raster->rows(), 2U);
+  EXPECT_EQ(opened.raster->refresh(), 4U);
+  EXPECT_EQ(read(*opened.raster, {3, 1, 1, 1})[0].real(), 11.0F);
 }
 
 }  // namespace image_numpy_test

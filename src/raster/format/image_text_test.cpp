@@ -1,4 +1,4 @@
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 #include <gmock/gmock.h>
 
@@ -20,7 +20,7 @@ using data_test::TestFolder;
 using data_test::text_of;
 using testing::HasSubstr;
 
-TEST(ImageSource, TextsAreReadAnywhereFromRememberedRows) {
+TEST(Raster, TextsAreReadAnywhereFromRememberedRows) {
   const TestFolder folder;
   constexpr std::size_t rows = 9000;
   std::string text;
@@ -39,7 +39,7 @@ TEST(ImageSource, TextsAreReadAnywhereFromRememberedRows) {
   EXPECT_EQ(read(*source, {0, 1, 0, 3})[0].real(), 0.0F);
 }
 
-TEST(ImageSource, RowsOfATextThatAreUnevenAreShownWithAWarning) {
+TEST(Raster, RowsOfATextThatAreUnevenAreShownWithAWarning) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.csv", "1,2,3,4\n5,6\n1,2,3,4,5,6\n7,8,9,10\n"));
   ASSERT_TRUE(source);
@@ -51,15 +51,15 @@ TEST(ImageSource, RowsOfATextThatAreUnevenAreShownWithAWarning) {
   EXPECT_FALSE(core::has_errors(source->problems()));
 }
 
-TEST(ImageSource, ValuesThatNoConverterGivesEndAText) {
+TEST(Raster, ValuesThatNoConverterGivesEndAText) {
   const TestFolder folder;
-  ImageHints hints;
-  hints.samples.bits = 8;
+  RasterHints hints;
+  hints.bits = 8;
   const auto rows_and_problems = [&](const char* text) {
-    const OpenedImage opened = ImageSource::open(put(folder / "a.csv", text), hints);
-    EXPECT_TRUE(opened.source) << text;
-    opened.source->wait_until_indexed(nullptr);
-    return std::pair(opened.source->rows(), text_of(opened.source->problems()));
+    const OpenedRaster opened = open_raster(Integrity::partial, put(folder / "a.csv", text), hints);
+    EXPECT_TRUE(opened.raster) << text;
+    opened.raster->wait_until_indexed(nullptr);
+    return std::pair(opened.raster->rows(), text_of(opened.raster->problems()));
   };
   EXPECT_EQ(rows_and_problems("0,0\n255,127\n"), std::pair(std::size_t{2}, std::string()));
   for (const char* text : {"0,0\n127,127\n-5,3\n1,1\n", "0,0\n127,127\n256,3\n1,1\n", "0,0\n127,127\n1.5,3\n1,1\n"}) {
@@ -70,7 +70,7 @@ TEST(ImageSource, ValuesThatNoConverterGivesEndAText) {
   }
 }
 
-TEST(ImageSource, TextIsShownUpToTheFirstPlaceThatIsMalformed) {
+TEST(Raster, TextIsShownUpToTheFirstPlaceThatIsMalformed) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.csv", "1,2\n3,4\nfive,6\n7,8\n"));
   ASSERT_TRUE(source);
@@ -78,7 +78,7 @@ TEST(ImageSource, TextIsShownUpToTheFirstPlaceThatIsMalformed) {
   EXPECT_THAT(text_of(source->problems()), testing::AllOf(HasSubstr("a.csv:3:1"), HasSubstr("five")));
 }
 
-TEST(ImageSource, CsvOfSingleNumbersIsReal) {
+TEST(Raster, CsvOfSingleNumbersIsReal) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.csv", "x,y,z\n1,2,3\n4,5,6.5\n"));
   ASSERT_TRUE(source);
@@ -86,7 +86,7 @@ TEST(ImageSource, CsvOfSingleNumbersIsReal) {
   EXPECT_EQ(read_all(*source), (std::vector<std::complex<float>>{1, 2, 3, 4, 5, 6.5F}));
 }
 
-TEST(ImageSource, AsciiIsCutIntoRowsByCountingWhereTheSamplesAreGiven) {
+TEST(Raster, AsciiIsCutIntoRowsByCountingWhereTheSamplesAreGiven) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.asc", "1 2\n3 4\n5 6\n7 8\n9 10\n"), sample_hints(2, 8));
   ASSERT_TRUE(source);
@@ -94,12 +94,12 @@ TEST(ImageSource, AsciiIsCutIntoRowsByCountingWhereTheSamplesAreGiven) {
   EXPECT_EQ(read(*source, {1, 1, 0, 2}), (std::vector<std::complex<float>>{{5, 6}, {7, 8}}));
 }
 
-TEST(ImageSource, MayBeReadFromManyThreadsWhileATextIsLookedThrough) {
+TEST(Raster, MayBeReadFromManyThreadsWhileATextIsLookedThrough) {
   const TestFolder folder;
   std::string text;
   for (int row = 0; row < 60000; ++row) text += std::to_string(row) + ",1,2," + std::to_string(row) + "\n";
-  const OpenedImage opened = ImageSource::open(put(folder / "a.csv", text));
-  ASSERT_TRUE(opened.source);
+  const OpenedRaster opened = open_raster(Integrity::partial, put(folder / "a.csv", text));
+  ASSERT_TRUE(opened.raster);
   std::atomic<int> wrong{0};
   {
     std::vector<std::jthread> readers;
@@ -107,36 +107,36 @@ TEST(ImageSource, MayBeReadFromManyThreadsWhileATextIsLookedThrough) {
       readers.emplace_back([&, seed] {
         std::mt19937 random(seed);
         for (int i = 0; i < 300; ++i) {
-          const std::size_t known = opened.source->rows();
+          const std::size_t known = opened.raster->rows();
           if (known == 0) continue;
           const std::size_t row = random() % known;
-          const auto samples = read(*opened.source, {row, 1, 0, 2});
+          const auto samples = read(*opened.raster, {row, 1, 0, 2});
           if (samples[1] != std::complex<float>(2.0F, static_cast<float>(row))) ++wrong;
-          (void)opened.source->indexed();
+          (void)opened.raster->indexed();
         }
       });
   }
   EXPECT_EQ(wrong, 0);
-  opened.source->wait_until_indexed(nullptr);
-  EXPECT_EQ(opened.source->rows(), 60000U);
+  opened.raster->wait_until_indexed(nullptr);
+  EXPECT_EQ(opened.raster->rows(), 60000U);
 }
 
-TEST(ImageSource, EndsAtOnceWhileATextIsStillLookedThrough) {
+TEST(Raster, EndsAtOnceWhileATextIsStillLookedThrough) {
   const TestFolder folder;
   std::string text;
   for (int row = 0; row < 400000; ++row) text += "10,20,30,40,50,60,70,80\n";
   const fs::path path = put(folder / "a.csv", text);
   const auto begin = std::chrono::steady_clock::now();
-  { const OpenedImage opened = ImageSource::open(path); }
+  { const OpenedRaster opened = open_raster(Integrity::partial, path); }
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(500));
   core::StopFlag stop;
   stop.request();
-  const OpenedImage opened = ImageSource::open(path);
-  ASSERT_TRUE(opened.source);
-  EXPECT_THROW(opened.source->wait_until_indexed(&stop), core::Interrupted);
+  const OpenedRaster opened = open_raster(Integrity::partial, path);
+  ASSERT_TRUE(opened.raster);
+  EXPECT_THROW(opened.raster->wait_until_indexed(&stop), core::Interrupted);
 }
 
-TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
+TEST(Raster, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
   const TestFolder folder;
   constexpr std::size_t columns = 700'001;
   std::string bytes(3 * columns, '\0');
@@ -146,7 +146,7 @@ TEST(ImageSource, LongRowsAreReadInPiecesAndFarSamplesOneByOne) {
   layout.width = columns;
   layout.value = ImageValue::real;
   layout.number = RawNumber::int8;
-  ImageHints hints;
+  RasterHints hints;
   hints.raw = layout;
   const auto source = open_whole(put(folder / "a.raw", bytes), hints);
   ASSERT_TRUE(source);

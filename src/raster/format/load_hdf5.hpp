@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "raster/format/encoder.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/table/row_places.hpp"
 #include "simulate/plan/sink.hpp"
 
@@ -15,7 +15,7 @@ namespace sarsim::raster {
 /// thirty others that it needs takes longer than many a run, and most runs have no use for it.
 struct Hdf5Module {
   /// Opens a file of so many bytes for reading, see open_hdf5.
-  OpenedReader (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const SampleFileHints& hints);
+  OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints);
   /// Begins a file, see Hdf5Sink.
   std::unique_ptr<simulate::Sink> (*make_sink)(const std::filesystem::path& path, const simulate::Product& product,
                                                const Encoding& encoding, bool replace);

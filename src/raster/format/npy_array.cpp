@@ -14,7 +14,7 @@ namespace {
 
 template <class Number>
 constexpr NpyType npy_type(std::string_view name, bool pair, bool counts, bool sample) {
-  return {name, sizeof(Number), pair, counts, sample, raw_component<Number, false>, raw_decoder<Number>};
+  return {name, sizeof(Number), pair, counts, sample, raw_decoder<Number>};
 }
 
 // RawNumber, but also 64-bit integers and booleans.

@@ -18,10 +18,8 @@ struct NpyType {
   bool pair;              ///< The type stands for a whole I/Q pair.
   bool counts;            ///< Whole numbers.
   bool sample;            ///< Files of samples may have it, least significant byte first.
-  /// One component, least significant byte first.
-  double (*component)(const std::byte* bytes);
-  /// The decoder of windows of samples.
-  StoredGrid::Decode (*decoder)(bool complex, bool big_endian, bool q_first);
+  /// The decoder of its samples.
+  StoredGrid::Decoder (*decoder)(bool complex, bool big_endian, bool q_first);
 };
 
 /// The type that a header names, of either byte order; null for one that is not read.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "raster/table/stored_grid.hpp"
 
@@ -32,28 +33,43 @@ inline float as_float(double value) {
   return std::copysign(std::numeric_limits<float>::infinity(), value < 0.0 ? -1.0F : 1.0F);
 }
 
+/// The nearest number of the wanted precision.
+template <class Real>
+Real nearest(double value) {
+  if constexpr (std::is_same_v<Real, float>)
+    return as_float(value);
+  else
+    return value;
+}
+
 /// Decodes samples of one or two components (StoredGrid::Decode).
-template <class Number, bool BigEndian, bool Complex, bool QFirst>
+template <class Real, class Number, bool BigEndian, bool Complex, bool QFirst>
 void decode_raw(const StoredGrid& grid, const std::byte* first, std::size_t stride, std::size_t count,
-                std::complex<float>* out) {
+                std::complex<Real>* out) {
   const double centre = grid.centre;
   for (std::size_t i = 0; i < count; ++i, first += stride) {
-    const float one = as_float(raw_component<Number, BigEndian>(first) - centre);
+    const Real one = nearest<Real>(raw_component<Number, BigEndian>(first) - centre);
     if constexpr (Complex) {
-      const float other = as_float(raw_component<Number, BigEndian>(first + sizeof(Number)) - centre);
-      out[i] = QFirst ? std::complex<float>(other, one) : std::complex<float>(one, other);
+      const Real other = nearest<Real>(raw_component<Number, BigEndian>(first + sizeof(Number)) - centre);
+      out[i] = QFirst ? std::complex<Real>(other, one) : std::complex<Real>(one, other);
     } else {
-      out[i] = {one, 0.0F};
+      out[i] = {one, Real{}};
     }
   }
 }
 
+/// Both decoders of a type.
+template <class Number, bool BigEndian, bool Complex, bool QFirst>
+constexpr StoredGrid::Decoder raw_decoder_of{decode_raw<float, Number, BigEndian, Complex, QFirst>,
+                                             decode_raw<double, Number, BigEndian, Complex, QFirst>};
+
 /// The decoder of a type.
 template <class Number>
-StoredGrid::Decode raw_decoder(bool complex, bool big_endian, bool q_first) {
-  if (!complex) return big_endian ? decode_raw<Number, true, false, false> : decode_raw<Number, false, false, false>;
-  if (q_first) return big_endian ? decode_raw<Number, true, true, true> : decode_raw<Number, false, true, true>;
-  return big_endian ? decode_raw<Number, true, true, false> : decode_raw<Number, false, true, false>;
+StoredGrid::Decoder raw_decoder(bool complex, bool big_endian, bool q_first) {
+  if (!complex)
+    return big_endian ? raw_decoder_of<Number, true, false, false> : raw_decoder_of<Number, false, false, false>;
+  if (q_first) return big_endian ? raw_decoder_of<Number, true, true, true> : raw_decoder_of<Number, false, true, true>;
+  return big_endian ? raw_decoder_of<Number, true, true, false> : raw_decoder_of<Number, false, true, false>;
 }
 
 }  // namespace sarsim::raster

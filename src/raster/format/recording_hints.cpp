@@ -68,7 +68,7 @@ NamesAlike names_alike(const std::vector<std::string>& names, const fs::path& fi
   return alike;
 }
 
-std::optional<SampleFileHints> hints_from_scene(const scene::Scene& scene, const fs::path& file) {
+std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const fs::path& file) {
   std::vector<std::string> names;
   for (const scene::Simulation& simulation : scene.simulations) names.push_back(name_in(simulation.file));
   const NamesAlike alike = names_alike(names, file);
@@ -79,7 +79,7 @@ std::optional<SampleFileHints> hints_from_scene(const scene::Scene& scene, const
   try {
     const auto shape = shape_of(scene, simulation);
     if (!shape) return std::nullopt;
-    SampleFileHints hints;
+    RasterHints hints;
     hints.columns = shape->columns;
     hints.rows = shape->rows;
     hints.bits = simulation.bits;

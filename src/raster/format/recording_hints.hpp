@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "raster/format/sample_reader.hpp"
+#include "raster/format/open_raster.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::raster {
@@ -26,7 +26,6 @@ struct NamesAlike {
 /// (and then without a format). The number of rows of synthetic range profiles is left open. Nothing where there is
 /// none or where there are several, where its radar and window would not pass `check`, or where its rows are longer
 /// than 2^31 samples. Throws nothing.
-[[nodiscard]] std::optional<SampleFileHints> hints_from_scene(const scene::Scene& scene,
-                                                              const std::filesystem::path& file);
+[[nodiscard]] std::optional<RasterHints> hints_from_scene(const scene::Scene& scene, const std::filesystem::path& file);
 
 }  // namespace sarsim::raster

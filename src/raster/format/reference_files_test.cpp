@@ -31,35 +31,35 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(ReferenceFile, HasItsShapeAndIsNotEmpty) {
   const fs::path path = reference_folder() / GetParam().file;
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; SARSIM_REFERENCE names the folder";
-  const auto opened = SampleFile::open(path);
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  const auto opened = open_raster(Integrity::whole, path);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
-  EXPECT_EQ(opened.file->info().rows, GetParam().rows);
-  EXPECT_EQ(opened.file->info().columns, GetParam().columns);
-  EXPECT_TRUE(opened.file->info().counts);
-  const auto samples = read_all(*opened.file);
+  EXPECT_EQ(opened.raster->rows(), GetParam().rows);
+  EXPECT_EQ(opened.raster->info().columns, GetParam().columns);
+  EXPECT_TRUE(opened.raster->info().counts);
+  const auto samples = read_all_rows(*opened.raster);
   EXPECT_TRUE(std::ranges::any_of(samples, [](const auto& sample) { return sample != 0.0; }));
 }
 
 TEST(ReferenceFiles, TheOldHdf5HoldsItsParameters) {
   const fs::path path = reference_folder() / "original/linux/final.h5";
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; SARSIM_REFERENCE names the folder";
-  const auto opened = SampleFile::open(path);
-  ASSERT_TRUE(opened.file);
-  EXPECT_EQ(opened.file->info().bits, 8);
-  EXPECT_TRUE(opened.file->info().lsb_v);
-  EXPECT_TRUE(opened.file->info().sample_rate_hz);
-  EXPECT_FALSE(opened.file->info().attributes.empty());
+  const auto opened = open_raster(Integrity::whole, path);
+  ASSERT_TRUE(opened.raster);
+  EXPECT_EQ(opened.raster->info().bits, 8);
+  EXPECT_TRUE(opened.raster->info().lsb_v);
+  EXPECT_TRUE(opened.raster->info().sample_rate_hz);
+  EXPECT_FALSE(opened.raster->info().attributes.empty());
 }
 
 TEST(ReferenceFiles, TheOldHdf5HoldsTheCountsOfTheText) {
   const fs::path folder = reference_folder() / "original/linux";
   if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not here; SARSIM_REFERENCE names the folder";
-  const auto text = SampleFile::open(folder / "exam2.asc");
-  const auto hdf5 = SampleFile::open(folder / "final.h5");
-  ASSERT_TRUE(text.file && hdf5.file);
-  const auto a = read_all(*text.file);
-  const auto b = read_all(*hdf5.file);
+  const auto text = open_raster(Integrity::whole, folder / "exam2.asc");
+  const auto hdf5 = open_raster(Integrity::whole, folder / "final.h5");
+  ASSERT_TRUE(text.raster && hdf5.raster);
+  const auto a = read_all_rows(*text.raster);
+  const auto b = read_all_rows(*hdf5.raster);
   std::size_t same = 0;
   for (std::size_t i = 0; i < a.size(); ++i) same += a[i] == b[i] ? 1U : 0U;
   EXPECT_EQ(same, a.size());

@@ -60,18 +60,18 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
   const simulate::Product product = test_product(11, 7, GetParam().bits);
   write_test_file(file(folder), product, options());
   EXPECT_EQ(folder.entries(), 1U);
-  SampleFileHints hints;
+  RasterHints hints;
   hints.columns = 7;
   hints.bits = GetParam().bits;
-  const auto opened = SampleFile::open(file(folder), hints);
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
+  const auto opened = open_raster(Integrity::whole, file(folder), hints);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
-  const SampleFileInfo& info = opened.file->info();
+  const RasterInfo& info = opened.raster->info();
   EXPECT_EQ(info.format, &format_of(GetParam().format));
-  EXPECT_EQ(info.rows, 11U);
+  EXPECT_EQ(opened.raster->rows(), 11U);
   EXPECT_EQ(info.columns, 7U);
   EXPECT_EQ(info.counts, GetParam().counts);
-  const auto samples = read_all(*opened.file);
+  const auto samples = read_all_rows(*opened.raster);
   const auto volts = test_volts(77);
   const auto counts = test_counts(77, GetParam().bits);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -82,7 +82,7 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
     ASSERT_EQ(samples[i], expected) << i;
   }
   std::vector<std::complex<double>> middle(14);
-  opened.file->read_rows(5, 2, middle);
+  opened.raster->read_rows(5, 2, middle);
   EXPECT_TRUE(std::equal(middle.begin(), middle.end(), samples.begin() + 35));
 }
 
@@ -256,9 +256,9 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   product.options.profile = scene::Profile::classic;
   product.script = std::string(100000, 'x') + "\xC3\xA9";
   write_test_file(folder / "a.h5", product, {scene::FileFormat::hdf5});
-  const auto opened = SampleFile::open(folder / "a.h5");
-  ASSERT_TRUE(opened.file) << text_of(opened.problems);
-  const SampleFileInfo& info = opened.file->info();
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  const RasterInfo& info = opened.raster->info();
   EXPECT_EQ(info.bits, 12);
   EXPECT_EQ(info.lsb_v, 2.5e-9);
   EXPECT_EQ(info.sample_rate_hz, 100e6);
@@ -273,7 +273,7 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   EXPECT_EQ(attributes.at("format_version"), "1");
   EXPECT_EQ(attributes.at("tolerance"), "1E-06");
   EXPECT_FALSE(attributes.at("program_version").empty());
-  const auto axes = opened.file->axes();
+  const auto axes = opened.raster->axes();
   ASSERT_TRUE(axes);
   for (std::size_t row = 0; row < product.rows; ++row) {
     ASSERT_EQ(axes->row_time_s[row], product.row_time_s(row));

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 

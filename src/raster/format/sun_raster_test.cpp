@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "raster/format/data_test_support.hpp"
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/format/sun_run_length.hpp"
 
 namespace sarsim::raster {
@@ -30,7 +30,7 @@ std::string header(std::uint32_t width, std::uint32_t height, std::uint32_t dept
          number(map_type) + number(map_length);
 }
 
-std::vector<float> levels(const ImageSource& source) {
+std::vector<float> levels(const Raster& source) {
   std::vector<std::complex<float>> samples(source.rows() * source.columns());
   source.read_window({0, source.rows(), 0, source.columns()}, samples);
   std::vector<float> result;
@@ -38,22 +38,22 @@ std::vector<float> levels(const ImageSource& source) {
   return result;
 }
 
-std::vector<Rgb> colours(const ImageSource& source) {
+std::vector<Rgb> colours(const Raster& source) {
   std::vector<Rgb> result(source.rows() * source.columns());
   source.read_rgb({0, source.rows(), 0, source.columns()}, result);
   return result;
 }
 
-std::shared_ptr<ImageSource> open_whole(const fs::path& path) {
-  const OpenedImage opened = ImageSource::open(path);
-  EXPECT_TRUE(opened.source) << text_of(opened.problems);
-  if (opened.source) opened.source->wait_until_indexed(nullptr);
-  return opened.source;
+std::shared_ptr<Raster> open_whole(const fs::path& path) {
+  const OpenedRaster opened = open_raster(Integrity::partial, path);
+  EXPECT_TRUE(opened.raster) << text_of(opened.problems);
+  if (opened.raster) opened.raster->wait_until_indexed(nullptr);
+  return opened.raster;
 }
 
 std::string refusal(const fs::path& path) {
-  const OpenedImage opened = ImageSource::open(path);
-  EXPECT_FALSE(opened.source);
+  const OpenedRaster opened = open_raster(Integrity::partial, path);
+  EXPECT_FALSE(opened.raster);
   EXPECT_EQ(opened.problems.size(), 1U);
   return text_of(opened.problems);
 }

@@ -1,14 +1,17 @@
-#include "raster/format/text_reader.hpp"
-
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <stdexcept>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "raster/format/format_reader.hpp"
+#include "raster/format/grid_raster.hpp"
+#include "raster/format/text_raster.hpp"
 #include "raster/format/text_rows.hpp"
+#include "raster/format/text_start.hpp"
 #include "raster/table/count_range.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 
@@ -16,54 +19,16 @@ namespace {
 
 constexpr std::size_t most_reported_rows = 10;
 constexpr std::uint64_t index_spacing = 256;  // Bytes between remembered rows, so that the index stays small.
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-// Where some row begins.
-struct RowMark {
-  std::size_t row;
-  std::uint64_t offset;
-  std::size_t line;
-};
+constexpr std::size_t most_values_of_first_row = std::size_t{1} << 25;
 
 // What one reading of the whole text tells.
 struct TextSurvey {
-  std::vector<RowMark> marks;
+  std::unique_ptr<TextIndex> index = std::make_unique<TextIndex>(index_spacing);
   std::size_t rows = 0;
   std::size_t values = 0;  // Of each row.
   TextValues numbers;
   core::Problems problems;
 };
-
-TextScanner scanner_at_start(const core::InputFile& file) {
-  std::array<char, 3> begin{};
-  const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
-  const bool marked = std::string_view(begin.data(), got) == byte_order_mark;
-  return {file, marked ? byte_order_mark.size() : 0U, 1};
-}
-
-bool is_name(const std::string& token) {
-  const char c = token.empty() ? '0' : token.front();
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '"' || c == '#';
-}
-
-// A header is a first line none of whose fields is a number and whose first field is a name.
-void skip_header(TextScanner& scanner, const core::InputFile& file) {
-  scanner.skip_white_space();
-  TextScanner ahead(file, scanner.offset(), scanner.line());
-  std::string token;
-  TextNumber number;
-  bool first = true;
-  for (int c = ahead.peek(); c != TextScanner::end && c != '\n'; c = ahead.peek()) {
-    if (c == ',' || c == '(' || c == ')') {
-      ahead.advance();
-      continue;
-    }
-    if (ahead.take_number(number, token) || (first && !is_name(token))) return;
-    first = false;
-    ahead.skip_blanks();
-  }
-  if (!first) scanner.skip_line();
-}
 
 core::Problem uneven_row(const TextRow& row, std::size_t index, std::size_t expected, bool last) {
   core::Problem problem;
@@ -82,25 +47,20 @@ void list_uneven(TextSurvey& survey, const TextRow& row, bool last) {
     survey.problems.push_back(uneven_row(row, survey.rows, survey.values, last));
 }
 
-void remember(TextSurvey& survey, std::uint64_t offset, std::size_t line) {
-  if (survey.marks.empty() || offset >= survey.marks.back().offset + index_spacing)
-    survey.marks.push_back({survey.rows, offset, line});
-}
-
 TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const TextLayout& layout) {
   TextSurvey survey;
+  TextIndex::Recorder recorder(*survey.index);
   TextRowParser parser(scanner, layout, [&survey](const TextNumber& number) { survey.numbers.note(number); });
   for (;;) {
     scanner.skip_white_space();
-    const std::uint64_t offset = scanner.offset();
-    const std::size_t line = scanner.line();
+    const TextMark mark{scanner.offset(), scanner.line()};
     const TextRow row = parser.parse();
     if (row.malformed) {
       survey.problems.push_back(*row.malformed);
       break;
     }
     if (row.values == 0) break;
-    remember(survey, offset, line);
+    recorder.row_begins(survey.rows, mark.offset, mark);
     const bool even = row.values % 2 == 0;
     if (!even || (survey.values > 0 && row.values != survey.values) ||
         (layout.columns > 0 && row.values != 2 * layout.columns)) {
@@ -111,7 +71,7 @@ TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const T
     } else if (survey.values == 0) {
       survey.values = row.values;
     }
-    ++survey.rows;
+    recorder.rows_known(++survey.rows);
   }
   for (core::Problem& problem : survey.problems) problem.place.file = file.path().string();
   if (survey.rows == 0 && survey.problems.empty())
@@ -119,52 +79,8 @@ TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const T
   return survey;
 }
 
-class TextReader final : public SampleReader {
- public:
-  TextReader(core::InputFile file, SampleFileInfo info, TextLayout layout, std::vector<RowMark> marks,
-             std::optional<CountRange> offset)
-      : SampleReader(std::move(info)),
-        file_(std::move(file)),
-        layout_(layout),
-        marks_(std::move(marks)),
-        offset_(offset) {}
-
-  void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
-    if (count == 0) return;
-    const auto after = std::ranges::upper_bound(marks_, first, {}, &RowMark::row);
-    const RowMark& mark = *(after - 1);  // The first row is always remembered.
-    TextScanner scanner(file_, mark.offset, mark.line);
-    std::size_t row = mark.row;
-    std::size_t next = 0;
-    const std::size_t values = 2 * info().columns;
-    TextRowParser parser(scanner, layout_, [&](const TextNumber& number) {
-      if (row < first || next >= 2 * out.size()) return;
-      const double value = decoded(number);
-      std::complex<double>& sample = out[next / 2];
-      sample = next % 2 == 0 ? std::complex<double>(value, 0.0) : std::complex<double>(sample.real(), value);
-      ++next;
-    });
-    for (; row < first + count; ++row) {
-      const TextRow found = parser.parse();
-      if (found.malformed || found.values != values)
-        throw std::runtime_error("cannot read " + file_.path().string() + ": it has been changed");
-    }
-  }
-
- private:
-  [[nodiscard]] double decoded(const TextNumber& number) const {
-    if (!offset_) return number.value + 0.0;  // The old programs wrote "-0"; it is 0.
-    return static_cast<double>(offset_->without_offset(number.magnitude));
-  }
-
-  core::InputFile file_;
-  TextLayout layout_;
-  std::vector<RowMark> marks_;
-  std::optional<CountRange> offset_;
-};
-
 // CSV holds counts plus an offset, which only the number of bits tells.
-std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFileHints& hints, const std::string& name,
+std::optional<CountRange> find_offset(const TextSurvey& survey, const RasterHints& hints, const std::string& name,
                                       core::Problems& problems) {
   if (hints.bits == 0) {
     problems.push_back(with_severity(
@@ -184,32 +100,7 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const SampleFile
   return std::nullopt;
 }
 
-}  // namespace
-
-TextStyle style_of_text(const core::InputFile& file) {
-  std::vector<char> begin(4096);
-  begin.resize(file.read_at(0, std::as_writable_bytes(std::span(begin))));
-  const auto control = [](char c) {
-    const auto code = static_cast<unsigned char>(c);
-    return (code < 0x20 && !(code >= '\t' && code <= '\r')) || code == 0x7F;
-  };
-  if (std::ranges::any_of(begin, control)) return TextStyle::none;
-  std::string_view text(begin.data(), begin.size());
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  const std::size_t start = text.find_first_not_of(" \t\r\n\v\f");
-  if (start == std::string_view::npos) return TextStyle::lines;
-  text.remove_prefix(start);
-  if (text.starts_with('(')) return TextStyle::brackets;
-  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? TextStyle::commas : TextStyle::lines;
-}
-
-TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style) {
-  TextScanner scanner = scanner_at_start(file);
-  if (style == TextStyle::commas) skip_header(scanner, file);
-  return scanner;
-}
-
-OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHints& hints) {
+OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const RasterHints& hints) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64)
     return {nullptr,
@@ -219,7 +110,7 @@ OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHi
   TextScanner scanner = scanner_at_samples(file, style);
   const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
   TextSurvey survey = survey_text(file, std::move(scanner), layout);
-  OpenedReader result{nullptr, std::move(survey.problems)};
+  OpenedRaster result{nullptr, std::move(survey.problems)};
   if (core::has_errors(result.problems)) return result;
   if (hints.rows > 0 && hints.rows != survey.rows)
     result.problems.push_back(file_problem(name, "the file has another number of rows", fmt::format("{}", survey.rows),
@@ -228,17 +119,106 @@ OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHi
     result.problems.push_back(file_problem(name, "the rows have another length",
                                            fmt::format("{} samples", survey.values / 2),
                                            fmt::format("{} samples", hints.columns)));
-  std::optional<CountRange> offset;
-  if (style == TextStyle::commas) offset = find_offset(survey, hints, name, result.problems);
+  TextSamples samples{layout, survey.values, 2, {}};
+  if (style == TextStyle::commas) samples.offset = find_offset(survey, hints, name, result.problems);
   if (core::has_errors(result.problems)) return result;
-  SampleFileInfo info;
-  info.rows = survey.rows;
-  info.columns = survey.values / 2;
+  RasterInfo info = info_of(file, survey.values / 2, hints);
   info.counts = survey.numbers.whole;
   info.bits = hints.bits;
-  if (hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
-  result.reader = std::make_unique<TextReader>(std::move(file), info, layout, std::move(survey.marks), offset);
+  result.raster = make_whole_text(std::move(info), std::move(file), samples, std::move(survey.index));
   return result;
+}
+
+// What the first row tells of the others.
+struct FirstRow {
+  TextMark begin;
+  TextRow row;
+  TextValues numbers;
+  std::uint64_t bytes = 0;
+  bool too_long = false;
+};
+
+struct TooLong {};
+
+FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
+  FirstRow first;
+  TextScanner scanner = scanner_at_samples(file, layout.style);
+  scanner.skip_white_space();
+  first.begin = {scanner.offset(), scanner.line()};
+  std::size_t values = 0;
+  TextRowParser parser(scanner, layout, [&](const TextNumber& number) {
+    if (++values > most_values_of_first_row) throw TooLong();
+    first.numbers.note(number);
+  });
+  try {
+    first.row = parser.parse();
+  } catch (const TooLong&) {
+    first.too_long = true;
+  }
+  first.bytes = scanner.offset() - first.begin.offset;
+  return first;
+}
+
+// The same where only the first row is known: values that do not fit it are taken as they stand.
+std::optional<CountRange> offset_of(const FirstRow& first, const RasterHints& hints, const std::string& name,
+                                    core::Problems& problems) {
+  if (hints.bits == 0) {
+    problems.push_back(with_severity(file_problem(name, "the values may contain the offset of the A/D converter", {},
+                                                  {}, "give the number of A/D bits to have it subtracted"),
+                                     core::Severity::note));
+    return std::nullopt;
+  }
+  const CountRange range{hints.bits};
+  if (first.numbers.may_have_offset(range)) return range;
+  problems.push_back(with_severity(
+      file_problem(name, fmt::format("the values are not those of {} A/D bits with an offset", hints.bits), {}, {},
+                   "they are taken as they stand"),
+      core::Severity::warning));
+  return std::nullopt;
+}
+
+std::optional<core::Problem> first_row_problem(const std::string& name, const FirstRow& first,
+                                               const TextLayout& layout) {
+  if (first.too_long)
+    return file_problem(name, "the first row does not end", fmt::format("{} numbers", most_values_of_first_row), {},
+                        "give the samples of a row");
+  if (first.row.malformed) {
+    core::Problem problem = *first.row.malformed;
+    problem.place.file = name;
+    return problem;
+  }
+  if (first.row.values == 0) return file_problem(name, "the file holds no samples");
+  if (first.row.values % 2 != 0 && layout.style != TextStyle::commas)
+    return file_problem(name, "the first row ends with an I that has no Q",
+                        fmt::format("{} numbers", first.row.values));
+  if (layout.columns > 0 && first.row.values < 2 * layout.columns)
+    return file_problem(name, "the file does not hold a single row", fmt::format("{} numbers", first.row.values),
+                        fmt::format("{} samples", layout.columns));
+  return std::nullopt;
+}
+
+OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const RasterHints& hints) {
+  const std::string name = file.path().string();
+  if (hints.bits < 0 || hints.bits > 64 || hints.columns > (std::size_t{1} << 60U))
+    return {nullptr, {file_problem(name, "the samples of a row or the A/D bits are out of range")}};
+  const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
+  const FirstRow first = read_first_row(file, layout);
+  if (auto problem = first_row_problem(name, first, layout)) return {nullptr, {std::move(*problem)}};
+  core::Problems problems;
+  TextSamples samples{layout, first.row.values, first.row.values % 2 != 0 ? 1U : 2U, {}};
+  if (samples.components == 2 && style == TextStyle::commas) samples.offset = offset_of(first, hints, name, problems);
+  RasterInfo info = info_of(file, samples.values / samples.components, hints);
+  if (samples.components == 1) info.value = ImageValue::real;
+  info.counts = first.numbers.whole && samples.components == 2;
+  info.bits = info.counts ? hints.bits : 0;
+  return {make_growing_text(std::move(info), std::move(file), samples, first.begin, first.bytes), std::move(problems)};
+}
+
+}  // namespace
+
+OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity) {
+  const auto open = integrity == Integrity::whole ? open_whole_text : open_growing_text;
+  return open(std::move(file), format.text, hints);
 }
 
 }  // namespace sarsim::raster

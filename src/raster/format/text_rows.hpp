@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "raster/format/sample_reader.hpp"
 #include "raster/format/text_scanner.hpp"
 #include "raster/table/count_range.hpp"
+#include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::raster {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "support/folders.hpp"
 
 namespace sarsim::raster {
@@ -74,8 +74,8 @@ TEST(Trial, BringsBackTheTextAndNothingElse) {
 TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
   const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/crashes_libhdf5_1_10.h5";
   ASSERT_TRUE(std::filesystem::exists(path));
-  const OpenedSampleFile opened = SampleFile::open(path);
-  EXPECT_FALSE(opened.file.has_value());
+  const OpenedRaster opened = open_raster(Integrity::whole, path);
+  EXPECT_FALSE(opened.raster);
   ASSERT_FALSE(opened.problems.empty());
   EXPECT_EQ(opened.problems.front().severity, core::Severity::error);
 }
@@ -84,8 +84,8 @@ TEST(Trial, AFileThatCrashesTheHdf5LibraryIsRefusedInWords) {
 TEST(Trial, AFileThatClaimsSeventeenGigabytesIsRefusedWithoutThem) {
   const auto path = test::source_folder() / "fuzz/corpus/hdf5_samples/claims_17_gigabytes.h5";
   ASSERT_TRUE(std::filesystem::exists(path));
-  const OpenedSampleFile opened = SampleFile::open(path);
-  EXPECT_FALSE(opened.file.has_value());
+  const OpenedRaster opened = open_raster(Integrity::whole, path);
+  EXPECT_FALSE(opened.raster);
   EXPECT_FALSE(opened.problems.empty());
 }
 

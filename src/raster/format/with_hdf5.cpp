@@ -4,10 +4,12 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "raster/format/format_reader.hpp"
 #include "raster/format/format_writer.hpp"
-#include "raster/format/image_openers.hpp"
 #include "raster/format/load_hdf5.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 
@@ -79,23 +81,23 @@ void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const
   frame.copy_to(file);
 }
 
-// The library opens the file anew, by its name.
-OpenedReader open_by_module(core::InputFile file, const Format&, const SampleFileHints& hints) {
-  const std::filesystem::path path = file.path();
-  return hdf5_module(path).open(path, file.size(), hints);
-}
-
-OpenedImage open_image_by_module(core::InputFile file, const Format& format, const ImageHints& hints) {
-  SampleFileHints known = hints.samples;
-  known.format = format.recording;
-  known.rows = 0;
-  const std::filesystem::path path = file.path();
-  return open_sample_image(path, known);
-}
-
 }  // namespace
 
-const FormatReader hdf5_file_reader{.samples = open_by_module, .image = open_image_by_module};
+OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+  constexpr std::size_t longest_row = std::size_t{1} << 26;  // A whole row is read at a time: 1 GB.
+  const std::filesystem::path path = file.path();
+  RasterHints known = hints;
+  if (integrity == Integrity::partial) known.rows = 0;
+  OpenedRaster opened = hdf5_module(path).open(path, file.size(), known);
+  if (integrity == Integrity::partial && opened.raster && opened.raster->columns() > longest_row) {
+    opened.problems.push_back(file_problem(path.string(), "the rows are too long to be shown",
+                                           fmt::format("{} samples", opened.raster->columns()),
+                                           fmt::format("at most {}", longest_row), "convert the file to NPY"));
+    opened.raster.reset();
+  }
+  return opened;
+}
+
 const FormatWriter hdf5_file_writer{.encode = encode_array,
                                     .component_bytes = array_component_bytes,
                                     .expected_bytes = hdf5_bytes,

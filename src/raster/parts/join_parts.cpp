@@ -15,7 +15,7 @@
 #include "core/hash/checksum.hpp"
 #include "core/os/output_file.hpp"
 #include "core/os/raw_file.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 

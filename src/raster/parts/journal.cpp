@@ -15,7 +15,7 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/format/sample_reader.hpp"
+#include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
 

@@ -11,10 +11,16 @@
 #include "scene/model/format_values.hpp"
 #include "scene/model/scene.hpp"
 
+namespace sarsim::core {
+class InputFile;
+}
+
 namespace sarsim::raster {
 
-struct FormatReader;
+enum class Integrity;
 struct FormatWriter;
+struct OpenedRaster;
+struct RasterHints;
 
 /// How the numbers of a text make samples and rows.
 enum class TextStyle {
@@ -58,7 +64,9 @@ struct Format {
   FormatPlaces places = {};
   /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
   double (*most_sample_bytes)(int bits) = nullptr;
-  const FormatReader* reader = nullptr;
+  /// Opens a file of it (raster/format/format_reader.hpp).
+  OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints,
+                       Integrity integrity) = nullptr;
   const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
 
   /// Whether it is text, whose size is only estimated and whose rows have no places of their own.

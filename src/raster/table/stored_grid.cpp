@@ -30,7 +30,7 @@ void read_row_far(const core::InputFile& file, const StoredGrid& grid, const Ima
   for (std::size_t k = 0; k < window.cols; ++k)
     file.read_all_at(row_offset + std::uint64_t{window.column(k)} * grid.sample_bytes,
                      std::span(buffer).subspan(k * grid.sample_bytes, grid.sample_bytes));
-  grid.decode(grid, buffer.data(), grid.sample_bytes, window.cols, out);
+  grid.decode.window(grid, buffer.data(), grid.sample_bytes, window.cols, out);
 }
 
 void read_row_near(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
@@ -41,7 +41,7 @@ void read_row_near(const core::InputFile& file, const StoredGrid& grid, const Im
     const std::size_t count = std::min(at_once, window.cols - k);
     buffer.resize((count - 1) * stride + grid.sample_bytes);
     file.read_all_at(row_offset + std::uint64_t{window.column(k)} * grid.sample_bytes, buffer);
-    grid.decode(grid, buffer.data(), stride, count, out + k);
+    grid.decode.window(grid, buffer.data(), stride, count, out + k);
   }
 }
 
@@ -49,7 +49,7 @@ void read_row_near(const core::InputFile& file, const StoredGrid& grid, const Im
 
 void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
                std::span<std::complex<float>> out, const core::WorkControl& control) {
-  CORE_EXPECT(grid.decode != nullptr);
+  CORE_EXPECT(grid.decode.window != nullptr);
   CORE_EXPECT(grid.sample_bytes > 0);
   CORE_EXPECT(out.size() == window.samples());
   CORE_EXPECT(window.row_step >= 1 && window.col_step >= 1);
@@ -64,6 +64,23 @@ void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageW
       (far ? read_row_far : read_row_near)(file, grid, window, row_offset, buffer, out.data() + i * window.cols);
     }
   });
+}
+
+void read_grid_rows(const core::InputFile& file, const StoredGrid& grid, std::size_t first,
+                    std::span<std::complex<double>> out) {
+  CORE_EXPECT(grid.decode.rows != nullptr);
+  CORE_EXPECT(grid.sample_bytes > 0);
+  const std::size_t at_once = std::min(out.size(), std::max<std::size_t>(1, chunk_bytes / grid.sample_bytes));
+  std::uint64_t place = grid.offset + std::uint64_t{first} * grid.row_bytes();
+  std::vector<std::byte> buffer(at_once * grid.sample_bytes);
+  while (!out.empty()) {
+    const std::size_t count = std::min(at_once, out.size());
+    const auto bytes = std::span(buffer).first(count * grid.sample_bytes);
+    file.read_all_at(place, bytes);
+    grid.decode.rows(grid, bytes.data(), grid.sample_bytes, count, out.data());
+    out = out.subspan(count);
+    place += bytes.size();
+  }
 }
 
 double grid_cost_s(const StoredGrid& grid, const ImageWindow& window) {

@@ -14,13 +14,19 @@ namespace sarsim::raster {
 /// A table of samples of a fixed size in a file, rows one after the other.
 struct StoredGrid {
   /// Turns `count` samples that stand `stride` bytes apart into numbers.
+  template <class Real>
   using Decode = void (*)(const StoredGrid& grid, const std::byte* first, std::size_t stride, std::size_t count,
-                          std::complex<float>* out);
+                          std::complex<Real>* out);
+  /// The same function for windows and for whole rows.
+  struct Decoder {
+    Decode<float> window = nullptr;
+    Decode<double> rows = nullptr;
+  };
 
   std::uint64_t offset = 0;  ///< Bytes before the first sample.
   std::size_t columns = 0;
   std::size_t sample_bytes = 0;
-  Decode decode = nullptr;
+  Decoder decode;
   double centre = 0.0;             ///< Subtracted from every component.
   std::uint64_t count_offset = 0;  ///< The same where components are whole numbers of any number of bytes.
 
@@ -32,7 +38,11 @@ struct StoredGrid {
 void read_grid(const core::InputFile& file, const StoredGrid& grid, const ImageWindow& window,
                std::span<std::complex<float>> out, const core::WorkControl& control);
 
-/// Estimated seconds of that where the system holds the file in memory.
+/// Reads whole rows from `first` on, as many as `out` holds, on the calling thread. Throws like `read_grid`.
+void read_grid_rows(const core::InputFile& file, const StoredGrid& grid, std::size_t first,
+                    std::span<std::complex<double>> out);
+
+/// Estimated seconds of `read_grid` where the system holds the file in memory.
 [[nodiscard]] double grid_cost_s(const StoredGrid& grid, const ImageWindow& window);
 
 }  // namespace sarsim::raster

@@ -7,7 +7,7 @@
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
@@ -39,9 +39,9 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
   if (is_script(file) || !script.empty()) {
     reading = scene::read_script_file(file);
   } else {
-    const raster::OpenedSampleFile opened = raster::SampleFile::open(file, {});
-    if (!opened.file) return std::nullopt;
-    const std::string text = raster::attribute_of(opened.file->info().attributes, "script");
+    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {});
+    if (!opened.raster) return std::nullopt;
+    const std::string text = raster::attribute_of(opened.raster->info().attributes, "script");
     if (text.empty()) return std::nullopt;
     reading = scene::read_script(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }

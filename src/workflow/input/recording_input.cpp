@@ -8,7 +8,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/envi.hpp"
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
@@ -68,7 +68,7 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
 }
 
 // Of a file that carries its script.
-scene::Scene scene_in_file(const std::string& path, const raster::SampleFileInfo& info, StoredRecording& recording) {
+scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& info, StoredRecording& recording) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
     throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
@@ -94,11 +94,12 @@ void expect_no_overrides(const RecordingArguments& arguments) {
                           "leave it out, or give with --script the script that it shall stand in");
 }
 
-raster::SampleFile opened(const std::string& path, const raster::SampleFileHints& hints, core::Problems& problems) {
-  raster::OpenedSampleFile result = raster::SampleFile::open(path, hints);
-  if (!result.file) throw core::Refused(core::ranked(std::move(result.problems)));
+std::shared_ptr<const raster::Raster> opened(const std::string& path, const raster::RasterHints& hints,
+                                             core::Problems& problems) {
+  raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints);
+  if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
   take(problems, std::move(result.problems));
-  return std::move(*result.file);
+  return std::move(result.raster);
 }
 
 // What was made from a recording may have its name and its shape.
@@ -110,8 +111,8 @@ void expect_no_image(const std::string& path) {
                       "name the script or the recording that it was made from");
 }
 
-raster::SampleFileHints hints_of(const simulate::Plan& plan) {
-  raster::SampleFileHints hints;
+raster::RasterHints hints_of(const simulate::Plan& plan) {
+  raster::RasterHints hints;
   hints.columns = plan.columns;
   hints.rows = plan.rows;
   hints.bits = plan.simulation.bits;
@@ -119,15 +120,15 @@ raster::SampleFileHints hints_of(const simulate::Plan& plan) {
   return hints;
 }
 
-void expect_shape(const raster::SampleFileInfo& info, const simulate::Plan& plan, const std::string& path) {
-  if (info.rows == plan.rows && info.columns == plan.columns) return;
+void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const std::string& path) {
+  if (file.rows() == plan.rows && file.columns() == plan.columns) return;
   throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
-                                  info.rows, info.columns, plan.rows, plan.columns),
+                                  file.rows(), file.columns(), plan.rows, plan.columns),
                       "name the script and the simulation that wrote it with --script and --simulation");
 }
 
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
-double scale_of(const raster::SampleFileInfo& info, const simulate::Plan& plan, core::Problems& problems) {
+double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core::Problems& problems) {
   if (!info.counts) return 1.0;
   if (info.lsb_v && *info.lsb_v > 0.0) return *info.lsb_v;
   if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
@@ -139,10 +140,9 @@ double scale_of(const raster::SampleFileInfo& info, const simulate::Plan& plan, 
   return 1.0;
 }
 
-RecordedRows rows_of(raster::SampleFile file, double scale) {
-  const auto shared = std::make_shared<const raster::SampleFile>(std::move(file));
-  return [shared, scale](std::size_t row, std::span<std::complex<double>> out) {
-    shared->read_rows(row, 1, out);
+RecordedRows rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
+  return [file = std::move(file), scale](std::size_t row, std::span<std::complex<double>> out) {
+    file->read_rows(row, 1, out);
     for (std::complex<double>& value : out) value *= scale;
   };
 }
@@ -178,7 +178,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);
-  std::optional<raster::SampleFile> file;
+  std::shared_ptr<const raster::Raster> file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);
     file = opened(arguments.path, {}, recording.problems);
@@ -190,9 +190,9 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);
-  expect_shape(file->info(), *recording.plan, arguments.path);
+  expect_shape(*file, *recording.plan, arguments.path);
   const double scale = scale_of(file->info(), *recording.plan, recording.problems);
-  recording.read = rows_of(std::move(*file), scale);
+  recording.read = rows_of(std::move(file), scale);
   return recording;
 }
 

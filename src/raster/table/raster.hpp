@@ -8,60 +8,50 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
-#include "raster/format/custom_raw.hpp"
-#include "raster/format/sample_reader.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 
 namespace sarsim::raster {
 
-/// What an image is, but for the number of its rows, which may grow.
-struct ImageInfo {
-  const Format* format = nullptr;  ///< Its row in the table; never null once a file is open.
-  std::filesystem::path path;
+/// What a raster is, but for the number of its rows, which may grow.
+struct RasterInfo {
+  const Format* format = nullptr;  ///< Its row in the table; null where it comes from no file.
+  std::filesystem::path path;      ///< Empty where it comes from no file.
   std::size_t columns = 0;
   ImageValue value = ImageValue::complex;
-  bool counts = false;                                          ///< The numbers are A/D counts.
+  bool counts = false;                                          ///< The numbers are A/D counts; otherwise volts.
   int bits = 0;                                                 ///< 0 where unknown.
   std::optional<double> lsb_v;                                  ///< Volts of a count, where known.
-  std::optional<double> sample_rate_hz;                         ///< Where the file says it.
+  std::optional<double> sample_rate_hz;                         ///< Where it is known.
   std::vector<std::pair<std::string, std::string>> attributes;  ///< Everything else it says of itself: name, value.
 };
 
-/// What the caller knows of a file that does not describe itself.
-struct ImageHints {
-  SampleFileHints samples;       ///< Shape, bits and format of Sarsim's own formats; see `hints_from_scene`.
-  std::optional<RawLayout> raw;  ///< Given, the file is read so, whatever it holds.
+/// The axes of a recording.
+struct RasterAxes {
+  std::vector<double> row_time_s;      ///< Send time of each row's (first) pulse.
+  std::vector<double> row_carrier_hz;  ///< Its carrier.
+  std::vector<double> column_range_m;  ///< One-way slant range of each column.
 };
 
-struct OpenedImage;
-
-/// An open file of any size as a table of values, of which any part can be read at any spacing; only what a part needs
-/// is read. Functions may be called from many threads at once.
+/// A table of samples of any size: a file, or what is computed. Any part of it can be read at any spacing; only what a
+/// part needs is read, in bounded memory. Functions may be called from many threads at once.
 ///
 /// Nothing is mapped into memory: a file that is cut off or a disk that fails meanwhile gives std::runtime_error
 /// (std::system_error) with the file's name.
-class ImageSource {
+class Raster {
  public:
-  /// Opens a file: by the layout of the hints, otherwise by its content, otherwise by its extension. No source and at
-  /// least one error where it cannot be read; warnings and notes may come with either. Takes milliseconds for files of
-  /// any size, except HDF5, which is tried in a child process first. Texts and run-length encoded pictures are looked
-  /// through on a thread of their own, so that their rows come to be known little by little (`rows`, `indexed`).
-  [[nodiscard]] static OpenedImage open(const std::filesystem::path& path, const ImageHints& hints = {});
+  explicit Raster(RasterInfo info) : info_(std::move(info)) {}
+  Raster(const Raster&) = delete;
+  Raster& operator=(const Raster&) = delete;
+  virtual ~Raster() = default;
 
-  explicit ImageSource(ImageInfo info) : info_(std::move(info)) {}
-  ImageSource(const ImageSource&) = delete;
-  ImageSource& operator=(const ImageSource&) = delete;
-  virtual ~ImageSource() = default;
-
-  [[nodiscard]] const ImageInfo& info() const { return info_; }
+  [[nodiscard]] const RasterInfo& info() const { return info_; }
   /// Says by which format the file was opened.
   void set_format(const Format& format) { info_.format = &format; }
   [[nodiscard]] std::size_t columns() const { return info_.columns; }
@@ -77,7 +67,7 @@ class ImageSource {
   /// What has been found wrong since the file was opened: malformed text, rows of other lengths, pictures cut off.
   [[nodiscard]] virtual core::Problems problems() const { return {}; }
   /// Times, carriers and slant ranges, where the file carries all of them.
-  [[nodiscard]] virtual std::optional<SampleAxes> axes() const { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<RasterAxes> axes() const { return std::nullopt; }
 
   /// Reads the samples of a window, row by row: counts with their sign and without an offset, volts, levels, powers or,
   /// of colours, the luminance. Real values have no imaginary part; numbers beyond float are infinite.
@@ -87,6 +77,11 @@ class ImageSource {
                    const core::WorkControl& control = {}) const;
   /// The same as colours; std::logic_error where the values are none.
   void read_rgb(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control = {}) const;
+  /// Reads the whole rows [first, first + count), one after the other, count * columns samples, on the calling thread:
+  /// counts as they are (exact up to 2^53), or volts. std::out_of_range for rows that are not there,
+  /// std::invalid_argument where `out` has another size, std::runtime_error where the file has been changed meanwhile
+  /// or the disk fails.
+  void read_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const;
 
   /// Estimated seconds to read a window from memory that the system holds; a disk takes longer.
   [[nodiscard]] virtual double read_cost_s(const ImageWindow& window) const = 0;
@@ -101,15 +96,18 @@ class ImageSource {
   virtual void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
                             const core::WorkControl& control) const = 0;
   virtual void read_colours(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const;
+  /// See `read_rows`; the arguments are checked already. By way of `read_samples` where a raster has nothing better,
+  /// which suits those whose numbers are floats.
+  virtual void read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const;
 
  private:
-  ImageInfo info_;
+  RasterInfo info_;
   mutable std::atomic<double> slowness_{1.0};  // Seconds that drafts took for each that was estimated.
 };
 
-/// A source, or at least one error.
-struct OpenedImage {
-  std::shared_ptr<ImageSource> source;
+/// A raster, or at least one error. Warnings and notes may come with either.
+struct OpenedRaster {
+  std::shared_ptr<Raster> raster;
   core::Problems problems;
 };
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "raster/format/sample_file.hpp"
+#include "raster/format/open_raster.hpp"
 
 namespace sarsim::raster {
 
@@ -33,25 +33,25 @@ class MemoryFile {
 };
 
 /// For fuzz targets: opens bytes as a file of samples and reads what it claims to hold: its rows in parts, its last row
-/// again, its axes. Throws std::logic_error where a promise of SampleFile is broken; a reading that fails
+/// again, its axes. Throws std::logic_error where a promise of Raster is broken; a reading that fails
 /// (std::runtime_error) is an answer like any other.
-inline void probe_sample_file(const std::uint8_t* data, std::size_t size, const SampleFileHints& hints) {
+inline void probe_raster(const std::uint8_t* data, std::size_t size, const RasterHints& hints) {
   constexpr std::size_t most_samples = std::size_t{1} << 20;  // Enough of a file that claims more, for speed.
   const MemoryFile memory(data, size);
-  const auto opened = SampleFile::open(memory.path(), hints);
-  if (opened.file.has_value() == core::has_errors(opened.problems))
+  const auto opened = open_raster(Integrity::whole, memory.path(), hints);
+  if ((opened.raster != nullptr) == core::has_errors(opened.problems))
     throw std::logic_error("a file without errors or errors without a file are promised");
-  if (!opened.file) return;
-  const SampleFileInfo& info = opened.file->info();
-  if (info.rows == 0 || info.columns == 0) throw std::logic_error("an empty file was opened");
+  if (!opened.raster) return;
+  const Raster& raster = *opened.raster;
+  if (raster.rows() == 0 || raster.columns() == 0) throw std::logic_error("an empty file was opened");
   try {
-    const std::size_t part = most_samples / info.columns;
+    const std::size_t part = most_samples / raster.columns();
     if (part == 0) return;
-    std::vector<std::complex<double>> samples(std::min(part, info.rows) * info.columns);
-    opened.file->read_rows(0, std::min(part, info.rows), samples);
-    opened.file->read_rows(info.rows - 1, 1, std::span(samples).first(info.columns));
-    const auto axes = opened.file->axes();
-    if (axes && (axes->row_time_s.size() != info.rows || axes->column_range_m.size() != info.columns))
+    std::vector<std::complex<double>> samples(std::min(part, raster.rows()) * raster.columns());
+    raster.read_rows(0, std::min(part, raster.rows()), samples);
+    raster.read_rows(raster.rows() - 1, 1, std::span(samples).first(raster.columns()));
+    const auto axes = raster.axes();
+    if (axes && (axes->row_time_s.size() != raster.rows() || axes->column_range_m.size() != raster.columns()))
       throw std::logic_error("axes of the wrong length");
   } catch (const std::runtime_error&) {
     return;

@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "raster/format/image_openers.hpp"
+#include "raster/format/format_reader.hpp"
 #include "raster/format/sun_raster.hpp"
 #include "raster/format/sun_run_length.hpp"
+#include "raster/table/file_problem.hpp"
 #include "raster/table/row_index.hpp"
 
 namespace sarsim::raster {
@@ -18,10 +19,10 @@ constexpr std::size_t sun_chunk_bytes = std::size_t{48} << 10;  // A multiple of
 
 using RunIndex = RowIndex<SunRunDecoder::State>;
 
-class SunImage final : public ImageSource {
+class SunPicture final : public Raster {
  public:
-  SunImage(ImageInfo info, core::InputFile file, SunPixels pixels)
-      : ImageSource(std::move(info)),
+  SunPicture(RasterInfo info, core::InputFile file, SunPixels pixels)
+      : Raster(std::move(info)),
         file_(std::move(file)),
         pixels_(std::move(pixels)),
         index_(mark_spacing(file_.size())) {
@@ -156,7 +157,7 @@ class SunImage final : public ImageSource {
 
 }  // namespace
 
-OpenedImage open_sun_image(core::InputFile file) {
+OpenedRaster open_sun(core::InputFile file, const Format&, const RasterHints&, Integrity) {
   auto read = read_sun_header(file);
   if (auto* problem = std::get_if<core::Problem>(&read)) return {nullptr, {std::move(*problem)}};
   const SunRasterHeader& header = std::get<SunRasterHeader>(read);
@@ -167,14 +168,14 @@ OpenedImage open_sun_image(core::InputFile file) {
         with_severity(file_problem(file.path().string(), "the colour map is not used",
                                    fmt::format("type {} with {} bits of a pixel", header.map_type, header.depth)),
                       core::Severity::note));
-  ImageInfo info;
+  RasterInfo info;
   info.path = file.path();
   info.columns = header.width;
   info.value = pixels.grey() ? ImageValue::real : ImageValue::rgb;
   info.attributes = {{"type", fmt::format("{}", static_cast<unsigned>(header.type))},
                      {"depth", fmt::format("{}", header.depth)},
                      {"colour map", fmt::format("{} bytes", header.map_length)}};
-  return {std::make_shared<SunImage>(std::move(info), std::move(file), std::move(pixels)), std::move(problems)};
+  return {std::make_shared<SunPicture>(std::move(info), std::move(file), std::move(pixels)), std::move(problems)};
 }
 
 }  // namespace sarsim::raster

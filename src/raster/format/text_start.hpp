@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/os/input_file.hpp"
-#include "raster/format/sample_reader.hpp"
 #include "raster/format/text_scanner.hpp"
 #include "raster/table/formats.hpp"
 
@@ -13,10 +12,5 @@ namespace sarsim::raster {
 
 /// A scanner where the samples of a text begin: behind a byte order mark and, in CSV, behind a header line.
 [[nodiscard]] TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style);
-
-/// Opens a text of samples (docs/formats/samples.md). Reads it through once to check every number and every row, and
-/// remembers where rows begin (at most a sixteenth of the file's size). Malformed text stops at the first place, rows
-/// of different lengths are listed, ten at most.
-[[nodiscard]] OpenedReader open_text(core::InputFile file, TextStyle style, const SampleFileHints& hints);
 
 }  // namespace sarsim::raster

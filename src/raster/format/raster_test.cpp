@@ -1,4 +1,4 @@
-#include "raster/format/image_source.hpp"
+#include "raster/format/open_raster.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "raster/format/recording_hints.hpp"
 
 namespace sarsim::raster {
-namespace image_source_test {
+namespace raster_test {
 
 namespace fs = std::filesystem;
 using data_test::open_whole;
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, ImageOfFormat,
                            return name;
                          });
 
-TEST(ImageSource, OfHdf5CarriesAxesAndAttributes) {
+TEST(Raster, OfHdf5CarriesAxesAndAttributes) {
   const TestFolder folder;
   data_test::write_test_file(folder / "a.h5", test_product(4, 3, 8), {scene::FileFormat::hdf5, false, false, false});
   const auto source = open_whole(folder / "a.h5");
@@ -125,7 +125,7 @@ TEST(ImageSource, OfHdf5CarriesAxesAndAttributes) {
   EXPECT_EQ(axes->column_range_m[2], 1003.0);
 }
 
-TEST(ImageSource, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
+TEST(Raster, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
   const TestFolder folder;
   for (int bits = 1; bits <= 64; ++bits) {
     const auto product = test_product(3, 5, bits);
@@ -141,11 +141,11 @@ TEST(ImageSource, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
   }
 }
 
-TEST(ImageSource, SaysWhatAFileWithoutADescriptionNeeds) {
+TEST(Raster, SaysWhatAFileWithoutADescriptionNeeds) {
   const TestFolder folder;
   const auto refusal = [&](const fs::path& path) {
-    const OpenedImage opened = ImageSource::open(path);
-    EXPECT_FALSE(opened.source);
+    const OpenedRaster opened = open_raster(Integrity::partial, path);
+    EXPECT_FALSE(opened.raster);
     EXPECT_TRUE(core::has_errors(opened.problems));
     return text_of(opened.problems);
   };
@@ -158,7 +158,7 @@ TEST(ImageSource, SaysWhatAFileWithoutADescriptionNeeds) {
 
 // --- Growing files ----------------------------------------------------------------------------------------------
 
-TEST(ImageSource, RefreshFindsWhatABinaryFileHasGrownAndLost) {
+TEST(Raster, RefreshFindsWhatABinaryFileHasGrownAndLost) {
   const TestFolder folder;
   const fs::path path = put(folder / "a.bin", std::string(4 * 6, '\x80'));
   const auto source = open_whole(path, sample_hints(3, 8));
@@ -172,7 +172,7 @@ TEST(ImageSource, RefreshFindsWhatABinaryFileHasGrownAndLost) {
   EXPECT_THROW(read(*source, {1, 1, 0, 1}), std::out_of_range);
 }
 
-TEST(ImageSource, RefreshFindsNewRowsOfATextAndCompletesTheLast) {
+TEST(Raster, RefreshFindsNewRowsOfATextAndCompletesTheLast) {
   const TestFolder folder;
   const fs::path path = put(folder / "a.csv", "1,2,3,4\n5,6,7,8\n9,10");
   const auto source = open_whole(path);
@@ -193,14 +193,14 @@ TEST(ImageSource, RefreshFindsNewRowsOfATextAndCompletesTheLast) {
 
 // --- Drafts and stopping ----------------------------------------------------------------------------------------
 
-TEST(ImageSource, DraftIsCoarserWhereTheTimeIsShortAndStandsForItsNeighbours) {
+TEST(Raster, DraftIsCoarserWhereTheTimeIsShortAndStandsForItsNeighbours) {
   const TestFolder folder;
   std::string bytes;
   for (int i = 0; i < 64 * 64; ++i) bytes += static_cast<char>(i % 64 + i / 64);
   RawLayout layout;
   layout.width = 64;
   layout.value = ImageValue::real;
-  ImageHints hints;
+  RasterHints hints;
   hints.raw = layout;
   const auto source = open_whole(put(folder / "a.raw", bytes), hints);
   ASSERT_TRUE(source);
@@ -220,7 +220,7 @@ TEST(ImageSource, DraftIsCoarserWhereTheTimeIsShortAndStandsForItsNeighbours) {
     }
 }
 
-TEST(ImageSource, ReadingStopsWhereItIsAskedTo) {
+TEST(Raster, ReadingStopsWhereItIsAskedTo) {
   const TestFolder folder;
   const auto source = open_whole(put(folder / "a.bin", std::string(600, '\x80')), sample_hints(3, 8));
   ASSERT_TRUE(source);
@@ -294,5 +294,5 @@ TEST(HintsFromScene, AreTheShapeAndDepthOfTheSimulationThatWroteTheFile) {
   EXPECT_FALSE(hints_from_scene(recording_scene(), "other.bin"));
 }
 
-}  // namespace image_source_test
+}  // namespace raster_test
 }  // namespace sarsim::raster

@@ -1,0 +1,84 @@
+#include "raster/format/open_raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "core/os/input_file.hpp"
+#include "raster/format/envi.hpp"
+#include "raster/format/text_start.hpp"
+#include "raster/table/file_problem.hpp"
+#include "raster/table/formats.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+const Format* with_signature(const core::InputFile& file, bool pictures) {
+  std::array<char, 8> begin{};
+  const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
+  const std::string_view bytes(begin.data(), got);
+  const auto found = std::ranges::find_if(formats(), [&](const Format& row) {
+    return !row.signature.empty() && bytes.starts_with(row.signature) && (pictures || !row.picture);
+  });
+  return found == formats().end() ? nullptr : &*found;
+}
+
+const Format* in_style(TextStyle style) { return &*std::ranges::find(recording_formats(), style, &Format::text); }
+
+// The format of files that have nothing but their numbers.
+const Format* bare_numbers() {
+  return &*std::ranges::find_if(recording_formats(),
+                                [](const Format& row) { return !row.is_text() && row.signature.empty(); });
+}
+
+// The format of a file: that of the hints, otherwise that of its first bytes, otherwise that of its extension where
+// this means no text, otherwise the text that it looks like, otherwise BINARY where its shape is known, otherwise that
+// of its extension. Null where nothing tells. `pictures`: look for pictures, too.
+const Format* detect_format(const core::InputFile& file, const RasterHints& hints, bool pictures) {
+  if (hints.format) return &format_of(*hints.format);
+  if (const Format* const row = with_signature(file, pictures)) return row;
+  const auto recording = format_from_path(file.path());
+  const Format* const named = recording ? &format_of(*recording) : nullptr;
+  if (named != nullptr && !named->is_text()) return named;
+  if (const TextStyle style = style_of_text(file); style != TextStyle::none) return in_style(style);
+  if (hints.columns > 0 && hints.bits > 0) return bare_numbers();
+  return named;
+}
+
+// A header beside a file counts where neither the caller nor the file's extension says something else.
+bool is_envi(const std::filesystem::path& path, const RasterHints& hints) {
+  return !hints.format && hints.columns == 0 && !format_from_path(path) && has_envi_header(path);
+}
+
+const Format* format_of_file(const core::InputFile& file, const RasterHints& hints, Integrity integrity) {
+  if (hints.raw) return &custom_format();
+  const bool whole = integrity == Integrity::whole;
+  if (whole && is_envi(file.path(), hints)) return &envi_format();
+  return detect_format(file, hints, !whole);
+}
+
+}  // namespace
+
+OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints) {
+  const bool whole = integrity == Integrity::whole;
+  auto opened = core::InputFile::open(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};
+  auto& file = std::get<core::InputFile>(opened);
+  if (file.size() == 0)
+    return {nullptr, {file_problem(path.string(), "the file is empty", {}, "samples", whole ? "make it anew" : "")}};
+  const Format* const format = format_of_file(file, hints, integrity);
+  if (format == nullptr)
+    return {nullptr,
+            {file_problem(path.string(), "the format of the file is not known", {}, {},
+                          whole ? "give the format; BINARY also needs the samples of a row and the A/D bits"
+                                : "describe it as a custom file, or name the script that made it")}};
+  OpenedRaster result = format->open(std::move(file), *format, hints, integrity);
+  if (result.raster) result.raster->set_format(*format);
+  return result;
+}
+
+}  // namespace sarsim::raster

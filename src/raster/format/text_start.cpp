@@ -1,0 +1,71 @@
+#include "raster/format/text_start.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace sarsim::raster {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+TextScanner scanner_at_start(const core::InputFile& file) {
+  std::array<char, 3> begin{};
+  const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
+  const bool marked = std::string_view(begin.data(), got) == byte_order_mark;
+  return {file, marked ? byte_order_mark.size() : 0U, 1};
+}
+
+bool is_name(const std::string& token) {
+  const char c = token.empty() ? '0' : token.front();
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '"' || c == '#';
+}
+
+// A header is a first line none of whose fields is a number and whose first field is a name.
+void skip_header(TextScanner& scanner, const core::InputFile& file) {
+  scanner.skip_white_space();
+  TextScanner ahead(file, scanner.offset(), scanner.line());
+  std::string token;
+  TextNumber number;
+  bool first = true;
+  for (int c = ahead.peek(); c != TextScanner::end && c != '\n'; c = ahead.peek()) {
+    if (c == ',' || c == '(' || c == ')') {
+      ahead.advance();
+      continue;
+    }
+    if (ahead.take_number(number, token) || (first && !is_name(token))) return;
+    first = false;
+    ahead.skip_blanks();
+  }
+  if (!first) scanner.skip_line();
+}
+
+}  // namespace
+
+TextStyle style_of_text(const core::InputFile& file) {
+  std::vector<char> begin(4096);
+  begin.resize(file.read_at(0, std::as_writable_bytes(std::span(begin))));
+  const auto control = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return (code < 0x20 && !(code >= '\t' && code <= '\r')) || code == 0x7F;
+  };
+  if (std::ranges::any_of(begin, control)) return TextStyle::none;
+  std::string_view text(begin.data(), begin.size());
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::size_t start = text.find_first_not_of(" \t\r\n\v\f");
+  if (start == std::string_view::npos) return TextStyle::lines;
+  text.remove_prefix(start);
+  if (text.starts_with('(')) return TextStyle::brackets;
+  return text.substr(0, text.find('\n')).find(',') != std::string_view::npos ? TextStyle::commas : TextStyle::lines;
+}
+
+TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style) {
+  TextScanner scanner = scanner_at_start(file);
+  if (style == TextStyle::commas) skip_header(scanner, file);
+  return scanner;
+}
+
+}  // namespace sarsim::raster
