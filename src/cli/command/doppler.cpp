@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/doppler_options.hpp"
 #include "cli/command/doppler_report.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
-#include "raster/table/formats.hpp"
 #include "workflow/search/doppler.hpp"
+#include "workflow/search/search_options.hpp"
 
 namespace sarsim::cli {
 
@@ -32,9 +32,10 @@ void write_maps(core::JsonWriter& json, const workflow::DopplerReport& report) {
   json.member("range_first_m", report.range_first_m).member("range_step_m", report.range_step_m);
 }
 
-ExitStatus run_doppler(const SearchArguments& arguments, Streams& streams) {
+ExitStatus run_doppler(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
-  const workflow::DopplerReport report = workflow::doppler({pulse_request(arguments)}, watch.observer());
+  const workflow::DopplerReport report =
+      workflow::doppler(workflow::doppler_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
   print_report(streams, arguments, report, maps_text(report),
                [&report](core::JsonWriter& json) { write_maps(json, report); });
@@ -44,11 +45,8 @@ ExitStatus run_doppler(const SearchArguments& arguments, Streams& streams) {
 }  // namespace
 
 Action add_doppler(CLI::App& app) {
-  auto arguments = std::make_shared<SearchArguments>();
-  add_search_arguments(
-      app, *arguments,
-      fmt::format("maps to write, one below the other: ENVI (.img, default), or {}", raster::image_extensions()),
-      fmt::format("{}, or as many as there are", workflow::usual_doppler_pulses));
+  auto arguments = std::make_shared<RequestArguments>();
+  add_request_arguments(app, workflow::doppler_option_table().options(), *arguments);
   add_examples(app, {{"sarsim doppler mti.scr --canceller two", "what moves: mti-doppler.img and its detections"},
                      {"sarsim doppler sim1.h5 --interval 128 --step 64 --window hamming", "overlapping intervals"},
                      {"sarsim doppler sim1.bin --script scene.scr --out maps.npy", "a file that carries no script"},

@@ -148,7 +148,7 @@ std::string json_text(const workflow::PulseReport& report, const std::function<v
 
 }  // namespace
 
-void print_report(Streams& streams, const SearchArguments& arguments, const workflow::PulseReport& report,
+void print_report(Streams& streams, const RequestArguments& arguments, const workflow::PulseReport& report,
                   const std::string& image, const std::function<void(core::JsonWriter&)>& members) {
   if (!arguments.quiet) streams.err << summary_text(report, image);
   if (!arguments.json) return;

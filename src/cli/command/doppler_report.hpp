@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "cli/command/doppler_options.hpp"
 #include "cli/shell/context.hpp"
+#include "cli/shell/request_options.hpp"
 #include "core/text/json.hpp"
 #include "workflow/search/pulse_report.hpp"
 
@@ -14,7 +14,7 @@ namespace sarsim::cli {
 /// quiet, and JSON where asked for. Throws like `write_out`.
 /// @param image    what the command says about its image, in the summary
 /// @param members  the same as members of the open JSON object
-void print_report(Streams& streams, const SearchArguments& arguments, const workflow::PulseReport& report,
+void print_report(Streams& streams, const RequestArguments& arguments, const workflow::PulseReport& report,
                   const std::string& image, const std::function<void(core::JsonWriter&)>& members);
 
 }  // namespace sarsim::cli

@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/focus_arguments.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/focus/focus.hpp"
+#include "workflow/focus/focus_options.hpp"
 
 namespace sarsim::cli {
 
@@ -68,8 +69,8 @@ std::string json_of_focus(const std::string& source, const workflow::FocusReport
   return json.text();
 }
 
-ExitStatus run_focus(const FocusArguments& arguments, Streams& streams) {
-  const workflow::FocusRequest request = request_of(arguments);
+ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
+  const workflow::FocusRequest request = workflow::focus_request(arguments.input, arguments.given());
   Watch watch(streams, arguments.quiet);
   const workflow::FocusReport report = workflow::focus(request, watch.observer());
   watch.close();
@@ -81,7 +82,7 @@ ExitStatus run_focus(const FocusArguments& arguments, Streams& streams) {
     if (report.autofocus) streams.err << text_of_autofocus(*report.autofocus);
   }
   if (!arguments.json) return exit_done;
-  write_out(streams, json_of_focus(arguments.input.path, report));
+  write_out(streams, json_of_focus(arguments.input, report));
   flush_out(streams);
   return exit_done;
 }
@@ -89,10 +90,9 @@ ExitStatus run_focus(const FocusArguments& arguments, Streams& streams) {
 }  // namespace
 
 Action add_focus(CLI::App& app) {
-  auto arguments = std::make_shared<FocusArguments>();
-  add_text(app, "input", arguments->input.path, "SCENE|DATA", "script to simulate and focus, or file of samples")
-      ->required();
-  add_focus_arguments(app, *arguments);
+  auto arguments = std::make_shared<RequestArguments>();
+  add_request_arguments(app, workflow::focus_option_table().options(), *arguments,
+                        "script to simulate and focus, or file of samples");
   add_examples(app, {{"sarsim focus sar_r.scr", "simulate and focus: sar_r.img with its header sar_r.hdr"},
                      {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
                      {"sarsim focus sim1.bin --script scene.scr --out image.npy", "a file that carries no script"},

@@ -4,60 +4,19 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/stepped_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "cli/shell/window_option.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/table/formats.hpp"
 #include "workflow/stepped/profiles.hpp"
+#include "workflow/stepped/profiles_options.hpp"
 
 namespace sarsim::cli {
 
 namespace {
-
-using Grouping = workflow::ProfileGrouping;
-
-struct ProfilesArguments {
-  workflow::RecordingArguments input;
-  std::string output;
-  std::optional<Grouping> set;
-  std::string velocity = "none";
-  std::optional<double> fastest_mps;
-  std::string window;
-  std::optional<double> from_m;
-  std::optional<double> to_m;
-  std::optional<std::int64_t> oversampling;
-  std::optional<double> illumination_db;
-  std::optional<std::int64_t> burst;
-  std::optional<std::int64_t> threads;
-  bool align = false;
-  bool force = false;
-  bool json = false;
-  bool quiet = false;
-};
-
-workflow::ProfilesRequest profiles_request(const ProfilesArguments& a) {
-  workflow::ProfilesRequest request{a.input};
-  request.output = a.output;
-  request.set = a.set.value_or(request.set);
-  request.velocity = workflow::velocity_choice(a.velocity);
-  request.fastest_mps = a.fastest_mps.value_or(request.fastest_mps);
-  if (!a.window.empty()) request.window = window_of("--window", a.window);
-  request.window_words = a.window;
-  request.from_m = a.from_m;
-  request.to_m = a.to_m;
-  if (a.oversampling) request.oversampling = static_cast<std::size_t>(*a.oversampling);
-  request.illumination_db = a.illumination_db.value_or(request.illumination_db);
-  if (a.burst) request.burst = static_cast<std::size_t>(*a.burst - 1);
-  request.align = a.align;
-  request.replace = a.force;
-  request.threads = static_cast<unsigned>(a.threads.value_or(0));
-  return request;
-}
 
 std::string summary_text(const workflow::ProfilesReport& report) {
   const workflow::ProfileSeries& series = report.series;
@@ -161,9 +120,10 @@ std::string json_text(const workflow::ProfilesReport& report) {
   return json.end_object().text();
 }
 
-ExitStatus run_profiles(const ProfilesArguments& arguments, Streams& streams) {
+ExitStatus run_profiles(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
-  const workflow::ProfilesReport report = workflow::profiles(profiles_request(arguments), watch.observer());
+  const workflow::ProfilesReport report =
+      workflow::profiles(workflow::profiles_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
   if (!arguments.quiet) streams.err << summary_text(report);
   if (arguments.json)
@@ -174,41 +134,11 @@ ExitStatus run_profiles(const ProfilesArguments& arguments, Streams& streams) {
   return exit_done;
 }
 
-void add_profiles_options(CLI::App& app, ProfilesArguments& a) {
-  add_text(app, "--out", a.output, "OUT",
-           fmt::format("profiles to write: ENVI (.img, default), .csv for magnitudes against range, or {}",
-                       raster::image_extensions(true)));
-  add_choice<Grouping>(app, "--set", a.set,
-                       {{"bursts", Grouping::bursts}, {"scans", Grouping::scans}, {"encounter", Grouping::encounter}},
-                       "a profile for each burst (default), or the mean power of each scan or of all scans");
-  add_text(app, "--velocity", a.velocity, "none|scene|estimated|M/S",
-           "radial speed that is compensated: none (default), that of the scene's targets, the one that makes profiles "
-           "sharpest, or given, positive receding");
-  add_real(app, "--fastest", a.fastest_mps, "M/S", "speeds that --velocity estimated looks through (default: 500)");
-  app.add_flag("--align", a.align,
-               "show targets where they are in the middle of their scan, not of each burst; means of sets always do");
-  add_text(app, "--window", a.window, "WINDOW",
-           "over the band: rectangular, hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]; default: the script's");
-  add_real(app, "--from", a.from_m, "M", "first range (default: the script's)");
-  add_real(app, "--to", a.to_m, "M", "last range (default: the script's, as far as the recording shows it)");
-  add_integer(app, "--oversampling", a.oversampling, 1, 64, "bins for each resolution cell (default: 4)");
-  add_real(app, "--illumination", a.illumination_db, "DB",
-           "bursts within so many dB of the strongest, two-way, belong to a scan (default: 6)");
-  add_integer(app, "--burst", a.burst, 1, std::int64_t{1} << 40,
-              "which burst is held against the script (default: the middle of the strongest scan)");
-  add_stepped_input_arguments(app, a.input);
-  add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
-  app.add_flag("--force", a.force, "replace files that exist");
-  app.add_flag("--json", a.json, "a report as JSON on standard output");
-  app.add_flag("--quiet", a.quiet, "only errors on standard error");
-}
-
 }  // namespace
 
 Action add_profiles(CLI::App& app) {
-  auto arguments = std::make_shared<ProfilesArguments>();
-  add_text(app, "input", arguments->input.path, "SCENE|DATA", "script to simulate, or file of samples")->required();
-  add_profiles_options(app, *arguments);
+  auto arguments = std::make_shared<RequestArguments>();
+  add_request_arguments(app, workflow::profiles_option_table().options(), *arguments);
   add_examples(app,
                {{"sarsim profiles stepped_aircraft.scr", "simulate: stepped_aircraft-profiles.img and .hdr"},
                 {"sarsim profiles stepped_aircraft.scr --velocity estimated --out a.csv", "sharpened, as a table"},

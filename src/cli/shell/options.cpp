@@ -1,14 +1,10 @@
 #include "cli/shell/options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <limits>
-#include <system_error>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::cli {
@@ -30,19 +26,6 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<
     const auto number = core::parse_integer(text);
     if (!number || *number < low || *number > high)
       refuse(names, text, fmt::format("a whole number from {} to {}", low, high));
-    value = number;
-  };
-  return app.add_option_function<std::string>(names, read, description)->type_name("N");
-}
-
-CLI::Option* add_seed(CLI::App& app, const std::string& names, std::optional<std::uint64_t>& value,
-                      const std::string& description) {
-  const auto read = [&value, names](const std::string& text) {
-    std::uint64_t number = 0;
-    const char* end = text.data() + text.size();
-    const auto [last, failure] = std::from_chars(text.data(), end, number);
-    if (failure != std::errc() || last != end)
-      refuse(names, text, fmt::format("a whole number from 0 to {}", std::numeric_limits<std::uint64_t>::max()));
     value = number;
   };
   return app.add_option_function<std::string>(names, read, description)->type_name("N");
@@ -79,17 +62,15 @@ CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
                       const std::string& description) {
   const auto read = [&value, names, type](const std::string& text) {
-    if (text.empty()) throw CLI::ValidationError(shown_name(names), "the name is empty");
-    if (text.starts_with("--")) refuse(names, text, "a name; write ./" + text + " for such a file");
+    expect_word(names, text, {names, workflow::OptionKind::text, "", ""});
     value = text;
   };
   return app.add_option_function<std::string>(names, read, description)->type_name(type);
 }
 
-void refuse_word(const std::string& names, const std::string& word, const std::vector<std::string>& words) {
-  const std::string nearest = core::nearest_word(word, words);
-  const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
-  refuse(names, word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
+void expect_word(const std::string& names, const std::string& word, const workflow::Option& option) {
+  if (const std::string mistake = workflow::mistake_in(option, word); !mistake.empty())
+    throw CLI::ValidationError(shown_name(names), mistake);
 }
 
 CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<scene::FileFormat>& value,

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/model/scene.hpp"
+#include "workflow/options/option.hpp"
 
 /// Options that commands share in kind: each reads one value strictly and says what it takes.
 namespace sarsim::cli {
@@ -16,10 +17,6 @@ namespace sarsim::cli {
 /// A whole number from `low` to `high`.
 CLI::Option* add_integer(CLI::App& app, const std::string& names, std::optional<std::int64_t>& value, std::int64_t low,
                          std::int64_t high, const std::string& description);
-
-/// A whole number from 0 to 2^64 - 1.
-CLI::Option* add_seed(CLI::App& app, const std::string& names, std::optional<std::uint64_t>& value,
-                      const std::string& description);
 
 /// A decimal number, finite.
 CLI::Option* add_real(CLI::App& app, const std::string& names, std::optional<double>& value, const std::string& unit,
@@ -40,8 +37,8 @@ CLI::Option* add_two_reals(CLI::App& app, const std::string& names, std::vector<
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& value, const std::string& type,
                       const std::string& description);
 
-/// Throws CLI::ValidationError that says what `names` takes, with the nearest word.
-[[noreturn]] void refuse_word(const std::string& names, const std::string& word, const std::vector<std::string>& words);
+/// Throws CLI::ValidationError where a word is none that a kind of option takes; only what concerns words is looked at.
+void expect_word(const std::string& names, const std::string& word, const workflow::Option& option);
 
 /// One of some words, ignoring case.
 template <class Value>
@@ -59,28 +56,23 @@ void add_examples(CLI::App& app, const std::vector<std::pair<std::string, std::s
 
 // Implementation of the template.
 
-#include "core/text/number_text.hpp"
-
 namespace sarsim::cli {
 
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& names, std::optional<Value>& value,
                         const std::vector<std::pair<std::string, Value>>& choices, const std::string& description) {
-  std::vector<std::string> words;
-  std::string type;
-  for (const auto& [word, unused] : choices) {
-    words.push_back(word);
-    type += (type.empty() ? "" : "|") + word;
+  workflow::Option option{names, workflow::OptionKind::choice, "", description};
+  std::vector<Value> values;
+  for (const auto& [word, meaning] : choices) {
+    option.placeholder += (option.placeholder.empty() ? "" : "|") + word;
+    option.words.push_back(word);
+    values.push_back(meaning);
   }
-  const auto read = [&value, names, choices, words](const std::string& text) {
-    for (const auto& [word, meaning] : choices)
-      if (core::equal_ignoring_case(word, text)) {
-        value = meaning;
-        return;
-      }
-    refuse_word(names, text, words);
+  const auto read = [&value, option, values](const std::string& text) {
+    expect_word(option.name, text, option);
+    value = values.at(workflow::choice_in(option, text));
   };
-  return app.add_option_function<std::string>(names, read, description)->type_name(type);
+  return app.add_option_function<std::string>(names, read, description)->type_name(option.placeholder);
 }
 
 }  // namespace sarsim::cli

@@ -1,19 +1,14 @@
 #include "cli/shell/scene_options.hpp"
 
-#include "cli/shell/options.hpp"
+#include "cli/shell/request_options.hpp"
+#include "workflow/input/recording_options.hpp"
 
 namespace sarsim::cli {
 
 void add_scene_overrides(CLI::App& app, workflow::SceneOverrides& overrides) {
-  add_choice<scene::Profile>(app, "--profile", overrides.profile,
-                             {{"physical", scene::Profile::physical}, {"classic", scene::Profile::classic}},
-                             "conventions: today's physics, or those of the 1998 programs");
-  add_choice<scene::PulseDefinition>(
-      app, "--pulse", overrides.pulse,
-      {{"ideal", scene::PulseDefinition::ideal}, {"band-limited", scene::PulseDefinition::band_limited}},
-      "hard-edged pulses, or pulses confined to their band");
-  add_real(app, "--tolerance", overrides.tolerance, "X", "relative error that fast engines may make");
-  add_seed(app, "--seed", overrides.seed, "of the random numbers");
+  for (const auto& option : workflow::scene_override_options())
+    add_worded_option(app, option,
+                      [take = option.take, &overrides](const std::string& word) { take(overrides, word); });
 }
 
 void add_settings(CLI::App& app, workflow::SceneOverrides& overrides) {

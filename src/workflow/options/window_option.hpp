@@ -4,10 +4,10 @@
 
 #include "signal/sar/sar_window.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// The window that an option's text names, the rectangular one where it names none; throws core::Refused for another
 /// text.
 [[nodiscard]] signal::SarWindow window_of(const std::string& option, const std::string& text);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,10 +1,10 @@
-#include "cli/shell/window_option.hpp"
+#include "workflow/options/window_option.hpp"
 
 #include <fmt/format.h>
 
-#include "cli/shell/context.hpp"
+#include "core/report/refused.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 signal::SarWindow window_of(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
@@ -13,4 +13,4 @@ signal::SarWindow window_of(const std::string& option, const std::string& text) 
                       "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

@@ -1,0 +1,41 @@
+#include "cli/shell/request_options.hpp"
+
+#include <utility>
+
+#include "cli/shell/options.hpp"
+
+namespace sarsim::cli {
+
+CLI::Option* add_worded_option(CLI::App& app, const workflow::Option& option,
+                               std::function<void(const std::string&)> take) {
+  const auto read = [option, take = std::move(take)](const std::string& word) {
+    if (const std::string mistake = workflow::mistake_in(option, word); !mistake.empty())
+      throw CLI::ValidationError(option.name, mistake);
+    take(word);
+  };
+  return app.add_option_function<std::string>(option.name, read, option.help)->type_name(option.placeholder);
+}
+
+workflow::GivenWords RequestArguments::given() const {
+  workflow::GivenWords all = words;
+  for (const auto& [name, set] : flags)
+    if (set) all.emplace(name, "");
+  return all;
+}
+
+void add_request_arguments(CLI::App& app, const std::vector<workflow::Option>& options, RequestArguments& arguments,
+                           const std::string& input) {
+  add_text(app, "input", arguments.input, "SCENE|DATA", input)->required();
+  for (const workflow::Option& option : options) {
+    if (option.kind == workflow::OptionKind::flag)
+      app.add_flag(option.name, arguments.flags[option.name], option.help);
+    else
+      add_worded_option(app, option,
+                        [&arguments, name = option.name](const std::string& word) { arguments.words[name] = word; });
+    if (option.name != "--force") continue;
+    app.add_flag("--json", arguments.json, "a report as JSON on standard output");
+    app.add_flag("--quiet", arguments.quiet, "only errors on standard error");
+  }
+}
+
+}  // namespace sarsim::cli

@@ -1,0 +1,147 @@
+#include "workflow/focus/focus_options.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
+#include "workflow/input/recording_options.hpp"
+#include "workflow/options/window_option.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+// A number with K, M, G or T (of 1024) behind it.
+std::size_t memory_of(const std::string& text) {
+  static constexpr std::string_view units = "KMGT";
+  std::string number = text;
+  double scale = 1.0;
+  if (number.back() == 'B' || number.back() == 'b') number.pop_back();
+  const char unit = number.empty() ? '\0' : static_cast<char>(std::toupper(static_cast<unsigned char>(number.back())));
+  if (const std::size_t power = units.find(unit); unit != '\0' && power != std::string_view::npos) {
+    scale = std::pow(1024.0, static_cast<double>(power) + 1.0);
+    number.pop_back();
+  }
+  const auto value = core::parse_number(number);
+  if (value && *value * scale >= 1048576.0 && *value * scale < 0x1p60) return static_cast<std::size_t>(*value * scale);
+  throw core::Refused(fmt::format("--memory: '{}' is no size", text), "give 1M or more, for instance 800M or 4G");
+}
+
+void take_centroid(FocusRequest& request, const std::string& text) {
+  if (const auto given_hz = core::parse_number(text)) {
+    request.centroid = CentroidSource::given;
+    request.given_centroid_hz = *given_hz;
+  } else if (core::equal_ignoring_case(text, "measured")) {
+    request.centroid = CentroidSource::measured;
+  } else if (!core::equal_ignoring_case(text, "geometry")) {
+    throw core::Refused(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
+  }
+}
+
+// What stands behind takes the place of what stands before: windows of one direction that of both.
+void add_band(OptionTable<FocusRequest>& table) {
+  table
+      .text("--window", "WINDOW",
+            "over range and azimuth: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]",
+            [](FocusRequest& request, const std::string& word) {
+              request.range_window = request.azimuth_window = window_of("--window", word);
+            })
+      .told_late = true;
+  table
+      .text("--range-window", "WINDOW", "over range alone",
+            [](FocusRequest& request, const std::string& word) {
+              request.range_window = window_of("--range-window", word);
+            })
+      .told_late = true;
+  table
+      .text("--azimuth-window", "WINDOW", "over azimuth alone",
+            [](FocusRequest& request, const std::string& word) {
+              request.azimuth_window = window_of("--azimuth-window", word);
+            })
+      .told_late = true;
+  table
+      .text("--doppler-centroid", "geometry|measured|HZ",
+            "the middle of the Doppler band, as the geometry has it (default), measured, or given", take_centroid)
+      .told_late = true;
+  table.number("--doppler-bandwidth", "HZ", "band to keep about the centroid (default: all)",
+               &FocusRequest::bandwidth_hz);
+}
+
+void add_grid(OptionTable<FocusRequest>& table) {
+  table.choice<FocusGrid>("--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
+                          "columns are slant ranges (default), or places on level ground: of back-projection",
+                          &FocusRequest::grid);
+  table.number("--height", "M",
+               "height of the ground, of --grid ground and motion compensation (default: the targets' mean)",
+               &FocusRequest::ground_m);
+  table.flag("--start-stop",
+             "back-projection as if the antenna rested while a pulse travels: what that neglects is seen",
+             &FocusRequest::start_stop);
+}
+
+void add_phases(OptionTable<FocusRequest>& table) {
+  table.choice<MotionOrder>(
+      "--motion-compensation",
+      {{"none", MotionOrder::none}, {"first", MotionOrder::first}, {"second", MotionOrder::second}},
+      "what departs from a straight flight is taken out of the echoes; by default to the second order where the track "
+      "needs it",
+      &FocusRequest::motion);
+  table.flag("--autofocus", "take out phase errors that are left, found in the image itself", &FocusRequest::autofocus);
+  table.number("--autofocus-piece", "M",
+               "length of the pieces it looks at one by one (default: a tenth of the synthetic aperture)",
+               &FocusRequest::autofocus_piece_m);
+  table.text("--autofocus-phase", "FILE.csv", "write the phase that it found along the track",
+             &FocusRequest::autofocus_phase);
+}
+
+void add_work(OptionTable<FocusRequest>& table) {
+  table.whole("--threads", 0, 4096, "threads; 0 for one per core (default); never changes a byte",
+              &FocusRequest::threads);
+  table.text("--memory", "SIZE", "memory to work in, as 800M or 4G (default: half of what is free); more goes to disk",
+             [](FocusRequest& request, const std::string& word) { request.memory_bytes = memory_of(word); });
+  table.text("--scratch", "DIR", "where on disk (default: the system's folder for temporary files)",
+             &FocusRequest::scratch_folder);
+  table.flag("--magnitude", "also an ENVI image of magnitudes, NAME-magnitude.img", &FocusRequest::magnitude);
+  table.flag("--force", "replace files that exist", &FocusRequest::force);
+}
+
+}  // namespace
+
+OptionTable<FocusRequest> focus_option_table() {
+  OptionTable<FocusRequest> table;
+  table.text(
+      "--out", "OUT",
+      fmt::format("image to write: ENVI (.img, default), or {}; default: the input's name", raster::image_extensions()),
+      &FocusRequest::output);
+  table.choice<FocusAlgorithm>("--algorithm",
+                               {{"range-doppler", FocusAlgorithm::range_doppler},
+                                {"chirp-scaling", FocusAlgorithm::chirp_scaling},
+                                {"omega-k", FocusAlgorithm::omega_k},
+                                {"back-projection", FocusAlgorithm::back_projection}},
+                               "omega-k by default; back-projection for tracks that are not straight",
+                               &FocusRequest::algorithm);
+  add_band(table);
+  add_grid(table);
+  add_phases(table);
+  table.include(recording_options(), &FocusRequest::input);
+  add_work(table);
+  return table;
+}
+
+FocusRequest focus_request(const std::string& input, const GivenWords& given) {
+  FocusRequest request;
+  request.input.path = input;
+  request.output = std::filesystem::path(input).stem().string() + ".img";
+  const TakenProblems problems = focus_option_table().take_words(given, request);
+  if (!problems.early.empty()) throw core::Refused(core::Problems{problems.early.front()});
+  if (!problems.late.empty()) throw core::Refused(core::Problems{problems.late.front()});
+  return request;
+}
+
+}  // namespace sarsim::workflow

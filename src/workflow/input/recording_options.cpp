@@ -1,0 +1,38 @@
+#include "workflow/input/recording_options.hpp"
+
+#include <limits>
+
+namespace sarsim::workflow {
+
+OptionTable<RecordingArguments> recording_options(const std::string& otherwise) {
+  OptionTable<RecordingArguments> table;
+  table.text("--script", "SCENE", "script that wrote the file of samples, where it carries none",
+             &RecordingArguments::script);
+  table.whole(
+      "--simulation", 1, std::uint64_t{1} << 40,
+      "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")",
+      [](RecordingArguments& arguments, std::uint64_t n) { arguments.simulation = static_cast<std::int64_t>(n); });
+  return table;
+}
+
+OptionTable<SceneOverrides> scene_override_options() {
+  using scene::Profile;
+  using scene::PulseDefinition;
+  OptionTable<SceneOverrides> table;
+  table.choice<Profile>("--profile", {{"physical", Profile::physical}, {"classic", Profile::classic}},
+                        "conventions: today's physics, or those of the 1998 programs", &SceneOverrides::profile);
+  table.choice<PulseDefinition>("--pulse",
+                                {{"ideal", PulseDefinition::ideal}, {"band-limited", PulseDefinition::band_limited}},
+                                "hard-edged pulses, or pulses confined to their band", &SceneOverrides::pulse);
+  table.number("--tolerance", "X", "relative error that fast engines may make", &SceneOverrides::tolerance);
+  table.whole("--seed", 0, std::numeric_limits<std::uint64_t>::max(), "of the random numbers", &SceneOverrides::seed);
+  return table;
+}
+
+OptionTable<RecordingArguments> stepped_recording_options() {
+  OptionTable<RecordingArguments> table = recording_options("the first that suits");
+  table.include(scene_override_options(), &RecordingArguments::overrides);
+  return table;
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,103 @@
+#include "workflow/options/option.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/text/number_text.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+constexpr std::uint64_t most_signed = INT64_MAX;
+
+// Numbers beyond those with a sign are read as they stand.
+std::optional<std::uint64_t> whole_number(const std::string& word, std::uint64_t high) {
+  if (high <= most_signed) {
+    const auto number = core::parse_integer(word);
+    return number && *number >= 0 ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
+  }
+  std::uint64_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [last, failure] = std::from_chars(word.data(), end, number);
+  return failure == std::errc() && last == end ? std::optional(number) : std::nullopt;
+}
+
+std::string unlike(const std::string& word, const std::string& expected) {
+  return fmt::format("'{}' is not {}", word, expected);
+}
+
+std::string mistake_in_text(const std::string& word) {
+  if (word.empty()) return "the name is empty";
+  return word.starts_with("--") ? unlike(word, "a name; write ./" + word + " for such a file") : std::string();
+}
+
+std::string mistake_in_choice(const std::vector<std::string>& words, const std::string& word) {
+  if (std::ranges::any_of(words, [&](const std::string& one) { return core::equal_ignoring_case(one, word); }))
+    return {};
+  const std::string nearest = core::nearest_word(word, words);
+  const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  return unlike(word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
+}
+
+std::string mistake_in_whole(const Option& option, const std::string& word) {
+  const auto number = whole_number(word, option.high);
+  if (number && *number >= option.low && *number <= option.high) return {};
+  return unlike(word, fmt::format("a whole number from {} to {}", option.low, option.high));
+}
+
+}  // namespace
+
+std::string mistake_in(const Option& option, const std::string& word) {
+  switch (option.kind) {
+    case OptionKind::flag: break;
+    case OptionKind::text: return mistake_in_text(word);
+    case OptionKind::number: return core::parse_number(word) ? std::string() : unlike(word, "a number");
+    case OptionKind::whole: return mistake_in_whole(option, word);
+    case OptionKind::choice: return mistake_in_choice(option.words, word);
+  }
+  return {};
+}
+
+core::Problem problem_with(const Option& option, const std::string& mistake) {
+  core::Problem problem;
+  problem.message = option.name + ": " + mistake;
+  return problem;
+}
+
+core::Problems problems_with(const std::vector<Option>& options, const GivenWords& given) {
+  core::Problems problems;
+  std::vector<std::string> names;
+  for (const Option& option : options) names.push_back(option.name);
+  for (const auto& [name, unused] : given) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    core::Problem& problem = problems.emplace_back();
+    problem.message = fmt::format("unknown option '{}'", name);
+    const std::string nearest = core::nearest_word(name, names);
+    if (!nearest.empty()) problem.hint = fmt::format("did you mean '{}'?", nearest);
+  }
+  for (const Option& option : options)
+    if (const auto found = given.find(option.name); found != given.end())
+      if (const std::string mistake = mistake_in(option, found->second); !mistake.empty())
+        problems.push_back(problem_with(option, mistake));
+  return problems;
+}
+
+double number_in(const std::string& word) { return core::parse_number(word).value_or(0.0); }
+
+std::uint64_t whole_number_in(const std::string& word) {
+  if (const auto number = whole_number(word, most_signed)) return *number;
+  return whole_number(word, UINT64_MAX).value_or(0);
+}
+
+std::size_t choice_in(const Option& option, const std::string& word) {
+  const auto same = [&](const std::string& one) { return core::equal_ignoring_case(one, word); };
+  return static_cast<std::size_t>(std::ranges::find_if(option.words, same) - option.words.begin());
+}
+
+}  // namespace sarsim::workflow

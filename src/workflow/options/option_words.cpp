@@ -1,0 +1,83 @@
+#include "workflow/options/option_words.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+bool parts_words(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+core::Problem problem_in_words(std::string message, std::string hint = {}) {
+  core::Problem problem;
+  problem.message = std::move(message);
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+// What stands behind the name of an option that takes a word; moves on to it where it is the next word.
+void take_word(const Option& option, const std::vector<std::string>& words, std::size_t& i, GivenWords& given,
+               core::Problems& problems) {
+  const std::size_t sign = words[i].find('=');
+  if (sign == std::string::npos && i + 1 == words.size()) {
+    problems.push_back(problem_in_words(fmt::format("{}: {} is missing behind it", option.name, option.placeholder)));
+    return;
+  }
+  const std::string word = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);
+  if (!given.emplace(option.name, word).second)
+    problems.push_back(problem_in_words(option.name + " is given twice", "leave one of them out"));
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_line(const std::string& line) {
+  std::vector<std::string> words;
+  char quote = '\0';
+  bool within = false;
+  for (const char c : line) {
+    if (quote == '\0' && parts_words(c)) {
+      within = false;
+      continue;
+    }
+    if (!within) words.emplace_back();
+    within = true;
+    if (quote == '\0' && (c == '"' || c == '\''))
+      quote = c;
+    else if (c == quote)
+      quote = '\0';
+    else
+      words.back() += c;
+  }
+  if (quote != '\0') throw core::Refused(fmt::format("a quote {} is not closed", quote), "add it where the word ends");
+  return words;
+}
+
+GivenWords given_words(const std::vector<Option>& options, const std::vector<std::string>& words) {
+  GivenWords given;
+  core::Problems problems;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) {
+      problems.push_back(problem_in_words(fmt::format("'{}' belongs to no option", words[i])));
+      continue;
+    }
+    const std::string name = words[i].substr(0, words[i].find('='));
+    const auto option = std::ranges::find(options, name, &Option::name);
+    if (option != options.end() && option->kind != OptionKind::flag) {
+      take_word(*option, words, i, given, problems);
+      continue;
+    }
+    if (option != options.end() && name != words[i]) problems.push_back(problem_in_words(name + " takes no word"));
+    given.emplace(name, "");
+  }
+  std::ranges::move(problems_with(options, given), std::back_inserter(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
+  return given;
+}
+
+}  // namespace sarsim::workflow
