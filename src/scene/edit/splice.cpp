@@ -6,6 +6,7 @@
 #include <string>
 
 #include "scene/edit/edit_runs.hpp"
+#include "scene/edit/script_values.hpp"
 #include "scene/edit/splice_command.hpp"
 #include "scene/model/object_lists.hpp"
 
@@ -107,6 +108,9 @@ class Splicer {
     }
   }
 
+  // Which token of a typed command is which value only its reader knows: it may be of an older dialect, without values
+  // that have one today, or with some too many behind the last. Whether a splice is right is therefore asked of the
+  // reader; what the object is to be is known already.
   void replace(TextStretch at, const AnyObject& before, const AnyObject& after) {
     const auto is_right = [&](std::string_view command) {
       return only_object(read_command_text(command, loader_).scene) == after;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/edit/script_values.hpp"
 #include "scene/model/object_lists.hpp"
 #include "scene/schema/grammar.hpp"
 #include "scene/script/write_commands.hpp"
@@ -21,54 +22,6 @@ std::string taken(script::ScriptLines& lines) {
   std::string text = lines.take();
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
-}
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }
-
-void make_writable(std::string& name) { std::ranges::replace_if(name, is_control, '_'); }
-
-template <std::size_t N>
-void make_writable(UserFunction<N>& function) {
-  make_writable(function.file);
-}
-
-void make_writable(Platform& platform) {
-  make_writable(platform.name);
-  make_writable(platform.trajectory_m);
-  make_writable(platform.rotation_deg);
-  make_writable(platform.position_envelope);
-  make_writable(platform.rotation_envelope);
-}
-
-void make_writable(Target& target) {
-  make_writable(target.platform);
-  make_writable(target.gain_db);
-}
-
-void make_writable(Surface& surface) { make_writable(surface.platform); }
-
-void make_writable(Radar& radar) {
-  make_writable(radar.name);
-  make_writable(radar.platform);
-  make_writable(radar.pulse_iq);
-  make_writable(radar.envelope_gain);
-  make_writable(radar.pri_s);
-  make_writable(radar.carrier_list_hz);
-  make_writable(radar.transmit_antenna.gain_db);
-  make_writable(radar.receive_antenna.gain_db);
-  make_writable(radar.beam_target_world_m);
-  make_writable(radar.window_gain);
-  make_writable(radar.stc_gain);
-}
-
-void make_writable(Simulation& simulation) {
-  make_writable(simulation.radar);
-  make_writable(simulation.file);
-}
-
-void make_writable(GeometryTable& table) {
-  make_writable(table.radar);
-  make_writable(table.file);
 }
 
 std::size_t size_of(const Scene& scene) {
@@ -152,7 +105,7 @@ std::size_t line_of(std::string_view text, const std::vector<PlacedToken>& token
 
 std::string command_text(const AnyObject& object) {
   AnyObject writable = object;
-  std::visit([](auto& any) { make_writable(any); }, writable);
+  make_names_sayable(writable);
   script::ScriptLines lines;
   std::visit([&](const auto& any) { write(lines, any); }, writable);
   return taken(lines);
@@ -173,19 +126,6 @@ std::optional<AnyObject> only_object(const Scene& scene) {
   for (const ObjectKind kind : all_object_kinds)
     if (count_of(scene, kind) == 1) return object_of(scene, {kind, 0});
   return std::nullopt;
-}
-
-AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader) {
-  AnyObject writable = object;
-  std::visit([](auto& any) { make_writable(any); }, writable);
-  const ScriptReading reading = read_command_text(command_text(writable), loader);
-  if (core::has_errors(reading.problems)) return writable;
-  return only_object(reading.scene).value_or(writable);
-}
-
-RunOptions as_script_says(const RunOptions& options) {
-  const ScriptReading reading = read_command_text(command_text(options), {});
-  return core::has_errors(reading.problems) ? options : reading.scene.options;
 }
 
 namespace detail {

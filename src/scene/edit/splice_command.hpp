@@ -25,12 +25,6 @@ namespace sarsim::scene {
 /// The only object of a scene without another, or nothing.
 [[nodiscard]] std::optional<AnyObject> only_object(const Scene& scene);
 
-/// What a script makes of an object: the object itself, as a rule, without what cannot be said in a script: members
-/// that its choices make meaningless, control characters in names. An object that cannot be written without errors
-/// keeps all but the latter.
-[[nodiscard]] AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader);
-[[nodiscard]] RunOptions as_script_says(const RunOptions& options);
-
 /// One way to change a command: what to do to the text and how the command ends up.
 ///
 /// @param text     the whole script

@@ -7,7 +7,6 @@
 
 #include "scene/edit/document.hpp"
 #include "scene/edit/edit_test_support.hpp"
-#include "scene/edit/splice_command.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 #include "support/folders.hpp"
@@ -249,24 +248,6 @@ TEST(FindCommands, PassesOverDollarsInCommentsAndWords) {
   EXPECT_TRUE(places.fits(scene_of(text)));
   ASSERT_EQ(places[ObjectKind::surface].size(), 1U);
   EXPECT_EQ(places[ObjectKind::surface][0], (TextStretch{text.find("$ $"), text.size()}));
-}
-
-TEST(AsScriptSays, DropsWhatAChoiceMakesMeaningless) {
-  Radar radar;
-  radar.bandwidth_hz = 7e6;  // of a chirp, but the pulse is monochrome
-  EXPECT_TRUE(as_script_says(radar, {}) == AnyObject(Radar{}));
-}
-
-TEST(AsScriptSays, ReplacesControlCharactersInNames) {
-  Platform platform;
-  platform.name = "two\nlines";
-  EXPECT_EQ(std::get<Platform>(as_script_says(platform, {})).name, "two_lines");
-}
-
-TEST(AsScriptSays, KeepsFaultyValues) {
-  Radar radar;
-  radar.prf_hz = -5.0;
-  EXPECT_TRUE(as_script_says(radar, {}) == AnyObject(radar));
 }
 
 std::vector<fs::path> all_scripts() {

@@ -29,6 +29,14 @@ bool has_words(const FieldSpec& spec) {
   return std::ranges::any_of(spec.choices, [](const Choice& choice) { return !choice.word.empty(); });
 }
 
+const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
+  for (const Choice& choice : spec.choices)
+    if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
+  return nullptr;
+}
+
+Range range_of_y(const FunctionBlock& block) { return block.x_ignored ? above_zero : any_value; }
+
 int script_shift(const FieldSpec& spec) {
   return spec.script_unit.empty() ? 0 : exponent_of(spec.script_unit, spec.quantity);
 }

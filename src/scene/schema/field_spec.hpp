@@ -121,6 +121,12 @@ using FieldValue = std::variant<double, std::uint64_t, core::Vec3, int, bool, st
 /// Whether a script says a choice with keywords and not with a number.
 [[nodiscard]] bool has_words(const FieldSpec& spec);
 
+/// The alternative that is chosen, of those that a script has a word for; null where it has none.
+[[nodiscard]] const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value);
+
+/// The values that a point of a function may have: those of lists are above zero.
+[[nodiscard]] Range range_of_y(const FunctionBlock& block);
+
 /// Decimal exponent from the script's unit of a field to the unit in which it is held.
 [[nodiscard]] int script_shift(const FieldSpec& spec);
 /// Chooses the alternative of a number.

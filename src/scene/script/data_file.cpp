@@ -55,7 +55,7 @@ std::optional<std::uint64_t> read_count(Tokens& tokens, const FunctionText& text
 bool read_coordinate(const Token& token, const FunctionText& text, bool is_y, Reporter& reporter, double& value) {
   const FunctionAxis& axis = is_y ? text.block.y[text.part] : text.block.x;
   const int shift = is_y ? text.block.y_shift : 0;
-  const Range range = is_y && text.block.x_ignored ? above_zero : any_value;  // Lists of intervals and of carriers.
+  const Range range = is_y ? range_of_y(text.block) : any_value;
   if (const std::optional<double> plain = plain_number(token, shift); plain && range.holds(*plain)) {
     value = *plain;
     return true;

@@ -62,12 +62,6 @@ void ScriptLines::vector(const Field& field, const core::Vec3& vector) {
   value(core::format_number(vector.z, -field.shift), comment_of(field, "z"));
 }
 
-const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
-  for (const Choice& choice : spec.choices)
-    if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
-  return nullptr;
-}
-
 void ScriptLines::write_field(const FieldSpec& spec, const Field& field, const FieldValue& held) {
   switch (spec.type) {
     case FieldType::number:

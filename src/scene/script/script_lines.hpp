@@ -52,7 +52,4 @@ class ScriptLines {
 /// "(GHz) Carrier frequency: detail", the comment beside a field's value.
 [[nodiscard]] std::string comment_of(const Field& field, std::string_view more = {});
 
-/// The alternative that is chosen, of those that a script has a word for; null where it has none.
-[[nodiscard]] const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value);
-
 }  // namespace sarsim::scene::script

@@ -1,0 +1,119 @@
+#include "scene/edit/script_values.hpp"
+
+#include <algorithm>
+
+#include "scene/model/limits.hpp"
+#include "scene/schema/field_table.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+bool is_unsayable(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }
+
+// False for a number that a reader refuses. Every other comes back to the last bit, but a zero without its sign.
+bool say_number(double& number, const Range& range) {
+  if (number == 0.0) number = 0.0;
+  return computable(number) && range.holds(number);
+}
+
+bool say_vector(core::Vec3& vector, const Range& range) {
+  return say_number(vector.x, range) && say_number(vector.y, range) && say_number(vector.z, range);
+}
+
+// The value of a field that is no function as a script says it; false where it cannot.
+bool say_value(const FieldSpec& spec, FieldValue& value) {
+  switch (spec.type) {
+    case FieldType::choice:
+      if (has_words(spec)) return chosen_word(spec, value) != nullptr;
+      return say_number(std::get<double>(value), spec.range);
+    case FieldType::number:
+    case FieldType::flags: return say_number(std::get<double>(value), spec.range);
+    case FieldType::vector: return say_vector(std::get<core::Vec3>(value), spec.range);
+    case FieldType::text:
+    case FieldType::name: return !std::get<std::string>(value).empty();
+    case FieldType::seed:
+    case FieldType::check:
+    case FieldType::function: return true;
+  }
+  return true;
+}
+
+bool say_points(std::vector<core::Knot>& points, const FunctionBlock& block) {
+  for (core::Knot& point : points)
+    if (!say_number(point.x, any_value) || !say_number(point.y, range_of_y(block))) return false;
+  return block.x_ignored ||
+         std::ranges::adjacent_find(points, std::ranges::greater_equal{}, &core::Knot::x) == points.end();
+}
+
+bool take_points_of_file(const FunctionRef& function, const FunctionBlock& block, const DataFileLoader& loader) {
+  const DataFileText data = loader ? loader(*function.file) : DataFileText{};
+  if (!data.failure.empty() || data.path.empty()) return false;
+  DataFileReading read = read_data_file(data.text, data.path, block);
+  if (core::has_errors(read.problems)) return false;
+  for (std::size_t i = 0; i < block.count; ++i) function.parts[i].knots = std::move(read.functions[i]);
+  return true;
+}
+
+bool say_function(const FunctionRef& function, const FunctionBlock& block, const DataFileLoader& loader) {
+  const auto has_word = [](const core::SampledFunction& part) {
+    return std::ranges::find(script::interpolations, part.method, &script::Alternative<core::Interpolation>::value) !=
+           script::interpolations.end();
+  };
+  if (!std::ranges::all_of(function.parts, has_word)) return false;
+  if (!function.file->empty()) return take_points_of_file(function, block, loader);
+  return std::ranges::all_of(function.parts,
+                             [&](core::SampledFunction& part) { return say_points(part.knots, block); });
+}
+
+// Makes of an object what a script says of it; false, with the object half changed, where a script cannot say it.
+template <class Object>
+bool say(Object& object, const DataFileLoader& loader) {
+  const FieldTable<Object>& table = table_of<Object>();
+  // A choice stands before what depends on it, so that one pass is enough.
+  for (const FieldOf<Object>& field : table.fields()) {
+    if (!table.applies(object, field)) {
+      field.reset(object);
+    } else if (field.function != nullptr) {
+      if (!say_function(field.function(object), *field.spec.block, loader)) return false;
+    } else {
+      FieldValue value = field.get(object);
+      if (!say_value(field.spec, value)) return false;
+      field.put(object, value);
+    }
+  }
+  return true;
+}
+
+template <class Object>
+void make_names_sayable(Object& object) {
+  for (const FieldOf<Object>& field : table_of<Object>().fields()) {
+    if (field.function != nullptr) {
+      std::ranges::replace_if(*field.function(object).file, is_unsayable, '_');
+    } else if (field.spec.type == FieldType::text || field.spec.type == FieldType::name) {
+      FieldValue value = field.get(object);
+      std::ranges::replace_if(std::get<std::string>(value), is_unsayable, '_');
+      field.put(object, value);
+    }
+  }
+}
+
+}  // namespace
+
+void make_names_sayable(AnyObject& object) {
+  std::visit([]<class Object>(Object& any) { make_names_sayable<Object>(any); }, object);
+}
+
+AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader) {
+  AnyObject named = object;
+  make_names_sayable(named);
+  AnyObject said = named;
+  return std::visit([&](auto& any) { return say(any, loader); }, said) ? said : named;
+}
+
+RunOptions as_script_says(const RunOptions& options) {
+  RunOptions said = options;
+  return say(said, {}) ? said : options;
+}
+
+}  // namespace sarsim::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/model/object.hpp"
+#include "scene/script/data_file.hpp"
+
+/// What of an object's values a script can say, from the table of fields alone.
+namespace sarsim::scene {
+
+/// Replaces the bytes of names and file names that no script holds (line ends and other controls) by '_'.
+void make_names_sayable(AnyObject& object);
+
+/// What a script makes of an object: the object itself, as a rule, without what cannot be said in a script: members
+/// that its choices make meaningless, control characters in names, the sign of a zero. Functions with a data file have
+/// the points of that file. An object that cannot be written without errors keeps all but the control characters.
+[[nodiscard]] AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader);
+[[nodiscard]] RunOptions as_script_says(const RunOptions& options);
+
+}  // namespace sarsim::scene
