@@ -1,296 +1,41 @@
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <memory>
-#include <ostream>
-#include <span>
-
-#include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/copied_image.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/report.hpp"
-#include "cli/shell/sample_input.hpp"
-#include "core/os/output_file.hpp"
-#include "core/text/number_text.hpp"
-#include "radar/receiver/converter.hpp"
-#include "raster/format/sinks.hpp"
-#include "raster/table/formats.hpp"
-#include "raster/table/product_attributes.hpp"
-#include "workflow/input/output_names.hpp"
-#include "workflow/input/scene_input.hpp"
-#include "workflow/input/scene_words.hpp"
+#include "cli/shell/sample_options.hpp"
+#include "cli/shell/watch.hpp"
+#include "workflow/convert/convert.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
-struct ConvertArguments {
-  std::string input;
-  std::string output;
-  SampleArguments sample;
-  std::optional<std::int64_t> simulation;
-  std::optional<scene::FileFormat> to;
-  bool counts = false;
-  bool header = false;
-  bool force = false;
-};
-
-// The format of the new file; nothing for an ENVI image, which only images become.
-std::optional<scene::FileFormat> output_format(const ConvertArguments& arguments, bool image) {
-  if (arguments.to) return *arguments.to;
-  if (const auto format = raster::format_from_path(arguments.output)) return *format;
-  if (core::equal_ignoring_case(std::filesystem::path(arguments.output).extension().string(), ".img")) {
-    if (image && !arguments.counts) return std::nullopt;
-    throw core::Refused(
-        image ? fmt::format("--counts: an image such as '{}' holds volts", arguments.output)
-              : fmt::format("'{}' has no header that makes it an image as '{}'", arguments.input, arguments.output),
-        fmt::format("say another format with --to {}", raster::format_words()));
-  }
-  throw core::Refused(fmt::format("the extension of '{}' names no format", arguments.output),
-                      fmt::format("say it with --to {}", raster::format_words()));
-}
-
-// The description of the recording as far as its file gives it.
-simulate::Product product_of_file(const raster::Raster& file) {
-  const raster::RasterInfo& info = file.info();
-  simulate::Product product;
-  product.rows = file.rows();
-  product.columns = info.columns;
-  product.bits = info.bits;
-  product.lsb_v = info.lsb_v.value_or(0.0);
-  product.sample_rate_hz = info.sample_rate_hz.value_or(0.0);
-  product.script = raster::attribute_of(info.attributes, "script");
-  raster::take_origin(info.attributes, product);
-  if (product.script.empty()) product.unknown.emplace_back("script");
-  if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
-  if (auto axes = file.axes()) {
-    const auto shared = std::make_shared<const raster::RasterAxes>(std::move(*axes));
-    product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
-    product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
-    product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
-  }
-  return product;
-}
-
-// The header of an image, for its copy or to be left behind.
-struct CarriedHeader {
-  std::optional<raster::EnviHeader> copy;
-  std::filesystem::path file;  // of the copy
-  core::Problems notes;        // what is lost
-};
-
-CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertArguments& arguments,
-                             std::optional<scene::FileFormat> format) {
-  const bool array = format && raster::format_of(*format).envi_header;
-  const auto left = [&](const std::string& why) {
-    return CarriedHeader{{},
-                         {},
-                         {core::problem_of(core::Severity::note,
-                                           fmt::format("axes and all else in the header of '{}' are left behind: {}",
-                                                       arguments.input, why),
-                                           {}, {}, "NPY in volts and .img keep them")}};
-  };
-  if (format && !array) return left(fmt::format("{} has no place for them", workflow::format_word(*format)));
-  if (arguments.counts) return left("counts are no image");
-  if (array && is_of_magnitudes(header)) {
-    CarriedHeader carried = left("as NPY the magnitudes become complex numbers, which would be taken for the image");
-    carried.notes.back().hint = ".img keeps them";
-    return carried;
-  }
-  return {header_of_copy(header, arguments.input, arguments.output, array),
-          header_file_of_copy(arguments.input, arguments.output),
-          {}};
-}
-
-// What happens to each sample on its way.
-enum class Change { none, to_volts, to_counts };
-
-// Turns blocks of one file into those of another.
-class Conversion {
- public:
-  Conversion(const raster::Raster& file, const raster::RasterHints& hints, const ConvertArguments& arguments,
-             Streams& streams)
-      : file_(file), product_(product_of_file(file)), arguments_(arguments), streams_(streams) {
-    choose_converter(hints);
-    const auto image = header_beside(arguments.input, file);
-    const auto format = output_format(arguments, image.has_value());
-    if (image) header_ = carried_header(*image, arguments, format);
-    envi_ = !format;
-    options_.replace = arguments.force;
-    options_.counts = format ? raster::holds_counts(*format, arguments.counts) : arguments.counts;
-    options_.header = arguments.header;
-    if (format) options_.format = *format;
-    const bool volts_in = !file.info().counts;
-    change_ = volts_in == !options_.counts ? Change::none : volts_in ? Change::to_counts : Change::to_volts;
-    expect_known();
-  }
-
-  // Of the new file and, for images, its header.
-  [[nodiscard]] std::vector<std::filesystem::path> outputs() const {
-    if (!header_.copy) return {arguments_.output};
-    return {arguments_.output, header_.file};
-  }
-
-  void carry_out() {
-    const std::unique_ptr<simulate::Sink> sink =
-        envi_ ? make_pixel_sink(arguments_.output, *header_.copy, options_.replace)
-              : raster::make_sink(arguments_.output, product_, options_);
-    const std::unique_ptr<core::OutputFile> header = begun_header();
-    const std::size_t rows = rows_at_once(product_.columns);
-    for (std::size_t first = 0; first < product_.rows; first += rows) {
-      if (streams_.stop != nullptr && streams_.stop->requested()) throw core::Interrupted();
-      const std::size_t count = std::min(rows, product_.rows - first);
-      read(first, count);
-      sink->append(sink->encode({first, count, product_.columns, volts_, counts_}), first, count);
-    }
-    sink->finish(report());
-    if (header) header->commit();
-    print_problems(streams_, header_.notes);
-    warn_of_clipping();
-    warn_of_what_is_no_number();
-  }
-
- private:
-  // Counts were made by the converter that their file tells of; volts may go through any other.
-  void choose_converter(const raster::RasterHints& hints) {
-    const bool volts = !file_.info().counts;
-    if (hints.bits > 0 && (volts || product_.bits == 0)) product_.bits = hints.bits;
-    if (hints.lsb_v > 0.0 && (volts || product_.lsb_v <= 0.0)) product_.lsb_v = hints.lsb_v;
-  }
-
-  // Complete but for its name, which it gets after the data.
-  [[nodiscard]] std::unique_ptr<core::OutputFile> begun_header() const {
-    if (!header_.copy) return nullptr;
-    auto file = std::make_unique<core::OutputFile>(header_.file, options_.replace);
-    const std::string text = raster::to_text(*header_.copy);
-    file->write(std::as_bytes(std::span(text)));
-    file->secure();
-    return file;
-  }
-
-  // Everything that the change needs must be known before the first row.
-  void expect_known() {
-    core::Problems problems;
-    const auto need = [&](const char* what, const char* option) {
-      core::Problem problem;
-      problem.message =
-          fmt::format("{} of '{}' {} not known, but {} needs {}", what, arguments_.input,
-                      std::string_view(what).ends_with("bits") ? "are" : "is", workflow::format_word(options_.format),
-                      std::string_view(what).ends_with("bits") ? "them" : "it");
-      problem.hint = hint_for(option);
-      problems.push_back(problem);
-    };
-    const bool sized = raster::format_of(options_.format).needs_bits;
-    if (product_.bits == 0 && options_.counts && (sized || change_ == Change::to_counts))
-      need("the A/D bits", "--bits");
-    if (product_.lsb_v <= 0.0 && change_ != Change::none) need("the LSB", "--lsb");
-    if (!problems.empty()) throw core::Refused(std::move(problems));
-    if (product_.lsb_v <= 0.0) product_.unknown.emplace_back("lsb_v");
-    if (product_.bits > 0) return;
-    // Enough for all counts; volts have none.
-    product_.bits = 64;
-    product_.unknown.emplace_back("bits");
-  }
-
-  // A script that was given says the bits, but may leave the LSB to the data.
-  [[nodiscard]] std::string hint_for(std::string_view option) const {
-    if (option == "--lsb" && !arguments_.sample.script.empty())
-      return "the script leaves the LSB to the data (0): give with --lsb the lsb_v of the run's report "
-             "(sarsim run --json)";
-    return fmt::format("give {}, or the script that wrote the file with --script", option);
-  }
-
-  void read(std::size_t first, std::size_t count) {
-    volts_.resize(count * product_.columns);
-    file_.read_rows(first, count, volts_);
-    if (change_ == Change::to_volts)
-      for (auto& sample : volts_) sample *= product_.lsb_v;
-    if (!options_.counts) return;
-    counts_.resize(2 * volts_.size());
-    // Counts pass through a converter of 1 V a count: unchanged as long as they fit its bits.
-    radar::Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_,
-                                                                                                 tally_);
-  }
-
-  void warn_of_clipping() {
-    if (tally_.saturated == 0) return;
-    streams_.err << fmt::format("warning: {} of {} samples were clipped to {} bits; {}\n", tally_.saturated,
-                                product_.rows * product_.columns, product_.bits, remedy_of_clipping());
-  }
-
-  [[nodiscard]] std::string remedy_of_clipping() const {
-    constexpr int most_bits = 64;
-    if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
-    if (change_ == Change::to_counts)
-      return fmt::format("an LSB of {:.6G} V would hold them all",
-                         tally_.maximum_v / radar::full_scale_count(product_.bits));
-    if (product_.bits < most_bits && tally_.maximum_v <= radar::full_scale_count(most_bits))
-      return "more --bits would hold them all";
-    return fmt::format("{} are the most that counts can have", most_bits);
-  }
-
-  void warn_of_what_is_no_number() {
-    if (tally_.not_numbers == 0) return;
-    streams_.err << fmt::format("warning: I or Q of {} of {} samples is not a number; count 0 stands for it\n",
-                                tally_.not_numbers, product_.rows * product_.columns);
-  }
-
-  [[nodiscard]] simulate::RunReport report() const {
-    simulate::RunReport report;
-    report.rows = product_.rows;
-    report.columns = product_.columns;
-    report.lsb_v = product_.lsb_v;
-    return report;
-  }
-
-  const raster::Raster& file_;
-  simulate::Product product_;
-  const ConvertArguments& arguments_;
-  Streams& streams_;
-  raster::SinkOptions options_;
-  CarriedHeader header_;
-  bool envi_ = false;  // pixels of an image without a format of samples
-  Change change_ = Change::none;
-  std::vector<std::complex<double>> volts_;
-  std::vector<std::int64_t> counts_;
-  radar::ConversionTally tally_;
-};
-
-ExitStatus convert(const ConvertArguments& arguments, Streams& streams) {
-  if (arguments.simulation && arguments.sample.script.empty())
-    throw core::Refused("--simulation is a number in a script", "name it with --script");
-  const raster::RasterHints hints = hints_for(arguments.input, arguments.sample, arguments.simulation);
-  const auto opened = open_samples(arguments.input, hints, streams);
-  const raster::Raster& file = *opened;
-  Conversion conversion(file, hints, arguments, streams);
-  workflow::OutputCare care{workflow::sources_of_script(arguments.sample.script), arguments.force, "OUT"};
-  care.sources.emplace_back(arguments.input);
-  care.sources.emplace_back(raster::envi_header_of(arguments.input));
-  workflow::expect_free_outputs(conversion.outputs(), care);
-  conversion.carry_out();
+ExitStatus run_convert(const workflow::ConvertRequest& request, Streams& streams) {
+  Watch watch(streams, false);
+  core::Observer observer = watch.observer();
+  observer.progress = {};  // A copy is soon done.
+  print_problems(streams, workflow::convert(request, observer).remarks);
   return exit_done;
 }
 
 }  // namespace
 
 Action add_convert(CLI::App& app) {
-  auto arguments = std::make_shared<ConvertArguments>();
-  add_text(app, "input", arguments->input, "IN", "file of samples")->required();
-  add_text(app, "output", arguments->output, "OUT", "file to write")->required();
-  add_sample_arguments(app, arguments->sample);
-  add_integer(app, "--simulation", arguments->simulation, 1, 1'000'000,
+  auto request = std::make_shared<workflow::ConvertRequest>();
+  add_text(app, "input", request->input, "IN", "file of samples")->required();
+  add_text(app, "output", request->output, "OUT", "file to write")->required();
+  add_sample_arguments(app, request->sample);
+  add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
               "which simulation of the script wrote the file (default: the one that names it)");
-  add_format(app, "--to", arguments->to, "format of the new file (default: from its extension)");
-  app.add_flag("--counts", arguments->counts, "converter counts instead of volts in HDF5 and NPY");
-  app.add_flag("--header", arguments->header, "a header line in CSV");
-  app.add_flag("--force", arguments->force, "replace the new file where it exists");
+  add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
+  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5 and NPY");
+  app.add_flag("--header", request->header, "a header line in CSV");
+  app.add_flag("--force", request->force, "replace the new file where it exists");
   add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                      {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
                      {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
                      {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"}});
-  return [arguments](Streams& streams) { return convert(*arguments, streams); };
+  return [request](Streams& streams) { return run_convert(*request, streams); };
 }
 
 }  // namespace sarsim::cli

@@ -11,6 +11,7 @@
 #include "cli/command/info_plan.hpp"
 #include "cli/command/info_scene.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/sample_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct InfoArguments {
   std::string path;
-  SampleArguments sample;
+  workflow::SampleArguments sample;
   workflow::SceneOverrides overrides;
   bool json = false;
   bool all = false;
@@ -65,7 +66,7 @@ struct InputUse {
 // Options that would be ignored are mistakes, all of them at once.
 void expect_used(const InfoArguments& arguments, bool script) {
   const workflow::SceneOverrides& overrides = arguments.overrides;
-  const SampleArguments& sample = arguments.sample;
+  const workflow::SampleArguments& sample = arguments.sample;
   const InputUse uses[] = {{"--all", arguments.all, true},
                            {"--set", !overrides.settings.empty(), true},
                            {"--profile", overrides.profile.has_value(), true},

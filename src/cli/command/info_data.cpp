@@ -8,31 +8,17 @@
 
 #include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
+#include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
-#include "signal/measure/sample_statistics.hpp"
-#include "workflow/input/scene_words.hpp"
+#include "raster/table/formats.hpp"
+#include "workflow/input/sample_facts.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
 constexpr std::size_t longest_attribute = 60;
-
-signal::SampleStatistics statistics_of(const raster::Raster& file, const core::StopFlag* stop) {
-  const raster::RasterInfo& info = file.info();
-  signal::SampleStatistics statistics;
-  std::vector<std::complex<double>> values;
-  const std::size_t rows = rows_at_once(info.columns);
-  for (std::size_t first = 0; first < file.rows(); first += rows) {
-    if (stop != nullptr && stop->requested()) throw core::Interrupted();
-    const std::size_t count = std::min(rows, file.rows() - first);
-    values.resize(count * info.columns);
-    file.read_rows(first, count, values);
-    statistics.add(values, first, info.columns);
-  }
-  return statistics;
-}
 
 std::string quantity(double value, bool counts) {
   return counts ? fmt::format("{:.9g}", value) : fmt::format("{:.6g} V", value);
@@ -62,7 +48,7 @@ void add_axis(std::vector<Figure>& figures, const char* label, const std::string
 
 std::vector<Figure> axis_figures(const raster::Raster& file) {
   std::vector<Figure> f;
-  const auto axes = file.axes();
+  const std::optional<raster::RasterAxes> axes = file.axes();
   if (!axes) return f;
   add_axis(f, "send times", "time", "s", axes->row_time_s);
   add_axis(f, "carriers", "carrier", "Hz", axes->row_carrier_hz);
@@ -118,12 +104,12 @@ std::string json_of(const std::string& path, const raster::RasterInfo& info, con
 }  // namespace
 
 ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams) {
-  const auto opened = open_samples(arguments.path, hints_for(arguments.path, arguments.sample), streams);
-  const raster::Raster& file = *opened;
-  const raster::RasterInfo& info = file.info();
-  std::vector<Figure> figures = shape_figures(file);
-  std::ranges::move(axis_figures(file), std::back_inserter(figures));
-  std::ranges::move(statistics_figures(statistics_of(file, streams.stop), info.counts), std::back_inserter(figures));
+  Watch watch(streams, false);
+  const workflow::SampleFacts facts = workflow::facts_of_samples(arguments.path, arguments.sample, watch.observer());
+  const raster::RasterInfo& info = facts.file->info();
+  std::vector<Figure> figures = shape_figures(*facts.file);
+  std::ranges::move(axis_figures(*facts.file), std::back_inserter(figures));
+  std::ranges::move(statistics_figures(facts.statistics, info.counts), std::back_inserter(figures));
   write_out(streams, arguments.json ? json_of(arguments.path, info, figures) : text_of(arguments.path, info, figures));
   return exit_done;
 }

@@ -3,14 +3,14 @@
 #include <string>
 
 #include "cli/shell/context.hpp"
-#include "cli/shell/sample_input.hpp"
+#include "workflow/input/sample_input.hpp"
 
 namespace sarsim::cli {
 
 /// What `info` is asked about a file of samples.
 struct DataInfoArguments {
   std::string path;
-  SampleArguments sample;
+  workflow::SampleArguments sample;
   bool json = false;
 };
 

@@ -9,6 +9,7 @@
 #include "cli/command/picture_program.hpp"
 #include "cli/command/plot_arguments.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/sample_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
@@ -176,7 +177,7 @@ struct InputUse {
 void expect_used_by_input(const PlotArguments& a) {
   const bool script = is_script(a);
   const workflow::SceneOverrides& overrides = a.overrides;
-  const SampleArguments& samples = a.samples;
+  const workflow::SampleArguments& samples = a.samples;
   const std::vector<InputUse> uses{{"--radar", !a.radar.empty(), true},
                                    {"--data", a.processing.has_value(), true},
                                    {"--rate", a.rate_hz.has_value(), true},

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/shell/sample_input.hpp"
+#include "cli/shell/context.hpp"
 #include "picture/colour/display_quantity.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/echo/radar_figures.hpp"
+#include "workflow/input/sample_input.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
@@ -71,7 +72,7 @@ struct PlotArguments {
   bool dark = false;
   bool force = false;
   workflow::SceneOverrides overrides;
-  SampleArguments samples;
+  workflow::SampleArguments samples;
 };
 
 /// A figure and, where --csv asks for it, its values as text.

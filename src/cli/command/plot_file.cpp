@@ -95,7 +95,7 @@ raster::RasterAxes axes_of(const simulate::Plan& plan) {
 }
 
 void expect_no_hints(const PlotArguments& a) {
-  const SampleArguments& samples = a.samples;
+  const workflow::SampleArguments& samples = a.samples;
   if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty())
     throw core::Refused(fmt::format("'{}' has a header, which says all about its samples", a.input),
                         "leave out --from, --columns, --bits, --lsb and --script");
@@ -110,7 +110,7 @@ Input opened(const PlotArguments& a, Streams& streams) {
     hints.raw = picture::layout_of(*header);
     input.focused = places_of(*header, a.input);
   } else {
-    hints = hints_for(a.input, a.samples, a.simulation);
+    hints = workflow::hints_for(a.input, a.samples, a.simulation);
   }
   raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, a.input, hints);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
@@ -126,7 +126,7 @@ Input opened(const PlotArguments& a, Streams& streams) {
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !a.samples.script.empty()) {
-    const simulate::Plan plan = plan_of_file(a.input, a.samples.script, a.simulation);
+    const simulate::Plan plan = workflow::plan_of_file(a.input, a.samples.script, a.simulation);
     input.axes = axes_of(plan);
     input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   }

@@ -1,17 +1,17 @@
-#include "cli/shell/sample_input.hpp"
+#include "workflow/input/sample_input.hpp"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
-#include "cli/shell/options.hpp"
+#include "core/report/refused.hpp"
 #include "raster/table/formats.hpp"
 #include "simulate/plan/plan.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -31,7 +31,7 @@ struct Choice {
 // The outputs of a script, and how a file comes to one of them.
 std::string ways_to_outputs(const scene::Scene& scene, const Choice& choice) {
   std::string known;
-  for (const fs::path& other : workflow::output_names(scene, {}).simulations)
+  for (const fs::path& other : output_names(scene, {}).simulations)
     known += (known.empty() ? "" : ", ") + other.filename().string();
   if (known.empty()) return "it has none: say --columns, --bits and --lsb instead of --script";
   return fmt::format("its outputs are {}: give the file its name there, {}{}", known, choice.by_number ? "" : "or ",
@@ -48,7 +48,7 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
                         fmt::format("it has {}", scene.simulations.size()));
   }
   const fs::path name = fs::path(path).filename();
-  const auto found = workflow::simulation_that_writes(
+  const auto found = simulation_that_writes(
       name, scene, "give the file the whole name that the script has for it, or " + choice.other_ways());
   if (found) return *found;
   throw core::Refused(fmt::format("no simulation of {} writes '{}'", script, name.string()),
@@ -58,8 +58,8 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
 // The simulation that writes a file, with its plan.
 std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
                                                           const Choice& choice) {
-  const workflow::SceneInput input = workflow::read_scene(script, {}, workflow::Scrutiny::values);
-  workflow::expect_usable(input);
+  const SceneInput input = read_scene(script, {}, Scrutiny::values);
+  expect_usable(input);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
   return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
 }
@@ -70,8 +70,7 @@ void take_script(raster::RasterHints& hints, const std::string& path, const std:
   hints.rows = plan.rows;
   hints.bits = simulation.bits;
   hints.lsb_v = simulation.lsb_v;
-  if (fs::path(path).extension() == fs::path(workflow::base_name(simulation.file)).extension())
-    hints.format = simulation.format;
+  if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
 }
 
 raster::RasterHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
@@ -92,14 +91,6 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
 
 }  // namespace
 
-void add_sample_arguments(CLI::App& app, SampleArguments& arguments) {
-  add_format(app, "--from", arguments.format, "format of the file, where content and extension mislead");
-  add_integer(app, "--columns", arguments.columns, 1, std::int64_t{1} << 40, "samples of a row (BINARY)");
-  add_integer(app, "--bits", arguments.bits, 1, 64, "A/D bits of its counts");
-  add_real(app, "--lsb", arguments.lsb_v, "V", "volts of a count");
-  add_text(app, "--script", arguments.script, "SCENE", "script whose simulation wrote the file, instead of the above");
-}
-
 raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments) {
   return hints_said(path, arguments, {});
 }
@@ -115,10 +106,10 @@ simulate::Plan plan_of_file(const std::string& path, const std::string& script,
 }
 
 std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,
-                                                   Streams& streams) {
+                                                   const core::Observer& observer) {
   raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, path, hints);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
-  print_problems(streams, core::ranked(std::move(opened.problems)));
+  observer.remarks(core::ranked(std::move(opened.problems)));
   return std::move(opened.raster);
 }
 
@@ -127,4 +118,4 @@ std::size_t rows_at_once(std::size_t columns) {
   return std::max<std::size_t>(1, samples / std::max<std::size_t>(columns, 1));
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

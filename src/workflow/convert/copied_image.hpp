@@ -8,7 +8,7 @@
 #include "raster/table/raster.hpp"
 #include "simulate/plan/sink.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 /// The ENVI header that describes a file of samples as it was opened; nothing where none does, as for recordings.
 /// Throws core::Refused and std::system_error like EnviImage.
@@ -33,4 +33,4 @@ namespace sarsim::cli {
 [[nodiscard]] std::unique_ptr<simulate::Sink> make_pixel_sink(const std::filesystem::path& path,
                                                               const raster::EnviHeader& header, bool replace);
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow

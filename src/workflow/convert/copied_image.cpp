@@ -1,4 +1,4 @@
-#include "cli/command/copied_image.hpp"
+#include "workflow/convert/copied_image.hpp"
 
 #include <array>
 #include <span>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/shell/context.hpp"
 #include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
 #include "raster/format/npy_header.hpp"
 
-namespace sarsim::cli {
+namespace sarsim::workflow {
 
 namespace fs = std::filesystem;
 
@@ -98,4 +98,4 @@ std::unique_ptr<simulate::Sink> make_pixel_sink(const fs::path& path, const rast
   return std::make_unique<PixelSink>(path, header, replace);
 }
 
-}  // namespace sarsim::cli
+}  // namespace sarsim::workflow
