@@ -11,8 +11,6 @@
 #include "core/build/version.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/format/sinks.hpp"
-#include "raster/table/formats.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/scene_words.hpp"
@@ -63,10 +61,7 @@ std::vector<Figure> figures_of(const simulate::RadarFigures& r, bool shaped) {
 std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::SimulationFigures& s,
                                const simulate::EchoSurvey& survey, bool counts) {
   const unsigned threads = core::thread_count(0);
-  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
-  const double bytes =
-      raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
-  const double seconds = cost.seconds_one_thread / threads * workflow::passes_of(plan.simulation, counts);
+  const workflow::RecordingSize size = workflow::size_of(plan, threads, counts);
   const auto microseconds = [](double v) { return core::with_prefix(v, "s"); };
   const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
   std::vector<Figure> f;
@@ -74,10 +69,11 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
                      fmt::format("{} ({} to {})", plan.pulses.count(), plan.pulses.first, plan.pulses.last)));
   f.push_back(figure("rows", "rows", static_cast<double>(plan.rows)));
   f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.columns)));
-  f.push_back(figure("file size", "bytes", bytes, core::bytes_text(bytes)));
-  f.push_back(figure("expected time", "seconds", seconds,
-                     fmt::format("{} on {} thread{}", core::duration_text(seconds), threads, threads == 1 ? "" : "s")));
-  f.push_back(figure("expected memory", "memory_bytes", cost.memory_bytes, core::bytes_text(cost.memory_bytes)));
+  f.push_back(figure("file size", "bytes", size.bytes, core::bytes_text(size.bytes)));
+  f.push_back(
+      figure("expected time", "seconds", size.seconds,
+             fmt::format("{} on {} thread{}", core::duration_text(size.seconds), threads, threads == 1 ? "" : "s")));
+  f.push_back(figure("expected memory", "memory_bytes", size.memory_bytes, core::bytes_text(size.memory_bytes)));
   f.push_back(figure("window, delay", "first_delay_s", s.first_delay_s,
                      microseconds(s.first_delay_s) + " to " + microseconds(s.last_delay_s)));
   f.push_back({"", "", "last_delay_s", s.last_delay_s, {}});

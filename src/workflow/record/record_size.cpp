@@ -1,5 +1,6 @@
 #include "workflow/record/record_size.hpp"
 
+#include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::workflow {
@@ -12,6 +13,16 @@ double passes_of(const scene::Simulation& simulation, bool counts) { return seek
 
 double estimated_seconds(const simulate::Plan& plan, unsigned threads, double passes) {
   return simulate::estimated_cost(plan, threads).seconds_one_thread / threads * passes;
+}
+
+RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts) {
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
+  RecordingSize size;
+  size.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
+  size.memory_bytes = cost.memory_bytes;
+  size.echoes = cost.echoes;
+  size.seconds = cost.seconds_one_thread / threads * passes_of(plan.simulation, counts);
+  return size;
 }
 
 double least_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,

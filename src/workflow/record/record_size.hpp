@@ -18,6 +18,18 @@ namespace sarsim::workflow {
 /// @param threads  at least 1
 [[nodiscard]] double estimated_seconds(const simulate::Plan& plan, unsigned threads, double passes);
 
+/// What one recording takes, from its plan alone.
+struct RecordingSize {
+  double bytes = 0.0;         ///< Of the file, without a script in it.
+  double memory_bytes = 0.0;  ///< While it is made.
+  double echoes = 0.0;
+  double seconds = 0.0;  ///< Good to a factor of two.
+};
+
+/// @param threads  that compute, at least 1
+/// @param counts   counts are asked for in formats that hold volts otherwise
+[[nodiscard]] RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts = false);
+
 /// Bytes that a geometry table has at least; 0 for an unknown radar. No line is shorter than its pulse number and end.
 [[nodiscard]] double least_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
                                        const scene::GeometryTable& table);
