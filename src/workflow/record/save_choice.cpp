@@ -9,7 +9,6 @@
 #include "raster/table/formats.hpp"
 #include "scene/script/writer.hpp"
 #include "workflow/record/plan_recording.hpp"
-#include "workflow/record/record_size.hpp"
 
 namespace sarsim::workflow {
 
@@ -57,7 +56,6 @@ SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, doubl
       *planned.plan, with_script ? scene::write_script(with_simulation(scene, simulation)) : std::string());
   const double bytes = raster::expected_bytes(product, {simulation.format, false, false, false});
   SaveEstimate estimate = save_estimate(*planned.plan, bytes, largest_v, threads);
-  estimate.seconds *= passes_of(simulation);
   estimate.lsb_estimated = choice.lsb != LsbChoice::given;
   if (choice.lsb == LsbChoice::measured) estimate.lsb_v = 0.0;
   forecast.estimate = estimate;
