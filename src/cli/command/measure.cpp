@@ -9,11 +9,12 @@
 #include "cli/command/measure_cuts.hpp"
 #include "cli/command/picture_program.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/recording_input.hpp"
+#include "cli/shell/recording_options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
 #include "workflow/focus/measure.hpp"
+#include "workflow/input/recording_input.hpp"
 
 namespace sarsim::cli {
 
