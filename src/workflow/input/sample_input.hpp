@@ -5,8 +5,6 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-#include "cli/shell/context.hpp"
 #include "core/task/observer.hpp"
 #include "raster/format/open_raster.hpp"
 #include "simulate/plan/plan.hpp"
