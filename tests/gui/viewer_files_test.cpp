@@ -363,9 +363,9 @@ class ViewerFilesTest : public QObject {
     hints.bits = 12;
     dialog.show_file(QString::fromStdString(path.string()), hints);
     QTRY_VERIFY_WITH_TIMEOUT(dialog.has_preview(), patience_ms);
-    QVERIFY(dialog.hints().samples.format == scene::FileFormat::binary);
-    QCOMPARE(dialog.hints().samples.columns, std::size_t{30});
-    QCOMPARE(dialog.hints().samples.bits, 12);
+    QVERIFY(dialog.hints().format == scene::FileFormat::binary);
+    QCOMPARE(dialog.hints().columns, std::size_t{30});
+    QCOMPARE(dialog.hints().bits, 12);
   }
 
   void a_text_is_previewed_when_it_has_been_looked_through() {
