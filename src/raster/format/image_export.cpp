@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "radar/receiver/converter.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
+#include "raster/table/raster_writer.hpp"
 
 namespace sarsim::raster {
 
@@ -75,32 +77,6 @@ simulate::Product product_of(const Raster& source, const ImageWindow& window, co
   return product;
 }
 
-// What the sink is given of one block.
-struct BlockMaker {
-  radar::Converter converter;  // Of the numbers as they are read.
-  double volts_of_value = 1.0;
-  bool counts = false;
-  std::vector<std::complex<double>> values;
-  std::vector<std::int64_t> numbers;
-
-  // Fills the lists and adds to the report.
-  void make(const std::vector<std::complex<float>>& samples, simulate::RunReport& report) {
-    values.clear();
-    for (const std::complex<float>& sample : samples) {
-      const std::complex<double> value(sample);
-      report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
-      values.push_back(counts ? value : value * volts_of_value);
-    }
-    if (!counts) return;
-    numbers.resize(2 * values.size());
-    radar::ConversionTally tally;
-    converter.convert(values, numbers, tally);
-    report.saturated += tally.saturated;
-    report.zero += tally.zero;
-    report.not_numbers += tally.not_numbers;
-  }
-};
-
 }  // namespace
 
 simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
@@ -112,26 +88,36 @@ simulate::RunReport export_window(const Raster& source, const ImageWindow& windo
   const bool from_counts = source.info().counts;
   const bool lsb_is_known = options.lsb_v > 0.0 || source.info().lsb_v || from_counts;
   if (!lsb_is_known && !holds_counts(options.sink.format, options.sink.counts)) product.unknown.emplace_back("lsb_v");
-  const auto sink = make_sink(path, product, options.sink);
+  auto sink = make_sink(path, product, options.sink);
   const double steps = radar::full_scale_count(product.bits);
   double lsb_v = options.lsb_v > 0.0 ? options.lsb_v : source.info().lsb_v.value_or(from_counts ? 1.0 : 0.0);
   if (!(lsb_v > 0.0) && sink->wants_counts()) lsb_v = largest_magnitude(source, window, control) / steps;
   if (!(lsb_v > 0.0)) lsb_v = 1.0;
-  BlockMaker maker{{product.bits, from_counts ? 1.0 : lsb_v}, from_counts ? lsb_v : 1.0, sink->wants_counts(), {}, {}};
+  // Numbers that are stored as they are pass through no converter.
+  const double volts_of_value = from_counts ? lsb_v : 1.0;
+  const double factor = sink->wants_counts() ? 1.0 : volts_of_value;
+  RasterWriter writer(std::move(sink), window.cols, {product.bits, from_counts ? 1.0 : lsb_v});
   simulate::RunReport report;
   report.rows = window.rows;
   report.columns = window.cols;
+  std::vector<std::complex<double>> values;
   for_each_block(source, window, control, [&](std::size_t row, const std::vector<std::complex<float>>& samples) {
-    maker.make(samples, report);
-    const std::size_t rows = samples.size() / window.cols;
-    sink->append(sink->encode({row, rows, window.cols, maker.values, maker.numbers}), row, rows);
-    if (progress) progress({row + rows, window.rows, window.cols});
+    values.assign(samples.begin(), samples.end());
+    for (auto& value : values) {
+      report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
+      value *= factor;
+    }
+    writer.append(values);
+    if (progress) progress({row + samples.size() / window.cols, window.rows, window.cols});
   });
+  report.saturated = writer.tally().saturated;
+  report.zero = writer.tally().zero;
+  report.not_numbers = writer.tally().not_numbers;
   report.lsb_v = lsb_v;
   report.best_lsb_v = report.maximum_v / steps;
   report.range_used = report.maximum_v / (lsb_v * steps);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  sink->finish(report);
+  writer.finish(report);
   return report;
 }
 

@@ -1,6 +1,5 @@
 #include "workflow/image/image_writer.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -39,26 +38,17 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content
   report_.maximum_v = largest;
   report_.lsb_v = report_.best_lsb_v = product.lsb_v;
   report_.range_used = largest / (product.lsb_v * radar::full_scale_count(count_bits));
-  sink_ = raster::make_sink(path, product, {.format = *format, .replace = replace});
-  volts_.resize(product.columns);
-  if (sink_->wants_counts()) counts_.resize(2 * product.columns);
+  samples_.emplace(raster::make_sink(path, product, {.format = *format, .replace = replace}), product.columns,
+                   radar::Converter{count_bits, product.lsb_v});
 }
 
 ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::append(std::span<const std::complex<float>> row) {
-  if (envi_) {
+  if (envi_)
     envi_->append(row);
-    return;
-  }
-  std::ranges::transform(row, volts_.begin(), [](std::complex<float> v) { return std::complex<double>(v); });
-  if (sink_->wants_counts()) {
-    radar::ConversionTally tally;
-    radar::Converter{count_bits, content_.product.lsb_v}.convert(volts_, counts_, tally);
-    report_.zero += tally.zero;
-  }
-  sink_->append(sink_->encode({rows_, 1, volts_.size(), volts_, counts_}), rows_, 1);
-  ++rows_;
+  else
+    samples_->append(row);
 }
 
 void ImageWriter::finish() {
@@ -72,7 +62,7 @@ void ImageWriter::finish() {
     text.emplace(std::filesystem::path(path_).replace_extension(".hdr"), replace_);
     write_npy_header(*text);
   }
-  sink_->finish(report_);
+  samples_->finish(report_);
   if (text) text->commit();
 }
 

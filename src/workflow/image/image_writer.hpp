@@ -2,13 +2,12 @@
 
 #include <complex>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "core/os/output_file.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/table/raster_writer.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::workflow {
@@ -44,10 +43,7 @@ class ImageWriter {
   bool replace_;
   simulate::RunReport report_;
   std::optional<raster::EnviWriter> envi_;
-  std::unique_ptr<simulate::Sink> sink_;
-  std::vector<std::complex<double>> volts_;
-  std::vector<std::int64_t> counts_;
-  std::size_t rows_ = 0;
+  std::optional<raster::RasterWriter> samples_;
 };
 
 }  // namespace sarsim::workflow

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -13,6 +12,7 @@
 #include "raster/format/envi.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/raster_writer.hpp"
 #include "workflow/image/image_output.hpp"
 
 namespace sarsim::workflow {
@@ -120,16 +120,13 @@ void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, sce
   product.lsb_v = report.maximum_v > 0.0 ? report.maximum_v / radar::full_scale_count(count_bits) : 1.0;
   report.lsb_v = report.best_lsb_v = product.lsb_v;
   report.range_used = report.maximum_v / (product.lsb_v * radar::full_scale_count(count_bits));
-  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(path, product, {.format = format, .replace = replace});
-  radar::ConversionTally tally;
-  std::vector<std::int64_t> counts(sink->wants_counts() ? 2 * product.columns : 0);
+  raster::RasterWriter writer(raster::make_sink(path, product, {.format = format, .replace = replace}), product.columns,
+                              {count_bits, product.lsb_v});
   for (std::size_t r = 0; r < product.rows; ++r) {
     look_at(stop);
-    radar::Converter{count_bits, product.lsb_v}.convert(series.row(r), counts, tally);
-    sink->append(sink->encode({r, 1, product.columns, series.row(r), counts}), r, 1);
+    writer.append(series.row(r));
   }
-  report.zero = tally.zero;
-  sink->finish(report);
+  writer.finish(report);
 }
 
 }  // namespace
