@@ -20,12 +20,6 @@ bool wants_peaks(const PartRequest& request) {
 
 }  // namespace
 
-picture::SamplePlane plane_of(const std::shared_ptr<const raster::Raster>& source, std::size_t rows) {
-  return {rows, source->columns(), [source](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
-            source->read_window(window, out);
-          }};
-}
-
 ImageReader::ImageReader(QObject* parent) : QObject(parent) {
   thread_ = std::thread([this] { work(); });
 }
@@ -128,9 +122,9 @@ void ImageReader::read_peaks(const Job& job, ImagePart& part) const {
     overview->read(row_log2, col_log2, part.window.row0 >> row_log2, part.window.rows, part.window.col0 >> col_log2,
                    part.window.cols, cells);
   else
-    picture::reduce_plane(plane_of(request.source, request.source->rows()), picture::OverviewKind::peak,
-                          part.window.row0, part.window.rows, part.window.row_step, part.window.col0, part.window.cols,
-                          part.window.col_step, cells, job.stop.get());
+    picture::reduce_plane(*request.source, picture::OverviewKind::peak, part.window.row0, part.window.rows,
+                          part.window.row_step, part.window.col0, part.window.cols, part.window.col_step, cells,
+                          job.stop.get());
   part.samples.assign(cells.begin(), cells.end());
   part.peaks = true;
 }

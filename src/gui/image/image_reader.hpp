@@ -16,9 +16,6 @@
 
 namespace sarsim::gui {
 
-/// Samples of a source as a plane; the plane keeps the source alive.
-[[nodiscard]] picture::SamplePlane plane_of(const std::shared_ptr<const raster::Raster>& source, std::size_t rows);
-
 /// What is to be read and painted.
 struct PartRequest {
   std::shared_ptr<const raster::Raster> source;

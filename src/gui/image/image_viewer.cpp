@@ -17,6 +17,7 @@
 #include "gui/common/text.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
+#include "raster/table/computed_raster.hpp"
 
 namespace sarsim::gui {
 
@@ -156,7 +157,7 @@ void ImageViewer::begin_overview() {
     options.cache = cache_for(*source_, hints_, *identity);
     options.still_the_same = [path = path_, identity] { return picture::file_identity(path) == identity; };
   }
-  overview_ = std::make_shared<picture::Overview>(plane_of(source_, rows_), options);
+  overview_ = std::make_shared<picture::Overview>(raster::first_rows(source_, rows_), options);
   overview_timer_.start(overview_ms);
   QTimer::singleShot(overview_ms / 4, this, &ImageViewer::show_overview);
 }

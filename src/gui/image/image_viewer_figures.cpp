@@ -17,6 +17,7 @@
 #include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "raster/format/image_export.hpp"
+#include "raster/table/computed_raster.hpp"
 #include "scene/schema/quantity.hpp"
 
 namespace sarsim::gui {
@@ -232,9 +233,9 @@ void ImageViewer::measure() {
     show_statistics();
     if (end == JobEnd::failed) figures_->setText(failure);
   });
-  measuring_.start([result, window, plane = plane_of(source_, rows_)](const core::StopFlag& stop,
-                                                                      const BackgroundJob::Report& report) {
-    *result = picture::measure_selection(plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
+  measuring_.start([result, window, plane = raster::first_rows(source_, rows_)](const core::StopFlag& stop,
+                                                                                const BackgroundJob::Report& report) {
+    *result = picture::measure_selection(*plane, {window.row0, window.rows, window.col0, window.cols, 1, 1},
                                          {std::min(core::thread_count(0), 4U), &stop}, [&](const core::Progress& p) {
                                            if (p.total > 0)
                                              report(static_cast<double>(p.done) / static_cast<double>(p.total));
@@ -302,9 +303,8 @@ void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
     show_reading({});
   });
   pointing_.start(
-      [result, row, column, plane = plane_of(source_, rows_)](const core::StopFlag&, const BackgroundJob::Report&) {
-        *result = picture::read_point(plane, row, column);
-      });
+      [result, row, column, plane = raster::first_rows(source_, rows_)](
+          const core::StopFlag&, const BackgroundJob::Report&) { *result = picture::read_point(*plane, row, column); });
 }
 
 void ImageViewer::show_reading(const QString& words) {

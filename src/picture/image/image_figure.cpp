@@ -118,7 +118,7 @@ ShownSamples shown(Samples samples, const Extent& across, const Extent& up, cons
 std::string unit_for(const raster::Raster& source, const ImageLook& look) {
   if (look.unit) return *look.unit;
   const raster::RasterInfo& info = source.info();
-  const bool unknown = info.counts || info.format->by_hand || info.format->picture;
+  const bool unknown = info.counts || (info.format != nullptr && (info.format->by_hand || info.format->picture));
   return unknown ? "" : "V";
 }
 

@@ -97,27 +97,28 @@ class CellRow {
 
 }  // namespace
 
-void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
-                  std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
+void reduce_plane(const raster::Raster& plane, OverviewKind kind, std::size_t row0, std::size_t rows,
+                  std::size_t row_bin, std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
                   const core::StopFlag* stop) {
   if (out.size() != rows * cols) throw std::invalid_argument("the cells and the room for them differ");
   std::ranges::fill(out, 0.0F);
-  if (out.empty() || row0 >= plane.rows || col0 >= plane.columns) return;
-  const std::size_t left = plane.columns - col0;
+  const std::size_t plane_rows = plane.rows();
+  if (out.empty() || row0 >= plane_rows || col0 >= plane.columns()) return;
+  const std::size_t left = plane.columns() - col0;
   const std::size_t extent = cols > left / col_bin ? left : cols * col_bin;
   const std::size_t width = std::min(extent, samples_at_once);
   const std::size_t height = std::max<std::size_t>(1, samples_at_once / width);
   std::vector<std::complex<float>> samples;
-  for (std::size_t i = 0; i < rows && i <= (plane.rows - row0 - 1) / row_bin; ++i) {
+  for (std::size_t i = 0; i < rows && i <= (plane_rows - row0 - 1) / row_bin; ++i) {
     const std::size_t first = row0 + i * row_bin;
-    const std::size_t last = first + std::min(row_bin, plane.rows - first);
+    const std::size_t last = first + std::min(row_bin, plane_rows - first);
     CellRow cells(kind, cols, col_bin);
     for (std::size_t row = first; row < last; row += height)
       for (std::size_t at = 0; at < extent; at += width) {
         if (stop != nullptr && stop->requested()) throw core::Interrupted();
         const raster::ImageWindow window{row, std::min(height, last - row), col0 + at, std::min(width, extent - at)};
         samples.resize(window.samples());
-        plane.read(window, samples);
+        plane.read_window(window, samples);
         for (std::size_t r = 0; r < window.rows; ++r)
           cells.add(std::span(samples).subspan(r * window.cols, window.cols), at);
       }
@@ -125,10 +126,13 @@ void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0,
   }
 }
 
-Overview::Overview(SamplePlane plane, const OverviewOptions& options)
-    : plane_(std::move(plane)), options_(options), base_(base_of(plane_.rows, plane_.columns, options.most_cells)) {
+Overview::Overview(std::shared_ptr<const raster::Raster> plane, const OverviewOptions& options)
+    : plane_(std::move(plane)),
+      plane_rows_(plane_->rows()),
+      options_(options),
+      base_(base_of(plane_rows_, plane_->columns(), options.most_cells)) {
   levels_.push_back({base_, {}});
-  if (plane_.rows == 0 || plane_.columns == 0) {
+  if (plane_rows_ == 0 || plane_->columns() == 0) {
     base_ = levels_.front().shape = {base_.row_log2, base_.col_log2, 0, 0};
     state_ = OverviewState::complete;
     return;
@@ -168,7 +172,7 @@ void Overview::work() {
 // One row of the plane for each row of cells, every 64th row of cells first, then those between.
 void Overview::sample_rows() {
   // Where all samples are read within moments, a first look is not worth it.
-  if (plane_.rows <= (std::size_t{1} << 24U) / plane_.columns) return;
+  if (plane_rows_ <= (std::size_t{1} << 24U) / plane_->columns()) return;
   std::vector<float> row(base_.columns);
   for (std::size_t stride = first_stride; stride > 0; stride /= 2)
     for (std::size_t cell_row = 0; cell_row < base_.rows; cell_row += stride) {
@@ -187,7 +191,7 @@ void Overview::refine() {
 }
 
 void Overview::reduce_row(std::size_t cell_row, std::size_t count, std::vector<float>& row) const {
-  reduce_plane(plane_, options_.kind, cell_row << base_.row_log2, 1, count, 0, base_.columns,
+  reduce_plane(*plane_, options_.kind, cell_row << base_.row_log2, 1, count, 0, base_.columns,
                std::size_t{1} << base_.col_log2, row, &stop_);
 }
 
@@ -219,7 +223,7 @@ void Overview::make_levels() {
 
 // What the cells depend on besides the file and how it is read.
 std::string Overview::cache_words() const {
-  return fmt::format("cells 1 {} {} {} {} {}", static_cast<int>(options_.kind), plane_.rows, plane_.columns,
+  return fmt::format("cells 1 {} {} {} {} {}", static_cast<int>(options_.kind), plane_rows_, plane_->columns(),
                      base_.row_log2, base_.col_log2);
 }
 
@@ -248,7 +252,7 @@ OverviewState Overview::state() const {
 
 core::Progress Overview::progress() const {
   const std::scoped_lock hold(lock_);
-  return {exact_rows_, base_.rows, plane_.columns << base_.row_log2};
+  return {exact_rows_, base_.rows, plane_->columns() << base_.row_log2};
 }
 
 std::string Overview::failure() const {
@@ -270,7 +274,7 @@ void Overview::wait(const core::StopFlag* stop) const {
 }
 
 OverviewLevel Overview::level(unsigned row_log2, unsigned col_log2) const {
-  return level_of(plane_.rows, plane_.columns, row_log2, col_log2);
+  return level_of(plane_rows_, plane_->columns(), row_log2, col_log2);
 }
 
 std::size_t Overview::shown_row(std::size_t cell_row) const {
@@ -298,11 +302,11 @@ void Overview::add_cells(const Level& source, unsigned row_log2, unsigned col_lo
     for (std::size_t r = first; r < last; ++r) {
       const std::size_t shown = &source == &levels_.front() ? shown_row(r) : r;
       const float* cells = source.cells.data() + shown * source.shape.columns;
-      const double height = extent(r, source.shape.row_log2, plane_.rows);
+      const double height = extent(r, source.shape.row_log2, plane_rows_);
       for (std::size_t c = begin; c < end; ++c) {
         peak = std::max(peak, cells[c]);
         if (options_.kind == OverviewKind::peak) continue;
-        const double weight = height * extent(c, source.shape.col_log2, plane_.columns);
+        const double weight = height * extent(c, source.shape.col_log2, plane_->columns());
         sum += weight * static_cast<double>(cells[c]);
         weights += weight;
       }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -15,7 +16,7 @@
 #include "core/task/progress.hpp"
 #include "core/task/stop.hpp"
 #include "picture/image/overview_cache.hpp"
-#include "picture/image/sample_plane.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::picture {
 
@@ -56,8 +57,8 @@ enum class OverviewState {
 /// is being built. Functions may be called from any thread.
 class Overview {
  public:
-  /// Begins at once. A plane without samples is complete.
-  Overview(SamplePlane plane, const OverviewOptions& options = {});
+  /// Begins at once, with the rows that are there now. A plane without samples is complete.
+  Overview(std::shared_ptr<const raster::Raster> plane, const OverviewOptions& options = {});
   Overview(const Overview&) = delete;
   Overview& operator=(const Overview&) = delete;
   /// Ends the work; waits for the read that is under way.
@@ -106,7 +107,8 @@ class Overview {
   void add_cells(const Level& source, unsigned row_log2, unsigned col_log2, std::size_t row, std::size_t col0,
                  std::span<float> out) const;
 
-  SamplePlane plane_;
+  std::shared_ptr<const raster::Raster> plane_;
+  std::size_t plane_rows_;
   OverviewOptions options_;
   OverviewLevel base_;
   std::vector<Level> levels_;        // The base first; the others once it is complete.
@@ -124,8 +126,8 @@ class Overview {
 /// Peaks (or means) of the magnitudes of cells that begin at (row0, col0), row_bin x col_bin samples each, straight
 /// from a plane: what an overview is made of, for steps finer than its own. Cells may reach beyond the plane. Reads
 /// some MB at a time; throws Interrupted.
-void reduce_plane(const SamplePlane& plane, OverviewKind kind, std::size_t row0, std::size_t rows, std::size_t row_bin,
-                  std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
+void reduce_plane(const raster::Raster& plane, OverviewKind kind, std::size_t row0, std::size_t rows,
+                  std::size_t row_bin, std::size_t col0, std::size_t cols, std::size_t col_bin, std::span<float> out,
                   const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::picture

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include "raster/table/computed_raster.hpp"
 
 namespace sarsim::picture {
 namespace overview_test {
@@ -20,10 +21,8 @@ namespace fs = std::filesystem;
 using Magnitude = std::function<float(std::size_t, std::size_t)>;
 
 // A plane whose samples have given magnitudes; counts how many were read.
-SamplePlane plane_of(std::size_t rows, std::size_t columns, const Magnitude& magnitude,
-                     std::atomic<std::uint64_t>* read = nullptr) {
-  SamplePlane plane{rows, columns, {}};
-  plane.read = [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+raster::ComputedRaster::Read reader_of(const Magnitude& magnitude, std::atomic<std::uint64_t>* read = nullptr) {
+  return [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     if (read != nullptr) *read += out.size();
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
@@ -31,7 +30,13 @@ SamplePlane plane_of(std::size_t rows, std::size_t columns, const Magnitude& mag
         out[i * window.cols + k] = {0.6F * value, -0.8F * value};
       }
   };
-  return plane;
+}
+
+using Plane = std::shared_ptr<const raster::Raster>;
+
+Plane plane_of(std::size_t rows, std::size_t columns, const Magnitude& magnitude,
+               std::atomic<std::uint64_t>* read = nullptr) {
+  return std::make_shared<raster::ComputedRaster>(rows, columns, reader_of(magnitude, read));
 }
 
 float scrambled(std::size_t row, std::size_t column) {
@@ -93,9 +98,9 @@ TEST_P(OverviewOfKind, HoldsPeaksOrMeansAtEveryStep) {
 }
 
 TEST_P(OverviewOfKind, OfPartsIsReadStraightFromThePlaneToo) {
-  const SamplePlane plane = plane_of(50, 70, scrambled);
+  const Plane plane = plane_of(50, 70, scrambled);
   std::vector<float> cells(6 * 5);
-  reduce_plane(plane, GetParam(), 31, 6, 4, 40, 5, 7, cells);
+  reduce_plane(*plane, GetParam(), 31, 6, 4, 40, 5, 7, cells);
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t k = 0; k < 5; ++k) {
       const bool inside = 31 + 4 * i < 50 && 40 + 7 * k < 70;
@@ -152,15 +157,15 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
   // Reading waits at the third row that is looked at.
   std::atomic<int> reads{0};
   std::atomic<bool> go_on{false};
-  SamplePlane plane =
-      plane_of(1 << 18, 1 << 13, [](std::size_t row, std::size_t) { return 1.0F + static_cast<float>(row); });
-  plane.read = [&, read = plane.read](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+  const auto sound = reader_of([](std::size_t row, std::size_t) { return 1.0F + static_cast<float>(row); });
+  const auto waiting = [&](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     if (++reads > 2) {
       while (!go_on) usleep(100);
       throw std::runtime_error("enough");
     }
-    read(window, out);
+    sound(window, out);
   };
+  const Plane plane = std::make_shared<raster::ComputedRaster>(1 << 18, 1 << 13, waiting);
   OverviewOptions options;
   options.most_cells = 1 << 16;
   const Overview overview(plane, options);
@@ -177,21 +182,21 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
 
 TEST(Overview, OfLongRowsKeepsTheirColumnsApart) {
   constexpr std::size_t columns = 600'000;
-  const SamplePlane plane = plane_of(
+  const Plane plane = plane_of(
       3, columns, [](std::size_t row, std::size_t column) { return static_cast<float>(row * columns + column); });
   std::vector<float> cells(600);
-  reduce_plane(plane, OverviewKind::peak, 0, 1, 3, 0, 600, 1000, cells);
+  reduce_plane(*plane, OverviewKind::peak, 0, 1, 3, 0, 600, 1000, cells);
   for (std::size_t k = 0; k < cells.size(); ++k)
     ASSERT_NEAR(cells[k], static_cast<float>(2 * columns + 1000 * k + 999), 0.5F) << k;
 }
 
 TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
-  SamplePlane plane = plane_of(100, 100, scrambled);
-  plane.read = [read = plane.read](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+  const auto failing = [read = reader_of(scrambled)](const raster::ImageWindow& window,
+                                                     std::span<std::complex<float>> out) {
     if (window.row0 >= 50) throw std::runtime_error("the disk is gone");
     read(window, out);
   };
-  const Overview overview(plane);
+  const Overview overview(std::make_shared<raster::ComputedRaster>(100, 100, failing));
   overview.wait();
   EXPECT_EQ(overview.state(), OverviewState::stopped);
   EXPECT_EQ(overview.failure(), "the disk is gone");
@@ -201,12 +206,12 @@ TEST(Overview, NamesWhatWentWrongAndKeepsWhatItHas) {
 
 TEST(Overview, TakesWhatIsNoNumberAsNothingAndTheInfiniteAsTheLargest) {
   for (const OverviewKind kind : {OverviewKind::peak, OverviewKind::mean}) {
-    SamplePlane plane{2, 4, [](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
-                        for (std::size_t i = 0; i < out.size(); ++i)
-                          out[i] = window.col0 + i % window.cols < 2
-                                       ? std::complex<float>(std::numeric_limits<float>::quiet_NaN(), 0.0F)
-                                       : std::complex<float>(std::numeric_limits<float>::infinity(), 0.0F);
-                      }};
+    const auto strange = [](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+      for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = window.col0 + i % window.cols < 2 ? std::complex<float>(std::numeric_limits<float>::quiet_NaN(), 0.0F)
+                                                   : std::complex<float>(std::numeric_limits<float>::infinity(), 0.0F);
+    };
+    const Plane plane = std::make_shared<raster::ComputedRaster>(2, 4, strange);
     OverviewOptions options;
     options.kind = kind;
     const Overview overview(plane, options);
@@ -216,7 +221,7 @@ TEST(Overview, TakesWhatIsNoNumberAsNothingAndTheInfiniteAsTheLargest) {
 }
 
 TEST(Overview, OfNothingIsComplete) {
-  const Overview overview({});
+  const Overview overview(plane_of(0, 0, scrambled));
   EXPECT_EQ(overview.state(), OverviewState::complete);
   overview.read(1, 1, 0, 0, 0, 0, {});
   std::vector<float> cell(1);

@@ -47,13 +47,13 @@ CutExtent extent_of(std::size_t centre, std::size_t count, std::size_t size) {
 }
 
 // Sample (row, column) of the plane is sample (rows / 2, cols / 2) of the patch.
-Patch patch_of(const SamplePlane& plane, std::size_t row, std::size_t column, std::size_t rows, std::size_t cols) {
+Patch patch_of(const raster::Raster& plane, std::size_t row, std::size_t column, std::size_t rows, std::size_t cols) {
   Patch patch{rows, cols, std::vector<Complex>(rows * cols)};
-  const CutExtent down = extent_of(row, rows, plane.rows);
-  const CutExtent across = extent_of(column, cols, plane.columns);
+  const CutExtent down = extent_of(row, rows, plane.rows());
+  const CutExtent across = extent_of(column, cols, plane.columns());
   const raster::ImageWindow window{down.first, down.count, across.first, across.count};
   std::vector<std::complex<float>> read(window.samples());
-  plane.read(window, read);
+  plane.read_window(window, read);
   for (std::size_t i = 0; i < down.count; ++i)
     for (std::size_t k = 0; k < across.count; ++k) {
       const Complex sample(read[i * across.count + k]);
@@ -247,9 +247,9 @@ core::Problem no_point(const std::string& message, std::size_t row, std::size_t 
 
 }  // namespace
 
-std::variant<PointReading, core::Problem> read_point(const SamplePlane& plane, std::size_t row, std::size_t column,
+std::variant<PointReading, core::Problem> read_point(const raster::Raster& plane, std::size_t row, std::size_t column,
                                                      const PointOptions& options) {
-  if (row >= plane.rows || column >= plane.columns) return no_point("the place is outside the image", row, column);
+  if (row >= plane.rows() || column >= plane.columns()) return no_point("the place is outside the image", row, column);
   const std::size_t around = 2 * std::min<std::size_t>(options.search, 1024) + 1;
   const Patch near = patch_of(plane, row, column, around, around);
   const auto largest = std::ranges::max_element(near.samples, {}, [](const Complex& z) { return std::norm(z); });

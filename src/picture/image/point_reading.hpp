@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "core/report/problem.hpp"
-#include "picture/image/sample_plane.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::picture {
 
@@ -39,7 +39,7 @@ struct PointOptions {
 ///
 /// Samples beyond the image are 0. A problem where the click is outside, where nothing but zeros is around it, or where
 /// the response has no main lobe with minima on both sides. What reading the plane throws comes out.
-[[nodiscard]] std::variant<PointReading, core::Problem> read_point(const SamplePlane& plane, std::size_t row,
+[[nodiscard]] std::variant<PointReading, core::Problem> read_point(const raster::Raster& plane, std::size_t row,
                                                                    std::size_t column,
                                                                    const PointOptions& options = {});
 

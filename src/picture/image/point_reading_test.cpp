@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "raster/table/computed_raster.hpp"
 
 namespace sarsim::picture {
 namespace point_reading_test {
@@ -37,15 +38,15 @@ struct Target {
   double column_turn = 0.0;
 };
 
-SamplePlane image_of(const Target& target, const Weight& weight, std::size_t rows = 300, std::size_t columns = 260) {
+raster::ComputedRaster image_of(const Target& target, const Weight& weight, std::size_t rows = 300,
+                                std::size_t columns = 260) {
   std::vector<double> down(rows);
   std::vector<double> across(columns);
   for (std::size_t i = 0; i < rows; ++i)
     down[i] = response(weight, (static_cast<double>(i) - target.row) / target.row_cell);
   for (std::size_t k = 0; k < columns; ++k)
     across[k] = response(weight, (static_cast<double>(k) - target.column) / target.column_cell);
-  SamplePlane plane{rows, columns, {}};
-  plane.read = [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
+  const auto read = [=](const raster::ImageWindow& window, std::span<std::complex<float>> out) {
     for (std::size_t i = 0; i < window.rows; ++i)
       for (std::size_t k = 0; k < window.cols; ++k) {
         const std::size_t row = window.row0 + i * window.row_step;
@@ -56,10 +57,10 @@ SamplePlane image_of(const Target& target, const Weight& weight, std::size_t row
             std::complex<float>(target.value * down[row] * across[column] * std::polar(1.0, turn));
       }
   };
-  return plane;
+  return {rows, columns, read};
 }
 
-PointReading reading_of(const SamplePlane& plane, std::size_t row, std::size_t column) {
+PointReading reading_of(const raster::Raster& plane, std::size_t row, std::size_t column) {
   const auto result = read_point(plane, row, column);
   const auto* problem = std::get_if<core::Problem>(&result);
   EXPECT_EQ(problem, nullptr) << (problem == nullptr ? "" : core::to_string(*problem));
@@ -128,23 +129,23 @@ TEST(ReadPoint, AtTheCornerOfAnImageKeepsPlaceAndWidth) {
 }
 
 TEST(ReadPoint, SaysWhyThereIsNone) {
-  const auto message = [](const SamplePlane& plane, std::size_t row, std::size_t column) {
+  const auto message = [](const raster::Raster& plane, std::size_t row, std::size_t column) {
     const auto result = read_point(plane, row, column);
     return std::holds_alternative<core::Problem>(result) ? core::to_string(std::get<core::Problem>(result))
                                                          : std::string();
   };
-  const auto constant = [](float value) {
-    return SamplePlane{50, 40, [value](const raster::ImageWindow&, std::span<std::complex<float>> out) {
-                         std::ranges::fill(out, std::complex<float>(value));
-                       }};
+  const auto constant = [](float value, std::size_t rows = 50, std::size_t columns = 40) {
+    return raster::ComputedRaster(rows, columns,
+                                  [value](const raster::ImageWindow&, std::span<std::complex<float>> out) {
+                                    std::ranges::fill(out, std::complex<float>(value));
+                                  });
   };
   EXPECT_THAT(message(constant(1.0F), 50, 0), testing::HasSubstr("outside the image"));
   EXPECT_THAT(message(constant(1.0F), 0, 40), testing::HasSubstr("outside the image"));
   EXPECT_THAT(message(constant(0.0F), 10, 10), testing::HasSubstr("zeros"));
   EXPECT_THAT(message(constant(std::nanf("")), 10, 10), testing::HasSubstr("zeros"));
   // A plateau that fills the whole cut.
-  const SamplePlane plateau{500, 500, constant(1.0F).read};
-  EXPECT_THAT(message(plateau, 250, 250), testing::HasSubstr("no main lobe"));
+  EXPECT_THAT(message(constant(1.0F, 500, 500), 250, 250), testing::HasSubstr("no main lobe"));
 }
 
 }  // namespace point_reading_test

@@ -266,7 +266,7 @@ QuantityStatistics::Limits QuantityStatistics::limits(double part) const {
           std::clamp(histogram.percentile(1.0 - part), minimum, maximum)};
 }
 
-SelectionStatistics measure_selection(const SamplePlane& plane, const raster::ImageWindow& window,
+SelectionStatistics measure_selection(const raster::Raster& plane, const raster::ImageWindow& window,
                                       const core::WorkControl& control, const core::ProgressReport& progress) {
   const Parts parts(window);
   Part sum;
@@ -276,7 +276,7 @@ SelectionStatistics measure_selection(const SamplePlane& plane, const raster::Im
         return [&, samples = std::vector<std::complex<float>>()](std::size_t index) mutable {
           const raster::ImageWindow part = parts.part(index);
           samples.resize(part.samples());
-          plane.read(part, samples);
+          plane.read_window(part, samples);
           return part_of(samples);
         };
       },

@@ -8,7 +8,7 @@
 
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
-#include "picture/image/sample_plane.hpp"
+#include "raster/table/raster.hpp"
 
 namespace sarsim::picture {
 
@@ -73,7 +73,7 @@ struct SelectionStatistics {
 /// result. Means and deviations are gathered part by part (Chan, Golub, LeVeque: "Updating formulae and a pairwise
 /// algorithm for computing sample variances", 1979), so that a small deviation of large values keeps its digits.
 /// Throws Interrupted where asked to stop, and what reading the plane throws.
-[[nodiscard]] SelectionStatistics measure_selection(const SamplePlane& plane, const raster::ImageWindow& window,
+[[nodiscard]] SelectionStatistics measure_selection(const raster::Raster& plane, const raster::ImageWindow& window,
                                                     const core::WorkControl& control = {},
                                                     const core::ProgressReport& progress = {});
 

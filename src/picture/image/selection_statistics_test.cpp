@@ -9,11 +9,12 @@
 #include <random>
 
 #include "core/maths/constants.hpp"
+#include "raster/table/computed_raster.hpp"
 
 namespace sarsim::picture {
 namespace selection_statistics_test {
 
-SamplePlane plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
+raster::ComputedRaster plane_of(std::vector<std::complex<float>> samples, std::size_t columns) {
   const std::size_t rows = samples.size() / columns;
   return {
       rows, columns,
@@ -179,7 +180,7 @@ TEST(SelectionStatistics, LimitsLeaveOutTheEnds) {
 
 TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
   const auto samples = noise(900 * 1200, 0.1F, 2.0F);
-  const SamplePlane plane = plane_of(samples, 1200);
+  const raster::ComputedRaster plane = plane_of(samples, 1200);
   const raster::ImageWindow window{3, 400, 5, 500, 2, 2};
   const SelectionStatistics one = measure_selection(plane, window, {1, nullptr});
   const SelectionStatistics three = measure_selection(plane, window, {3, nullptr});
@@ -196,7 +197,7 @@ TEST(SelectionStatistics, AreTheSameForAnyNumberOfThreadsAndStepsAreKept) {
 }
 
 TEST(SelectionStatistics, ReportProgressAndStop) {
-  const SamplePlane plane = plane_of(noise(1 << 20, 0.0F, 1.0F), 1 << 10);
+  const raster::ComputedRaster plane = plane_of(noise(1 << 20, 0.0F, 1.0F), 1 << 10);
   std::vector<std::size_t> done;
   (void)measure_selection(plane, {0, 1 << 10, 0, 1 << 10}, {}, [&](const core::Progress& progress) {
     done.push_back(progress.done * 100 / progress.total);

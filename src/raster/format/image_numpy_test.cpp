@@ -36,6 +36,7 @@ TEST(Raster, ReadsNumpyArraysOfEitherByteOrderAndOrder) {
   EXPECT_EQ(turned->columns(), 3U);
   EXPECT_EQ(read_all(*turned), (std::vector<std::complex<float>>{1, 3, 5, 2, 4, 6}));
   EXPECT_EQ(read(*turned, {1, 1, 0, 2, 1, 2}), (std::vector<std::complex<float>>{2, 6}));
+  EXPECT_EQ(data_test::read_all_rows(*turned), (std::vector<std::complex<double>>{1, 3, 5, 2, 4, 6}));
   const auto row =
       open_whole(put(folder / "c.npy", npy("<i4", "(2, 2)", std::string("\1\0\0\0\2\0\0\0\3\0\0\0\4\0\0\0", 16))));
   ASSERT_TRUE(row);

@@ -6,6 +6,7 @@
 
 #include "raster/format/image_test_support.hpp"
 #include "raster/format/recording_hints.hpp"
+#include "raster/table/computed_raster.hpp"
 
 namespace sarsim::raster {
 namespace raster_test {
@@ -140,6 +141,65 @@ TEST(Raster, BinaryOfEveryNumberOfBitsIsReadToTheNearestFloat) {
           << bits;
   }
 }
+
+// --- Whole rows -------------------------------------------------------------------------------------------------
+
+TEST(Raster, GivesCountsBeyondFloatInWholeRows) {
+  const TestFolder folder;
+  const auto hints = sample_hints(5, 53);
+  data_test::write_test_file(folder / "a.bin", test_product(3, 5, 53), {scene::FileFormat::binary, true, true, false});
+  data_test::write_test_file(folder / "a.csv", test_product(3, 5, 53), {scene::FileFormat::csv, true, true, false});
+  const auto counts = data_test::test_counts(15, 53);
+  for (const char* name : {"a.bin", "a.csv"}) {
+    const auto raster = open_whole(folder / name, name[2] == 'b' ? hints : sample_hints(0, 53));
+    ASSERT_TRUE(raster);
+    const auto samples = data_test::read_all_rows(*raster);
+    for (std::size_t i = 0; i < 15; ++i)
+      ASSERT_EQ(samples[i],
+                std::complex<double>(static_cast<double>(counts[2 * i]), static_cast<double>(counts[2 * i + 1])))
+          << name;
+  }
+}
+
+TEST(Raster, OfACustomFileHasToHoldAllItsRowsWhereItIsWorkedWith) {
+  const TestFolder folder;
+  const fs::path path = put(folder / "a.raw", "abcdef");
+  RasterHints hints;
+  hints.raw = RawLayout{.width = 2, .height = 4, .value = ImageValue::real};
+  EXPECT_EQ(open_whole(path, hints)->rows(), 3U);
+  const OpenedRaster whole = open_raster(Integrity::whole, path, hints);
+  EXPECT_FALSE(whole.raster);
+  EXPECT_THAT(text_of(whole.problems), HasSubstr("the file holds fewer rows"));
+  hints.raw->height = 2;
+  const OpenedRaster part = open_raster(Integrity::whole, path, hints);
+  ASSERT_TRUE(part.raster);
+  EXPECT_EQ(data_test::read_all_rows(*part.raster), (std::vector<std::complex<double>>{'a', 'b', 'c', 'd'}));
+}
+
+TEST(ComputedRaster, GivesWhatItsFunctionGives) {
+  const auto raster = std::make_shared<
+      ComputedRaster>(40, 30, [](const ImageWindow& window, std::span<std::complex<float>> out) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = {static_cast<float>(window.row(i / window.cols)), static_cast<float>(window.column(i % window.cols))};
+  });
+  EXPECT_EQ(read(*raster, {2, 2, 3, 2, 5, 7}), (std::vector<std::complex<float>>{{2, 3}, {2, 10}, {7, 3}, {7, 10}}));
+  EXPECT_EQ(data_test::read_all_rows(*raster)[39 * 30 + 29], std::complex<double>(39, 29));
+  EXPECT_THROW(read(*raster, {40, 1, 0, 1}), std::out_of_range);
+}
+
+TEST(ComputedRaster, FirstRowsStayAsManyAsTheyWere) {
+  const TestFolder folder;
+  const fs::path path = put(folder / "a.bin", std::string(4 * 6, '\x80'));
+  const auto growing = open_whole(path, sample_hints(3, 8));
+  ASSERT_TRUE(growing);
+  const auto first = first_rows(growing, growing->rows());
+  std::ofstream(path, std::ios::binary | std::ios::app) << std::string(12, '\x81');
+  EXPECT_EQ(growing->refresh(), 6U);
+  EXPECT_EQ(first->rows(), 4U);
+  EXPECT_EQ(read(*first, {3, 1, 2, 1})[0], std::complex<float>(1, 1));
+}
+
+// --- What is missing --------------------------------------------------------------------------------------------
 
 TEST(Raster, SaysWhatAFileWithoutADescriptionNeeds) {
   const TestFolder folder;

@@ -59,10 +59,10 @@ void Raster::read_rows(std::size_t first, std::size_t count, std::span<std::comp
   const std::size_t known = rows();
   if (first > known || count > known - first)
     throw std::out_of_range(fmt::format("rows {} to {} of a file of {} rows", first, first + count, known));
-  if (out.size() % columns() != 0 || out.size() / columns() != count)
+  if (checked_product(count, columns()) != out.size())
     throw std::invalid_argument(
         fmt::format("room for {} samples instead of {} rows of {}", out.size(), count, columns()));
-  if (count > 0) read_whole_rows(first, count, out);
+  if (!out.empty()) read_whole_rows(first, count, out);
 }
 
 void Raster::read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const {
