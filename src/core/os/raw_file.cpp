@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -25,6 +24,7 @@ int flags_of(RawFile::Mode mode) {
     case RawFile::Mode::read: return O_RDONLY | O_CLOEXEC;
     case RawFile::Mode::write: return O_RDWR | O_CREAT | O_CLOEXEC;
     case RawFile::Mode::write_new: return O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
+    case RawFile::Mode::append: return O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
   }
   return O_RDONLY | O_CLOEXEC;
 }
@@ -40,7 +40,7 @@ int flock_patiently(int descriptor, int operation) {
 RawFile::RawFile(fs::path path, Mode mode) : path_(std::move(path)) {
   do descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
   while (descriptor_ < 0 && errno == EINTR);
-  if (descriptor_ < 0) fail(mode == Mode::read ? "read" : "open");
+  if (descriptor_ < 0) fail(mode == Mode::read ? "read" : mode == Mode::append ? "write" : "open");
 }
 
 RawFile::RawFile(RawFile&& other) noexcept
@@ -74,6 +74,16 @@ void RawFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
     if (written <= 0) fail("write");
     bytes = bytes.subspan(static_cast<std::size_t>(written));
     offset += static_cast<std::uint64_t>(written);
+  }
+}
+
+void RawFile::append(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = EIO;
+    if (written <= 0) fail("write");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
 }
 
@@ -124,28 +134,15 @@ bool RawFile::still_there() const {
          mine.st_dev == named.st_dev;
 }
 
-void RawFile::rename_to(const fs::path& path) {
-  if (std::rename(path_.c_str(), path.c_str()) != 0) fail("rename");
-  path_ = path;
-}
-
 void RawFile::unlink() noexcept { ::unlink(path_.c_str()); }
 
 RawFile replace_file(const fs::path& path, std::span<const std::byte> bytes) {
-  fs::path unfinished = path;
-  unfinished += fmt::format(".new-{}", ::getpid());
-  RawFile file(unfinished, RawFile::Mode::write);
-  try {
-    file.lock();
-    file.resize(0);
-    file.write_at(0, bytes);
-    file.sync();
-    file.rename_to(path);
-  } catch (...) {
-    file.unlink();
-    throw;
-  }
-  sync_folder_of(path);
+  OutputFile output(path, true);
+  output.write(bytes);
+  RawFile file(output.working_path(), RawFile::Mode::write);
+  file.lock();
+  output.commit();
+  file.path_ = path;
   return file;
 }
 

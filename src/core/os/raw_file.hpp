@@ -17,6 +17,7 @@ class RawFile {
     read,
     write,      ///< Read and write; made where it is missing.
     write_new,  ///< The same; refused where it exists.
+    append,     ///< Only adds at the end (`append`); made where it is missing.
   };
 
   RawFile() = default;
@@ -31,6 +32,8 @@ class RawFile {
   [[nodiscard]] std::uint64_t size() const;
   /// Writes at a place; what lies before it and was never written reads as zeros.
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
+  /// Writes at the end, wherever that is by then; Mode::append.
+  void append(std::span<const std::byte> bytes);
   /// Reads what stands at a place; false where the file ends before.
   [[nodiscard]] bool read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
   /// Makes the file at least so long, with room on the disk where the file system can promise it.
@@ -47,20 +50,20 @@ class RawFile {
   void lock();
   /// Whether the path still leads to this very file.
   [[nodiscard]] bool still_there() const;
-  /// Gives the file another name in its folder, replacing what had it; locks stay.
-  void rename_to(const std::filesystem::path& path);
   /// Removes the name, so that it cannot be found any more.
   void unlink() noexcept;
 
  private:
+  friend RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
   [[noreturn]] void fail(const char* action) const;
 
   std::filesystem::path path_;
   int descriptor_ = -1;
 };
 
-/// Writes a whole file under another name, brings it to the disk and then gives it its name, replacing what was there.
-/// @returns the file, locked
+/// Writes a whole file with OutputFile, replacing what was there.
+/// @returns the file, locked since before it had its name
 RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }  // namespace sarsim::core

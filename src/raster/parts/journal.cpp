@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <iterator>
 #include <set>
-#include <sstream>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 
-#include "core/hash/checksum.hpp"
+#include "core/os/journal_file.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -24,17 +20,6 @@ namespace {
 constexpr std::string_view first_line = "sarsim journal 1";
 constexpr std::string_view script_name = "script";
 constexpr std::array<std::string_view, 3> store_words{"placed", "encoded", "volts"};
-
-std::string sealed(const std::string& line) { return fmt::format("{} #{:016x}\n", line, core::checksum_of(line)); }
-
-// The line without its seal; nothing where they do not fit.
-std::optional<std::string_view> unsealed(std::string_view line) {
-  const std::size_t mark = line.rfind(" #");
-  if (mark == std::string_view::npos) return std::nullopt;
-  const std::string_view content = line.substr(0, mark);
-  if (line.substr(mark + 2) != fmt::format("{:016x}", core::checksum_of(content))) return std::nullopt;
-  return content;
-}
 
 // A text of any bytes on one line.
 std::string on_one_line(const std::string& text) {
@@ -188,46 +173,38 @@ std::size_t Journal::claimed_rows() const {
 }
 
 std::string text_of(const JournalHead& head) {
-  std::string text = sealed(std::string(first_line));
-  text += sealed("part " + on_one_line(head.part));
-  text += sealed(fmt::format("range {} {}", head.range.first, head.range.count));
-  text += sealed(fmt::format("store {}", store_words[static_cast<std::size_t>(head.store)]));
-  text += sealed("maker " + on_one_line(head.maker));
-  for (const auto& [name, value] : head.identity) text += sealed("is " + name + " " + on_one_line(value));
-  return text + sealed("begin");
+  std::string text = core::sealed_line(std::string(first_line));
+  text += core::sealed_line("part " + on_one_line(head.part));
+  text += core::sealed_line(fmt::format("range {} {}", head.range.first, head.range.count));
+  text += core::sealed_line(fmt::format("store {}", store_words[static_cast<std::size_t>(head.store)]));
+  text += core::sealed_line("maker " + on_one_line(head.maker));
+  for (const auto& [name, value] : head.identity) text += core::sealed_line("is " + name + " " + on_one_line(value));
+  return text + core::sealed_line("begin");
 }
 
 std::string text_of(const Claim& claim) {
-  return sealed(fmt::format("rows {} {} at {} bytes {} sum {:016x} seconds {} peak {} saturated {} zero {}",
-                            claim.rows.first, claim.rows.count, claim.offset, claim.bytes, claim.checksum,
-                            core::format_number(claim.seconds), core::format_number(claim.tally.maximum_v),
-                            claim.tally.saturated, claim.tally.zero));
+  return core::sealed_line(fmt::format("rows {} {} at {} bytes {} sum {:016x} seconds {} peak {} saturated {} zero {}",
+                                       claim.rows.first, claim.rows.count, claim.offset, claim.bytes, claim.checksum,
+                                       core::format_number(claim.seconds), core::format_number(claim.tally.maximum_v),
+                                       claim.tally.saturated, claim.tally.zero));
 }
 
 std::variant<Journal, core::Problem> parse_journal(const std::filesystem::path& path, const std::string& text) {
   Journal journal;
   journal.path = path;
   JournalReader reader(journal);
-  std::size_t number = 0;
-  for (std::size_t begin = 0;;) {
-    ++number;
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) break;
-    const auto line = unsealed(std::string_view(text).substr(begin, end - begin));
-    if (!line || !reader.take(*line)) return damage(path, number);
-    begin = end + 1;
-    journal.bytes = begin;
+  const core::JournalLines lines = core::lines_of_journal(text);
+  for (std::size_t i = 0; i < lines.whole.size(); ++i) {
+    const auto line = core::unsealed_line(lines.whole[i]);
+    if (!line || !reader.take(*line)) return damage(path, i + 1);
   }
-  if (!reader.begun()) return damage(path, number);
+  if (!reader.begun()) return damage(path, lines.whole.size() + 1);
+  journal.bytes = text.size() - lines.cut_off.size();
   return journal;
 }
 
 std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot read " + path.string());
-  return parse_journal(path, text.str());
+  return parse_journal(path, core::read_journal_file(path));
 }
 
 std::filesystem::path rows_file_of(const std::filesystem::path& journal) {

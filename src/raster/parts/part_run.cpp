@@ -165,18 +165,18 @@ void PartRun::expect_free(const Journal& journal) {
     problem.hint = fmt::format("go on with --resume, or delete the folder {} to begin anew", folder_.string());
     throw UnfitParts({problem});
   }
-  if (own) journal_ = std::move(file);
+  if (own) journal_ = core::JournalFile(std::move(file));
 }
 
 void PartRun::begin_journal() {
   if (own() != nullptr) {
     // What follows the last whole entry was being written when the process ended.
-    journal_.resize(own()->bytes);
+    journal_.cut(own()->bytes);
     return;
   }
   const JournalHead head{task_.identity, task_.words, task_.range, store_, maker_text()};
   const std::string text = text_of(head);
-  journal_ = core::replace_file(journal_path(), std::as_bytes(std::span(text)));
+  journal_ = core::JournalFile(core::replace_file(journal_path(), std::as_bytes(std::span(text))));
   journals_.push_back({journal_path(), head, {}, text.size()});
 }
 
@@ -232,7 +232,7 @@ void PartRun::take_out(const Journal& journal, const std::vector<Claim>& bad) {
   });
   const std::string text = journal_text(now);
   core::RawFile file = core::replace_file(now.path, std::as_bytes(std::span(text)));
-  if (now.path == journal_path()) journal_ = std::move(file);
+  if (now.path == journal_path()) journal_ = core::JournalFile(std::move(file));
 }
 
 // The files of a part go when the recording is complete; otherwise somebody has taken them away.
@@ -249,7 +249,7 @@ PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
   writer_->settle();
   PartOutcome outcome;
   const core::RawFile door = open_door(folder_);
-  if (!journal_.still_there() || !rows_.still_there()) {
+  if (!journal_.file().still_there() || !rows_.still_there()) {
     // The folder that the door has just been made in anew is empty.
     if (!fs::exists(product_file_of(folder_))) remove_parts(folder_);
     expect_complete();

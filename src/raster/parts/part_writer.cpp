@@ -1,22 +1,19 @@
 #include "raster/parts/part_writer.hpp"
 
 #include <algorithm>
-#include <span>
 #include <string>
 
 #include "core/task/clock.hpp"
 
 namespace sarsim::raster {
 
-namespace {}  // namespace
-
-PartWriter::PartWriter(core::RawFile& rows, core::RawFile& journal, const RowPlaces& places, const JournalPace& pace)
+PartWriter::PartWriter(core::RawFile& rows, core::JournalFile& journal, const RowPlaces& places,
+                       const JournalPace& pace)
     : rows_(rows),
       journal_(journal),
       places_(places),
       pace_(pace),
       rows_end_(places.row_bytes > 0 ? 0 : rows.size()),
-      journal_end_(journal.size()),
       settled_at_s_(core::now_s()),
       next_settling_s_(settled_at_s_ + pace.seconds) {}
 
@@ -52,9 +49,7 @@ void PartWriter::settle() {
     claims_.push_back(claim);
   }
   pending_.clear();
-  journal_.write_at(journal_end_, std::as_bytes(std::span(text)));
-  journal_.sync();
-  journal_end_ += text.size();
+  journal_.add(text);
   settled_at_s_ = core::now_s();
   const double cost_s = settled_at_s_ - begin_s;
   settling_s_ += cost_s;

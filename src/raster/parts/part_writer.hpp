@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/hash/checksum.hpp"
+#include "core/os/journal_file.hpp"
 #include "core/os/raw_file.hpp"
 #include "raster/parts/journal.hpp"
 #include "raster/table/row_places.hpp"
@@ -25,7 +26,7 @@ class PartWriter {
   /// @param rows     the shared file, or the part's own, which is continued at its end
   /// @param journal  to be continued at its end
   /// @param places   of the rows in the shared file; a row size of 0: in the part's own, one after the other
-  PartWriter(core::RawFile& rows, core::RawFile& journal, const RowPlaces& places, const JournalPace& pace);
+  PartWriter(core::RawFile& rows, core::JournalFile& journal, const RowPlaces& places, const JournalPace& pace);
 
   /// Writes rows to the file; now and then vouches for what there is.
   void take(const simulate::EncodedRows& block);
@@ -43,11 +44,10 @@ class PartWriter {
   };
 
   core::RawFile& rows_;
-  core::RawFile& journal_;
+  core::JournalFile& journal_;
   RowPlaces places_;
   JournalPace pace_;
   std::uint64_t rows_end_ = 0;
-  std::uint64_t journal_end_ = 0;
   std::vector<Pending> pending_;
   std::vector<Claim> claims_;
   double settled_at_s_ = 0.0;

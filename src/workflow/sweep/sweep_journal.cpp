@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <system_error>
 #include <vector>
@@ -66,6 +65,13 @@ class CellReader {
   bool good_ = true;
 };
 
+// Empty where the file cannot be read: then everything is made again.
+std::string text_of_journal(const fs::path& path) try {
+  return core::read_journal_file(path);
+} catch (const std::system_error&) {
+  return {};
+}
+
 }  // namespace
 
 std::string journal_line(const SweepRow& row) {
@@ -111,25 +117,12 @@ std::optional<std::int64_t> modification_time(const fs::path& file) {
   return time.time_since_epoch().count();
 }
 
-SweepJournal::SweepJournal(fs::path path, bool keep) : path_(std::move(path)) {
-  std::error_code ignored;
-  const auto size = fs::file_size(path_, ignored);
-  const bool begun = keep && !ignored && size > 0;
-  errno = 0;
-  file_.open(path_, std::ios::binary | (keep ? std::ios::app : std::ios::trunc));
-  // A line that was cut off must not swallow the next one.
-  file_ << (begun ? "\n" : heading) << std::flush;
-  if (!file_)
-    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write " + path_.string());
-}
+SweepJournal::SweepJournal(const fs::path& path, bool keep) : file_(core::JournalFile::open(path, keep, heading)) {}
 
 void SweepJournal::add(const SweepRow& row) {
   const std::string line = journal_line(row) + "\n";
   const std::scoped_lock hold(lock_);
-  errno = 0;
-  file_ << line << std::flush;
-  if (!file_)
-    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write " + path_.string());
+  file_.add(line);
 }
 
 std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std::string& stem) {
@@ -143,15 +136,18 @@ std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std:
     if (ours && entry.is_regular_file(gone)) journals.emplace_back(entry.last_write_time(gone), entry.path());
   }
   std::ranges::sort(journals);
+  const auto take = [&](std::string_view line) {
+    SweepRow row;
+    if (!read_journal_line(std::string(line), row)) return;
+    const auto known = rows.find(row.file);
+    const bool poorer = known != rows.end() && known->second.stamp == row.stamp && known->second.written;
+    if (row.written || !poorer) rows.insert_or_assign(row.file, std::move(row));
+  };
   for (const auto& [time, path] : journals) {
-    std::ifstream file(path, std::ios::binary);
-    for (std::string line; std::getline(file, line);) {
-      SweepRow row;
-      if (!read_journal_line(line, row)) continue;
-      const auto known = rows.find(row.file);
-      const bool poorer = known != rows.end() && known->second.stamp == row.stamp && known->second.written;
-      if (row.written || !poorer) rows.insert_or_assign(row.file, std::move(row));
-    }
+    const std::string text = text_of_journal(path);
+    const core::JournalLines lines = core::lines_of_journal(text);
+    std::ranges::for_each(lines.whole, take);
+    take(lines.cut_off);  // Its last cell shows whether only the line's end is missing.
   }
   return rows;
 }

@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "core/os/journal_file.hpp"
 #include "workflow/sweep/sweep_row.hpp"
 
 namespace sarsim::workflow {
@@ -18,15 +18,14 @@ class SweepJournal {
  public:
   /// Opens the journal for additions, or begins it anew.
   /// @throws std::system_error "cannot write FILE"
-  SweepJournal(std::filesystem::path path, bool keep);
+  SweepJournal(const std::filesystem::path& path, bool keep);
 
   /// Notes a product; from any thread.
   void add(const SweepRow& row);
 
  private:
-  std::filesystem::path path_;
   std::mutex lock_;
-  std::ofstream file_;
+  core::JournalFile file_;
 };
 
 /// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
