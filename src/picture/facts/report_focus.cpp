@@ -12,7 +12,7 @@ namespace sarsim::picture {
 namespace {
 
 void add_autofocus(report::Facts& facts, const workflow::AutofocusFinding& found) {
-  facts.word("Autofocus", found.applied ? "applied" : "not applied: the image is sharper as it was");
+  facts.word("Autofocus", found.applied ? "applied" : "found, not applied");
   facts.number("Phase error, rms", found.rms_rad, "rad");
   facts.number("Length of its pieces", found.piece_m, "m");
   facts.word("Entropy before", report::fixed(found.entropy_before, 3));

@@ -21,14 +21,14 @@ struct ReportTable {
   std::string title;                           ///< "Targets".
   std::vector<std::string> columns;            ///< With their units: "Range (m)".
   std::vector<std::vector<std::string>> rows;  ///< As many cells each as there are columns.
+  bool facts = false;                          ///< Each row is a name, its value and the unit of that.
 
   friend bool operator==(const ReportTable&, const ReportTable&) = default;
 };
 
 /// What came of a request, as tables and figures.
 struct ReportPages {
-  /// The first, "Result", has the columns Name, Value and Unit, with the prefix that suits each value; the others have
-  /// columns of one unit each.
+  /// The first, "Result", has facts, with the prefix that suits each value; the others have columns of one unit each.
   std::vector<ReportTable> tables;
   std::vector<Figure> figures;  ///< Each with a title.
 };

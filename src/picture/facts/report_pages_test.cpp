@@ -202,7 +202,7 @@ TEST(PagesOfPulses, ListTargetsAndDetections) {
   EXPECT_EQ(pages.tables[1].rows.at(1).at(1), "not in the window");
   EXPECT_THAT(pages.tables[2].columns, ElementsAre("Interval", "Time (s)", "Range (m)", "Target"));
   EXPECT_THAT(pages.tables[2].rows,
-              ElementsAre(ElementsAre("1", "0.01234568", "5000.123", ""), ElementsAre("2", "0.5", "5001", "1")));
+              ElementsAre(ElementsAre("1", "0.0123", "5000.12", ""), ElementsAre("2", "0.5000", "5001.00", "1")));
 }
 
 TEST(PagesOfPulses, SayThatNothingWasLookedForWithoutADetector) {

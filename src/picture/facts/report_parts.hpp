@@ -31,7 +31,7 @@ class Facts {
   [[nodiscard]] ReportTable take();
 
  private:
-  ReportTable table_{"Result", {"Name", "Value", "Unit"}, {}};
+  ReportTable table_{"Result", {"Name", "Value", "Unit"}, {}, true};
 };
 
 /// So many decimals; no sign where they are all 0, nothing where the value is not finite.

@@ -133,6 +133,7 @@ Figure profile_figure(const ProfilesReport& made, std::size_t row) {
   std::vector<double> seen = level_db;
   for (const FigureMark& mark : panel.marks) seen.push_back(mark.y);
   fit(panel.y, seen);
+  panel.y.last += 0.1 * (panel.y.last - panel.y.first);  // For the words of the highest mark.
   panel.curves.push_back({"", Role::curve, false, std::move(range_m), std::move(level_db)});
   figure.panels.push_back(std::move(panel));
   return figure;

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,23 +86,29 @@ ReportTable findings_table(const workflow::PulseReport& made) {
   return table;
 }
 
-// What the first line of a table of detections calls a column, for people.
-std::string column_title(const std::string& name) {
-  static const std::vector<std::pair<std::string, std::string>> titles{{"interval", "Interval"},
-                                                                       {"time_s", "Time (s)"},
-                                                                       {"azimuth_deg", "Azimuth (deg)"},
-                                                                       {"range_m", "Range (m)"},
-                                                                       {"doppler_hz", "Doppler (Hz)"},
-                                                                       {"speed_mps", "Speed (m/s)"},
-                                                                       {"magnitude_v", "Magnitude (V)"},
-                                                                       {"snr_db", "SNR (dB)"},
-                                                                       {"threshold_v", "Threshold (V)"},
-                                                                       {"target", "Target"},
-                                                                       {"x_m", "X (m)"},
-                                                                       {"y_m", "Y (m)"}};
-  for (const auto& [column, title] : titles)
-    if (column == name) return title;
-  return name;
+// A column of a table of detections.
+struct DetectionColumn {
+  std::string_view name;  // in the first line of the file
+  std::string_view title;
+  int decimals;  // below 0: four digits
+};
+
+constexpr std::array detection_columns{DetectionColumn{"interval", "Interval", 0},
+                                       DetectionColumn{"time_s", "Time (s)", 4},
+                                       DetectionColumn{"azimuth_deg", "Azimuth (deg)", 2},
+                                       DetectionColumn{"range_m", "Range (m)", 2},
+                                       DetectionColumn{"doppler_hz", "Doppler (Hz)", 1},
+                                       DetectionColumn{"speed_mps", "Speed (m/s)", 3},
+                                       DetectionColumn{"magnitude_v", "Magnitude (V)", -1},
+                                       DetectionColumn{"snr_db", "SNR (dB)", 1},
+                                       DetectionColumn{"threshold_v", "Threshold (V)", -1},
+                                       DetectionColumn{"target", "Target", 0},
+                                       DetectionColumn{"x_m", "X (m)", 1},
+                                       DetectionColumn{"y_m", "Y (m)", 1}};
+
+DetectionColumn detection_column(std::string_view name) {
+  const auto* const known = std::ranges::find(detection_columns, name, &DetectionColumn::name);
+  return known == detection_columns.end() ? DetectionColumn{name, name, -1} : *known;
 }
 
 std::vector<std::string> cells_of_line(const std::string& line) {
@@ -113,11 +122,10 @@ std::vector<std::string> cells_of_line(const std::string& line) {
   return cells;
 }
 
-// Seven digits of a number are enough to look at; counts stay as they are.
-std::string shown_cell(const std::string& cell) {
-  if (core::parse_integer(cell)) return cell;
+std::string shown_cell(const std::string& cell, int decimals) {
   const auto value = core::parse_number(cell);
-  return value ? fmt::format("{:.7g}", *value) : cell;
+  if (!value) return cell;
+  return decimals < 0 ? fmt::format("{:.3e}", *value) : report::fixed(*value, decimals);
 }
 
 // Of the file, which holds them all.
@@ -129,11 +137,16 @@ ReportTable detections_table(const workflow::PulseReport& made) {
   std::ifstream file(made.table);
   std::string line;
   if (!std::getline(file, line)) return table;
-  for (const std::string& name : cells_of_line(line)) table.columns.push_back(column_title(name));
+  std::vector<int> decimals;
+  for (const std::string& name : cells_of_line(line)) {
+    const DetectionColumn column = detection_column(name);
+    table.columns.emplace_back(column.title);
+    decimals.push_back(column.decimals);
+  }
   while (table.rows.size() < most_detections && std::getline(file, line)) {
-    table.rows.push_back(cells_of_line(line));
-    for (std::string& cell : table.rows.back()) cell = shown_cell(cell);
-    table.rows.back().resize(table.columns.size());
+    std::vector<std::string>& row = table.rows.emplace_back(cells_of_line(line));
+    row.resize(table.columns.size());
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = shown_cell(row[c], decimals[c]);
   }
   return table;
 }

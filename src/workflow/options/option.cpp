@@ -15,6 +15,7 @@ namespace sarsim::workflow {
 namespace {
 
 constexpr std::uint64_t most_signed = INT64_MAX;
+constexpr const char* hint_begins = "; did you mean ";
 
 // Numbers beyond those with a sign are read as they stand.
 std::optional<std::uint64_t> whole_number(const std::string& word, std::uint64_t high) {
@@ -41,7 +42,7 @@ std::string mistake_in_choice(const std::vector<std::string>& words, const std::
   if (std::ranges::any_of(words, [&](const std::string& one) { return core::equal_ignoring_case(one, word); }))
     return {};
   const std::string nearest = core::nearest_word(word, words);
-  const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  const std::string hint = nearest.empty() ? "" : fmt::format("{}'{}'?", hint_begins, nearest);
   return unlike(word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
 }
 
@@ -66,7 +67,9 @@ std::string mistake_in(const Option& option, const std::string& word) {
 
 core::Problem problem_with(const Option& option, const std::string& mistake) {
   core::Problem problem;
-  problem.message = option.name + ": " + mistake;
+  const std::size_t hint = mistake.rfind(hint_begins);
+  problem.message = option.name + ": " + mistake.substr(0, hint);
+  if (hint != std::string::npos) problem.hint = mistake.substr(hint + 2);
   return problem;
 }
 

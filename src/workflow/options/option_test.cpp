@@ -50,6 +50,10 @@ TEST(Option, TellsOfUnknownNamesFirstWithTheNearest) {
   EXPECT_EQ(problems[0].hint, "did you mean '--height'?");
   EXPECT_EQ(problems[1].message, "--height: 'y' is not a number");
   EXPECT_EQ(problems[2].message, "--grid: 'x' is not one of slant, ground");
+  EXPECT_EQ(problems[2].hint, "");
+  const core::Problem nearly = problem_with(choice_option, mistake_in(choice_option, "grund"));
+  EXPECT_EQ(nearly.message, "--grid: 'grund' is not one of slant, ground");
+  EXPECT_EQ(nearly.hint, "did you mean 'ground'?");
 }
 
 }  // namespace sarsim::workflow::option_test

@@ -72,8 +72,10 @@ GivenWords given_words(const std::vector<Option>& options, const std::vector<std
       take_word(*option, words, i, given, problems);
       continue;
     }
-    if (option != options.end() && name != words[i]) problems.push_back(problem_in_words(name + " takes no word"));
     given.emplace(name, "");
+    if (option != options.end() && name != words[i]) problems.push_back(problem_in_words(name + " takes no word"));
+    // What an unknown one seems to take is not told of besides.
+    if (option == options.end() && i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;
   }
   std::ranges::move(problems_with(options, given), std::back_inserter(problems));
   if (!problems.empty()) throw core::Refused(std::move(problems));
