@@ -1,30 +1,38 @@
 #include <QtTest>
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 
-#include <signal.h>
-
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "core/report/refused.hpp"
+#include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_window.hpp"
+#include "gui/runs/report_view.hpp"
 #include "scene/schema/function_block.hpp"
 #include "scene/script/data_file.hpp"
 #include "scene/script/writer.hpp"
+#include "workflow/search/search_options.hpp"
+#include "workflow/stepped/profiles_options.hpp"
 
 namespace sarsim {
 
@@ -46,14 +54,50 @@ struct Bench {
   [[nodiscard]] bool make() const {
     QSignalSpy ended(window, &gui::ProductWindow::ended);
     window->findChild<QPushButton*>("products_make")->click();
-    if (ended.isEmpty() && !ended.wait(patience_ms)) qFatal("the command did not end");
+    if (ended.isEmpty() && !ended.wait(patience_ms)) qFatal("the work did not end");
     return ended.front().front().toBool();
   }
+  // Waits for the end of work that was begun.
+  [[nodiscard]] bool end_of_work() const {
+    return QTest::qWaitFor([&] { return !window->busy(); }, patience_ms);
+  }
+  void type_more(const char* words) const { window->findChild<QLineEdit*>("products_more")->setText(words); }
   [[nodiscard]] QString problems() const { return window->findChild<gui::ProblemLine*>("products_problems")->text(); }
+  [[nodiscard]] QString state() const { return window->findChild<QLabel*>("products_state")->text(); }
+  [[nodiscard]] gui::ReportView* report() const { return window->findChild<gui::ReportView*>("products_report"); }
+  [[nodiscard]] const QTableWidget* table(const QString& title) const {
+    for (const QTableWidget* table : report()->findChildren<QTableWidget*>())
+      if (table->accessibleName() == title) return table;
+    return nullptr;
+  }
+  // "value unit" of a name in the table of results.
+  [[nodiscard]] QString result(const QString& name) const {
+    const QTableWidget* const results = table("Result");
+    for (int row = 0; results != nullptr && row < results->rowCount(); ++row)
+      if (results->item(row, 0)->text() == name)
+        return (results->item(row, 1)->text() + " " + results->item(row, 2)->text()).trimmed();
+    return {};
+  }
 
   gui::MainWindow main;
   gui::ProductWindow* window = nullptr;
 };
+
+// A folder for temporary files of its own, so that it is seen what is left there.
+class OwnTemporaryFolder {
+ public:
+  OwnTemporaryFolder() : before_(qgetenv("TMPDIR")) { qputenv("TMPDIR", folder_.path().toUtf8()); }
+  ~OwnTemporaryFolder() { before_.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before_); }
+  [[nodiscard]] QStringList entries() const {
+    return QDir(folder_.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+  }
+
+ private:
+  QTemporaryDir folder_;
+  QByteArray before_;
+};
+
+std::filesystem::path example(const char* name) { return std::filesystem::path(SARSIM_SOURCE_DIR "/examples") / name; }
 
 }  // namespace
 
@@ -65,7 +109,7 @@ class ProductWindowTest : public QObject {
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName("sarsim");
     QCoreApplication::setApplicationName("product_window_test");
-    qputenv("PATH", QFileInfo(SARSIM_PROGRAM).absolutePath().toUtf8() + ":" + qgetenv("PATH"));
+    qputenv("PATH", "");  // No program can be found: all work is done here.
   }
 
   void shows_the_command_that_does_the_same() {
@@ -80,6 +124,16 @@ class ProductWindowTest : public QObject {
              QString("sarsim doppler sar_r.scr --canceller two --window hann --pfa 1e-4 --detections 'my hits.csv' "
                      "--out sar_r_doppler.npy"));
     QCOMPARE(bench.window->findChild<QLineEdit*>("products_command")->text(), bench.window->command());
+  }
+
+  void words_that_are_typed_take_the_place_of_what_is_chosen() {
+    Bench bench("sar_r.scr");
+    bench.type_more("--window=taylor:35:5 --algorithm range-doppler");
+    QCOMPARE(bench.window->command(),
+             QString("sarsim focus sar_r.scr --window=taylor:35:5 --algorithm range-doppler --out sar_r_focus.npy"));
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    QCOMPARE(bench.result("Window over azimuth"), QString("taylor:35:5"));
+    QCOMPARE(bench.result("Algorithm"), QString("range-doppler"));
   }
 
   void makes_products_and_opens_them_data() {
@@ -104,7 +158,11 @@ class ProductWindowTest : public QObject {
     bench.choose("products_kind", kind);
     QVERIFY2(bench.make(), qPrintable(bench.problems()));
     QCOMPARE(bench.problems(), QString());
-    QVERIFY(!bench.window->findChild<QPlainTextEdit*>("products_report")->toPlainText().isEmpty());
+    QVERIFY(bench.window->findChild<QPlainTextEdit*>() == nullptr);
+    QVERIFY(!bench.report()->empty());
+    QVERIFY(bench.table("Result")->rowCount() > 5);
+    QVERIFY(!bench.result("Time taken").isEmpty());
+    QVERIFY(bench.window->findChild<QProcess*>() == nullptr);
     const auto viewers = bench.main.image_viewers().viewers();
     QCOMPARE(viewers.size(), std::size_t{1});
     gui::ImageViewer& viewer = *viewers.front();
@@ -161,7 +219,151 @@ class ProductWindowTest : public QObject {
     QVERIFY(bench.window->findChild<QPushButton*>("products_make")->isEnabled());
   }
 
+  void shows_the_report_of_profiles_as_tables_and_a_figure() {
+    Bench bench("stepped_srp.scr");
+    bench.choose("products_kind", "profiles");
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    const QTemporaryDir folder;
+    const workflow::ProfilesReport made = workflow::profiles(
+        workflow::profiles_request(example("stepped_srp.scr").string(),
+                                   {{"--window", "rectangular"}, {"--out", folder.filePath("p.npy").toStdString()}}),
+        {});
+    QVERIFY(!made.targets.empty() && !made.peaks.empty());
+    QCOMPARE(bench.result("Bins"), QString::number(made.series.axis.count));
+    QCOMPARE(bench.result("Bursts illuminated"), QString::number(made.series.rows.size()));
+    const std::size_t burst = made.series.rows[made.held_row].burst + 1;
+    const QTableWidget* const targets = bench.table(QString("Targets in burst %1").arg(burst));
+    QVERIFY(targets != nullptr);
+    QCOMPARE(targets->rowCount(), static_cast<int>(made.targets.size()));
+    for (int row = 0; row < targets->rowCount(); ++row) {
+      const workflow::HeldTarget& target = made.targets[static_cast<std::size_t>(row)];
+      QCOMPARE(targets->item(row, 0)->text(), QString::number(target.truth.target + 1));
+      QCOMPARE(targets->item(row, 3)->text(), QString::number(target.expected_m, 'f', 3));
+      if (target.found) QCOMPARE(targets->item(row, 5)->text(), QString::number(target.found->range_m, 'f', 3));
+    }
+    QCOMPARE(bench.table("Scans")->rowCount(), static_cast<int>(made.series.scans.size()));
+    const auto* const plot = bench.report()->findChild<gui::FigurePlot*>();
+    QVERIFY(plot != nullptr);
+    QCOMPARE(plot->figure().panels.at(0).curves.at(0).y.size(), made.series.axis.count);
+    QCOMPARE(plot->figure().title, "Profile of burst " + std::to_string(burst));
+  }
+
+  void lists_detections_and_targets() {
+    Bench bench("mti.scr");
+    bench.choose("products_kind", "Doppler");
+    bench.choose("products_choice", "two");
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    const QTemporaryDir folder;
+    const workflow::DopplerReport made = workflow::doppler(
+        workflow::doppler_request(example("mti.scr").string(),
+                                  {{"--canceller", "two"}, {"--out", folder.filePath("m.npy").toStdString()}}),
+        {});
+    QVERIFY(made.detections > 0 && !made.findings.empty());
+    QCOMPARE(bench.result("Detections"), QString::number(made.detections));
+    QCOMPARE(bench.table("Detections")->rowCount(), static_cast<int>(made.detections));
+    const QTableWidget* const targets = bench.table("Targets");
+    QCOMPARE(targets->rowCount(), static_cast<int>(made.findings.size()));
+    QCOMPARE(targets->item(0, 2)->text(), QString::number(made.findings[0].sight.range_m, 'f', 1));
+  }
+
+  void copies_what_is_selected() {
+    Bench bench("sar_r.scr");
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    auto* const results = const_cast<QTableWidget*>(bench.table("Result"));
+    results->clearSelection();
+    results->setRangeSelected(QTableWidgetSelectionRange(1, 0, 2, 1), true);
+    QTest::keyClick(results, Qt::Key_C, Qt::ControlModifier);
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QString("Algorithm\tomega-k\nRows, along azimuth\t") + results->item(2, 1)->text());
+    for (QAction* const action : results->actions())
+      if (action->text().contains("Table")) action->trigger();
+    const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
+    QCOMPARE(lines.size(), results->rowCount() + 1);
+    QCOMPARE(lines.front(), QString("Name\tValue\tUnit"));
+  }
+
+  void opens_every_image_of_a_series() {
+    Bench bench("turning_ship.scr");
+    bench.choose("products_kind", "turning");
+    bench.type_more("--bursts 32 --step 32");
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    const int images = bench.result("Images").toInt();
+    QVERIFY(images > 1);
+    QCOMPARE(bench.table("Images")->rowCount(), images);
+    QCOMPARE(bench.main.image_viewers().viewers().size(), static_cast<std::size_t>(std::min(images, 8)));
+  }
+
+  void needs_no_image() {
+    Bench bench("mti.scr");
+    bench.choose("products_kind", "Doppler");
+    bench.type_more("--no-map");
+    QVERIFY2(bench.make(), qPrintable(bench.problems()));
+    QVERIFY(bench.main.image_viewers().viewers().empty());
+    QVERIFY(!bench.report()->empty());
+  }
+
+  void refuses_options_that_there_are_not_before_it_begins_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("unknown") << "--algoritm omega-k"
+                             << "Error: unknown option '--algoritm'. Did you mean '--algorithm'?";
+    QTest::newRow("of another product") << "--pfa 1e-4"
+                                        << "Error: unknown option '--pfa'.";
+    QTest::newRow("word") << "--grid grund"
+                          << "Did you mean 'ground'?";
+    QTest::newRow("number") << "--threads many"
+                            << "--threads: 'many' is not a whole number from 0 to 4096";
+    QTest::newRow("missing") << "--memory"
+                             << "--memory: SIZE is missing behind it";
+    QTest::newRow("size") << "--memory lots"
+                          << "--memory: 'lots' is no size";
+    QTest::newRow("quote") << "--scratch 'my disk"
+                           << "a quote ' is not closed";
+    QTest::newRow("name") << "--out a.npy"
+                          << "--out: the image goes to a viewer";
+  }
+
+  void refuses_options_that_there_are_not_before_it_begins() {
+    QFETCH(QString, words);
+    QFETCH(QString, told);
+    const OwnTemporaryFolder temporary;
+    Bench bench("sar_r.scr");
+    bench.type_more(qPrintable(words));
+    QSignalSpy ended(bench.window, &gui::ProductWindow::ended);
+    bench.window->make();
+    QCOMPARE(ended.size(), 1);
+    QCOMPARE(ended.front().front().toBool(), false);
+    QVERIFY(!bench.window->busy());
+    QVERIFY2(bench.problems().contains(told), qPrintable(bench.problems()));
+    QCOMPARE(temporary.entries(), QStringList());
+    QVERIFY(bench.window->findChild<QPushButton*>("products_make")->isEnabled());
+  }
+
+  void tells_how_far_it_is() {
+    Bench bench("sar_r.scr");
+    bench.choose("products_choice", "back-projection");
+    auto* const bar = bench.window->findChild<QProgressBar*>("products_progress");
+    QVERIFY(bar->isHidden());
+    bench.window->make();
+    QVERIFY(!bar->isHidden());
+    QSet<QString> told;
+    int farthest = 0;
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+          told << bench.state();
+          farthest = std::max(farthest, bar->value());
+          return !bench.window->busy();
+        },
+        patience_ms));
+    QVERIFY(farthest > 0);
+    QVERIFY2(told.size() > 2, qPrintable(QStringList(told.values()).join('|')));
+    for (const QString& words : std::as_const(told)) QVERIFY2(!words.contains(QDir::tempPath()), qPrintable(words));
+    QVERIFY(bar->isHidden());
+    QCOMPARE(bench.state(), QString("Done"));
+  }
+
   void stops_at_once() {
+    const OwnTemporaryFolder temporary;
     Bench bench("sar_r.scr");
     bench.choose("products_choice", "back-projection");
     QSignalSpy ended(bench.window, &gui::ProductWindow::ended);
@@ -172,18 +374,60 @@ class ProductWindowTest : public QObject {
     QCOMPARE(ended.front().front().toBool(), false);
     QVERIFY(!bench.window->busy() && bench.problems().isEmpty());
     QVERIFY(bench.main.image_viewers().viewers().empty());
+    QCOMPARE(temporary.entries(), QStringList());
   }
 
-  void ends_its_command_when_the_workbench_closes() {
+  void stops_in_the_middle_and_leaves_nothing() {
+    const OwnTemporaryFolder temporary;
     Bench bench("sar_r.scr");
     bench.choose("products_choice", "back-projection");
+    auto* const bar = bench.window->findChild<QProgressBar*>("products_progress");
     bench.window->make();
-    auto* const process = bench.window->findChild<QProcess*>();
-    QVERIFY(process->waitForStarted(patience_ms));
-    const auto number = static_cast<pid_t>(process->processId());
-    QVERIFY(number > 0 && ::kill(number, 0) == 0);
-    delete bench.window;
-    QVERIFY2(::kill(number, 0) != 0 && errno == ESRCH, "the command still runs");
+    QVERIFY(QTest::qWaitFor([&] { return bar->value() > 0 || !bench.window->busy(); }, patience_ms));
+    QVERIFY2(bench.window->busy(), "it was done before it could be stopped");
+    bench.window->stop();
+    QVERIFY(bench.end_of_work());
+    QCOMPARE(bench.state(), QString("Stopped; nothing was kept"));
+    QVERIFY(bench.report()->empty() && bench.problems().isEmpty());
+    QVERIFY(bench.main.image_viewers().viewers().empty());
+    QCOMPARE(temporary.entries(), QStringList());
+    QVERIFY2(bench.make(), "it can begin anew");
+  }
+
+  void stops_when_its_window_is_closed() {
+    const OwnTemporaryFolder temporary;
+    Bench bench("sar_r.scr");
+    bench.choose("products_choice", "back-projection");
+    QSignalSpy ended(bench.window, &gui::ProductWindow::ended);
+    bench.window->make();
+    bench.window->close();
+    QVERIFY(!ended.isEmpty() || ended.wait(patience_ms));
+    QCOMPARE(ended.front().front().toBool(), false);
+    QCOMPARE(temporary.entries(), QStringList());
+  }
+
+  void ends_its_work_when_the_workbench_closes_data() {
+    QTest::addColumn<bool>("in_the_middle");
+    QTest::newRow("at once") << false;
+    QTest::newRow("in the middle") << true;
+  }
+
+  void ends_its_work_when_the_workbench_closes() {
+    QFETCH(bool, in_the_middle);
+    const OwnTemporaryFolder temporary;
+    {
+      Bench bench("sar_r.scr");
+      bench.choose("products_choice", "back-projection");
+      auto* const bar = bench.window->findChild<QProgressBar*>("products_progress");
+      bench.window->make();
+      if (in_the_middle)
+        QVERIFY(QTest::qWaitFor([&] { return bar->value() > 0 || !bench.window->busy(); }, patience_ms));
+      QVERIFY2(bench.window->busy(), "it was done before the workbench could close");
+      delete bench.window;
+      QVERIFY2(temporary.entries().isEmpty(), "the work still has its files");
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(temporary.entries(), QStringList());
   }
 };
 

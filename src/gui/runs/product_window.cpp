@@ -1,15 +1,15 @@
 #include "gui/runs/product_window.hpp"
 
+#include <QCloseEvent>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
@@ -21,68 +21,61 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
+#include "gui/runs/product_kind.hpp"
+#include "gui/runs/report_view.hpp"
 #include "scene/edit/document_data.hpp"
+#include "workflow/options/option_words.hpp"
 
 namespace sarsim::gui {
 
 namespace {
 
-// A command of sarsim that makes something to look at, and its most important choice.
-struct ProductKind {
-  const char* command;
-  const char* title;
-  const char* option;
-  const char* option_title;
-  std::array<const char*, 4> values;
-};
-
-constexpr std::array products{ProductKind{"focus",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Focused image (synthetic aperture)"),
-                                          "--algorithm",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Algorithm"),
-                                          {"omega-k", "range-doppler", "chirp-scaling", "back-projection"}},
-                              ProductKind{"profiles",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Range profiles of stepped frequencies"),
-                                          "--set",
-                                          QT_TRANSLATE_NOOP("ProductKind", "A profile for"),
-                                          {"bursts", "scans", "encounter", nullptr}},
-                              ProductKind{"isar",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Image of a turning target"),
-                                          "--algorithm",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Algorithm"),
-                                          {"range-doppler", "back-projection", nullptr, nullptr}},
-                              ProductKind{"doppler",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Range-Doppler maps"),
-                                          "--canceller",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Canceller"),
-                                          {"none", "two", "three", nullptr}},
-                              ProductKind{"search",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Search picture (PPI)"),
-                                          "--canceller",
-                                          QT_TRANSLATE_NOOP("ProductKind", "Canceller"),
-                                          {"none", "two", "three", nullptr}}};
 constexpr std::array weightings{"rectangular", "hamming", "hann", "kaiser", "taylor"};
-constexpr int patience_ms = 3000;
-
-// The command-line program: the one beside this, or the one that the system finds.
-QString program() {
-  const QString beside = QCoreApplication::applicationDirPath() + "/sarsim";
-  return QFileInfo(beside).isExecutable() ? beside : QStringLiteral("sarsim");
-}
+constexpr int product_bar_steps = 1000;
+constexpr std::size_t most_viewers = 8;  // that are opened for the images of one run
+constexpr qsizetype most_problems = 20;  // that are shown at a time
 
 QString quoted(const QString& word) {
   static const QRegularExpression plain("^[A-Za-z0-9_./:=,+-]+$");
   return plain.match(word).hasMatch() ? word : "'" + QString(word).replace("'", "'\\''") + "'";
 }
 
+// The words of the line, as far as they can be told apart.
+QStringList words_of(const QString& line) {
+  QStringList words;
+  try {
+    for (const std::string& word : workflow::words_of_line(line.toStdString())) words << QString::fromStdString(word);
+  } catch (const core::Refused&) {
+    words << line;
+  }
+  return words;
+}
+
+// An option and its word, unless the words behind say otherwise.
+void add_unless_given(QStringList& words, const QString& option, const QString& word, const QStringList& behind) {
+  const bool given = std::ranges::any_of(
+      behind, [&](const QString& other) { return other == option || other.startsWith(option + '='); });
+  if (!given) words << option << word;
+}
+
+QLabel* wrapped_label(QWidget* parent, const char* name) {
+  auto* const label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
 }  // namespace
 
 ProductWindow::ProductWindow(Session& session, ImageViewers& viewers, QWidget* owner)
-    : QWidget(owner, Qt::Window), session_(session), viewers_(viewers), process_(this) {
+    : QWidget(owner, Qt::Window), session_(session), viewers_(viewers) {
   setObjectName("products");
   setWindowTitle(tr("Make an image from echoes"));
   auto* const column = new QVBoxLayout(this);
@@ -91,38 +84,25 @@ ProductWindow::ProductWindow(Session& session, ImageViewers& viewers, QWidget* o
   column->addLayout(form);
   problems_ = new ProblemLine(this);
   problems_->setObjectName("products_problems");
+  remarks_ = new ProblemLine(this);
+  remarks_->setObjectName("products_remarks");
   column->addWidget(problems_);
-  report_ = named(new QPlainTextEdit(this), "products_report", tr("Report"), tr("What the command says of its result"));
-  report_->setReadOnly(true);
-  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  report_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  report_->setPlaceholderText(tr("The report appears here, the picture in a viewer of its own."));
+  column->addWidget(remarks_);
+  report_ = named(new ReportView(tr("The report appears here, the picture in a viewer of its own."), this),
+                  "products_report", tr("Report"), {});
   column->addWidget(report_, 1);
   make_foot();
-  connect(&process_, &QProcess::readyReadStandardError, this, &ProductWindow::take_errors);
-  connect(&process_, &QProcess::finished, this, &ProductWindow::take_end);
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart)
-      fail({tr("Error: the program 'sarsim' could not be started; expected it beside this one or in the search path")});
-  });
-  connect(&session_, &Session::scene_changed, this, &ProductWindow::show_simulations);
-  connect(&session_, &Session::document_changed, this, &ProductWindow::show_command);
+  connect_all();
   show_choices();
   show_simulations();
-  resize(760, 560);
+  resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 42);
 }
 
-ProductWindow::~ProductWindow() {
-  process_.disconnect(this);
-  if (!busy()) return;
-  process_.terminate();
-  if (!process_.waitForFinished(patience_ms)) process_.kill();
-  process_.waitForFinished(patience_ms);
-}
+ProductWindow::~ProductWindow() { job_.disconnect(this); }
 
 void ProductWindow::make_controls(QFormLayout* form) {
-  product_ = named(new QComboBox(this), "products_kind", tr("ProductKind"), tr("What is made from the echoes"));
-  for (const ProductKind& product : products)
+  product_ = named(new QComboBox(this), "products_kind", tr("Product"), tr("What is made from the echoes"));
+  for (const ProductKind& product : product_kinds())
     product_->addItem(QCoreApplication::translate("ProductKind", product.title));
   simulation_ = named(new QComboBox(this), "products_simulation", tr("Simulation"), tr("Whose echoes are used"));
   choice_ = named(new QComboBox(this), "products_choice", tr("Choice"), {});
@@ -132,36 +112,49 @@ void ProductWindow::make_controls(QFormLayout* form) {
                      tr("Weighting of range and azimuth, or of the pulses: lower sidelobes for wider peaks"));
   for (const char* name : weightings) weighting_->addItem(name);
   more_ = named(new QLineEdit(this), "products_more", tr("More options"),
-                tr("As on the command line, for instance: --memory 2G; double quotes around words with spaces"));
+                tr("As on the command line, for instance: --memory 2G; quotes around words with spaces"));
   more_->setPlaceholderText(tr("as on the command line"));
   command_ =
       named(new QLineEdit(this), "products_command", tr("Command"), tr("Does the same from a terminal or a script"));
   command_->setReadOnly(true);
-  form->addRow(tr("&ProductKind"), product_);
+  form->addRow(tr("&Product"), product_);
   form->addRow(tr("&Simulation"), simulation_);
   form->addRow(choice_title_, choice_);
   form->addRow(tr("&Window"), weighting_);
   form->addRow(tr("More &options"), more_);
   form->addRow(tr("&Command"), command_);
-  connect(product_, &QComboBox::currentIndexChanged, this, &ProductWindow::show_choices);
-  for (QComboBox* box : {simulation_, choice_, weighting_})
-    connect(box, &QComboBox::currentIndexChanged, this, &ProductWindow::show_command);
-  connect(more_, &QLineEdit::textChanged, this, &ProductWindow::show_command);
 }
 
 void ProductWindow::make_foot() {
   auto* const foot = new QHBoxLayout;
-  state_ = new QLabel(this);
-  state_->setObjectName("products_state");
+  state_ = wrapped_label(this, "products_state");
+  bar_ = named(new QProgressBar(this), "products_progress", tr("Progress"), {});
+  bar_->setRange(0, product_bar_steps);
+  bar_->hide();
   make_ = named(new QPushButton(tr("&Make"), this), "products_make", tr("Make"), tr("Compute and open the result"));
-  stop_ = named(new QPushButton(tr("S&top"), this), "products_stop", tr("Stop"), tr("End the command at once"));
+  stop_ = named(new QPushButton(tr("S&top"), this), "products_stop", tr("Stop"), tr("End the work at once"));
   stop_->setEnabled(false);
-  foot->addWidget(state_, 1);
+  foot->addWidget(state_, 2);
+  foot->addWidget(bar_, 1);
   foot->addWidget(make_);
   foot->addWidget(stop_);
   static_cast<QVBoxLayout*>(layout())->addLayout(foot);
+}
+
+void ProductWindow::connect_all() {
+  connect(product_, &QComboBox::currentIndexChanged, this, &ProductWindow::show_choices);
+  for (QComboBox* box : {simulation_, choice_, weighting_})
+    connect(box, &QComboBox::currentIndexChanged, this, &ProductWindow::show_command);
+  connect(more_, &QLineEdit::textChanged, this, &ProductWindow::show_command);
   connect(make_, &QPushButton::clicked, this, &ProductWindow::make);
   connect(stop_, &QPushButton::clicked, this, &ProductWindow::stop);
+  connect(&job_, &ProductJob::progressed, this, &ProductWindow::show_progress);
+  connect(&job_, &ProductJob::announced, this, [this](const QString& line) {
+    if (!stopped_) state_->setText(within_folder(line));
+  });
+  connect(&job_, &ProductJob::ended, this, &ProductWindow::take_end);
+  connect(&session_, &Session::scene_changed, this, &ProductWindow::show_simulations);
+  connect(&session_, &Session::document_changed, this, &ProductWindow::show_command);
 }
 
 // The simulations of the scene, by number and radar; the chosen number stays.
@@ -176,35 +169,37 @@ void ProductWindow::show_simulations() {
 }
 
 void ProductWindow::show_choices() {
-  const ProductKind& product = products[static_cast<std::size_t>(product_->currentIndex())];
-  choice_title_->setText(QCoreApplication::translate("ProductKind", product.option_title));
+  choice_title_->setText(QCoreApplication::translate("ProductKind", kind().option_title));
   {
     const QSignalBlocker quiet(choice_);
     choice_->clear();
-    for (const char* value : product.values)
-      if (value != nullptr) choice_->addItem(value);
+    for (const char* value : kind().values) choice_->addItem(value);
   }
   choice_->setAccessibleName(choice_title_->text());
   show_command();
 }
 
-QStringList ProductWindow::arguments(const QString& script, const QString& out) const {
-  const ProductKind& product = products[static_cast<std::size_t>(product_->currentIndex())];
-  QStringList words{product.command, script};
-  if (simulation_->currentIndex() > 0) words << "--simulation" << QString::number(simulation_->currentIndex() + 1);
-  words << product.option << choice_->currentText() << "--window" << weighting_->currentText();
-  words << QProcess::splitCommand(more_->text());
-  return words << "--out" << out;
+const ProductKind& ProductWindow::kind() const {
+  return product_kinds()[static_cast<std::size_t>(product_->currentIndex())];
+}
+
+// The options that are chosen; those that are typed take the place of the others.
+QStringList ProductWindow::chosen_words() const {
+  const QStringList more = words_of(more_->text());
+  QStringList words;
+  if (simulation_->currentIndex() > 0)
+    add_unless_given(words, "--simulation", QString::number(simulation_->currentIndex() + 1), more);
+  add_unless_given(words, kind().option, choice_->currentText(), more);
+  add_unless_given(words, "--window", weighting_->currentText(), more);
+  return words + more;
 }
 
 QString ProductWindow::command() const {
   const std::filesystem::path path = session_.document().path();
   const QString script = path.empty() ? QStringLiteral("scene.scr") : QString::fromStdString(path.filename().string());
-  QStringList words{"sarsim"};
-  const QString kind = products[static_cast<std::size_t>(product_->currentIndex())].command;
-  for (const QString& word : arguments(script, QFileInfo(script).completeBaseName() + "_" + kind + ".npy"))
-    words << quoted(word);
-  return words.join(' ');
+  QStringList words{"sarsim", kind().command, quoted(script)};
+  for (const QString& word : chosen_words()) words << quoted(word);
+  return (words << "--out" << quoted(QFileInfo(script).completeBaseName() + "_" + kind().command + ".npy")).join(' ');
 }
 
 void ProductWindow::show_command() {
@@ -214,77 +209,138 @@ void ProductWindow::show_command() {
   if (!busy()) state_->setText(simulation_->count() > 0 ? QString() : tr("The scene has no stored simulation yet"));
 }
 
+// Throws core::Refused where an option is typed that there is not, or whose word it does not take.
+workflow::GivenWords ProductWindow::given_words() const {
+  static_cast<void>(workflow::words_of_line(more_->text().toStdString()));
+  std::vector<std::string> words;
+  for (const QString& word : chosen_words()) words.push_back(word.toStdString());
+  workflow::GivenWords given = workflow::given_words(kind().options(), words);
+  const std::string out = folder_->filePath(QString(kind().command) + ".npy").toStdString();
+  if (!given.emplace("--out", out).second)
+    throw core::Refused("--out: the image goes to a viewer", "leave it out, and export the image there");
+  return given;
+}
+
+// Names of data files may lead out of the folder, to files of others: the scene is written without any.
+std::string ProductWindow::write_scene() {
+  const std::string text = scene::self_contained_script(session_.document());
+  lines_are_known_ = text == session_.document().text();
+  script_ = folder_->filePath("scene.scr");
+  QFile file(script_);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0 ||
+      !file.flush())
+    throw std::runtime_error(
+        tr("the scene could not be written for the work: %1").arg(file.errorString()).toStdString());
+  return script_.toStdString();
+}
+
 void ProductWindow::make() {
   if (busy()) return;
   problems_->clear();
+  remarks_->clear();
   report_->clear();
-  errors_.clear();
   stopped_ = false;
+  title_ = product_->currentText();
   folder_ = std::make_shared<QTemporaryDir>();
-  const QString script = folder_->filePath("scene.scr");
-  made_ = folder_->filePath(QString(products[static_cast<std::size_t>(product_->currentIndex())].command) + ".npy");
   try {
-    // Names of data files may lead out of the folder, to files of others.
-    const std::string text = scene::self_contained_script(session_.document());
-    QFile file(script);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
-      throw std::runtime_error(file.errorString().toStdString());
-    file.close();
+    const workflow::GivenWords given = given_words();
+    job_.start(kind().work(write_scene(), given));
+  } catch (const core::Refused& refused) {
+    fail(texts_of(refused.problems));
+    return;
   } catch (const std::exception& failure) {
-    fail({tr("Error: the scene could not be written for the command: %1").arg(failure.what())});
+    fail({tr("Error: %1").arg(failure.what())});
     return;
   }
   make_->setEnabled(false);
   stop_->setEnabled(true);
+  bar_->setValue(0);
+  bar_->show();
   state_->setText(tr("Working…"));
-  process_.start(program(), arguments(script, made_));
 }
 
 void ProductWindow::stop() {
   if (!busy()) return;
   stopped_ = true;
-  process_.terminate();
+  state_->setText(tr("Stopping…"));
+  job_.stop();
 }
 
-// Progress comes as lines; the last one counts.
-void ProductWindow::take_errors() {
-  const QString more = QString::fromUtf8(process_.readAllStandardError());
-  errors_ += more;
-  const QStringList lines = errors_.split(QRegularExpression("[\r\n]"), Qt::SkipEmptyParts);
-  if (!lines.isEmpty() && !stopped_) state_->setText(lines.back().trimmed());
+void ProductWindow::closeEvent(QCloseEvent* event) {
+  stop();
+  QWidget::closeEvent(event);
 }
 
-void ProductWindow::take_end(int status, QProcess::ExitStatus how) {
-  take_errors();
-  stop_->setEnabled(false);
-  make_->setEnabled(simulation_->count() > 0);
-  report_->setPlainText(QString::fromUtf8(process_.readAllStandardOutput()));
-  if (stopped_) {
-    state_->setText(tr("Stopped; nothing was kept"));
-    emit ended(false);
-    return;
+// The folder is of no interest, and gone soon.
+QString ProductWindow::within_folder(const QString& words) const {
+  return folder_ ? QString(words).remove(folder_->path() + '/') : words;
+}
+
+QStringList ProductWindow::texts_of(const core::Problems& problems) const {
+  QStringList texts;
+  for (const core::Problem& problem : problems) {
+    if (texts.size() == most_problems) {
+      texts << tr("and %1 more").arg(static_cast<qsizetype>(problems.size()) - most_problems);
+      break;
+    }
+    const QString text = lines_are_known_ ? placed_problem_text(problem, script_.toStdString()) : problem_text(problem);
+    texts << within_folder(text);
   }
-  if (how != QProcess::NormalExit || status != 0 || !QFileInfo::exists(made_)) {
-    QStringList words = errors_.trimmed().split('\n', Qt::SkipEmptyParts);
-    if (words.isEmpty()) words << tr("Error: the command ended with status %1 and said nothing").arg(status);
-    fail(words);
-    return;
+  return texts;
+}
+
+void ProductWindow::show_progress(const QString& stage, double fraction, double seconds_left) {
+  if (stopped_) return;
+  bar_->setValue(static_cast<int>(fraction * product_bar_steps));
+  const QString name = within_folder(stage);
+  const QString left = QString::fromStdString(core::duration_text(std::max(seconds_left, 0.0)));
+  state_->setText(seconds_left < 0.0 ? name : tr("%1, about %2 left").arg(name, left));
+}
+
+void ProductWindow::take_end(JobEnd end, const QString& failure) {
+  if (end == JobEnd::done)
+    show_result();
+  else if (end == JobEnd::cancelled)
+    end_with(tr("Stopped; nothing was kept"), false);
+  else
+    fail(job_.refusals().empty() ? QStringList{tr("Error: %1").arg(within_folder(failure))}
+                                 : texts_of(job_.refusals()));
+}
+
+void ProductWindow::show_result() {
+  const ProductResult& result = job_.result();
+  report_->show_pages(result.pages);
+  if (!result.problems.empty()) remarks_->show_texts(result.problems.front().severity, texts_of(result.problems));
+  open_images(result.images);
+  const std::size_t count = result.images.size();
+  end_with(count > most_viewers ? tr("Done; the first %1 of %2 images are shown").arg(most_viewers).arg(count)
+           : count == 0         ? tr("Done; no image was wanted")
+                                : tr("Done"),
+           true);
+}
+
+// The files go when the last viewer does.
+void ProductWindow::open_images(const std::vector<std::filesystem::path>& images) {
+  const std::size_t count = std::min(images.size(), most_viewers);
+  for (std::size_t i = 0; i < count; ++i) {
+    ImageViewer* const viewer = viewers_.open_file(images[i]);
+    viewer->setWindowTitle(images.size() > 1 ? tr("%1, %2 of %3").arg(title_).arg(i + 1).arg(images.size()) : title_);
+    connect(viewer, &QObject::destroyed, [folder = folder_] {});
   }
-  if (report_->toPlainText().trimmed().isEmpty()) report_->setPlainText(errors_.trimmed());
-  state_->setText(tr("Done"));
-  ImageViewer* const viewer = viewers_.open_file(made_.toStdString());
-  viewer->setWindowTitle(product_->currentText());
-  // The files go when the viewer does.
-  connect(viewer, &QObject::destroyed, this, [folder = std::move(folder_)] {});
-  emit ended(true);
 }
 
 void ProductWindow::fail(const QStringList& words) {
   problems_->show_texts(core::Severity::error, words);
-  state_->setText(tr("Nothing was made"));
+  end_with(tr("Nothing was made"), false);
+}
+
+void ProductWindow::end_with(const QString& state, bool made) {
+  folder_.reset();
+  bar_->hide();
   stop_->setEnabled(false);
   make_->setEnabled(simulation_->count() > 0);
-  emit ended(false);
+  state_->setText(state);
+  emit ended(made);
 }
 
 }  // namespace sarsim::gui

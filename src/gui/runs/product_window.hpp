@@ -1,18 +1,18 @@
 #pragma once
 
-#include <QProcess>
 #include <QWidget>
 
-#include <filesystem>
 #include <memory>
 
 #include "gui/common/session.hpp"
+#include "gui/runs/product_job.hpp"
+#include "workflow/options/option.hpp"
 
 class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QPlainTextEdit;
+class QProgressBar;
 class QPushButton;
 class QTemporaryDir;
 
@@ -20,10 +20,12 @@ namespace sarsim::gui {
 
 class ImageViewers;
 class ProblemLine;
+class ReportView;
+struct ProductKind;
 
 /// Makes images and profiles from the echoes of the scene (focused image, range profiles, turning target, range-Doppler
-/// maps, PPI) and opens them in the image viewer. The work is done by the command that a script of the user's would
-/// call, which is shown, so that it can be repeated without a window.
+/// maps, PPI), opens them in the image viewer and shows the report as tables and figures. The command that does the
+/// same from a terminal is shown, so that it can be repeated without a window. Closed, the window stops its work.
 class ProductWindow : public QWidget {
   Q_OBJECT
 
@@ -32,35 +34,47 @@ class ProductWindow : public QWidget {
   ProductWindow(Session& session, ImageViewers& viewers, QWidget* owner);
   ~ProductWindow() override;
 
-  [[nodiscard]] bool busy() const { return process_.state() != QProcess::NotRunning; }
+  [[nodiscard]] bool busy() const { return job_.running(); }
   /// The command as a user would type it.
   [[nodiscard]] QString command() const;
   /// Begins; the scene is taken as it is now.
   void make();
-  /// Ends the command, which leaves nothing behind.
+  /// Ends the work, which leaves nothing behind; `ended` follows.
   void stop();
 
  signals:
   /// @param made  false where it failed or was stopped
   void ended(bool made);
 
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
  private:
   void make_controls(QFormLayout* form);
   void make_foot();
+  void connect_all();
   void show_simulations();
   void show_choices();
   void show_command();
-  void take_errors();
-  void take_end(int status, QProcess::ExitStatus how);
+  [[nodiscard]] const ProductKind& kind() const;
+  [[nodiscard]] QStringList chosen_words() const;
+  [[nodiscard]] workflow::GivenWords given_words() const;
+  [[nodiscard]] std::string write_scene();
+  [[nodiscard]] QString within_folder(const QString& words) const;
+  [[nodiscard]] QStringList texts_of(const core::Problems& problems) const;
+  void show_progress(const QString& stage, double fraction, double seconds_left);
+  void take_end(JobEnd end, const QString& failure);
+  void show_result();
+  void open_images(const std::vector<std::filesystem::path>& images);
   void fail(const QStringList& words);
-  [[nodiscard]] QStringList arguments(const QString& script, const QString& out) const;
+  void end_with(const QString& state, bool made);
 
   Session& session_;
   ImageViewers& viewers_;
-  QProcess process_;
   std::shared_ptr<QTemporaryDir> folder_;  // of the scene and its product, as long as a viewer looks at it
-  QString made_;
-  QString errors_;
+  QString script_;                         // the scene's file in it
+  QString title_;                          // of what is made
+  bool lines_are_known_ = false;           // its lines are those of the script that is edited
   bool stopped_ = false;
   QComboBox* product_ = nullptr;
   QComboBox* simulation_ = nullptr;
@@ -70,10 +84,13 @@ class ProductWindow : public QWidget {
   QLineEdit* more_ = nullptr;
   QLineEdit* command_ = nullptr;
   QLabel* state_ = nullptr;
-  QPlainTextEdit* report_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  ReportView* report_ = nullptr;
   ProblemLine* problems_ = nullptr;
+  ProblemLine* remarks_ = nullptr;
   QPushButton* make_ = nullptr;
   QPushButton* stop_ = nullptr;
+  ProductJob job_;  // Last: stops before anything that it works on goes.
 };
 
 }  // namespace sarsim::gui
