@@ -58,19 +58,8 @@ void expect_quantity(const PlotArguments& a) {
                                                           : "phase histories are shown as phase");
 }
 
-// Counts are no volts: the words that figures of volts have are exchanged.
-void say_unit(picture::Figure& figure, const std::string& unit) {
-  if (unit == "V") return;
-  for (picture::FigurePanel& panel : figure.panels) {
-    if (panel.y.unit == "V") panel.y.unit = unit;
-    if (panel.y.unit == "W/Hz") panel.y.unit = unit + "^2/Hz";
-    if (panel.y.label == "Level above 1 V") panel.y.label = "Level above 1 " + unit;
-    if (panel.y.label == "Density above 1 W/Hz") panel.y.label = "Density above 1 " + unit + "^2/Hz";
-  }
-}
-
-picture::EchoBlock read_block(const PlotSamples& samples, simulate::IndexSpan rows, simulate::IndexSpan columns,
-                              std::size_t times) {
+picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::IndexSpan rows,
+                              simulate::IndexSpan columns, std::size_t times) {
   const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
   if (count * static_cast<double>(times) > static_cast<double>(most_samples))
     throw core::Refused(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
@@ -79,7 +68,8 @@ picture::EchoBlock read_block(const PlotSamples& samples, simulate::IndexSpan ro
   return samples.read(rows, columns);
 }
 
-picture::Figure radar_view(const PlotArguments& a, const PlotSamples& samples, std::size_t row, std::size_t column) {
+picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& samples, std::size_t row,
+                           std::size_t column) {
   const picture::RadarViewChoice choice = choice_of(a);
   const simulate::IndexSpan all{0, samples.column_place.size()};
   const simulate::IndexSpan rows = burst(a, row, samples.row_place.size());
@@ -106,7 +96,7 @@ bool is_of_samples(PlotKind kind) {
   }
 }
 
-Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
+Plotted plot_samples(const PlotArguments& a, const picture::SampleSource& samples) {
   expect_quantity(a);
   if (samples.row_place.empty() || samples.column_place.empty()) throw core::Refused("there are no samples to look at");
   const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
@@ -131,7 +121,7 @@ Plotted plot_samples(const PlotArguments& a, const PlotSamples& samples) {
     throw core::Refused("the file does not say the times, ranges and carriers that this kind of plot needs",
                         "name the script that wrote it with --script, or use an HDF5 file");
   plotted.figure = radar_view(a, samples, row, column);
-  say_unit(plotted.figure, samples.look.unit);
+  picture::say_unit(plotted.figure, samples.look.unit);
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -76,38 +73,9 @@ core::Refused with_options(core::Problems problems) {
 // The echo matrix of a window, as a simulation window computes it.
 std::shared_ptr<const picture::EchoMatrix> computed(const picture::PreviewRequest& request,
                                                     const core::StopFlag* stop) {
-  std::mutex lock;
-  std::condition_variable changed;
-  std::optional<picture::PreviewEvent> end;
-  picture::Preview preview([&](const picture::PreviewEvent& event) {
-    if (event.kind != picture::PreviewEvent::Kind::finished && event.kind != picture::PreviewEvent::Kind::failed)
-      return;
-    const std::scoped_lock hold(lock);
-    end = event;
-    changed.notify_all();
-  });
-  preview.show(request);
-  {
-    std::unique_lock hold(lock);
-    while (!end) {
-      changed.wait_for(hold, std::chrono::milliseconds(50));
-      if (stop != nullptr && stop->requested()) throw core::Interrupted();
-    }
-  }
-  if (end->kind == picture::PreviewEvent::Kind::failed) throw with_options(std::move(end->problems));
-  return end->matrix;
-}
-
-picture::EchoBlock block_of(const picture::EchoMatrix& matrix) {
-  picture::EchoBlock block;
-  block.rows = matrix.rows();
-  block.columns = matrix.columns();
-  for (std::size_t r = 0; r < block.rows; ++r) {
-    block.time_s.push_back(matrix.time_s(r));
-    block.samples.insert(block.samples.end(), matrix.row(r).begin(), matrix.row(r).end());
-  }
-  for (std::size_t c = 0; c < block.columns; ++c) block.range_m.push_back(matrix.range_m(c));
-  return block;
+  picture::PreviewEvent end = picture::shown(request, stop);
+  if (end.kind == picture::PreviewEvent::Kind::failed) throw with_options(std::move(end.problems));
+  return end.matrix;
 }
 
 constexpr std::size_t samples_per_pixel = 4;  // of curves
@@ -130,7 +98,7 @@ Plotted picture(const PlotArguments& a, const scene::Scene& scene, const core::S
     matrix = computed(request, stop);
   }
   Plotted plotted{picture::echo_figure(*matrix, window), {}};
-  if (!a.csv.empty()) plotted.table = picture::sample_table(block_of(*matrix), {}, true, true, ',');
+  if (!a.csv.empty()) plotted.table = picture::sample_table(picture::echo_block(*matrix), {}, true, true, ',');
   return plotted;
 }
 
@@ -168,14 +136,8 @@ std::shared_ptr<const simulate::Plan> chosen_plan(const PlotArguments& a, workfl
 
 Plotted of_samples(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
   const auto plan = chosen_plan(a, input, stop);
-  PlotSamples samples;
+  picture::SampleSource samples = picture::samples_of(plan, stop);
   samples.look.quantity = picture::DisplayQuantity::real;
-  samples.column_place = plan->column_range_m;
-  for (std::size_t r = 0; r < plan->rows; ++r)
-    samples.row_place.push_back(plan->radar.repetition.send_time_s(plan->first_pulse_of_row(r)));
-  samples.read = [plan, stop](simulate::IndexSpan rows, simulate::IndexSpan columns) {
-    return picture::echo_block(*plan, rows, columns, {core::thread_count(0), stop});
-  };
   return plot_samples(a, samples);
 }
 

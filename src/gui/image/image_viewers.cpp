@@ -10,7 +10,7 @@
 
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/open_image_dialog.hpp"
-#include "picture/image/envi_layout.hpp"
+#include "raster/format/custom_raw.hpp"
 #include "raster/format/recording_hints.hpp"
 #include "raster/table/formats.hpp"
 
@@ -52,7 +52,7 @@ ImageViewer* ImageViewers::open_empty() {
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
   raster::RasterHints hints;
   if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints = *known;
-  hints.raw = picture::envi_layout(path);
+  hints.raw = raster::envi_layout(path);
   return open_file(path, hints);
 }
 

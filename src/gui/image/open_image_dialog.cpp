@@ -19,8 +19,9 @@
 
 #include "gui/common/form_rows.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/image/image_part.hpp"
-#include "picture/image/envi_layout.hpp"
+#include "raster/format/custom_raw.hpp"
 #include "raster/format/recording_hints.hpp"
 
 namespace sarsim::gui {
@@ -52,7 +53,7 @@ FoundOut find_out(const std::filesystem::path& file, const scene::Scene& scene) 
   FoundOut found;
   auto guessed = raster::guess_raw_layout(file);
   if (auto* const guesses = std::get_if<std::vector<raster::RawGuess>>(&guessed)) found.guesses = std::move(*guesses);
-  if (const auto layout = picture::envi_layout(file)) {
+  if (const auto layout = raster::envi_layout(file)) {
     raster::RawGuess said;
     said.layout = *layout;
     said.reason = OpenImageDialog::tr("its header says so").toStdString();

@@ -243,4 +243,23 @@ void Preview::compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoM
                                  });
 }
 
+PreviewEvent shown(const PreviewRequest& request, const core::StopFlag* stop) {
+  std::mutex lock;
+  std::condition_variable changed;
+  std::optional<PreviewEvent> end;
+  Preview preview([&](const PreviewEvent& event) {
+    if (event.kind != PreviewEvent::Kind::finished && event.kind != PreviewEvent::Kind::failed) return;
+    const std::scoped_lock hold(lock);
+    end = event;
+    changed.notify_all();
+  });
+  preview.show(request);
+  std::unique_lock hold(lock);
+  while (!end) {
+    changed.wait_for(hold, std::chrono::milliseconds(50));
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
+  }
+  return *end;
+}
+
 }  // namespace sarsim::picture

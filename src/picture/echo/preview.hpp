@@ -105,4 +105,8 @@ struct ShownPlan {
                                    const EchoWindow& window, const PlotSize& size, simulate::Engine engine,
                                    LongRows long_rows, const core::StopFlag* stop = nullptr);
 
+/// Computes a request to its end: the event that it finished or failed with.
+/// @throws core::Interrupted when stopped
+[[nodiscard]] PreviewEvent shown(const PreviewRequest& request, const core::StopFlag* stop = nullptr);
+
 }  // namespace sarsim::picture

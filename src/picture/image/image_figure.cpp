@@ -44,8 +44,8 @@ struct Places {
   double step = 1.0;
 };
 
-Places places_of(const Extent& extent, const std::optional<ImagePlaces>& wanted, const std::vector<double>* places,
-                 Places file, const char* counted) {
+Places places_of(const Extent& extent, const std::optional<raster::ImagePlaces>& wanted,
+                 const std::vector<double>* places, Places file, const char* counted) {
   if (wanted) return {wanted->label, wanted->unit, wanted->first, wanted->step};
   if (places == nullptr || places->size() < extent.first + extent.count || extent.count < 2) return {counted, "", 0, 1};
   const double begin = (*places)[extent.first];

@@ -6,20 +6,10 @@
 #include "core/task/stop.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/figure/figure.hpp"
+#include "raster/table/image_places.hpp"
 #include "raster/table/raster.hpp"
 
 namespace sarsim::picture {
-
-/// Places of rows or columns that the file does not say itself: `first` is that of the first, `step` from one to the
-/// next.
-struct ImagePlaces {
-  std::string label;  ///< "Azimuth".
-  std::string unit;   ///< "m".
-  double first = 0.0;
-  double step = 1.0;
-
-  friend bool operator==(const ImagePlaces&, const ImagePlaces&) = default;
-};
 
 /// How a file is looked at: the part that is seen, in rows and columns of the file, and the look.
 struct ImageLook : ColourLook {
@@ -36,8 +26,8 @@ struct ImageLook : ColourLook {
   /// n-th.
   DrawAs draw_as = DrawAs::pixels;
   PixelRule pixel_rule = PixelRule::sample;  ///< Of pixels: one of its samples, or the largest, which reads them all.
-  std::optional<ImagePlaces> row_places;     ///< Instead of the file's own.
-  std::optional<ImagePlaces> column_places;
+  std::optional<raster::ImagePlaces> row_places;  ///< Instead of the file's own.
+  std::optional<raster::ImagePlaces> column_places;
   std::optional<std::string> unit;  ///< Of the values; otherwise V, or none where the file holds counts or levels.
 };
 

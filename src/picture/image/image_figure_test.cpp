@@ -61,7 +61,7 @@ TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {
 // A map's first row is its northern one.
 TEST_F(ImageFigure, HasTheLargerPlacesAboveWhereTheStepIsNegative) {
   ImageLook look;
-  look.row_places = ImagePlaces{"North", "m", 500.0, -100.0};
+  look.row_places = raster::ImagePlaces{"North", "m", 500.0, -100.0};
   const FigurePanel shown = panel(look);
   EXPECT_EQ(shown.y.first, -50.0);
   EXPECT_EQ(shown.y.last, 550.0);
@@ -98,8 +98,8 @@ TEST_F(ImageFigure, PeaksOfPartsAtTheEndAreOfWhatIsThere) {
 TEST_F(ImageFigure, StandsAtThePlacesThatTheLookNames) {
   ImageLook look;
   look.first_row = 2;
-  look.row_places = ImagePlaces{"Azimuth", "m", -10.0, 0.5};
-  look.column_places = ImagePlaces{"Slant range", "m", 1000.0, 2.0};
+  look.row_places = raster::ImagePlaces{"Azimuth", "m", -10.0, 0.5};
+  look.column_places = raster::ImagePlaces{"Slant range", "m", 1000.0, 2.0};
   const FigurePanel shown = panel(look);
   EXPECT_EQ(shown.y.label, "Azimuth");
   EXPECT_DOUBLE_EQ(shown.y.first, -9.25);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "core/report/expect.hpp"
+#include "raster/format/envi.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/grid_raster.hpp"
 #include "raster/format/raw_decode.hpp"
@@ -146,6 +148,29 @@ OpenedRaster open_custom(core::InputFile file, const Format&, const RasterHints&
   const std::uint64_t most = layout.height > 0 ? layout.height : any_rows;
   opened.raster = make_grid_raster(std::move(info), std::move(file), grid_of(layout), most);
   return opened;
+}
+
+RawLayout layout_of(const EnviHeader& header) {
+  RawLayout layout;
+  layout.header_bytes = header.header_offset;
+  layout.width = header.samples;
+  layout.height = header.lines;
+  layout.number = RawNumber::float32;
+  layout.value = header.pixel == EnviHeader::Pixel::complex_float ? ImageValue::complex : ImageValue::magnitude;
+  return layout;
+}
+
+std::optional<RawLayout> envi_layout(const std::filesystem::path& data) {
+  // NumPy arrays say themselves what they are.
+  if (data.extension() == ".npy") return std::nullopt;
+  try {
+    if (!has_envi_header(data)) return std::nullopt;
+    const auto [image, problems] = EnviImage::open(data);
+    if (image) return layout_of(image->header());
+  } catch (const std::system_error&) {
+    // Whoever opens the file says what the disk says.
+  }
+  return std::nullopt;
 }
 
 }  // namespace sarsim::raster

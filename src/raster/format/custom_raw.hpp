@@ -54,6 +54,14 @@ struct RawLayout {
 /// How windows of it are read.
 [[nodiscard]] StoredGrid grid_of(const RawLayout& layout);
 
+struct EnviHeader;
+
+/// The layout that an ENVI header gives: one band of float or complex float.
+[[nodiscard]] RawLayout layout_of(const EnviHeader& header);
+
+/// How a data file that has a sound ENVI header beside it is laid out; nothing for other files.
+[[nodiscard]] std::optional<RawLayout> envi_layout(const std::filesystem::path& data);
+
 /// A layout that a file may have, and why.
 struct RawGuess {
   RawLayout layout;

@@ -9,8 +9,8 @@
 #include <random>
 
 #include "scene/edit/splice_command.hpp"
-#include "scene/model/object_lists.hpp"
 #include "scene/model/kinds.hpp"
+#include "scene/model/object_lists.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
 namespace sarsim::scene {

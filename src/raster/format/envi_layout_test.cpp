@@ -1,4 +1,4 @@
-#include "picture/image/envi_layout.hpp"
+#include "raster/format/custom_raw.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 
-namespace sarsim::picture {
+namespace sarsim::raster {
 namespace envi_layout_test {
 
 namespace fs = std::filesystem;
@@ -20,12 +21,12 @@ class EnviLayout : public testing::Test {
   EnviLayout() { fs::create_directories(folder_); }
   ~EnviLayout() override { fs::remove_all(folder_); }
 
-  fs::path write(const std::string& name, raster::EnviHeader::Pixel pixel) const {
-    raster::EnviHeader header;
+  fs::path write(const std::string& name, EnviHeader::Pixel pixel) const {
+    EnviHeader header;
     header.samples = 3;
     header.lines = 2;
     header.pixel = pixel;
-    raster::EnviWriter writer(folder_ / name, header, true);
+    EnviWriter writer(folder_ / name, header, true);
     for (float row = 0.0F; row < 2.0F; row += 1.0F) {
       const std::vector<std::complex<float>> values{{row, 1.0F}, {row, 2.0F}, {row, 3.0F}};
       writer.append(values);
@@ -38,8 +39,8 @@ class EnviLayout : public testing::Test {
 };
 
 TEST_F(EnviLayout, OpensImagesOfBothKinds) {
-  for (const auto pixel : {raster::EnviHeader::Pixel::complex_float, raster::EnviHeader::Pixel::real_float}) {
-    const bool complex = pixel == raster::EnviHeader::Pixel::complex_float;
+  for (const auto pixel : {EnviHeader::Pixel::complex_float, EnviHeader::Pixel::real_float}) {
+    const bool complex = pixel == EnviHeader::Pixel::complex_float;
     const fs::path file = write(complex ? "complex.img" : "real.img", pixel);
     raster::RasterHints hints;
     hints.raw = envi_layout(file);
@@ -57,7 +58,7 @@ TEST_F(EnviLayout, OpensImagesOfBothKinds) {
 
 TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
   EXPECT_FALSE(envi_layout(folder_ / "none.img"));
-  const fs::path cut = write("cut.img", raster::EnviHeader::Pixel::complex_float);
+  const fs::path cut = write("cut.img", EnviHeader::Pixel::complex_float);
   fs::resize_file(cut, 5);
   EXPECT_FALSE(envi_layout(cut));
   std::ofstream(folder_ / "bad.img") << "data";
@@ -66,4 +67,4 @@ TEST_F(EnviLayout, IsNoneOfFilesWithoutASoundHeader) {
 }
 
 }  // namespace envi_layout_test
-}  // namespace sarsim::picture
+}  // namespace sarsim::raster

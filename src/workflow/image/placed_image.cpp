@@ -1,0 +1,122 @@
+#include "workflow/image/placed_image.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/format/custom_raw.hpp"
+#include "raster/format/envi.hpp"
+#include "simulate/plan/plan.hpp"
+#include "workflow/image/image_fields.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The header that says how a focused image is laid out, or nothing where there is none.
+std::optional<raster::EnviHeader> focused_header(const std::string& path) {
+  const std::string ending = fs::path(path).extension().string();
+  if ((ending != ".img" && ending != ".npy") || !raster::has_envi_header(path)) return std::nullopt;
+  auto [image, problems] = raster::EnviImage::open(path);
+  if (!image) throw core::Refused(std::move(problems));
+  return image->header();
+}
+
+// Where the header says the places of an axis, or the numbers of its rows or columns.
+raster::ImagePlaces places_said(const raster::EnviHeader& header, const raster::ImagePlaces& wanted,
+                                const std::string& key, const std::string& otherwise) {
+  const auto first = core::parse_number(header.field(key + " first " + wanted.unit).value_or(""));
+  const auto step = core::parse_number(header.field(key + " step " + wanted.unit).value_or(""));
+  if (!first || !step || *step == 0.0) return {otherwise, ""};
+  return {wanted.label, wanted.unit, *first, *step};
+}
+
+// Search pictures, range-Doppler maps and range profiles.
+raster::FocusedPlaces places_of_product(const raster::EnviHeader& header) {
+  if (header.field("map") == "ppi")
+    return {places_said(header, {"North", "m"}, "y", "Row"), places_said(header, {"East", "m"}, "x", "Column")};
+  const raster::ImagePlaces range = places_said(header, {"Slant range", "m"}, "range", "Column");
+  if (!header.field("map")) return {{"Profile", "", 1.0}, range};
+  if (header.field("intervals") != "1") return {{"Row of all maps", "", 1.0}, range};
+  raster::ImagePlaces doppler = places_said(header, {"Doppler frequency", "hz"}, "doppler", "Row");
+  if (doppler.unit == "hz") doppler.unit = "Hz";
+  return {doppler, range};
+}
+
+raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& path) {
+  if (!header.field("image plane")) return places_of_product(header);
+  signal::FocusedImage image;
+  ImageOrigin origin;
+  read_header(header, raster::envi_header_of(path).string(), image, origin);
+  const bool turning = is_of_turning_target(origin);
+  const char* along = turning ? "Cross-range" : "Azimuth";
+  const char* range = turning                                                ? "Along the line of sight"
+                      : image.frame.plane == signal::ImagePlane::slant_range ? "Slant range"
+                                                                             : "Ground range";
+  return {{along, "m", image.azimuth.first_m, image.azimuth.step_m},
+          {range, "m", image.range.first_m, image.range.step_m},
+          image.azimuth.spectrum_centre_per_m,
+          image.range.spectrum_centre_per_m};
+}
+
+raster::RasterAxes axes_of(const simulate::Plan& plan) {
+  raster::RasterAxes axes;
+  for (std::size_t r = 0; r < plan.rows; ++r) {
+    const std::int64_t pulse = plan.first_pulse_of_row(r);
+    axes.row_time_s.push_back(plan.radar.repetition.send_time_s(pulse));
+    axes.row_carrier_hz.push_back(plan.radar.carrier.carrier_hz(pulse));
+  }
+  axes.column_range_m = plan.column_range_m;
+  return axes;
+}
+
+void expect_no_hints(const PlacedImageRequest& request) {
+  const SampleArguments& samples = request.samples;
+  if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty())
+    throw core::Refused(fmt::format("'{}' has a header, which says all about its samples", request.path),
+                        "leave out --from, --columns, --bits, --lsb and --script");
+}
+
+}  // namespace
+
+PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Observer& observer) {
+  PlacedImage input;
+  const auto header = focused_header(request.path);
+  raster::RasterHints hints;
+  if (header) {
+    expect_no_hints(request);
+    hints.raw = raster::layout_of(*header);
+    input.focused = places_of(*header, request.path);
+  } else {
+    hints = hints_for(request.path, request.samples, request.simulation);
+  }
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, request.path, hints);
+  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
+  observer.remarks(core::ranked(std::move(opened.problems)));
+  opened.raster->wait_until_indexed(observer.stop);
+  // A picture of a part of the rows would be taken for one of all.
+  core::Problems found = opened.raster->problems();
+  if (core::has_errors(found)) throw core::Refused(core::ranked(std::move(found)));
+  observer.remarks(core::ranked(std::move(found)));
+  if (opened.raster->rows() == 0 || opened.raster->columns() == 0)
+    throw core::Refused(request.path + " holds no samples");
+  input.source = std::move(opened.raster);
+  if (header) return input;
+  input.axes = input.source->axes();
+  input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
+  if (!input.axes && !request.samples.script.empty()) {
+    const simulate::Plan plan = plan_of_file(request.path, request.samples.script, request.simulation);
+    input.axes = axes_of(plan);
+    input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
+  }
+  const bool fits = input.axes && input.axes->row_time_s.size() >= input.source->rows() &&
+                    input.axes->column_range_m.size() == input.source->columns();
+  if (!fits) input.axes.reset();
+  return input;
+}
+
+}  // namespace sarsim::workflow

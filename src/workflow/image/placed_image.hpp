@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/task/observer.hpp"
+#include "raster/format/open_raster.hpp"
+#include "raster/table/image_places.hpp"
+#include "workflow/input/sample_input.hpp"
+
+namespace sarsim::workflow {
+
+/// Which file of samples or focused image is looked at, and what is said about it.
+struct PlacedImageRequest {
+  std::string path;
+  SampleArguments samples;                 ///< Of a file that does not describe itself.
+  std::optional<std::int64_t> simulation;  ///< The one of `samples.script` that wrote the file, from 1.
+};
+
+/// An open file and where its samples are, as far as that is known.
+struct PlacedImage {
+  std::shared_ptr<raster::Raster> source;
+  std::optional<raster::FocusedPlaces> focused;  ///< Of images with a header.
+  std::optional<raster::RasterAxes> axes;  ///< Times, carriers and ranges of recordings; of the file or of its script.
+  double sample_rate_hz = 0.0;             ///< Of recordings; 0 where unknown.
+
+  /// Whether every row was sent at a known time: those of pictures that are kept as HDF5 were sent at none.
+  [[nodiscard]] bool has_times() const {
+    return axes && std::ranges::all_of(axes->row_time_s, [](double time) { return std::isfinite(time); });
+  }
+};
+
+/// Opens a file with the places of its samples: those of the header beside an image, otherwise those that the file
+/// carries, otherwise those of its script. Waits until all its rows are known.
+/// @param observer  hears warnings about the file
+/// @throws core::Refused where it cannot be read whole or holds no samples, core::Interrupted when stopped
+[[nodiscard]] PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Observer& observer);
+
+}  // namespace sarsim::workflow
