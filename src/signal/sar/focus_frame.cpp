@@ -96,7 +96,7 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.track = fit_straight(echoes.track);
   frame.options = options;
   frame.pulses = echoes.track.size();
-  frame.samples = echoes.samples;
+  frame.samples = echoes.columns;
   frame.first_delay_s = echoes.first_delay_s;
   const double sine = frame.sine(options.doppler_centroid_hz);
   frame.centroid_cosine = std::sqrt(1.0 - sine * sine);

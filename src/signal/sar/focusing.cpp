@@ -197,11 +197,13 @@ class Focuser {
   FocusedRows result() {
     FocusedRows focused;
     focused.image = empty_image(frame_);
+    focused.rows = focused.image.azimuth.count;
+    focused.columns = focused.image.range.count;
     focused.on_disk = matrix_.on_disk();
     const auto size = static_cast<std::ptrdiff_t>(frame_.azimuth_size);
     const std::ptrdiff_t first = (frame_.first_pulse % size + size) % size;
     const auto matrix = std::make_shared<const WorkMatrix>(std::move(matrix_));
-    focused.read = [matrix, first, size](std::size_t row, std::span<std::complex<float>> out) {
+    focused.copy = [matrix, first, size](std::size_t row, std::span<std::complex<float>> out) {
       const std::ptrdiff_t at = (first + static_cast<std::ptrdiff_t>(row)) % size;
       matrix->read_row(static_cast<std::size_t>(at), 0, out);
     };
@@ -253,12 +255,12 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   constexpr double most_times = 8.0;
   constexpr double short_row = 32768.0;
   const double dispersed = dispersed_samples(waveform);
-  if (dispersed <= std::max(most_times * static_cast<double>(echoes.samples), short_row)) return;
+  if (dispersed <= std::max(most_times * static_cast<double>(echoes.columns), short_row)) return;
   problems.push_back(
       error("chirp scaling needs rows much longer than those recorded, so much faster is the sampling "
             "than the bandwidth asks for",
             dispersed,
-            fmt::format("at most {:.0f} samples more in rows of {}, or {:.0f}", most_times, echoes.samples, short_row),
+            fmt::format("at most {:.0f} samples more in rows of {}, or {:.0f}", most_times, echoes.columns, short_row),
             "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 
@@ -294,7 +296,7 @@ std::pair<core::Problems, std::optional<StraightTrack>> common_problems(const Ec
                                                                         const FocusOptions& options) {
   core::Problems problems;
   check_waveform(echoes.waveform, problems);
-  if (echoes.samples < 1) problems.push_back(error("there are no samples to focus", 0.0, "at least 1"));
+  if (echoes.columns < 1) problems.push_back(error("there are no samples to focus", 0.0, "at least 1"));
   if (echoes.track.size() < 2) {
     problems.push_back(error("too few pulses to focus", static_cast<double>(echoes.track.size()), "at least 2"));
     return {std::move(problems), std::nullopt};
@@ -322,16 +324,28 @@ core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& 
 
 core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options) {
   core::Problems problems = common_problems(echoes, options).first;
-  if (echoes.samples == 1)
+  if (echoes.columns == 1)
     problems.push_back(error("back projection interpolates between samples", 1.0, "at least 2 in a row"));
   return problems;
 }
 
+FocusedRows rows_of(const std::shared_ptr<const FocusedImage>& image) {
+  const std::shared_ptr<const std::vector<std::complex<float>>> values(image, &image->values);
+  return {core::rows_in_memory(values, image->azimuth.count, image->range.count),
+          {.frame = image->frame,
+           .azimuth = image->azimuth,
+           .range = image->range,
+           .carrier_hz = image->carrier_hz,
+           .light_speed_mps = image->light_speed_mps,
+           .values = {}},
+          false};
+}
+
 FocusedImage in_memory(const FocusedRows& rows) {
   FocusedImage image = rows.image;
-  image.values.resize(image.azimuth.count * image.range.count);
-  for (std::size_t r = 0; r < image.azimuth.count; ++r)
-    rows.read(r, std::span(image.values).subspan(r * image.range.count, image.range.count));
+  image.values.resize(rows.rows * rows.columns);
+  for (std::size_t r = 0; r < rows.rows; ++r)
+    rows.read(r, std::span(image.values).subspan(r * rows.columns, rows.columns));
   return image;
 }
 
@@ -341,7 +355,7 @@ FocusedImage image_of(const EchoRows& echoes, const FocusOptions& options) {
 
 FocusedRows focus_rows(const EchoRows& echoes, const FocusOptions& options, const core::WorkControl& control,
                        const core::ProgressReport& progress) {
-  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(echoes.rows == echoes.track.size());
   for (const core::Problem& problem : problems_of_focusing(echoes, options))
     if (problem.severity == core::Severity::error) throw std::invalid_argument(core::to_string(problem));
   return Focuser(echoes, options, control, progress).carry_out();
@@ -353,14 +367,14 @@ FocusedImage focus(const SarEchoes& echoes, const FocusOptions& options, const c
 }
 
 double measured_doppler_centroid_hz(const EchoRows& echoes, double near_hz, const core::WorkControl& control) {
-  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(echoes.rows == echoes.track.size());
   CORE_EXPECT(std::isfinite(near_hz));
   constexpr std::size_t grain = 16;
   const std::size_t steps = echoes.track.size() - 1;
   std::vector<std::complex<double>> sums((steps + grain - 1) / grain);
   core::parallel_ranges(steps, grain, control, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::complex<float>> earlier(echoes.samples);
-    std::vector<std::complex<float>> later(echoes.samples);
+    std::vector<std::complex<float>> earlier(echoes.columns);
+    std::vector<std::complex<float>> later(echoes.columns);
     echoes.read(begin, earlier);
     for (std::size_t p = begin; p < end; ++p) {
       echoes.read(p + 1, later);

@@ -35,12 +35,13 @@ struct FocusOptions {
 };
 
 /// A focused image that need not be in memory.
-struct FocusedRows {
+struct FocusedRows : core::SampleRows<float> {
   FocusedImage image;  ///< Without values.
   bool on_disk = false;
-  /// Copies a row of the image.
-  std::function<void(std::size_t row, std::span<std::complex<float>> out)> read;
 };
+
+/// The rows of an image in memory, which they keep there.
+[[nodiscard]] FocusedRows rows_of(const std::shared_ptr<const FocusedImage>& image);
 
 /// All rows of an image in memory.
 [[nodiscard]] FocusedImage in_memory(const FocusedRows& rows);

@@ -91,13 +91,13 @@ void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift,
     const double range_m = std::max(first_m + sample * spacing_m, spacing_m);
     return wave.carrier_hz * (shift.late_s(range_m) - common_s);
   };
-  for (std::size_t first = 0; first < echoes.samples; first += knot_spacing) {
+  for (std::size_t first = 0; first < echoes.columns; first += knot_spacing) {
     constexpr auto span = static_cast<double>(knot_spacing);
     const auto begin = static_cast<double>(first);
     const double a = turns_at(begin);
     const double b = turns_at(begin + 0.5 * span);
     const double c = turns_at(begin + span);
-    for (std::size_t i = first; i < std::min(first + knot_spacing, echoes.samples); ++i) {
+    for (std::size_t i = first; i < std::min(first + knot_spacing, echoes.columns); ++i) {
       const double x = (static_cast<double>(i) - begin) / span;
       row[i] *= core::turned_exactly(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
     }
@@ -139,7 +139,7 @@ class Compensator {
       : echoes_(echoes),
         how_(how),
         sight_(how.reference, how.scene_m, how.squint_rad),
-        fft_(core::good_fft_size(echoes.samples + largest_shift() + shift_guard_samples)) {}
+        fft_(core::good_fft_size(echoes.columns + largest_shift() + shift_guard_samples)) {}
 
   /// In place.
   void compensate(std::size_t pulse, std::span<std::complex<float>> samples) const {
@@ -174,7 +174,7 @@ class Compensator {
     for (std::size_t p = 0; p < echoes_.track.size(); ++p)
       most = std::max(most, std::abs(shift_of(p).late_s(sight_.range_m())));
     const double samples = std::ceil(most * echoes_.waveform.sample_rate_hz);
-    return static_cast<std::size_t>(std::min(samples, static_cast<double>(echoes_.samples + shift_guard_samples)));
+    return static_cast<std::size_t>(std::min(samples, static_cast<double>(echoes_.columns + shift_guard_samples)));
   }
   [[nodiscard]] PulseShift shift_of(std::size_t pulse) const {
     return {sight_, echoes_.track[pulse], how_.reference, echoes_.waveform.light_speed_mps};
@@ -190,19 +190,19 @@ class Compensator {
 
 EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how, const WorkSpace& space,
                            const core::WorkControl& control, const core::ProgressReport& progress) {
-  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(echoes.rows == echoes.track.size());
   expect_sound(echoes);
   const Compensator compensator(echoes, how);
   const std::size_t pulses = echoes.track.size();
-  EchoRows out{echoes.waveform, {}, echoes.samples, echoes.first_delay_s, {}, true};
+  EchoRows out{{pulses, echoes.columns, {}}, echoes.waveform, {}, echoes.first_delay_s, true};
   for (std::size_t p = 0; p < pulses; ++p) out.track.push_back(compensator.place_of(p));
-  const auto matrix = std::make_shared<WorkMatrix>(pulses, echoes.samples, space.memory_bytes, space.folder);
-  WorkCounter counter(progress, pulses * echoes.samples, echoes.samples);
+  const auto matrix = std::make_shared<WorkMatrix>(pulses, echoes.columns, space.memory_bytes, space.folder);
+  WorkCounter counter(progress, pulses * echoes.columns, echoes.columns);
   matrix->each_row(0, pulses, control, counter, [&](std::size_t p, std::span<std::complex<float>> row) {
     echoes.read(p, row);
     compensator.compensate(p, row);
   });
-  out.read = [matrix](std::size_t pulse, std::span<std::complex<float>> row) { matrix->read_row(pulse, 0, row); };
+  out.copy = [matrix](std::size_t pulse, std::span<std::complex<float>> row) { matrix->read_row(pulse, 0, row); };
   return how.resample ? resample_azimuth(out, how.reference, how.squint_rad) : out;
 }
 
@@ -212,7 +212,7 @@ SarEchoes compensate_motion(const SarEchoes& echoes, const MotionCompensation& h
 }
 
 EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& reference, double squint_rad) {
-  CORE_EXPECT(echoes.read);
+  CORE_EXPECT(echoes.rows == echoes.track.size());
   CORE_EXPECT(std::isfinite(squint_rad));
   CORE_EXPECT(echoes.waveform.light_speed_mps > 0.0);
   expect_sound(echoes);
@@ -233,8 +233,8 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
     out.track[p] = {reference.time_s + after_s, reference.position_m + after_s * reference.velocity_mps,
                     reference.velocity_mps};
   }
-  out.read = [read = echoes.read, places_m = std::move(places_m), first_m, step_m, turns_per_m](
-                 std::size_t p, std::span<std::complex<float>> row) {
+  out.copy = [source_rows = core::SampleRows<float>(echoes), places_m = std::move(places_m), first_m, step_m,
+              turns_per_m](std::size_t p, std::span<std::complex<float>> row) {
     std::vector<std::complex<double>> sum(row.size());
     std::vector<std::complex<float>> source(row.size());
     const double place_m = first_m + static_cast<double>(p) * step_m;
@@ -248,7 +248,7 @@ EchoRows resample_azimuth(const EchoRows& echoes, const ReferenceTrack& referenc
       const std::complex<double> weight =
           weights[static_cast<std::size_t>(k)] *
           core::turned_exactly(turns_per_m * (place_m - places_m[static_cast<std::size_t>(from)]));
-      read(static_cast<std::size_t>(from), source);
+      source_rows.read(static_cast<std::size_t>(from), source);
       for (std::size_t i = 0; i < row.size(); ++i) sum[i] += weight * std::complex<double>(source[i]);
     }
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::complex<float>(sum[i]);

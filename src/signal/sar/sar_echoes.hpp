@@ -2,13 +2,12 @@
 
 #include <complex>
 #include <cstddef>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "core/maths/vector.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
+#include "core/task/sample_rows.hpp"
 
 namespace sarsim::signal {
 
@@ -41,14 +40,11 @@ struct SarEchoes {
   std::vector<std::complex<float>> volts;  ///< track.size() rows of `samples`.
 };
 
-/// Echoes that need not all be in memory.
-struct EchoRows {
+/// Echoes that need not all be in memory: a row for each pulse.
+struct EchoRows : core::SampleRows<float> {
   SarWaveform waveform;
-  std::vector<TrackPoint> track;  ///< One for each pulse.
-  std::size_t samples = 0;
+  std::vector<TrackPoint> track;  ///< One for each row.
   double first_delay_s = 0.0;
-  /// Copies the compressed echo of a pulse; called from many threads at once.
-  std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
   bool compensated = false;  ///< As if received on the straight line that fits the track.
 };
 

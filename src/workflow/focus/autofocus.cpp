@@ -116,13 +116,10 @@ std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
   finding.applied = finding.entropy_after < finding.entropy_before;
   take_phase(result, echoes, finding);
 
-  signal::FocusedRows sharp;
-  const auto image = std::make_shared<const signal::FocusedImage>(finding.applied ? std::move(result.image) : blurred);
+  signal::FocusedRows sharp = signal::rows_of(
+      std::make_shared<const signal::FocusedImage>(finding.applied ? std::move(result.image) : blurred));
   sharp.image = rows.image;
   sharp.on_disk = rows.on_disk;
-  sharp.read = [image](std::size_t row, std::span<std::complex<float>> out) {
-    std::copy_n(image->values.data() + row * image->range.count, out.size(), out.data());
-  };
   return {std::move(sharp), std::move(finding)};
 }
 

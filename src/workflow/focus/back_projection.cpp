@@ -112,7 +112,7 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
   back.start_stop = choice.start_stop;
   place_axes(axes, input, choice);
   const double bytes =
-      8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.samples) +
+      8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));
   if (options.memory_bytes > 0 && bytes > static_cast<double>(options.memory_bytes))
     throw core::Refused(
@@ -123,16 +123,13 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
   if (options.doppler_bandwidth_hz <= 0.0) weigh_pulses(echoes, options.azimuth_window);
   const auto image = std::make_shared<const signal::FocusedImage>(
       signal::back_project(echoes, axes.frame, axes.azimuth, axes.range, back, control, progress));
-  signal::FocusedRows rows;
+  signal::FocusedRows rows = signal::rows_of(image);
   rows.image = {.frame = image->frame,
                 .azimuth = axes.azimuth,
                 .range = axes.range,
                 .carrier_hz = axes.carrier_hz,
                 .light_speed_mps = axes.light_speed_mps,
                 .values = {}};
-  rows.read = [image](std::size_t row, std::span<std::complex<float>> out) {
-    std::copy_n(image->values.data() + row * image->range.count, out.size(), out.data());
-  };
   return rows;
 }
 

@@ -50,7 +50,7 @@ bool moves(const signal::EchoRows& echoes) {
 // The middle of the Doppler band as the echoes have it, or `otherwise`.
 double measured_centroid_hz(const FocusRequest& request, const signal::EchoRows& echoes, double otherwise_hz,
                             const core::WorkControl& control) {
-  if (request.centroid != CentroidSource::measured || echoes.samples == 0) return otherwise_hz;
+  if (request.centroid != CentroidSource::measured || echoes.columns == 0) return otherwise_hz;
   return signal::measured_doppler_centroid_hz(echoes, otherwise_hz, control);
 }
 

@@ -29,7 +29,7 @@ FocusInput of_file(const RecordingArguments& arguments) {
   StoredRecording stored =
       open_recording(arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); });
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems)};
-  focus.echoes = sar_rows_of_recording(focus.plan, stored.read);
+  focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
   return focus;
 }
 

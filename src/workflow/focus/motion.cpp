@@ -22,7 +22,7 @@ void expect_ground_in_reach(const signal::EchoRows& echoes, const signal::Motion
   if (core::norm(core::cross(sight.ahead(), {0.0, 0.0, 1.0})) < 1e-6)
     return;  // straight up or down: it has no use for the ground
   const signal::SarWaveform& wave = echoes.waveform;
-  const double last_s = echoes.first_delay_s + static_cast<double>(echoes.samples) / wave.sample_rate_hz;
+  const double last_s = echoes.first_delay_s + static_cast<double>(echoes.columns) / wave.sample_rate_hz;
   const double last_m = radar::range_of(last_s, wave.light_speed_mps);
   const auto reaches = [&](const signal::TrackPoint& point) {
     const core::Vec3 ground_m = sight.point_at(sight.foot_of(point.position_m), last_m);

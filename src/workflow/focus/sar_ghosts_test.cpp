@@ -109,7 +109,8 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   // 40 m before the end of the window, of which the last 120 m can be compressed in part alone.
   const scene::Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
   const auto plan = shared_plan(scene);
-  const signal::EchoRows recorded = sar_rows_of_recording(plan, [](std::size_t, std::span<std::complex<double>>) {});
+  const signal::EchoRows recorded =
+      sar_rows_of_recording(plan, {plan->rows, plan->columns, [](std::size_t, std::span<std::complex<double>>) {}});
   const std::vector<SarTarget> targets = sar_targets(*plan, recorded);
   EXPECT_TRUE(targets[0].in_swath);
   EXPECT_FALSE(targets[0].whole);

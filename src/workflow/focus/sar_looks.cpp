@@ -37,7 +37,7 @@ SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, c
     : plan_(plan),
       track_(signal::fit_straight(echoes.track)),
       gain_(
-          plan, echoes.samples, weight ? weight : [](double) { return 1.0; }),
+          plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
       pulses_(echoes.track.size()),
       step_(step_of(echoes.track.size(), plan.scene->scatterers.size())),

@@ -38,7 +38,8 @@ signal::EchoRows rows_without_reader(const simulate::Plan& plan, std::size_t sam
                    .sample_rate_hz = 1.0 / plan.raw_grid.interval_s,
                    .light_speed_mps = plan.scene->conventions.light_speed_mps};
   rows.track = track_of(plan);
-  rows.samples = samples;
+  rows.rows = rows.track.size();
+  rows.columns = samples;
   rows.first_delay_s = plan.raw_grid.first_s + plan.pulse.lead_s;
   return rows;
 }
@@ -101,7 +102,7 @@ signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, s
   const auto compressor = plain_compressor(*plan, samples);
   const auto pool =
       std::make_shared<core::WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
-  rows.read = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.space.raw.resize(plan->columns);
       worker.maker.make_row(pulse, worker.space.raw);
@@ -111,16 +112,17 @@ signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, s
   return rows;
 }
 
-signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
+signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, core::SampleRows<double> recorded) {
   signal::EchoRows rows = rows_without_reader(*plan, plan->columns);
   const bool raw = plan->simulation.processing == scene::Processing::raw;
   const auto compressor = raw ? plain_compressor(*plan, plan->columns) : nullptr;
   const auto pool =
       std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
-  rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [plan, compressor, pool, recorded = std::move(recorded)](std::size_t pulse,
+                                                                       std::span<std::complex<float>> out) {
     pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
-      read(pulse, space.raw);
+      recorded.read(pulse, space.raw);
       compressor ? space.compress(*compressor, out) : simulate::to_float(space.raw, out);
     });
   };

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "core/task/sample_rows.hpp"
 #include "scene/model/scene.hpp"
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
-#include "workflow/input/recorded_rows.hpp"
 
 /// From simulations and their recordings to what focusing begins with.
 namespace sarsim::workflow {
@@ -33,8 +33,10 @@ namespace sarsim::workflow {
 [[nodiscard]] signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, std::size_t samples);
 
 /// Compressed echoes of a recording that a plan describes: raw data are compressed as above, compressed ones taken as
-/// they are. Rows must be like those that the plan makes.
-[[nodiscard]] signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read);
+/// they are.
+/// @param recorded  rows like those that the plan makes
+[[nodiscard]] signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> plan,
+                                                     core::SampleRows<double> recorded);
 
 /// A point in the middle of what is mapped, world: the mean of the targets at the middle of the recording; where there
 /// are none, or they lie on the flight's line, the point of the beam's axis in the middle of the recorded ranges.

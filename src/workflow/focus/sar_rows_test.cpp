@@ -53,17 +53,16 @@ TEST(SarRows, OfAPulseInTheMiddleHoldTheWholeEchoesOfTheWindowsEnd) {
   scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
   const simulate::Plan window = simulate::make_plan(scene, 0);
   const auto [plan, rows] = sar_recording(scene);
-  EXPECT_EQ(rows.samples, window.columns);
+  EXPECT_EQ(rows.columns, window.columns);
   EXPECT_GE(plan->columns, window.columns + 119);
   EXPECT_NEAR(plan->raw_grid.first_s, 2.0 * 10098.0 / rows.waveform.light_speed_mps - 400e-9, 1e-15);
 }
 
 // Reader of what a plan makes.
-RecordedRows rows_made_by(const std::shared_ptr<const simulate::Plan>& plan) {
+core::SampleRows<double> rows_made_by(const std::shared_ptr<const simulate::Plan>& plan) {
   const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return [recording, columns = plan->columns](std::size_t row, std::span<std::complex<double>> out) {
-    std::copy_n(recording->samples.data() + row * columns, out.size(), out.data());
-  };
+  return core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(recording, &recording->samples),
+                              plan->rows, plan->columns);
 }
 
 TEST(SarRows, OfARecordingAreThoseOfTheSceneButAtTheWindowsEnd) {

@@ -52,9 +52,10 @@ TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
 std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> stored(const scene::Scene& scene) {
   const auto plan = shared_plan(scene);
   const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return {plan, sar_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
-            std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
-          })};
+  return {plan,
+          sar_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
+                                                               recording, &recording->samples),
+                                                           plan->rows, plan->columns))};
 }
 
 // Whose matched filter multiplies amplitudes by half the time-bandwidth product.

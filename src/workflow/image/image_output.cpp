@@ -18,8 +18,8 @@ namespace {
 // Calls use(row) for every row of an image.
 template <class Use>
 void each_row(const signal::FocusedRows& image, const core::StopFlag* stop, const Use& use) {
-  std::vector<std::complex<float>> row(image.image.range.count);
-  for (std::size_t r = 0; r < image.image.azimuth.count; ++r) {
+  std::vector<std::complex<float>> row(image.columns);
+  for (std::size_t r = 0; r < image.rows; ++r) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
     image.read(r, row);
     use(std::span<const std::complex<float>>(row));

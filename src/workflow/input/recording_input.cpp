@@ -140,11 +140,13 @@ double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core
   return 1.0;
 }
 
-RecordedRows rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
-  return [file = std::move(file), scale](std::size_t row, std::span<std::complex<double>> out) {
-    file->read_rows(row, 1, out);
-    for (std::complex<double>& value : out) value *= scale;
-  };
+core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
+  const std::size_t rows = file->rows();
+  const std::size_t columns = file->columns();
+  return {rows, columns, [file = std::move(file), scale](std::size_t row, std::span<std::complex<double>> out) {
+            file->read_rows(row, 1, out);
+            for (std::complex<double>& value : out) value *= scale;
+          }};
 }
 
 }  // namespace
@@ -192,7 +194,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);
   expect_shape(*file, *recording.plan, arguments.path);
   const double scale = scale_of(file->info(), *recording.plan, recording.problems);
-  recording.read = rows_of(std::move(file), scale);
+  recording.rows = rows_of(std::move(file), scale);
   return recording;
 }
 

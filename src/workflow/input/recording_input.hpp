@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/task/sample_rows.hpp"
 #include "simulate/plan/plan.hpp"
-#include "workflow/input/recorded_rows.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::workflow {
@@ -48,9 +48,9 @@ struct ScriptedRecording {
 /// A file of samples and the plan of the simulation that wrote it.
 struct StoredRecording {
   std::shared_ptr<const simulate::Plan> plan;
-  std::size_t simulation = 0;  ///< Position in the script's list.
-  RecordedRows read;           ///< Rows of plan->columns samples in V, or in counts where no LSB is known.
-  core::Problems problems;     ///< Warnings about script and file.
+  std::size_t simulation = 0;                  ///< Position in the script's list.
+  core::SampleRows<double> rows;               ///< Like those of the plan, in V, or in counts where no LSB is known.
+  core::Problems problems;                     ///< Warnings about script and file.
   std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.
 };
 

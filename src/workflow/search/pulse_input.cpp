@@ -28,7 +28,7 @@ PulseInput of_file(const RecordingArguments& arguments) {
     expect_pulses(plan.simulation);
     return core::Problems();
   });
-  return {pulse_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+  return {pulse_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 

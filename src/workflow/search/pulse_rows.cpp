@@ -29,6 +29,8 @@ double noise_of(const simulate::Plan& plan, const signal::CompressionFilter& fil
 PulseRows compressed_rows(std::shared_ptr<const simulate::Plan> plan) {
   if (!plan->compressor) throw std::invalid_argument("pulses: the plan is not of compressed data");
   PulseRows rows;
+  rows.rows = plan->rows;
+  rows.columns = plan->columns;
   rows.range_m = plan->column_range_m;
   const bool keeps_peak = plan->scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
   rows.peak_gain = keeps_peak ? 1.0 : simulate::processing_gain(*plan);
@@ -38,8 +40,10 @@ PulseRows compressed_rows(std::shared_ptr<const simulate::Plan> plan) {
   return rows;
 }
 
-PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
+PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, core::SampleRows<double> recorded) {
   PulseRows rows;
+  rows.rows = plan->rows;
+  rows.columns = plan->columns;
   const auto compressor = simulate::compressor_of(*plan, plan->radar.window, plan->columns, plan->columns);
   // The filter gives an echo the place of its beginning: that of a centred pulse lies half a pulse before its range.
   const double c = plan->scene->conventions.light_speed_mps;
@@ -49,10 +53,11 @@ PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, Reco
   rows.noise_correlation = signal::power_correlation(compressor->filter().taps);
   const auto pool =
       std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
-  rows.read = [plan, compressor, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [plan, compressor, pool, recorded = std::move(recorded)](std::size_t pulse,
+                                                                       std::span<std::complex<float>> out) {
     pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
-      read(pulse, space.raw);
+      recorded.read(pulse, space.raw);
       space.compress(*compressor, out);
     });
   };
@@ -72,7 +77,7 @@ PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan) {
   PulseRows rows = compressed_rows(plan);
   const auto pool =
       std::make_shared<core::WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
-  rows.read = [pool](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.maker.make_row(pulse, worker.row);
       simulate::to_float(worker.row, out);
@@ -81,18 +86,18 @@ PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan) {
   return rows;
 }
 
-PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read) {
+PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, core::SampleRows<double> recorded) {
   if (plan->simulation.processing == scene::Processing::srp)
     throw std::invalid_argument("pulses: synthetic range profiles have none");
   if (plan->simulation.processing == scene::Processing::raw)
-    return rows_of_raw_recording(std::move(plan), std::move(read));
+    return rows_of_raw_recording(std::move(plan), std::move(recorded));
   PulseRows rows = compressed_rows(plan);
   const auto pool =
       std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
-  rows.read = [plan, pool, read = std::move(read)](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [plan, pool, recorded = std::move(recorded)](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](simulate::RowSpace& space) {
       space.raw.resize(plan->columns);
-      read(pulse, space.raw);
+      recorded.read(pulse, space.raw);
       simulate::to_float(space.raw, out);
     });
   };

@@ -1,31 +1,27 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
+#include "core/task/sample_rows.hpp"
 #include "simulate/plan/plan.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 namespace sarsim::workflow {
 
-/// Compressed pulses of a simulation, computed or read when they are asked for: what a pulse-Doppler or a search radar
-/// begins with.
-struct PulseRows {
+/// Compressed pulses of a simulation, a row for each, computed or read when they are asked for: what a pulse-Doppler or
+/// a search radar begins with.
+struct PulseRows : core::SampleRows<float> {
   std::shared_ptr<const simulate::Plan> plan;
   std::vector<double> range_m;  ///< One way, of each sample.
   double peak_gain = 1.0;       ///< Height of a compressed echo of amplitude 1.
   double noise_w = 0.0;         ///< Mean square magnitude of the receiver's noise in a sample, without STC.
   std::vector<double> noise_correlation{
       1.0};  ///< Of samples 0, 1 ... apart, squared magnitude (signal/search/cfar.hpp).
-  /// Copies the compressed echo of a pulse; called from many threads at once.
-  std::function<void(std::size_t pulse, std::span<std::complex<float>> out)> read;
 
-  [[nodiscard]] std::size_t pulses() const { return plan->rows; }
-  [[nodiscard]] std::size_t samples() const { return range_m.size(); }
+  [[nodiscard]] std::size_t pulses() const { return rows; }
+  [[nodiscard]] std::size_t samples() const { return columns; }
   /// Number of a pulse in the radar's schedule.
   [[nodiscard]] std::int64_t number(std::size_t pulse) const {
     return plan->pulses.first + static_cast<std::int64_t>(pulse);
@@ -40,8 +36,10 @@ struct PulseRows {
 [[nodiscard]] PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan);
 
 /// Pulses of a recording that a plan describes: compressed ones as they are, raw ones through the matched filter of the
-/// physical profile with the radar's window (docs/theory/compression.md). Rows must be like those that the plan makes.
+/// physical profile with the radar's window (docs/theory/compression.md).
+/// @param recorded  rows like those that the plan makes
 /// @throw  std::invalid_argument for synthetic range profiles
-[[nodiscard]] PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan, RecordedRows read);
+[[nodiscard]] PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan,
+                                                core::SampleRows<double> recorded);
 
 }  // namespace sarsim::workflow

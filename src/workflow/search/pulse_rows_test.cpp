@@ -21,7 +21,8 @@ PulseRows recorded(const scene::Scene& scene) {
   const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
   const auto maker = std::make_shared<simulate::RowMaker>(*plan);
   return pulse_rows_of_recording(
-      plan, [plan, maker](std::size_t row, std::span<std::complex<double>> out) { maker->make_row(row, out); });
+      plan, {plan->rows, plan->columns,
+             [plan, maker](std::size_t row, std::span<std::complex<double>> out) { maker->make_row(row, out); }});
 }
 
 std::size_t peak_of(const std::vector<std::complex<float>>& row) {

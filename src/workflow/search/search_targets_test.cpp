@@ -247,9 +247,9 @@ TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
 PulseRows recorded_rows(const scene::Scene& scene) {
   const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
   const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return pulse_rows_of_recording(plan, [recording, plan](std::size_t row, std::span<std::complex<double>> out) {
-    std::copy_n(recording->samples.data() + row * plan->columns, out.size(), out.data());
-  });
+  return pulse_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
+                                                                recording, &recording->samples),
+                                                            plan->rows, plan->columns));
 }
 
 TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {

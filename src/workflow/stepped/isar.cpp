@@ -152,12 +152,8 @@ class IsarRun {
   }
 
   void write(const IsarImage& made, const fs::path& path) const {
-    signal::FocusedRows rows;
-    rows.image = made.image;
-    rows.image.values.clear();
-    rows.read = [&made](std::size_t row, std::span<std::complex<float>> out) {
-      std::copy_n(made.image.values.data() + row * made.image.range.count, out.size(), out.data());
-    };
+    // Kept by whoever calls this.
+    signal::FocusedRows rows = signal::rows_of({std::shared_ptr<void>(), &made.image});
     // Rows of recordings have times: here, as many metres in a second.
     rows.image.frame.speed_mps = 1.0;
     signal::FocusOptions focus;

@@ -44,7 +44,7 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
 SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use) {
   StoredRecording stored = open_recording(
       arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); });
-  return {stepped_rows_of_recording(stored.plan, stored.read), stored.simulation, std::move(stored.problems),
+  return {stepped_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 

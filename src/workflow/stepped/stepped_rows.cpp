@@ -85,6 +85,8 @@ SteppedRows rows_without_reader(std::shared_ptr<const simulate::Plan> plan, bool
   const std::int64_t bursts = std::max<std::int64_t>(0, radar::floor_divide(pulses.last + 1, burst) - first);
   rows.first_pulse = first * burst;
   rows.bursts = static_cast<std::size_t>(bursts);
+  rows.rows = static_cast<std::size_t>(bursts * burst);
+  rows.columns = rows.plan->columns;
   rows.dropped_pulses = pulses.count() - bursts * burst;
   rows.from_m = rows.plan->simulation.range_start_m;
   rows.to_m = rows.plan->simulation.range_end_m;
@@ -112,17 +114,18 @@ SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Plan>& p
   const auto makers = std::make_shared<core::WorkerPool<simulate::RowMaker>>(
       [plan] { return std::make_unique<simulate::RowMaker>(*plan); });
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
-  rows.read = [plan, makers, skipped](std::size_t pulse, std::span<std::complex<double>> out) {
+  rows.copy = [plan, makers, skipped](std::size_t pulse, std::span<std::complex<double>> out) {
     makers->lend([&](simulate::RowMaker& maker) { maker.make_row(skipped + pulse, out); });
   };
   return rows;
 }
 
-SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan, RecordedRows read) {
+SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan,
+                                      core::SampleRows<double> recorded) {
   SteppedRows rows = rows_without_reader(plan, plan->simulation.processing == scene::Processing::matched_filter);
   const auto skipped = static_cast<std::size_t>(rows.first_pulse - plan->pulses.first);
-  rows.read = [skipped, read = std::move(read)](std::size_t pulse, std::span<std::complex<double>> out) {
-    read(skipped + pulse, out);
+  rows.copy = [skipped, recorded = std::move(recorded)](std::size_t pulse, std::span<std::complex<double>> out) {
+    recorded.read(skipped + pulse, out);
   };
   return rows;
 }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
+#include "core/task/sample_rows.hpp"
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/stepped/isar.hpp"
 #include "signal/stepped/profile_maker.hpp"
@@ -23,8 +23,9 @@
 /// made from (docs/theory/stepped-frequency.md).
 namespace sarsim::workflow {
 
-/// Whole bursts of a recording, read or computed when they are asked for.
-struct SteppedRows {
+/// Whole bursts of a recording, read or computed when they are asked for: a row for each pulse, counted from
+/// first_pulse, as SteppedBand::place takes it.
+struct SteppedRows : core::SampleRows<double> {
   std::shared_ptr<const simulate::Plan> plan;
   std::shared_ptr<const signal::SteppedBand> band;
   std::int64_t first_pulse = 0;     ///< Of the first whole burst: its number in the schedule.
@@ -32,8 +33,6 @@ struct SteppedRows {
   std::int64_t dropped_pulses = 0;  ///< Of incomplete bursts at either end.
   double from_m = 0.0;              ///< Ranges that the script's window asks for.
   double to_m = 0.0;
-  /// Copies the row of a pulse, counted from first_pulse, as SteppedBand::place takes it; from many threads at once.
-  std::function<void(std::size_t pulse, std::span<std::complex<double>> out)> read;
 
   [[nodiscard]] double pulse_time_s(std::size_t pulse) const {
     return plan->radar.repetition.send_time_s(first_pulse + static_cast<std::int64_t>(pulse));
@@ -68,7 +67,7 @@ enum class SteppedUse {
 
 /// Rows of a recording, raw or compressed, that a plan describes.
 [[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan,
-                                                    RecordedRows read);
+                                                    core::SampleRows<double> recorded);
 
 /// Reads bursts [first, first + count), their pulses placed in the band.
 [[nodiscard]] signal::BurstEchoes read_bursts(const SteppedRows& rows, std::size_t first, std::size_t count,

@@ -90,11 +90,8 @@ TEST(ProfileSeries, IsTheSameOfARecordingRawOrCompressed) {
     scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
     const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
     const simulate::Recording recording = simulate::record(*plan);
-    const auto read = [&](std::size_t row, std::span<std::complex<double>> out) {
-      std::copy_n(recording.samples.begin() + static_cast<std::ptrdiff_t>(row * plan->columns), out.size(),
-                  out.begin());
-    };
-    const SteppedRows rows = stepped_rows_of_recording(plan, read);
+    const SteppedRows rows =
+        stepped_rows_of_recording(plan, core::rows_in_memory(std::span(recording.samples), plan->rows, plan->columns));
     SeriesOptions options;
     options.to_m = 3080.0;
     const ProfileSeries series = make_profiles(rows, options, one);
