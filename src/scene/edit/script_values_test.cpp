@@ -11,6 +11,7 @@
 #include "scene/edit/splice_command.hpp"
 #include "scene/model/kinds.hpp"
 #include "scene/model/object_lists.hpp"
+#include "scene/schema/field_table.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
 namespace sarsim::scene {
