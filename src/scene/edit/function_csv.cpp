@@ -136,7 +136,7 @@ class CsvReader {
 FunctionReading import_function_csv(const AnyObject& object, std::string_view field, std::string_view text,
                                     const std::string& file_name) {
   FunctionReading reading{function_of(object, field), {}};
-  CsvReader reader(function_kind(kind_of(object), field), file_name);
+  CsvReader reader(function_kind(object, field), file_name);
   reader.read(table_lines(text));
   reading.problems = reader.take_problems();
   if (core::has_errors(reading.problems)) return reading;

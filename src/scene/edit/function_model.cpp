@@ -56,11 +56,11 @@ double x_between_neighbours(const std::vector<core::Knot>& knots, std::size_t at
 }  // namespace
 
 FunctionInfo function_info(const AnyObject& object, std::string_view field) {
-  const FunctionKind& kind = function_kind(kind_of(object), field);
+  const FunctionKind& kind = function_kind(object, field);
   FunctionInfo info;
   info.title = title_of(kind, object);
   for (std::size_t i = 0; i < kind.block.count; ++i)
-    info.parts.push_back({std::string(kind.part_names[i]), std::string(kind.y_unit), kind.y_range});
+    info.parts.push_back({std::string(kind.part_names[i]), std::string(y_unit(kind, i)), kind.y_range});
   info.x_name = kind.x_name;
   info.x_unit = kind.block.x.unit;
   info.x_range = kind.x_range;
@@ -144,13 +144,13 @@ std::vector<core::Knot> curve_points(const core::SampledFunction& function, core
 }
 
 std::string function_file_text(const AnyObject& object, std::string_view field, const FunctionDraft& draft) {
-  return write_data_file(draft.parts, function_kind(kind_of(object), field).block);
+  return write_data_file(draft.parts, function_kind(object, field).block);
 }
 
 FunctionReading read_function_file(const AnyObject& object, std::string_view field, std::string_view text,
                                    const std::string& file_name) {
   FunctionReading reading{function_of(object, field), {}};
-  DataFileReading data = read_data_file(text, file_name, function_kind(kind_of(object), field).block);
+  DataFileReading data = read_data_file(text, file_name, function_kind(object, field).block);
   reading.problems = std::move(data.problems);
   if (core::has_errors(reading.problems)) return reading;
   for (std::size_t i = 0; i < reading.draft.parts.size(); ++i)

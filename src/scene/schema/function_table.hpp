@@ -8,18 +8,15 @@
 #include "scene/model/object.hpp"
 #include "scene/schema/field_spec.hpp"
 
-/// Which user-defined functions there are, and what is known of each. Internal to function_model.
+/// What the editor of user-defined functions knows of each. Internal to function_model.
 namespace sarsim::scene::function_tables {
 
 /// What the editor knows of one function besides its block of the script language.
 struct FunctionKind {
-  ObjectKind object;
-  std::string_view field;
   std::string_view title;  ///< "Trajectory"; the object's name follows.
   const FunctionBlock& block;
   std::string_view x_name;
   std::array<std::string_view, 3> part_names;
-  std::string_view y_unit;  ///< In the scene, where the script's may be another.
   Quantity x_quantity = Quantity::number;
   Quantity y_quantity = Quantity::number;
   std::array<double, 2> x_range{};
@@ -29,7 +26,10 @@ struct FunctionKind {
 };
 
 /// The function of a field; std::invalid_argument where the object has no such function.
-[[nodiscard]] const FunctionKind& function_kind(ObjectKind object, std::string_view field);
+[[nodiscard]] const FunctionKind& function_kind(const AnyObject& object, std::string_view field);
+
+/// The unit of y in a scene, where the script's may be another.
+[[nodiscard]] std::string_view y_unit(const FunctionKind& kind, std::size_t part);
 
 /// A function inside an object; std::invalid_argument where the object has no such function.
 [[nodiscard]] FunctionRef function_in(AnyObject& object, std::string_view field);

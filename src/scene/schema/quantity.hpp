@@ -34,6 +34,9 @@ struct QuantityReading {
 /// base unit. Values outside double's range and NaN are failures.
 [[nodiscard]] QuantityReading read_quantity(std::string_view text, Quantity quantity, std::string_view bare_unit = "");
 
+/// Length of the decimal number at the beginning of a text: sign, digits with a point, exponent; 0 where there is none.
+[[nodiscard]] std::size_t number_length(std::string_view text);
+
 /// The value with the unit that suits its size: 5e7, frequency: "50 MHz". Reading it back gives exactly `value`.
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity);
 /// Same with a given unit of the quantity; a unit that is not a power of ten of the base unit (ft, rad, dBm) gives the

@@ -20,28 +20,6 @@ constexpr double rounding = 1e-9;
 
 ValueList no_values(std::string failure) { return {{}, std::move(failure)}; }
 
-// Length of the decimal number at the beginning of a text.
-std::size_t leading_number(std::string_view text) {
-  const auto digits_from = [&](std::size_t i) {
-    while (i < text.size() && core::is_digit(text[i])) ++i;
-    return i;
-  };
-  const std::size_t sign = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
-  std::size_t end = digits_from(sign);
-  std::size_t digits = end - sign;
-  // Two points are a range.
-  if (end < text.size() && text[end] == '.' && !text.substr(end).starts_with("..")) {
-    const std::size_t point = end++;
-    end = digits_from(end);
-    digits += end - point - 1;
-  }
-  if (digits == 0) return 0;
-  if (end == text.size() || (text[end] != 'e' && text[end] != 'E')) return end;
-  const std::size_t exponent = end + 1 + (end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-'));
-  const std::size_t last = digits_from(exponent);
-  return last > exponent ? last : end;
-}
-
 // A number and the text behind it.
 struct Term {
   std::string number;
@@ -52,7 +30,7 @@ struct Term {
 
 Term term_of(std::string_view text, const std::string& unit) {
   text = core::trimmed(text);
-  const std::size_t length = leading_number(text);
+  const std::size_t length = number_length(text);
   Term term{std::string(text.substr(0, length)), std::string(core::trimmed(text.substr(length)))};
   if (length > 0 && term.unit.empty()) term.unit = unit;
   return term;

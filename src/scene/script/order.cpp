@@ -18,6 +18,12 @@ Order<Object> joined(std::initializer_list<Order<Object>> orders) {
   return all;
 }
 
+template <class Object>
+Order<Object> with_rows(Order<Object> first, const std::vector<Row<Object>>& rows) {
+  for (const Row<Object>& row : rows) first.insert(first.end(), row.fields.begin(), row.fields.end());
+  return first;
+}
+
 }  // namespace
 
 const PlatformOrder& platform_order() {
@@ -30,16 +36,22 @@ const PlatformOrder& platform_order() {
   return made;
 }
 
-const Order<Target>& target_order() {
-  static const auto made = order<&Target::position_m, &Target::position_stddev_m, &Target::rcs_m2,
-                                 &Target::rcs_stddev_m2, &Target::reflectivity, &Target::azimuth, &Target::elevation,
-                                 &Target::azimuth_stddev, &Target::elevation_stddev, &Target::gain, &Target::gain_db>();
+const std::vector<Row<Target>>& target_rows() {
+  static const std::vector<Row<Target>> made{
+      {order<&Target::position_m>(), "Position: x, y, z"},
+      {order<&Target::position_stddev_m>(), "Standard deviation of the position: x, y, z"},
+      {order<&Target::rcs_m2, &Target::rcs_stddev_m2>(), "Radar cross-section and its standard deviation"},
+      {order<&Target::reflectivity>()},
+      {order<&Target::azimuth, &Target::elevation, &Target::azimuth_stddev, &Target::elevation_stddev>(),
+       "Azimuth and elevation of the face, their standard deviations"},
+      {order<&Target::gain, &Target::gain_db>()}};
   return made;
 }
 
-const Order<Surface>& surface_order() {
-  static const Order<Surface> made{&field_of<&Surface::corner_m, 0>(), &field_of<&Surface::corner_m, 1>(),
-                                   &field_of<&Surface::corner_m, 2>()};
+const std::vector<Row<Surface>>& surface_rows() {
+  static const std::vector<Row<Surface>> made{{{&field_of<&Surface::corner_m, 0>()}, "Corner 1: x, y, z"},
+                                              {{&field_of<&Surface::corner_m, 1>()}, "Corner 2: x, y, z"},
+                                              {{&field_of<&Surface::corner_m, 2>()}, "Corner 3: x, y, z"}};
   return made;
 }
 
@@ -90,12 +102,12 @@ Order<Platform> script_order() {
 
 template <>
 Order<Target> script_order() {
-  return joined({order<&Target::platform>(), target_order()});
+  return with_rows(order<&Target::platform>(), target_rows());
 }
 
 template <>
 Order<Surface> script_order() {
-  return joined({order<&Surface::platform>(), surface_order()});
+  return with_rows(order<&Surface::platform>(), surface_rows());
 }
 
 template <>

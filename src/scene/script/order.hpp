@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/schema/field_table.hpp"
@@ -20,11 +21,18 @@ struct PlatformOrder {
 };
 [[nodiscard]] const PlatformOrder& platform_order();
 
+/// Fields that the writer puts on one line.
+template <class Object>
+struct Row {
+  Order<Object> fields;           ///< Numbers and vectors, which mean something together, all in the unit of the first.
+  std::string_view comment = {};  ///< Beside them, behind the unit; empty: a line and a comment for each field.
+};
+
 /// The order of `$TARGET`, behind the platform.
-[[nodiscard]] const Order<Target>& target_order();
+[[nodiscard]] const std::vector<Row<Target>>& target_rows();
 
 /// The order of `$SURFACE`, behind the platform.
-[[nodiscard]] const Order<Surface>& surface_order();
+[[nodiscard]] const std::vector<Row<Surface>>& surface_rows();
 
 /// The order of `$RADAR`, behind the name.
 struct RadarOrder {

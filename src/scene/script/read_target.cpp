@@ -6,7 +6,7 @@ void read_target(Reading& reading, const Token& command, Scene& scene) {
   FieldReader reader(reading, command, "target", scene.targets.size());
   Target target;
   if (reader.leading_name(field_of<&Target::platform>().in_script, target.platform)) {
-    reader.read(target_order(), target);
+    for (const Row<Target>& row : target_rows()) reader.read(row.fields, target);
     scene.targets.push_back(std::move(target));
   }
   reader.finish();
@@ -16,7 +16,7 @@ void read_surface(Reading& reading, const Token& command, Scene& scene) {
   FieldReader reader(reading, command, "surface", scene.surfaces.size());
   Surface surface;
   if (reader.leading_name(field_of<&Surface::platform>().in_script, surface.platform)) {
-    reader.read(surface_order(), surface);
+    for (const Row<Surface>& row : surface_rows()) reader.read(row.fields, surface);
     scene.surfaces.push_back(std::move(surface));
   }
   reader.finish();

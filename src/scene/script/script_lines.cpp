@@ -81,14 +81,22 @@ void ScriptLines::write_field(const FieldSpec& spec, const Field& field, const F
   }
 }
 
-void ScriptLines::row(std::initializer_list<double> values, std::string_view comment) {
-  bool first = true;
-  for (const double number : values) {
+void ScriptLines::add_to_row(const Field& field, const FieldValue& value, bool first) {
+  const auto add = [&](double number) {
     if (!first) text_ += ", ";
     first = false;
-    core::append_number(text_, number);
-  }
-  text_ += "  ! ";
+    core::append_number(text_, number, -field.shift);
+  };
+  if (const auto* const vector = std::get_if<core::Vec3>(&value))
+    add(vector->x), add(vector->y), add(vector->z);
+  else
+    add(std::get<double>(value));
+}
+
+void ScriptLines::end_row(const Field& field, std::string_view comment) {
+  text_ += "  ! (";
+  text_ += field.unit;
+  text_ += ") ";
   text_ += comment;
   text_ += '\n';
 }

@@ -35,12 +35,25 @@ class ScriptLines {
   void field(const FieldOf<Object>& field, const Object& object) {
     write_field(field.spec, parameter(field, object), field.get(object));
   }
-  /// Some numbers on one line, with a comment.
-  void row(std::initializer_list<double> values, std::string_view comment);
+  /// Fields by rows: those of one row on one line, with its comment, where they mean something.
+  template <class Object>
+  void rows(const std::vector<Row<Object>>& rows, const Object& object) {
+    for (const Row<Object>& row : rows) {
+      if (row.comment.empty()) {
+        fields(row.fields, object);
+      } else if (table_of<Object>().applies(object, *row.fields.front())) {
+        for (const FieldOf<Object>* const field : row.fields)
+          add_to_row(field->in_script, field->get(object), field == row.fields.front());
+        end_row(row.fields.front()->in_script, row.comment);
+      }
+    }
+  }
 
   [[nodiscard]] std::string take() { return std::move(text_); }
 
  private:
+  void add_to_row(const Field& field, const FieldValue& value, bool first);
+  void end_row(const Field& field, std::string_view comment);
   void write_field(const FieldSpec& spec, const Field& field, const FieldValue& value);
   void number(const Field& field, double number);
   void vector(const Field& field, const core::Vec3& vector);
