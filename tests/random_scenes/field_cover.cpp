@@ -31,13 +31,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 std::size_t objects_of(const scene::Scene& scene, const std::string& kind) {
-  if (kind == "platform") return scene.platforms.size();
-  if (kind == "surface") return scene.surfaces.size();
-  if (kind == "target") return scene.targets.size();
-  if (kind == "radar") return scene.radars.size();
-  if (kind == "simulation") return scene.simulations.size();
-  if (kind == "geometry") return scene.geometries.size();
-  return 1;
+  std::size_t count = 1;  // $OPTIONS
+  scene::for_each_kind([&](const auto& of) {
+    if (of.name() == kind) count = (scene.*of.list).size();
+  });
+  return count;
 }
 
 }  // namespace

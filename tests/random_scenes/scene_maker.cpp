@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "core/maths/constants.hpp"
+#include "random_scenes/field_maker.hpp"
 #include "random_scenes/radar_maker.hpp"
+#include "scene/schema/field_table.hpp"
 
 namespace sarsim::test {
 
@@ -52,12 +54,14 @@ class SceneMaker {
   }
 
   void set_options() {
-    scene::RunOptions& options = scene_.options;
-    if (chance_.one_in(3)) options.profile = scene::Profile::classic;
-    if (chance_.coin()) options.seed = chance_.bits();
-    if (chance_.one_in(3)) options.pulse = scene::PulseDefinition::band_limited;
-    if (chance_.one_in(3)) options.tolerance = chance_.size(1e-9, 0.1);
-    layout_.profile = options.profile;
+    using Options = scene::RunOptions;
+    scene_.options = drawn<Options>(
+        chance_, {},
+        {{field<&Options::seed>(), [this](Options& o) { o.seed = chance_.coin() ? chance_.bits() : o.seed; }},
+         {field<&Options::tolerance>(), [this](Options& o) {
+            if (chance_.one_in(3)) o.tolerance = chance_.size(1e-9, 0.1);
+          }}});
+    layout_.profile = scene_.options.profile;
   }
 
   // The world where it is not defined, or a platform of that name; one for radars, and some for targets.
@@ -124,41 +128,30 @@ class SceneMaker {
   }
 
   scene::Platform platform(const std::string& name, const core::Vec3& about_m) {
-    scene::Platform platform;
+    using P = scene::Platform;
+    P platform;
     platform.name = name;
-    platform.path = chance_.one_of<scene::Platform::Path>(2);
-    if (platform.path == scene::Platform::Path::stationary) {
-      platform.position_m = about_m;
-    } else {
-      platform.trajectory_m = path(about_m);
-      platform.aligned = chance_.coin();
-    }
-    platform.rotation_kind = chance_.one_in(3) ? scene::Platform::Rotation::user : scene::Platform::Rotation::constant;
-    if (platform.rotation_kind == scene::Platform::Rotation::user)
-      platform.rotation_deg = turning();
-    else if (chance_.coin())
-      platform.rotation = angles(180.0);
-    if (chance_.one_in(3)) platform.rotation_rate = angles(chance_.size(0.01, 300.0));
-    set_errors(platform);
-    return platform;
+    FieldDraws<P> draws{{field<&P::name>(), {}},
+                        {field<&P::position_m>(), [&](P& p) { p.position_m = about_m; }},
+                        {field<&P::trajectory_m>(), [&](P& p) { p.trajectory_m = path(about_m); }},
+                        {field<&P::rotation>(), [&](P& p) { p.rotation = angles(chance_.coin() ? 180.0 : 0.0); }},
+                        {field<&P::rotation_deg>(), [&](P& p) { p.rotation_deg = turning(); }},
+                        {field<&P::rotation_rate>(), [&](P& p) {
+                           if (chance_.one_in(3)) p.rotation_rate = angles(chance_.size(0.01, 300.0));
+                         }}};
+    add_errors(draws);
+    return drawn(chance_, platform, draws);
   }
 
-  void set_errors(scene::Platform& platform) {
-    platform.position_error =
-        chance_.one_in(3) ? scene::Platform::MotionError::envelope : scene::Platform::MotionError::gaussian;
-    if (platform.position_error == scene::Platform::MotionError::gaussian)
-      platform.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
-    else
-      platform.position_envelope = envelope(chance_.size(1e-4, 1.0));
-    platform.rotation_error =
-        chance_.one_in(3) ? scene::Platform::MotionError::envelope : scene::Platform::MotionError::gaussian;
-    if (platform.rotation_error == scene::Platform::MotionError::gaussian) {
+  void add_errors(FieldDraws<scene::Platform>& draws) {
+    using P = scene::Platform;
+    draws[field<&P::position_stddev_m>()] = [this](P& p) { p.position_stddev_m = chance_.magnitudes(1e-4, 1.0); };
+    draws[field<&P::position_envelope>()] = [this](P& p) { p.position_envelope = envelope(chance_.size(1e-4, 1.0)); };
+    draws[field<&P::rotation_stddev>()] = [this](P& p) {
       const core::Vec3 deg = chance_.magnitudes(1e-4, 1.0);
-      platform.rotation_stddev = {core::Angle::from_deg(deg.x), core::Angle::from_deg(deg.y),
-                                  core::Angle::from_deg(deg.z)};
-    } else {
-      platform.rotation_envelope = envelope(chance_.size(1e-4, 1.0));
-    }
+      p.rotation_stddev = {core::Angle::from_deg(deg.x), core::Angle::from_deg(deg.y), core::Angle::from_deg(deg.z)};
+    };
+    draws[field<&P::rotation_envelope>()] = [this](P& p) { p.rotation_envelope = envelope(chance_.size(1e-4, 1.0)); };
   }
 
   // As the platform is called, in other case, or by its beginning.
@@ -174,24 +167,30 @@ class SceneMaker {
 
   std::string target_platform() { return reference_to(target_platforms_[chance_.below(target_platforms_.size())]); }
 
+  core::Angle jitter() { return core::Angle::from_deg(chance_.one_in(3) ? chance_.size(1e-2, 20.0) : 0.0); }
+
   scene::Target target() {
-    scene::Target target;
-    target.platform = target_platform();
-    if (!chance_.one_in(8)) target.position_m = chance_.vector(layout_.spread_m);
-    if (chance_.one_in(4)) target.position_stddev_m = chance_.magnitudes(1e-4, 1.0);
-    target.rcs_m2 = chance_.one_in(20) ? chance_.between(-1.0, 0.0) : chance_.size(1e-3, 1e4);
-    if (chance_.one_in(3)) target.rcs_stddev_m2 = chance_.size(1e-3, 1e2);
-    target.reflectivity = chance_.one_of<scene::Target::Reflectivity>(2);
-    if (target.reflectivity == scene::Target::Reflectivity::isotropic) return target;
-    target.azimuth = chance_.angle(360.0);
-    target.elevation = chance_.angle(180.0);
-    if (chance_.one_in(3)) target.azimuth_stddev = core::Angle::from_deg(chance_.size(1e-2, 20.0));
-    if (chance_.one_in(3)) target.elevation_stddev = core::Angle::from_deg(chance_.size(1e-2, 20.0));
-    target.gain = chance_.one_of<scene::Target::Gain>(2);
-    if (target.gain == scene::Target::Gain::cosine) return target;
-    target.gain_db.part[0] = functions_.curve(6, chance_.between(0.0, 30.0), chance_.between(40.0, 180.0), -60.0, 10.0);
-    functions_.name_file(target.gain_db);
-    return target;
+    using T = scene::Target;
+    return drawn<T>(
+        chance_, {},
+        {{field<&T::platform>(), [this](T& t) { t.platform = target_platform(); }},
+         {field<&T::position_m>(),
+          [this](T& t) { t.position_m = chance_.vector(chance_.one_in(8) ? 0.0 : layout_.spread_m); }},
+         {field<&T::position_stddev_m>(),
+          [this](T& t) { t.position_stddev_m = chance_.one_in(4) ? chance_.magnitudes(1e-4, 1.0) : core::Vec3{}; }},
+         {field<&T::rcs_m2>(),
+          [this](T& t) { t.rcs_m2 = chance_.one_in(20) ? chance_.between(-1.0, 0.0) : chance_.size(1e-3, 1e4); }},
+         {field<&T::rcs_stddev_m2>(),
+          [this](T& t) { t.rcs_stddev_m2 = chance_.one_in(3) ? chance_.size(1e-3, 1e2) : 0.0; }},
+         {field<&T::azimuth>(), [this](T& t) { t.azimuth = chance_.angle(360.0); }},
+         {field<&T::elevation>(), [this](T& t) { t.elevation = chance_.angle(180.0); }},
+         {field<&T::azimuth_stddev>(), [this](T& t) { t.azimuth_stddev = jitter(); }},
+         {field<&T::elevation_stddev>(), [this](T& t) { t.elevation_stddev = jitter(); }},
+         {field<&T::gain_db>(), [this](T& t) {
+            t.gain_db.part[0] =
+                functions_.curve(6, chance_.between(0.0, 30.0), chance_.between(40.0, 180.0), -60.0, 10.0);
+            functions_.name_file(t.gain_db);
+          }}});
   }
 
   scene::Surface surface() {
@@ -227,29 +226,45 @@ class SceneMaker {
     return radar;
   }
 
+  // What `set_window` has set.
+  template <class Product>
+  FieldDraws<Product> windowed() {
+    return {{field<&Product::radar>(), {}},
+            {field<&Product::range_start_m>(), {}},
+            {field<&Product::range_end_m>(), {}},
+            {field<&Product::time_start_s>(), {}},
+            {field<&Product::time_end_s>(), {}}};
+  }
+
   scene::Simulation simulation(int number) {
-    scene::Simulation simulation;
-    const scene::Radar& radar = set_window(simulation);
-    simulation.bits = chance_.integer(1, 64);
-    simulation.sample_rate_hz = layout_.sample_rate_hz;
-    if (chance_.coin()) simulation.lsb_v = chance_.size(1e-14, 1e-3);
-    simulation.format = chance_.one_of<scene::FileFormat>(6);
+    using S = scene::Simulation;
+    S begun;
+    const scene::Radar& radar = set_window(begun);
+    begun.file = number == 2 ? "the other.dat" : "out/sim.bin";
+    begun.sample_rate_hz = layout_.sample_rate_hz;
     const bool profiles = radar.carrier == scene::Radar::Carrier::stepped && radar.carrier_steps > 1 && layout_.stepped;
-    simulation.processing = profiles && chance_.coin() ? scene::Processing::srp : chance_.one_of<scene::Processing>(2);
-    simulation.file = number == 2 ? "the other.dat" : "out/sim.bin";
-    simulation.pulse_position = chance_.one_of<scene::Simulation::PulsePosition>(2);
-    if (chance_.coin()) simulation.oversampling = chance_.between(1.0, 4.0);
-    if (chance_.coin()) simulation.width_factor = chance_.between(1.0, 3.0);
-    return simulation;
+    FieldDraws<S> draws = windowed<S>();
+    draws[field<&S::sample_rate_hz>()] = draws[field<&S::file>()] = {};
+    draws[field<&S::lsb_v>()] = [this](S& s) { s.lsb_v = chance_.coin() ? chance_.size(1e-14, 1e-3) : 0.0; };
+    draws[field<&S::processing>()] = [this, profiles](S& s) {
+      s.processing = profiles && chance_.coin() ? scene::Processing::srp : chance_.one_of<scene::Processing>(2);
+    };
+    draws[field<&S::oversampling>()] = [this](S& s) {
+      s.oversampling = chance_.coin() ? chance_.between(1.0, 4.0) : 1.0;
+    };
+    draws[field<&S::width_factor>()] = [this](S& s) {
+      s.width_factor = chance_.coin() ? chance_.between(1.0, 3.0) : 1.0;
+    };
+    return drawn(chance_, begun, draws);
   }
 
   scene::GeometryTable geometry() {
-    scene::GeometryTable table;
-    set_window(table);
-    table.separator = chance_.one_of<scene::GeometryTable::Separator>(2);
-    table.columns = chance_.integer(0, 255);
-    table.file = chance_.coin() ? "geometry.txt" : "g.csv";
-    return table;
+    using G = scene::GeometryTable;
+    G begun;
+    set_window(begun);
+    FieldDraws<G> draws = windowed<G>();
+    draws[field<&G::file>()] = [this](G& g) { g.file = chance_.coin() ? "geometry.txt" : "g.csv"; };
+    return drawn(chance_, begun, draws);
   }
 
   Chance chance_;
@@ -268,40 +283,29 @@ scene::Scene random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); 
 
 namespace {
 
-// Calls look(block, function) for every user-defined function of a scene, which may be const.
+// Calls look(block, field, object) for every user-defined function of a scene, which may be const.
 template <class AnyScene, class Look>
 void each_function(AnyScene& scene, const Look& look) {
-  namespace blocks = scene::function_blocks;
-  for (auto& platform : scene.platforms) {
-    look(blocks::trajectory, platform.trajectory_m);
-    look(blocks::rotation, platform.rotation_deg);
-    look(blocks::position_envelope, platform.position_envelope);
-    look(blocks::rotation_envelope, platform.rotation_envelope);
-  }
-  for (auto& target : scene.targets) look(blocks::target_gain, target.gain_db);
-  for (auto& radar : scene.radars) {
-    look(blocks::pulse_iq, radar.pulse_iq);
-    look(blocks::envelope_gain, radar.envelope_gain);
-    look(blocks::pri, radar.pri_s);
-    look(blocks::carrier_list, radar.carrier_list_hz);
-    look(blocks::transmit_gain, radar.transmit_antenna.gain_db);
-    look(blocks::receive_gain, radar.receive_antenna.gain_db);
-    look(blocks::beam_target, radar.beam_target_world_m);
-    look(blocks::window_gain, radar.window_gain);
-    look(blocks::stc_gain, radar.stc_gain);
-  }
+  scene::for_each_kind([&](const auto& kind) {
+    for (auto& object : scene.*kind.list)
+      for (const auto& field : scene::table_of(kind).fields())
+        if (field.function != nullptr) look(*field.spec.block, field, object);
+  });
 }
 
 }  // namespace
 
 void visit_functions(const scene::Scene& scene, const FunctionVisitor& visit) {
-  each_function(scene, [&](const scene::FunctionBlock& block, const auto& function) {
-    visit(block, function.part, function.file);
+  each_function(scene, [&](const scene::FunctionBlock& block, const auto& field, const auto& object) {
+    const auto function = std::get<scene::ConstFunctionRef>(field.get(object));
+    visit(block, function.parts, *function.file);
   });
 }
 
 void keep_inline(scene::Scene& scene) {
-  each_function(scene, [](const scene::FunctionBlock&, auto& function) { function.file.clear(); });
+  each_function(scene, [](const scene::FunctionBlock&, const auto& field, auto& object) {
+    field.function(object).file->clear();
+  });
 }
 
 scene::DataFileLoader loader_of(const scene::Scene& scene) {
