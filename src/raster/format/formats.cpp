@@ -68,7 +68,6 @@ constexpr std::array<Format, recording_count + 3> table{
       .signature = "\x89HDF\r\n\x1a\n",
       .carries_axes = true,
       .carries_script = true,
-      .one_at_a_time = true,
       .places = {.saved = 6, .exported = 1, .image = 2},
       .most_sample_bytes = volts_bytes,
       .open = open_hdf5_file,

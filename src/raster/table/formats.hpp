@@ -58,7 +58,6 @@ struct Format {
   bool carries_axes = false;    ///< Times, carriers and ranges stand in the file.
   bool carries_script = false;  ///< The script stands in the file.
   bool envi_header = false;     ///< An ENVI header beside the file makes it an image with axes.
-  bool one_at_a_time = false;   ///< Written through a library that does one thing at a time.
   bool picture = false;         ///< Levels and colours made for the eye.
   bool by_hand = false;         ///< Somebody says how it is stored: it does not say itself what its numbers are.
   FormatPlaces places = {};
