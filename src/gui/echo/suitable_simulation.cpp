@@ -50,7 +50,8 @@ void suit_ranges(const simulate::ResolvedScene& resolved, const simulate::Resolv
       farthest_m = std::max(farthest_m, range_m);
     }
   }
-  const double margin_m = resolved.conventions.light_speed_mps * radar.pulse.width_s;  // Two pulse lengths c Tp/2.
+  const double margin_m =
+      2.0 * radar::range_of(radar.pulse.width_s, resolved.conventions.light_speed_mps);  // Two pulse lengths.
   const double step_m = std::pow(10.0, std::floor(std::log10(std::max(1.0, farthest_m - nearest_m + margin_m))) - 1.0);
   simulation.range_start_m = std::max(0.0, std::floor((nearest_m - margin_m) / step_m) * step_m);
   simulation.range_end_m = rounded_up(farthest_m + margin_m, step_m);

@@ -21,7 +21,7 @@ double chosen_rate_hz(const EchoWindow& window, double bandwidth_hz) {
 
 // Rate at which a window holds `count` samples.
 double rate_for(const scene::Simulation& simulation, double count, double light_speed_mps) {
-  return count * light_speed_mps / (2.0 * (simulation.range_end_m - simulation.range_start_m));
+  return radar::frequency_of_turns(count, simulation.range_end_m - simulation.range_start_m, light_speed_mps);
 }
 
 double span_of(double start, double end) { return end - start; }
@@ -189,7 +189,7 @@ EchoView showing_targets(const EchoView& view, double nearest_m, double farthest
     all.range_end_m = nothing_there_m;
     return all;
   }
-  const double margin_m = light_speed_mps * pulse_width_s;  // two pulses of c Tp/2
+  const double margin_m = 2.0 * radar::range_of(pulse_width_s, light_speed_mps);  // two pulses
   all.range_start_m = std::max(0.0, nearest_m - margin_m);
   all.range_end_m = farthest_m + margin_m;
   return mended(all);

@@ -146,8 +146,8 @@ PhaseHistory phase_history(const EchoBlock& block, std::size_t column) {
     if (r > 0) turns -= std::round((phase - history.phase_rad.back()) / (2.0 * core::pi));
     history.phase_rad.push_back(phase);
     history.unwrapped_rad.push_back(phase + 2.0 * core::pi * turns);
-    history.path_m.push_back(-history.unwrapped_rad.back() * block.light_speed_mps /
-                             (4.0 * core::pi * block.carrier_hz[r]));
+    history.path_m.push_back(
+        -radar::range_of_phase(history.unwrapped_rad.back(), block.carrier_hz[r], block.light_speed_mps));
   }
   return history;
 }

@@ -270,6 +270,7 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, doubl
   const auto distance = hn::Sqrt(distance2);
   const auto v = hn::Div(inner(look, velocity), distance);
   at.put(d, v, speed);
+  // moving_delay_of, in vectors.
   at.put(d, hn::Div(hn::Add(distance, distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v)), delay);
 
   auto a = hn::Mul(root_rcs(d, points, at, frame.pulse), hn::Set(d, frame.amplitude_scale));

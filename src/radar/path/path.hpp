@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/maths/constants.hpp"
+
 namespace sarsim::radar {
 
 // Doubling and halving are exact, so each function here rounds as the formula in its comment does, read from left to
@@ -47,14 +49,34 @@ struct Path {
   return 0.5 * light_speed_mps / frequency_hz;
 }
 
+/// Wavelength of a frequency, m: c/f.
+[[nodiscard]] constexpr double wavelength_of(double frequency_hz, double light_speed_mps) {
+  return light_speed_mps / frequency_hz;
+}
+
 /// Turns of the phase at a frequency over a metre of one-way range, 1/m: 2 f/c.
 [[nodiscard]] constexpr double turns_per_m(double frequency_hz, double light_speed_mps) {
   return 2.0 * frequency_hz / light_speed_mps;
 }
 
-/// Turns of the phase at a frequency over the way to a range and back: 2 R f/c.
+/// Turns of the phase at a frequency over the way to a range and back: 2 R f/c. At a rate of samples it is their
+/// number.
 [[nodiscard]] constexpr double turns_of(double range_m, double frequency_hz, double light_speed_mps) {
   return 2.0 * range_m * frequency_hz / light_speed_mps;
+}
+
+/// The same at a wavelength: 2 R/lambda.
+[[nodiscard]] constexpr double turns_of(double range_m, double wavelength_m) { return 2.0 * range_m / wavelength_m; }
+
+/// Frequency whose phase makes so many turns over the way to a range and back, Hz: n c/(2 R). The rate at which so many
+/// samples lie within a range.
+[[nodiscard]] constexpr double frequency_of_turns(double turns, double range_m, double light_speed_mps) {
+  return turns * light_speed_mps / (2.0 * range_m);
+}
+
+/// One-way range over which, there and back, the phase at a frequency turns by so many radians, m: phi c/(4 pi f).
+[[nodiscard]] constexpr double range_of_phase(double phase_rad, double frequency_hz, double light_speed_mps) {
+  return phase_rad * light_speed_mps / (4.0 * core::pi * frequency_hz);
 }
 
 /// Doppler shift of the echo of a point that recedes at `speed_mps`, Hz, to the first order in v/c: -2 v f/c.
@@ -65,6 +87,11 @@ struct Path {
 /// Speed at which a point recedes whose echo has that Doppler shift, m/s: -f_D c/(2 f).
 [[nodiscard]] constexpr double speed_of(double doppler_hz, double carrier_hz, double light_speed_mps) {
   return -doppler_hz * light_speed_mps / (2.0 * carrier_hz);
+}
+
+/// The same at a wavelength: -f_D lambda/2.
+[[nodiscard]] constexpr double speed_of(double doppler_hz, double wavelength_m) {
+  return -0.5 * wavelength_m * doppler_hz;
 }
 
 }  // namespace sarsim::radar

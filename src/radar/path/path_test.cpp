@@ -43,6 +43,12 @@ TEST(Path, RoundsAsTheFormulasThatItStandsFor) {
     EXPECT_EQ(range_of_cycle(x, c), c / (2.0 * x));
     EXPECT_EQ(turns_per_m(x, c), x * 2.0 / c);
     EXPECT_EQ(turns_of(x, 9.87e9, c), x * 9.87e9 * 2.0 / c);
+    EXPECT_EQ(turns_of(x * -0.3, wavelength_of(9.87e9, c)), 2.0 * x * -0.3 / (c / 9.87e9));
+    EXPECT_EQ(frequency_of_turns(1.0, x, c), 0.5 * c / x);
+    EXPECT_EQ(frequency_of_turns(0.5, x, c), 0.25 * c / x);
+    EXPECT_EQ(frequency_of_turns(77.0, x, c), 77.0 * c / (2.0 * x));
+    EXPECT_EQ(speed_of(x, 0.031), -(0.5 * 0.031 * x));
+    EXPECT_EQ(doppler_of(x, 9.87e9, c), -2.0 * x * 9.87e9 / c);
   }
 }
 
@@ -52,6 +58,13 @@ TEST(Path, OfAMovingPointChangesItsTurnsByTheDopplerShift) {
   EXPECT_DOUBLE_EQ(turns_per_m(carrier_hz, c) * range_of_cycle(carrier_hz, c), 1.0);
   EXPECT_DOUBLE_EQ(doppler_of(12.0, carrier_hz, c), -12.0 * turns_per_m(carrier_hz, c));
   EXPECT_DOUBLE_EQ(speed_of(doppler_of(12.0, carrier_hz, c), carrier_hz, c), 12.0);
+}
+
+TEST(Path, GoesFromPhasesAndTurnsBackToRangesAndFrequencies) {
+  const double carrier_hz = 9.6e9;
+  EXPECT_DOUBLE_EQ(turns_of(1000.0, carrier_hz, c), turns_of(1000.0, wavelength_of(carrier_hz, c)));
+  EXPECT_DOUBLE_EQ(frequency_of_turns(turns_of(1000.0, carrier_hz, c), 1000.0, c), carrier_hz);
+  EXPECT_DOUBLE_EQ(range_of_phase(2.0 * core::pi, carrier_hz, c), range_of_cycle(carrier_hz, c));
 }
 
 static_assert(delay_of(there_and_back(0.0), c) == 0.0);

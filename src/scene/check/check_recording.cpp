@@ -79,8 +79,8 @@ radar::PulseRange check_pulses(Findings& findings, const Window& window, const r
 }
 
 double sample_count(const Simulation& simulation) {
-  return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
-                        core::exact_light_speed_mps +
+  return std::floor(radar::turns_of(simulation.range_end_m - simulation.range_start_m, simulation.sample_rate_hz,
+                                    core::exact_light_speed_mps) +
                     0.5);
 }
 
@@ -118,16 +118,17 @@ bool check_row_length(Findings& findings, const Simulation& simulation, const Ra
 void check_samples(Findings& findings, const Simulation& simulation, double rows) {
   const double columns = sample_count(simulation);
   if (columns < 1.0) {
-    findings.error(
-        "sample_rate_hz",
-        {.message = "the slant range window is too short for one sample",
-         .found = fmt::format("{} at {}", value_text(simulation.range_end_m - simulation.range_start_m, "m"),
-                              value_text(simulation.sample_rate_hz, "Hz")),
-         .expected = fmt::format(
-             "at least {:.4g} m or {}", 0.25 * core::exact_light_speed_mps / simulation.sample_rate_hz,
-             value_text(0.25 * core::exact_light_speed_mps / (simulation.range_end_m - simulation.range_start_m),
-                        "Hz")),
-         .hint = "Samples lie c/(2 fs) apart."});
+    findings.error("sample_rate_hz",
+                   {.message = "the slant range window is too short for one sample",
+                    .found = fmt::format("{} at {}", value_text(simulation.range_end_m - simulation.range_start_m, "m"),
+                                         value_text(simulation.sample_rate_hz, "Hz")),
+                    .expected = fmt::format(
+                        "at least {:.4g} m or {}",
+                        0.5 * radar::range_of_cycle(simulation.sample_rate_hz, core::exact_light_speed_mps),
+                        value_text(radar::frequency_of_turns(0.5, simulation.range_end_m - simulation.range_start_m,
+                                                             core::exact_light_speed_mps),
+                                   "Hz")),
+                    .hint = "Samples lie c/(2 fs) apart."});
     return;
   }
   if (std::max(rows, 1.0) * columns > exact_integers)

@@ -98,7 +98,7 @@ class Tiles {
 
 // The stretches that the antenna's nearest approach to each tile allows.
 std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, const core::WorkControl& control) {
-  const double wavelength_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz;
+  const double wavelength_m = radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   std::vector<Stretch> stretches(tiles.count());
   core::parallel_ranges(tiles.count(), 16, control, [&](std::size_t begin, std::size_t end) {
     ProjectionTile tile;

@@ -33,7 +33,8 @@ class ChirpScaling : public RowFocuser {
     const double c = frame_.waveform.light_speed_mps;
     const double from_reference_m = (range_m - frame_.reference_range_m) / cosine;
     const double scaling = 2.0 * rate_hzps_ / (c * c) * (1.0 - cosine / frame_.centroid_cosine);
-    return 2.0 * range_m * (cosine - 1.0) / frame_.wavelength_m() - scaling * from_reference_m * from_reference_m;
+    return radar::turns_of(range_m * (cosine - 1.0), frame_.wavelength_m()) -
+           scaling * from_reference_m * from_reference_m;
   }
 
  private:

@@ -74,11 +74,14 @@ double FocusFrame::doppler_hz(std::size_t row) const {
   return base_hz + folds * prf_hz();
 }
 
+// Of the second order in V/c, which the Doppler shift of radar/path does not have.
 double FocusFrame::motion_doppler_hz(double hz) const {
   return 2.0 * hz * std::pow(track.speed_mps / waveform.light_speed_mps, 2);
 }
 
-double FocusFrame::sine(double doppler_hz) const { return 0.5 * wavelength_m() * doppler_hz / track.speed_mps; }
+double FocusFrame::sine(double doppler_hz) const {
+  return -radar::speed_of(doppler_hz, wavelength_m()) / track.speed_mps;
+}
 
 double FocusFrame::range_hz(std::size_t bin) const {
   const double step_hz = waveform.sample_rate_hz / static_cast<double>(range_size);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/maths/fft.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_track.hpp"
 
@@ -28,7 +29,9 @@ struct FocusFrame {
   double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
   double centroid_cosine = 1.0;    ///< D at the Doppler centroid.
 
-  [[nodiscard]] double wavelength_m() const { return waveform.light_speed_mps / waveform.carrier_hz; }
+  [[nodiscard]] double wavelength_m() const {
+    return radar::wavelength_of(waveform.carrier_hz, waveform.light_speed_mps);
+  }
   [[nodiscard]] double prf_hz() const { return 1.0 / track.interval_s; }
   /// Doppler frequency of a row of the azimuth spectrum: within half the pulse repetition frequency of the centroid.
   [[nodiscard]] double doppler_hz(std::size_t row) const;

@@ -280,7 +280,7 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, core::Probl
                              "use back projection"));
     problems.back().subject.field = track_field;
   }
-  const double limit_m = echoes.waveform.light_speed_mps / echoes.waveform.carrier_hz / 16.0;
+  const double limit_m = radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / 16.0;
   if (track.worst_position_m <= limit_m) return;
   core::Problem problem =
       error("the antenna leaves the straight line at constant speed that is assumed", track.worst_position_m,

@@ -29,7 +29,7 @@ class RangeDoppler : public RowFocuser {
   }
 
   double azimuth_turns(double range_m, double cosine) const override {
-    return 2.0 * range_m * (cosine - 1.0) / frame_.wavelength_m();
+    return radar::turns_of(range_m * (cosine - 1.0), frame_.wavelength_m());
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/task/parallel.hpp"
+#include "radar/path/path.hpp"
 #include "signal/compress/range_compression.hpp"
 
 namespace sarsim::signal {
@@ -38,7 +39,7 @@ struct RangeDopplerMap {
   }
   /// Speed at which a target of that row recedes.
   [[nodiscard]] double speed_mps(std::size_t row, double wavelength_m) const {
-    return -0.5 * wavelength_m * doppler_hz(row);
+    return radar::speed_of(doppler_hz(row), wavelength_m);
   }
 };
 

@@ -107,8 +107,8 @@ void plan_samples(Plan& plan, std::size_t count) {
     filter = signal::matched_filter(plan.radar.pulse, band_limited, plan.radar.window, s.sample_rate_hz);
   } else {
     filter = signal::classic_matched_filter(plan.radar.pulse, plan.radar.window, s.sample_rate_hz);
-    const double ratio = 2.0 * s.sample_rate_hz * (s.range_end_m - s.range_start_m) /
-                         (conventions.light_speed_mps * static_cast<double>(count));
+    const double ratio = radar::turns_of(s.range_end_m - s.range_start_m, s.sample_rate_hz,
+                                         conventions.light_speed_mps * static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i)
       index[i] = static_cast<std::size_t>(std::floor(static_cast<double>(i) * ratio + index_tolerance));
   }
@@ -155,9 +155,9 @@ std::int64_t Plan::first_pulse_of_row(std::size_t row) const {
 double sample_count(const scene::Simulation& simulation, double light_speed_mps) {
   CORE_EXPECT(light_speed_mps > 0.0);
   // The guard keeps a window that was computed to hold a half sample from losing it to rounding.
-  return std::floor(2.0 * simulation.sample_rate_hz * (simulation.range_end_m - simulation.range_start_m) /
-                        light_speed_mps +
-                    0.5 + index_tolerance);
+  return std::floor(
+      radar::turns_of(simulation.range_end_m - simulation.range_start_m, simulation.sample_rate_hz, light_speed_mps) +
+      0.5 + index_tolerance);
 }
 
 Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<const ResolvedScene> resolved,

@@ -35,7 +35,7 @@ void PulseGeometry::set_pulse(std::int64_t pulse) {
   carrier_hz_ = radar_->carrier.carrier_hz(pulse);
   for (std::size_t i = 0; i < poses_.size(); ++i)
     if (used_[i] && !scene_->platforms[i].track.fixed()) poses_[i] = scene_->platforms[i].track.at(time_s_, pulse);
-  const double wavelength_m = scene_->conventions.light_speed_mps / carrier_hz_;
+  const double wavelength_m = radar::wavelength_of(carrier_hz_, scene_->conventions.light_speed_mps);
   amplitude_scale_ = std::sqrt(radar_->radiated_w) * wavelength_m / std::pow(4.0 * core::pi, 1.5);
 }
 

@@ -43,8 +43,8 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   RadarFigures f;
   f.lowest_carrier_hz = radar.carrier.lowest_hz();
   f.highest_carrier_hz = radar.carrier.highest_hz();
-  f.longest_wavelength_m = c / f.lowest_carrier_hz;
-  f.shortest_wavelength_m = c / f.highest_carrier_hz;
+  f.longest_wavelength_m = radar::wavelength_of(f.lowest_carrier_hz, c);
+  f.shortest_wavelength_m = radar::wavelength_of(f.highest_carrier_hz, c);
   f.bandwidth_hz = radar::bandwidth_hz(radar.pulse);
   const bool shaped = radar.pulse.kind == radar::Pulse::Kind::user;
   f.range_resolution_m = radar::range_of(shaped ? radar::half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz, c);

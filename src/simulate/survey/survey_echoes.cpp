@@ -158,8 +158,8 @@ class Look {
       const ScattererView view = geometry.view(i, pointing);
       const bool in_window = touches_window(view.delay_s);
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
-      const double doppler_hz = -2.0 * view.speed_mps * geometry.carrier_hz() / light_mps_;
-      take_in(survey_.targets[i], view, 0.5 * light_mps_ * view.delay_s, doppler_hz, in_window);
+      const double doppler_hz = radar::doppler_of(view.speed_mps, geometry.carrier_hz(), light_mps_);
+      take_in(survey_.targets[i], view, radar::range_of(view.delay_s, light_mps_), doppler_hz, in_window);
       if (!looks_.empty()) looks_[pulse * survey_.targets.size() + i] = {doppler_hz, std::abs(view.amplitude_sqrt_w)};
     }
     return sum_v;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "radar/path/path.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
 namespace sarsim::workflow {
@@ -181,7 +182,7 @@ void remark_on_beam(const simulate::Plan& plan, const SarLooks& looks, const Dop
                     core::Problems& problems) {
   if (plan.radar.transmit.kind != radar::AntennaPattern::Kind::sinx) return;
   const double wavelength_m =
-      plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(plan.pulses.first);
+      radar::wavelength_of(plan.radar.carrier.carrier_hz(plan.pulses.first), plan.scene->conventions.light_speed_mps);
   const double half_width = 0.5 * std::min(plan.radar.transmit.azimuth_beamwidth_rad, 3.1);
   const double band_hz = 4.0 * looks.track().speed_mps / wavelength_m * std::sin(half_width);
   const double prf_hz = 1.0 / looks.track().interval_s;

@@ -112,7 +112,7 @@ double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const s
     for (std::size_t i = 0; i < seen.size(); ++i) sum += weights.of(i, seen);
     return sum;
   }
-  const double wavelength_m = waveform.light_speed_mps / waveform.carrier_hz;
+  const double wavelength_m = radar::wavelength_of(waveform.carrier_hz, waveform.light_speed_mps);
   const double speed = looks.track().speed_mps;
   const double sine = centroid_sine(looks, options, waveform);
   const double rate_hzps = 2.0 * speed * speed * std::pow(1.0 - sine * sine, 1.5) / (wavelength_m * range_m);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/image_writer.hpp"
@@ -37,7 +38,7 @@ simulate::Product product_of(const signal::FocusedImage& image, const ImageOrigi
   };
   product.row_carrier_hz = [carrier = image.carrier_hz](std::size_t) { return carrier; };
   product.column_range_m = [axis = image.range](std::size_t column) { return axis.at(static_cast<double>(column)); };
-  product.sample_rate_hz = 0.5 * image.light_speed_mps / image.range.step_m;
+  product.sample_rate_hz = radar::frequency_of_turns(1.0, image.range.step_m, image.light_speed_mps);
   product.engine = "focus";
   return product;
 }

@@ -45,7 +45,7 @@ class Remarks {
         options_(options),
         survey_(simulate::survey_echoes(plan, control)),
         prf_hz_(1.0 / plan.radar.repetition.mean_interval_s()),
-        wavelength_m_(plan.scene->conventions.light_speed_mps / plan.radar.carrier.highest_hz()) {}
+        wavelength_m_(radar::wavelength_of(plan.radar.carrier.highest_hz(), plan.scene->conventions.light_speed_mps)) {}
 
   core::Problems all() {
     if (options_.pulses > 1) {
@@ -68,7 +68,7 @@ class Remarks {
                                          std::move(expected), std::move(hint)));
   }
 
-  [[nodiscard]] double speed_of(double doppler_hz) const { return 0.5 * wavelength_m_ * doppler_hz; }
+  [[nodiscard]] double speed_of(double doppler_hz) const { return -radar::speed_of(doppler_hz, wavelength_m_); }
 
   // Of the Doppler frequencies that a target shows, the one farthest from 0.
   static double extreme_hz(const simulate::TargetSurvey& target) {

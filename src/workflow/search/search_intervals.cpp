@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/maths/fft.hpp"
+#include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
 #include "signal/search/detection_peaks.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -177,8 +178,9 @@ class IntervalGroups {
 }  // namespace
 
 double receding_speed_mps(const simulate::Plan& plan, std::int64_t pulse, double doppler_hz) {
-  const double wavelength_m = plan.scene->conventions.light_speed_mps / plan.radar.carrier.carrier_hz(pulse);
-  return -0.5 * wavelength_m * doppler_hz;
+  const double wavelength_m =
+      radar::wavelength_of(plan.radar.carrier.carrier_hz(pulse), plan.scene->conventions.light_speed_mps);
+  return radar::speed_of(doppler_hz, wavelength_m);
 }
 
 std::size_t interval_count(const SearchOptions& options, std::size_t pulses) {

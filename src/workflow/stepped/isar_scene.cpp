@@ -120,7 +120,7 @@ IsarPlan plan_of(const SteppedRows& rows, std::size_t first, std::size_t count, 
   plan.plane = signal::plane_of(plan.seen);
   if (options.turn_rate_radps) take_turn_rate(plan.plane, plan.seen, *options.turn_rate_radps);
   const double c = band.waveform().light_speed_mps;
-  const double wavelength_m = c / band.centre_hz();
+  const double wavelength_m = radar::wavelength_of(band.centre_hz(), c);
   const std::vector<signal::PulseMotion> motion = signal::motion_of_origin(plan.seen, c);
   made.from_s = plan.seen.front().time_s;
   made.to_s = plan.seen.back().time_s;

@@ -8,6 +8,7 @@
 #include "core/build/version.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/sinks.hpp"
@@ -104,7 +105,7 @@ simulate::Product product_of(const ProfileSeries& series, const ProfileOrigin& o
   product.row_time_s = [times](std::size_t row) { return times[row]; };
   product.row_carrier_hz = [carrier = series.centre_hz](std::size_t) { return carrier; };
   product.column_range_m = [axis = series.axis](std::size_t column) { return axis.at(static_cast<double>(column)); };
-  product.sample_rate_hz = 0.5 * origin.light_speed_mps / series.axis.step_m;
+  product.sample_rate_hz = radar::frequency_of_turns(1.0, series.axis.step_m, origin.light_speed_mps);
   product.bits = count_bits;
   product.engine = "profiles";
   return product;

@@ -9,6 +9,7 @@
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/stepped/profile_output.hpp"
 #include "workflow/stepped/stepped_input.hpp"
@@ -74,8 +75,9 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
     throw core::Refused(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
   if (to_m <= shown.from_m || from_m >= shown.to_m)
     throw core::Refused(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
-  const double bins = (to_m - from_m) / (0.5 * input.rows.band->waveform().light_speed_mps /
-                                         input.rows.band->band_hz() / static_cast<double>(options.oversampling));
+  const double bins = (to_m - from_m) /
+                      (radar::range_of_cycle(input.rows.band->band_hz(), input.rows.band->waveform().light_speed_mps) /
+                       static_cast<double>(options.oversampling));
   constexpr double most_bins = 0x1p26;
   if (bins > most_bins)
     throw core::Refused(fmt::format("a profile of {:.3g} bins cannot be held", bins),

@@ -15,6 +15,7 @@ namespace sarsim::workflow::verify {
 
 namespace {
 
+// What is expected is written out here, not taken from radar/path, which made what is found.
 constexpr double carrier_hz = 1e9;
 constexpr double wavelength_m = core::exact_light_speed_mps / carrier_hz;
 
