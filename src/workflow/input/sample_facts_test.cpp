@@ -1,0 +1,55 @@
+#include "workflow/input/sample_facts.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "core/report/refused.hpp"
+
+namespace sarsim::workflow {
+namespace sample_facts_test {
+
+namespace fs = std::filesystem;
+
+// A file of two rows of counts.
+class FactsOfSamples : public testing::Test {
+ protected:
+  FactsOfSamples() { std::ofstream(file_) << "1 -2\n3 0\n\n0 0\n-7 5\n\n"; }
+  ~FactsOfSamples() override { fs::remove(file_); }
+
+  fs::path file_ = fs::temp_directory_path() / (std::string("sample-facts-") +
+                                                testing::UnitTest::GetInstance()->current_test_info()->name() + ".asc");
+};
+
+TEST_F(FactsOfSamples, AreItsShapeAndThoseOfAllItsSamples) {
+  SampleArguments said;
+  said.bits = 8;
+  said.lsb_v = 0.5;
+  const SampleFacts facts = facts_of_samples(file_.string(), said, {});
+  EXPECT_EQ(facts.info.rows, 2U);
+  EXPECT_EQ(facts.info.columns, 2U);
+  EXPECT_EQ(facts.info.bits, 8);
+  EXPECT_EQ(facts.info.lsb_v, 0.5);
+  EXPECT_FALSE(facts.axes);
+  EXPECT_EQ(facts.statistics.samples, 4U);
+  EXPECT_EQ(facts.statistics.zeros, 1U);
+  EXPECT_EQ(facts.statistics.lowest, -7.0);
+  EXPECT_EQ(facts.statistics.highest, 5.0);
+  EXPECT_EQ(facts.statistics.largest_row, 1U);
+}
+
+TEST_F(FactsOfSamples, EndWhereTheyAreStoppedOrRefused) {
+  core::StopFlag stop;
+  stop.request();
+  core::Observer observer;
+  observer.stop = &stop;
+  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string(), {}, observer)), core::Interrupted);
+  SampleArguments said;
+  said.lsb_v = -1.0;
+  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string(), said, {})), core::Refused);
+  EXPECT_THROW(static_cast<void>(facts_of_samples(file_.string() + ".none", {}, {})), core::Refused);
+}
+
+}  // namespace sample_facts_test
+}  // namespace sarsim::workflow
