@@ -11,7 +11,7 @@
 #include "core/maths/window.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
-namespace sarsim {
+namespace sarsim::signal {
 namespace {
 
 struct Case {
@@ -74,7 +74,7 @@ const bool registered = [] {
   cases[1].options.beam_rad = quarter_rad;
   cases[2].name = "beam_window";
   cases[2].options = cases[1].options;
-  cases[2].options.azimuth_window = [](double x) { return hamming_window(x); };
+  cases[2].options.azimuth_window = [](double x) { return core::hamming_window(x); };
   cases[3].name = "fine_pixels";
   cases[3].spacing_m = 0.1;
   cases[4].name = "two_threads";
@@ -91,4 +91,4 @@ const bool registered = [] {
 }();
 
 }  // namespace
-}  // namespace sarsim
+}  // namespace sarsim::signal

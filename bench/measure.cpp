@@ -18,7 +18,10 @@
 
 namespace {
 
-using namespace sarsim;
+using namespace sarsim::core;
+using namespace sarsim::radar;
+using namespace sarsim::scene;
+using namespace sarsim::simulate;
 using Row = std::vector<std::complex<double>>;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }

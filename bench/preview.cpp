@@ -27,7 +27,10 @@
 
 namespace {
 
-using namespace sarsim;
+using namespace sarsim::core;
+using namespace sarsim::picture;
+using namespace sarsim::scene;
+using namespace sarsim::simulate;
 
 // Of all threads: what other programs on the machine disturb less than the clock.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

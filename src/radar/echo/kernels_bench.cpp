@@ -36,16 +36,16 @@ enum class Band { hard_edged, limited };
 // What makes a pulse more than a tone.
 enum class Shape { none, ramps, curve_8, curve_200, user_8, user_200, user_2000, low_pass_100, band_limited, cut };
 
-Interpolator curve(Interpolation method, int knots) {
+core::Interpolator curve(core::Interpolation method, int knots) {
   std::mt19937_64 random(9);
   std::uniform_real_distribution<double> value(0.3, 1.0);
-  SampledFunction f;
+  core::SampledFunction f;
   f.method = method;
   for (int i = 0; i < knots; ++i) f.knots.push_back({static_cast<double>(i) / (knots - 1), value(random)});
-  return Interpolator(f);
+  return core::Interpolator(f);
 }
 
-void give_user_pulse(Pulse& pulse, Interpolation method, int knots) {
+void give_user_pulse(Pulse& pulse, core::Interpolation method, int knots) {
   pulse.kind = Pulse::Kind::user;
   pulse.sweep_hz = 0.0;
   pulse.in_phase = curve(method, knots);
@@ -66,12 +66,12 @@ void give_shape(EchoPulse& echo, Shape shape) {
     case Shape::curve_8:
     case Shape::curve_200:
       pulse.envelope = Pulse::Envelope::user;
-      pulse.envelope_gain = curve(Interpolation::linear, shape == Shape::curve_8 ? 8 : 200);
+      pulse.envelope_gain = curve(core::Interpolation::linear, shape == Shape::curve_8 ? 8 : 200);
       break;
-    case Shape::user_8: give_user_pulse(pulse, Interpolation::cubic, 8); break;
-    case Shape::user_200: give_user_pulse(pulse, Interpolation::linear, 200); break;
-    case Shape::user_2000: give_user_pulse(pulse, Interpolation::linear, 2000); break;
-    case Shape::low_pass_100: give_user_pulse(pulse, Interpolation::low_pass, 100); break;
+    case Shape::user_8: give_user_pulse(pulse, core::Interpolation::cubic, 8); break;
+    case Shape::user_200: give_user_pulse(pulse, core::Interpolation::linear, 200); break;
+    case Shape::user_2000: give_user_pulse(pulse, core::Interpolation::linear, 2000); break;
+    case Shape::low_pass_100: give_user_pulse(pulse, core::Interpolation::low_pass, 100); break;
     case Shape::band_limited: limit(0.0); break;
     case Shape::cut: limit(pulse.width_s); break;
   }
@@ -87,11 +87,11 @@ Workload workload(Pulse::Kind kind, double samples, std::size_t echo_count, doub
   w.pulse.pulse.sweep_hz = kind == Pulse::Kind::chirp ? 0.8 / interval_s : 0.0;
   if (kind == Pulse::Kind::code) w.pulse.pulse.code = barker_code(6);
   if (band == Band::limited) w.pulse.band_limited.emplace(w.pulse.pulse, 0.5 / interval_s, 1.0 / interval_s, 0.0);
-  w.pulse.light_speed_mps = exact_light_speed_mps;
+  w.pulse.light_speed_mps = core::exact_light_speed_mps;
   w.grid = {40e-6, interval_s, static_cast<std::size_t>(4.0 * samples)};
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> position(0.0, 3.0 * samples), unit(-1.0, 1.0);
-  const double fastest_mps = cycles * exact_light_speed_mps / (2.0 * carrier_hz * w.pulse.pulse.width_s);
+  const double fastest_mps = cycles * core::exact_light_speed_mps / (2.0 * carrier_hz * w.pulse.pulse.width_s);
   for (std::size_t k = 0; k < echo_count; ++k)
     w.echoes.add(w.grid.first_s + position(random) * interval_s, unit(random), fastest_mps * unit(random));
   return w;
@@ -269,13 +269,13 @@ BENCHMARK_CAPTURE(spectral_set_up, hard_1e_9, 1e-9)->Unit(benchmark::kMillisecon
 template <class Real>
 void gather(benchmark::State& state) {
   const Workload w = workload(Pulse::Kind::chirp, 1000.0, 20000, 0.1);
-  const RowFrame frame{carrier_hz, exact_light_speed_mps, w.grid.first_s, interval_s, -1e9, 1e9};
+  const RowFrame frame{carrier_hz, core::exact_light_speed_mps, w.grid.first_s, interval_s, -1e9, 1e9};
   Strengths<Real> out;
   gather_strengths(w.echoes, frame, out);
   for (std::size_t k = 0; k < w.echoes.size(); ++k) {
     const double cycles = carrier_hz * w.echoes.delay_s[k];
     const std::complex<double> expected =
-        w.echoes.amplitude_sqrt_w[k] * std::polar(1.0, -2.0 * pi * (cycles - std::round(cycles)));
+        w.echoes.amplitude_sqrt_w[k] * std::polar(1.0, -2.0 * core::pi * (cycles - std::round(cycles)));
     if (!(std::abs(std::complex<double>(out.strength[k]) - expected) < 1e-6))
       return state.SkipWithError("a strength differs from its formula");
   }
@@ -291,14 +291,14 @@ BENCHMARK_TEMPLATE(gather, double);
 using Law = PointArrays::Law;
 using Offsets = AntennaSight::Offsets;
 
-Interpolator curve_of(Interpolation method) {
-  SampledFunction function{method, {}};
+core::Interpolator curve_of(core::Interpolation method) {
+  core::SampledFunction function{method, {}};
   for (int i = 0; i <= 36; ++i) function.knots.push_back({5.0 * i, -0.2 * i - (i % 4 == 3 ? 6.0 : 0.0)});
-  return Interpolator(function);
+  return core::Interpolator(function);
 }
 
-CurveTables tables_of(Interpolation method) {
-  const Interpolator curve = curve_of(method);
+CurveTables tables_of(core::Interpolation method) {
+  const core::Interpolator curve = curve_of(method);
   return tabulate(std::array{&curve}, 0.2e-6);
 }
 
@@ -327,15 +327,15 @@ PointArrays random_points_with_jitter(std::size_t count, Law law) {
   for (std::size_t i = 0; i < count; ++i) {
     for (auto* column : {&jitter.x_stddev_m, &jitter.y_stddev_m, &jitter.z_stddev_m, &jitter.rcs_stddev_m2})
       column->push_back(0.1);
-    jitter.position_key.push_back(RandomStream(1, RandomKind::target_position, i).key());
+    jitter.position_key.push_back(core::RandomStream(1, core::RandomKind::target_position, i).key());
     jitter.rcs_m2.push_back(1.0);
-    jitter.rcs_key.push_back(RandomStream(1, RandomKind::target_rcs, i).key());
+    jitter.rcs_key.push_back(core::RandomStream(1, core::RandomKind::target_rcs, i).key());
     if (law == Law::isotropic) continue;
     jitter.azimuth_rad.push_back(3.0);
     jitter.elevation_rad.push_back(0.6);
     jitter.azimuth_stddev_rad.push_back(0.1);
     jitter.elevation_stddev_rad.push_back(0.1);
-    jitter.pointing_key.push_back(RandomStream(1, RandomKind::target_pointing, i).key());
+    jitter.pointing_key.push_back(core::RandomStream(1, core::RandomKind::target_pointing, i).key());
   }
   return points;
 }
@@ -348,7 +348,7 @@ AntennaSight sinx_antenna(Offsets offsets = Offsets::antenna_frame) {
   return antenna;
 }
 
-AntennaSight user_antenna(Interpolation method, Offsets offsets = Offsets::antenna_frame) {
+AntennaSight user_antenna(core::Interpolation method, Offsets offsets = Offsets::antenna_frame) {
   AntennaSight antenna;
   antenna.offsets = offsets;
   antenna.curves = tables_of(method);
@@ -357,11 +357,11 @@ AntennaSight user_antenna(Interpolation method, Offsets offsets = Offsets::anten
 }
 
 void sight(benchmark::State& state, const PointArrays& points, const AntennaSight& antenna,
-           Interpolation reflectivity) {
+           core::Interpolation reflectivity) {
   SightFrame frame;
   frame.origin_m = {100.0, 3000.0, -1000.0};
   frame.velocity_mps = {-100.0, 0.0, 0.0};
-  frame.light_speed_mps = exact_light_speed_mps;
+  frame.light_speed_mps = core::exact_light_speed_mps;
   frame.amplitude_scale = 1e-3;
   frame.axis_azimuth_rad = 0.03;
   frame.axis_elevation_rad = -0.3;
@@ -370,8 +370,8 @@ void sight(benchmark::State& state, const PointArrays& points, const AntennaSigh
   for (std::size_t i = 0; i < points.size(); ++i) echoes.add(0.0, -1.0, 0.0);
   if (!write_echoes(points, frame, antenna, curves, echoes, 0)) return state.SkipWithError("an echo is impossible");
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double distance = norm(frame.origin_m + Vec3{points.x_m[i], points.y_m[i], points.z_m[i]});
-    const double delay = 2.0 * distance / (exact_light_speed_mps - echoes.speed_mps[i]);
+    const double distance = core::norm(frame.origin_m + core::Vec3{points.x_m[i], points.y_m[i], points.z_m[i]});
+    const double delay = 2.0 * distance / (core::exact_light_speed_mps - echoes.speed_mps[i]);
     const double bound = points.jitter.position_key.empty() ? 1e-12 : 1e-3;
     if (!(std::abs(echoes.delay_s[i] - delay) < bound * delay)) return state.SkipWithError("a delay is wrong");
   }
@@ -387,18 +387,18 @@ BENCHMARK_CAPTURE(sight, cosine_law, random_points(many, Law::cosine), AntennaSi
 BENCHMARK_CAPTURE(sight, sinx_beam, random_points(many, Law::isotropic), sinx_antenna(), {});
 BENCHMARK_CAPTURE(sight, classic_sinx_beam, random_points(many, Law::isotropic), sinx_antenna(Offsets::world_angles),
                   {});
-BENCHMARK_CAPTURE(sight, user_antenna_linear, random_points(many, Law::isotropic), user_antenna(Interpolation::linear),
-                  {});
-BENCHMARK_CAPTURE(sight, user_antenna_cubic, random_points(many, Law::isotropic), user_antenna(Interpolation::cubic),
-                  {});
+BENCHMARK_CAPTURE(sight, user_antenna_linear, random_points(many, Law::isotropic),
+                  user_antenna(core::Interpolation::linear), {});
+BENCHMARK_CAPTURE(sight, user_antenna_cubic, random_points(many, Law::isotropic),
+                  user_antenna(core::Interpolation::cubic), {});
 BENCHMARK_CAPTURE(sight, user_antenna_low_pass, random_points(many, Law::isotropic),
-                  user_antenna(Interpolation::low_pass), {});
+                  user_antenna(core::Interpolation::low_pass), {});
 BENCHMARK_CAPTURE(sight, classic_user_antenna_linear, random_points(many, Law::isotropic),
-                  user_antenna(Interpolation::linear, Offsets::world_angles), {});
+                  user_antenna(core::Interpolation::linear, Offsets::world_angles), {});
 BENCHMARK_CAPTURE(sight, user_reflectivity_linear, random_points(many, Law::curve), AntennaSight{},
-                  Interpolation::linear);
+                  core::Interpolation::linear);
 BENCHMARK_CAPTURE(sight, user_reflectivity_low_pass, random_points(many, Law::curve), AntennaSight{},
-                  Interpolation::low_pass);
+                  core::Interpolation::low_pass);
 BENCHMARK_CAPTURE(sight, deviations_of_position_and_rcs, random_points_with_jitter(many, Law::isotropic),
                   AntennaSight{}, {});
 BENCHMARK_CAPTURE(sight, deviations_of_everything, random_points_with_jitter(many, Law::cosine), AntennaSight{}, {});

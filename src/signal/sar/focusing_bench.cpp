@@ -15,7 +15,7 @@ const SarEchoes& large_echoes() {
     setting.prf_hz = 1200.0;
     setting.pulses = 4096;
     setting.swath_m = 4096.0 * 0.5 * setting.waveform.light_speed_mps / setting.waveform.sample_rate_hz + 0.1;
-    const Vec3 point = sar_test::point_at(setting, 0.0, setting.closest_m());
+    const core::Vec3 point = sar_test::point_at(setting, 0.0, setting.closest_m());
     return sar_test::make_echoes(setting, {{point, 1.0, {}}});
   }();
   return echoes;
@@ -23,7 +23,7 @@ const SarEchoes& large_echoes() {
 
 void focus_large(benchmark::State& state, FocusMethod method) {
   const SarEchoes& echoes = large_echoes();
-  const WorkControl control{.threads = static_cast<unsigned>(state.range(0))};
+  const core::WorkControl control{.threads = static_cast<unsigned>(state.range(0))};
   for (auto _ : state) {
     const FocusedRows image = focus_rows(rows_of(echoes), {.method = method}, control);
     benchmark::DoNotOptimize(image.image.azimuth.count);
