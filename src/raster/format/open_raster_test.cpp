@@ -72,6 +72,21 @@ TEST(WholeFile, MinusZeroIsZero) {
   EXPECT_FALSE(std::signbit(samples.at(0).real()));
 }
 
+TEST(WholeFile, ReadsWholeNumbersOfAnyLengthWhereverTheyStand) {
+  EXPECT_EQ(
+      samples_of("9223372036854775807 -9999999999999999999\n+18446744073709551615 12345678901234567890", 1, 2),
+      (Samples{{9223372036854775807.0, -9999999999999999999.0}, {18446744073709551615.0, 12345678901234567890.0}}));
+  EXPECT_EQ(error_of("1 -\n").found, "-");
+  EXPECT_EQ(error_of("1 +-2\n").found, "+-2");
+  std::string text;
+  Samples expected;
+  for (int row = 0; row < 20000; ++row) {
+    text += fmt::format("{} {}\n\n", row, -row);
+    expected.emplace_back(row, -row);
+  }
+  EXPECT_EQ(samples_of(text, 20000, 1), expected);
+}
+
 TEST(WholeFile, ReadsBracketText) {
   EXPECT_EQ(samples_of("(1,2) (-3,4) \n(5,0) (7,8) \n", 2, 2), four);
   EXPECT_EQ(samples_of("( 1 , 2 )(-3,4)\r\n\r\n(5,0)\t(7,8)", 2, 2), four);

@@ -1,7 +1,7 @@
 #include "raster/format/text_raster.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstddef>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -21,33 +21,41 @@ constexpr double byte_s = 8e-9;  // Of reading numbers, measured.
 template <class Real>
 class WindowRow {
  public:
-  WindowRow(const TextSamples& samples, const ImageWindow& window) : samples_(samples), window_(window) {}
+  WindowRow(const TextSamples& samples, const ImageWindow& window)
+      : samples_(samples),
+        before_(window.col0 * samples.components),
+        between_((window.col_step - 1) * samples.components),
+        stride_(samples.components == 2 ? 1 : 2) {}
 
-  // The next row; null: none of its samples is wanted.
-  void begin(std::complex<Real>* out) {
-    out_ = out;
-    end_ = out == nullptr ? nullptr : out + window_.cols;
-    index_ = 0;
-    wanted_ = out == nullptr ? none : window_.col0 * samples_.components;
+  // The next row; empty: none of its samples is wanted.
+  void begin(std::span<std::complex<Real>> out) {
+    at_ = reinterpret_cast<Real*>(out.data());  // Numbers of a complex array lie as those of an array.
+    end_ = at_ + 2 * out.size();
+    skip_ = before_;
+    left_ = samples_.components;
   }
   void put(const TextNumber& number) {
-    const std::size_t index = index_++;
-    if (index < wanted_) return;
-    const Real value = samples_.decoded<Real>(number);
-    index == wanted_ ? out_->real(value) : out_->imag(value);
-    if (index + 1 < wanted_ + samples_.components) return;
-    wanted_ = ++out_ == end_ ? none : wanted_ + window_.col_step * samples_.components;
+    if (at_ == end_) return;
+    if (skip_ > 0) {
+      --skip_;
+      return;
+    }
+    *at_ = samples_.decoded<Real>(number);
+    at_ += stride_;
+    if (between_ == 0 || --left_ > 0) return;
+    left_ = samples_.components;
+    skip_ = between_;
   }
 
  private:
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
   const TextSamples& samples_;
-  const ImageWindow& window_;
-  std::complex<Real>* out_ = nullptr;
-  std::complex<Real>* end_ = nullptr;
-  std::size_t index_ = 0;      // Of the next number of the row.
-  std::size_t wanted_ = none;  // Of the first number of the next wanted sample.
+  std::size_t before_;  // Numbers before the first sample that is wanted, and between two of them.
+  std::size_t between_;
+  std::ptrdiff_t stride_;
+  Real* at_ = nullptr;
+  Real* end_ = nullptr;
+  std::size_t skip_ = 0;  // Numbers that are not wanted now.
+  std::size_t left_ = 0;  // Numbers of the sample that are still to come.
 };
 
 class TextRaster final : public Raster {
@@ -176,7 +184,6 @@ class TextRaster final : public Raster {
   template <class Real>
   void read_range(const ImageWindow& window, std::size_t begin, std::size_t end,
                   std::span<std::complex<Real>> out) const {
-    std::ranges::fill(out, std::complex<Real>());
     WindowRow<Real> target(samples_, window);
     const auto put = [&](const TextNumber& number) { target.put(number); };
     for (std::size_t i = begin; i < end;) {
@@ -186,9 +193,11 @@ class TextRaster final : public Raster {
       TextScanner scanner(file_, mark.offset, mark.line);
       TextRowParser parser(scanner, samples_.layout, put);
       for (; i < end && (window.row_step == 1 || index_->before(window.row(i)).first == marked); ++i, ++row) {
-        target.begin(nullptr);
+        target.begin({});
         for (; row < window.row(i); ++row) expect_row(parser.parse());
-        target.begin(out.data() + (i - begin) * window.cols);
+        const auto wanted = out.subspan((i - begin) * window.cols, window.cols);
+        if (!whole_) std::ranges::fill(wanted, std::complex<Real>());
+        target.begin(wanted);
         expect_row(parser.parse());
       }
     }

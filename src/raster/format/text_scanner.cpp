@@ -40,11 +40,11 @@ bool TextScanner::fill() {
   return filled_ > 0;
 }
 
-void TextScanner::skip_blanks() {
+void TextScanner::skip_more_blanks() {
   for (int c = peek(); is_white(c) && c != '\n'; c = peek()) advance();
 }
 
-std::size_t TextScanner::skip_white_space() {
+std::size_t TextScanner::skip_more_white_space() {
   std::size_t lines = 0;
   for (int c = peek(); is_white(c); c = peek()) {
     lines += c == '\n' ? 1 : 0;
@@ -68,7 +68,27 @@ std::string TextScanner::take_token() {
   return token;
 }
 
+// A whole number of few digits, as nearly all are, that the buffer holds with the end of its token.
+bool TextScanner::take_short_number(TextNumber& number) {
+  constexpr std::ptrdiff_t most_digits = 19;  // Of any that 64 bits hold.
+  if (peek() == end) return false;
+  const char* at = buffer_.data() + next_;
+  const char* const last = buffer_.data() + filled_;
+  const bool negative = *at == '-';
+  if (negative || *at == '+') ++at;
+  const char* const digits = at;
+  std::uint64_t magnitude = 0;
+  for (; at < last && *at >= '0' && *at <= '9' && at - digits < most_digits; ++at)
+    magnitude = 10 * magnitude + static_cast<std::uint64_t>(*at - '0');
+  if (at == digits || at == last || !ends_token(static_cast<unsigned char>(*at))) return false;
+  const auto value = static_cast<double>(magnitude);
+  number = {true, negative, magnitude, negative ? -value : value};
+  next_ = static_cast<std::size_t>(at - buffer_.data());
+  return true;
+}
+
 bool TextScanner::take_number(TextNumber& number, std::string& token) {
+  if (take_short_number(number)) return true;
   token.clear();
   for (int c = peek(); !ends_token(c) && token.size() < longest_token; c = peek()) {
     token += static_cast<char>(c);

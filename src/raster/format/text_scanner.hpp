@@ -44,9 +44,11 @@ class TextScanner {
   [[nodiscard]] std::size_t column() const { return static_cast<std::size_t>(offset() - line_start_) + 1; }
 
   /// Skips blanks, tabs and carriage returns.
-  void skip_blanks();
+  void skip_blanks() {
+    if (!beyond_white()) skip_more_blanks();
+  }
   /// Skips all white space and returns the number of line feeds in it.
-  std::size_t skip_white_space();
+  std::size_t skip_white_space() { return beyond_white() ? 0 : skip_more_white_space(); }
   /// Skips what is left of the line and its end.
   void skip_line();
   /// Takes everything up to white space, a comma, a bracket or the end; at most `longest_token` bytes.
@@ -57,7 +59,12 @@ class TextScanner {
   static constexpr std::size_t longest_token = 400;
 
  private:
+  // Whether the next byte is in the buffer and certainly no white space.
+  [[nodiscard]] bool beyond_white() const { return next_<filled_&& static_cast<unsigned char>(buffer_[next_])> ' '; }
+  void skip_more_blanks();
+  std::size_t skip_more_white_space();
   bool fill();
+  bool take_short_number(TextNumber& number);
 
   const core::InputFile& file_;
   std::vector<char> buffer_;
