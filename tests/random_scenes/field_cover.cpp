@@ -33,7 +33,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::size_t objects_of(const scene::Scene& scene, const std::string& kind) {
   std::size_t count = 1;  // $OPTIONS
   scene::for_each_kind([&](const auto& of) {
-    if (of.name() == kind) count = (scene.*of.list).size();
+    if (of.name == kind) count = (scene.*of.list).size();
   });
   return count;
 }

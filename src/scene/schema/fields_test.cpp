@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "scene/check/check.hpp"
-#include "scene/schema/kinds.hpp"
+#include "scene/model/kinds.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
@@ -78,7 +78,7 @@ std::set<std::string> members_with_fields(std::string_view within = "") {
 TEST(Fields, EveryMemberOfEveryObjectHasAField) {
   for_each_kind([]<class Object>(const Kind<Object>& kind) {
     const std::set<std::string> members = members_with_fields<Object>();
-    EXPECT_EQ(members.size(), member_count<Object>()) << kind.name();
+    EXPECT_EQ(members.size(), member_count<Object>()) << kind.name;
     for (const std::string& member : members) {
       const std::string_view id = field_of_problem(kind.kind, member);
       EXPECT_FALSE(id.empty()) << member;

@@ -27,11 +27,11 @@ TEST_F(FactsOfSamples, AreItsShapeAndThoseOfAllItsSamples) {
   said.bits = 8;
   said.lsb_v = 0.5;
   const SampleFacts facts = facts_of_samples(file_.string(), said, {});
-  EXPECT_EQ(facts.info.rows, 2U);
-  EXPECT_EQ(facts.info.columns, 2U);
-  EXPECT_EQ(facts.info.bits, 8);
-  EXPECT_EQ(facts.info.lsb_v, 0.5);
-  EXPECT_FALSE(facts.axes);
+  EXPECT_EQ(facts.file->rows(), 2U);
+  EXPECT_EQ(facts.file->columns(), 2U);
+  EXPECT_EQ(facts.file->info().bits, 8);
+  EXPECT_EQ(facts.file->info().lsb_v, 0.5);
+  EXPECT_FALSE(facts.file->axes());
   EXPECT_EQ(facts.statistics.samples, 4U);
   EXPECT_EQ(facts.statistics.zeros, 1U);
   EXPECT_EQ(facts.statistics.lowest, -7.0);
