@@ -11,13 +11,6 @@ namespace sarsim::scene {
 
 namespace {
 
-void write(script::ScriptLines& lines, const Platform& platform) { script::write_platform(lines, platform); }
-void write(script::ScriptLines& lines, const Target& target) { script::write_target(lines, target); }
-void write(script::ScriptLines& lines, const Surface& surface) { script::write_surface(lines, surface); }
-void write(script::ScriptLines& lines, const Radar& radar) { script::write_radar(lines, radar); }
-void write(script::ScriptLines& lines, const Simulation& simulation) { script::write_simulation(lines, simulation); }
-void write(script::ScriptLines& lines, const GeometryTable& table) { script::write_geometry(lines, table); }
-
 std::string taken(script::ScriptLines& lines) {
   std::string text = lines.take();
   while (text.ends_with("\n\n")) text.pop_back();
@@ -107,13 +100,13 @@ std::string command_text(const AnyObject& object) {
   AnyObject writable = object;
   make_names_sayable(writable);
   script::ScriptLines lines;
-  std::visit([&](const auto& any) { write(lines, any); }, writable);
+  std::visit([&](const auto& any) { script::write_command(lines, any); }, writable);
   return taken(lines);
 }
 
 std::string command_text(const RunOptions& options) {
   script::ScriptLines lines;
-  script::write_options(lines, options);
+  script::write_command(lines, options);
   return taken(lines);
 }
 

@@ -21,7 +21,7 @@ void write_option(ScriptLines& lines, const FieldOf<RunOptions>& option, const R
 
 }  // namespace
 
-void write_options(ScriptLines& lines, const RunOptions& options) {
+void write_command(ScriptLines& lines, const RunOptions& options) {
   const RunOptions initial;
   if (options == initial) return;
   lines.plain("$OPTIONS");

@@ -3,7 +3,7 @@
 
 namespace sarsim::scene::script {
 
-void write_platform(ScriptLines& lines, const Platform& platform) {
+void write_command(ScriptLines& lines, const Platform& platform) {
   lines.plain("$PLATFORM  " + quoted_where_needed(platform.name));
   lines.fields(platform_order().path, platform);
   lines.fields(platform_order().rotation, platform);

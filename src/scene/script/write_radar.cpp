@@ -20,7 +20,7 @@ void write_stc(ScriptLines& lines, const Radar& radar) {
 
 }  // namespace
 
-void write_radar(ScriptLines& lines, const Radar& radar) {
+void write_command(ScriptLines& lines, const Radar& radar) {
   lines.plain("$RADAR");
   lines.field(field_of<&Radar::name>(), radar);
   lines.fields(radar_order().up_to_power, radar);

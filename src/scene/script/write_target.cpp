@@ -3,14 +3,14 @@
 
 namespace sarsim::scene::script {
 
-void write_surface(ScriptLines& lines, const Surface& surface) {
+void write_command(ScriptLines& lines, const Surface& surface) {
   lines.plain("$SURFACE");
   lines.plain(quoted_where_needed(surface.platform) + "  ! Platform that carries the triangle");
   lines.rows(surface_rows(), surface);
   lines.blank();
 }
 
-void write_target(ScriptLines& lines, const Target& target) {
+void write_command(ScriptLines& lines, const Target& target) {
   lines.plain("$TARGET " + quoted_where_needed(target.platform) + "  ! Platform that carries the target");
   lines.rows(target_rows(), target);
   lines.blank();

@@ -1,10 +1,12 @@
 #include "scene/script/writer.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "scene/model/kinds.hpp"
 #include "scene/script/write_commands.hpp"
 
 namespace sarsim::scene {
@@ -13,23 +15,27 @@ namespace {
 
 using namespace script;
 
+// Commands of a few lines each, of which there can be very many: a blank line sets off their list.
 template <class Object>
-void write_all(ScriptLines& lines, const std::vector<Object>& objects, void (*write)(ScriptLines&, const Object&)) {
-  for (const Object& object : objects) write(lines, object);
-  if (!objects.empty()) lines.blank();
-}
+constexpr bool is_short = !std::is_same_v<Object, Radar> && !Kind<Object>::belongs_to_radar;
 
-// Targets can be very many: ranges of them are written on several threads and joined in their order.
-void write_targets(ScriptLines& lines, const std::vector<Target>& targets, const core::WorkControl& control) {
-  constexpr std::size_t range_targets = 4096;
-  const std::size_t ranges = (targets.size() + range_targets - 1) / range_targets;
-  if (control.threads <= 1 || ranges <= 1) return write_all(lines, targets, write_target);
+// Ranges of a long list are written on several threads and joined in their order.
+template <class Object>
+void write_list(ScriptLines& lines, const std::vector<Object>& objects, const core::WorkControl& control) {
+  constexpr std::size_t range_objects = 4096;
+  const std::size_t ranges = (objects.size() + range_objects - 1) / range_objects;
+  const auto write_range = [&](ScriptLines& to, std::size_t range) {
+    const std::size_t begin = range * range_objects;
+    for (std::size_t i = begin; i < std::min(begin + range_objects, objects.size()); ++i) write_command(to, objects[i]);
+  };
+  if (control.threads <= 1 || ranges <= 1) {
+    for (std::size_t range = 0; range < ranges; ++range) write_range(lines, range);
+    return;
+  }
   const auto make_worker = [&] {
     return [&](std::size_t range) {
       ScriptLines part;
-      const std::size_t begin = range * range_targets;
-      for (std::size_t i = begin; i < std::min(begin + range_targets, targets.size()); ++i)
-        write_target(part, targets[i]);
+      write_range(part, range);
       return part.take();
     };
   };
@@ -37,7 +43,6 @@ void write_targets(ScriptLines& lines, const std::vector<Target>& targets, const
     lines.append(part, (ranges - range) * (part.size() + part.size() / 8));
   };
   core::ordered_parallel<std::string>(ranges, control.threads, make_worker, join, control.stop);
-  lines.blank();
 }
 
 }  // namespace
@@ -47,13 +52,12 @@ std::string write_script(const Scene& scene, const core::WorkControl& control) {
   lines.plain(fmt::format("! Radar scene, written by Sarsim {}", core::program_version));
   lines.plain("! Angles: azimuth from +y towards +x, elevation from the x-y plane upwards");
   lines.blank(2);
-  write_all(lines, scene.platforms, write_platform);
-  write_all(lines, scene.surfaces, write_surface);
-  write_targets(lines, scene.targets, control);
-  for (const Radar& radar : scene.radars) write_radar(lines, radar);
-  for (const Simulation& simulation : scene.simulations) write_simulation(lines, simulation);
-  for (const GeometryTable& table : scene.geometries) write_geometry(lines, table);
-  write_options(lines, scene.options);
+  for (const ObjectKind kind : written_object_kinds)
+    visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& objects) {
+      write_list(lines, objects, control);
+      if (is_short<Object> && !objects.empty()) lines.blank();
+    });
+  write_command(lines, scene.options);
   return lines.take();
 }
 
