@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "core/hash/fnv1a.hpp"
 #include "core/report/refused.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/schema/value_list.hpp"
 
@@ -34,11 +36,6 @@ std::vector<std::string> distinct_words(const std::vector<std::string>& values) 
     words.push_back(std::move(unique));
   }
   return words;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? std::string() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 }  // namespace
@@ -85,8 +82,8 @@ void Sweep::add_axis(const scene::Scene& scene, const std::string& setting, core
     return;
   }
   SweepAxis axis;
-  axis.name = trimmed(setting.substr(0, equals));
-  const std::string values = trimmed(setting.substr(equals + 1));
+  axis.name = core::trimmed(std::string_view(setting).substr(0, equals));
+  const std::string values(core::trimmed(std::string_view(setting).substr(equals + 1)));
   axis.field = scene::find_named_field(scene, axis.name, values);
   if (axis.field.field == nullptr) {
     problems.push_back(mistake(setting, axis.field.failure));
