@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "scene/check/check_findings.hpp"
+#include "scene/model/limits.hpp"
 #include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene {
@@ -20,12 +21,27 @@ template <auto... Path>
   return !fault_of(field.spec, field.get(object), applies);
 }
 
+/// Whether a plain number or vector is right whether or not its field applies; false where more has to be asked.
+template <class Object>
+[[nodiscard]] bool is_plainly_sound(const FieldOf<Object>& field, const Object& object) {
+  if (field.spec.usable) return false;
+  const auto sound = [&](double value) { return computable(value) && field.spec.range.holds(value); };
+  if (field.number != nullptr) return sound(*static_cast<const double*>(field.address(object)));
+  if (field.vector == nullptr) return false;
+  const auto& value = *static_cast<const core::Vec3*>(field.address(object));
+  return sound(value.x) && sound(value.y) && sound(value.z);
+}
+
 /// Reports each number of an object that is wrong by itself.
 template <class Object>
 void check_values(Findings& findings, const Object& object) {
-  for (const FieldOf<Object>& field : table_of<Object>().fields()) {
+  const FieldTable<Object>& table = table_of<Object>();
+  for (const FieldOf<Object>& field : table.fields()) {
     if (field.spec.type != FieldType::number && field.spec.type != FieldType::vector) continue;
-    if (auto fault = fault_of(field.spec, field.get(object), table_of<Object>().applies(object, field)))
+    if (is_plainly_sound(field, object)) continue;
+    // Only ranges of use depend on whether the field applies.
+    const bool applies = !field.spec.usable || table.applies(object, field);
+    if (auto fault = fault_of(field.spec, field.get(object), applies))
       findings.error(field.spec.problem_place(), std::move(*fault));
   }
 }

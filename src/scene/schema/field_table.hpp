@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,10 @@ struct FieldOf {
   void (*reset)(Object&) = nullptr;                 ///< To the initial value.
   FunctionRef (*function)(Object&) = nullptr;       ///< FieldType::function only.
   const void* (*address)(const Object&) = nullptr;  ///< Of the member: which one it is.
+  // Ways past FieldValue, for scripts with a million targets; null where the member is something else.
+  double& (*number)(Object&) = nullptr;  ///< FieldType::number only.
+  core::Vec3& (*vector)(Object&) = nullptr;
+  int (*alternative)(const Object&) = nullptr;  ///< Of an enumeration or a bool.
 };
 
 /// The fields of a kind of object, in the order of its form. Members are named by the path to them: a pointer to a
@@ -71,6 +76,13 @@ class FieldTable {
         auto& f = field_values::member<Path...>(o);
         return FunctionRef{f.part, &f.file};
       };
+    if constexpr (std::is_same_v<Member, double>)
+      if (spec.type == FieldType::number)
+        field.number = [](Object& o) -> double& { return field_values::member<Path...>(o); };
+    if constexpr (std::is_same_v<Member, core::Vec3>)
+      field.vector = [](Object& o) -> core::Vec3& { return field_values::member<Path...>(o); };
+    if constexpr (std::is_enum_v<Member> || std::is_same_v<Member, bool>)
+      field.alternative = [](const Object& o) { return static_cast<int>(field_values::member<Path...>(o)); };
     fields_.push_back(std::move(field));
     return *this;
   }
@@ -94,7 +106,10 @@ class FieldTable {
     const Condition* when = &field.spec.when;
     while (!when->among.empty()) {
       const FieldOf<Object>& choice = fields_[when->field];
-      if (!is_among(choice.get(object), when->among)) return false;
+      const bool is_one = choice.alternative != nullptr
+                              ? std::ranges::find(when->among, choice.alternative(object)) != when->among.end()
+                              : is_among(choice.get(object), when->among);
+      if (!is_one) return false;
       when = &choice.spec.when;
     }
     return true;

@@ -1,6 +1,9 @@
 #include "scene/script/field_reader.hpp"
 
+#include <array>
 #include <charconv>
+#include <span>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -40,14 +43,14 @@ constexpr std::array<char, 3> axis_letters{'x', 'y', 'z'};
 }  // namespace
 
 FieldReader::FieldReader(Reading& reading, const Token& command, std::string_view kind, std::size_t index)
-    : reading_(reading), reporter_(reading.log, reading.file, {kind, index}), command_(command), last_(command) {
+    : reading_(reading), reporter_(reading.log, reading.file, {kind, index}), command_(command) {
   reading_.places.begin_object(kind, index, reading_.file);
 }
 
 Token FieldReader::take(const Field& field) {
-  last_ = reading_.tokens.take();
-  if (last_.comment_follows || last_.open_quote) reporter_.check_spelling(last_, field.member);
-  return last_;
+  const Token& token = reading_.tokens.pass();
+  if (token.comment_follows || token.open_quote) reporter_.check_spelling(token, field.member);
+  return token;
 }
 
 void FieldReader::note_object() { note_place(Field{}, command_); }
@@ -61,9 +64,9 @@ bool FieldReader::value_follows(const Field& field, std::string_view kind) {
   failed_ = true;
   std::string expected(kind);
   if (!field.unit.empty()) expected += fmt::format(" in {}", field.unit);
-  reporter_.error(last_, field.member,
+  reporter_.error(reading_.tokens.last(), field.member,
                   {fmt::format("${} ends before the {}", shown(command_.text), field.words), "",
-                   expected + fmt::format(" behind '{}'", shown(last_.text)),
+                   expected + fmt::format(" behind '{}'", shown(reading_.tokens.last().text)),
                    fmt::format("the command begins in line {}", command_.line)});
   return false;
 }
@@ -109,7 +112,7 @@ bool FieldReader::plain_number_in(const Field& field, double& value) {
   const auto plain = plain_number(peek(), field.shift);
   if (!plain || !field.range.holds(*plain)) return false;
   value = *plain;
-  last_ = reading_.tokens.take();
+  reading_.tokens.pass();
   return true;
 }
 
@@ -163,10 +166,13 @@ void FieldReader::vector(const Field& field, core::Vec3& value) {
 }
 
 void FieldReader::choice(const FieldSpec& spec, const Field& field, FieldValue& value) {
-  std::vector<std::string_view> words;
-  for (const Choice& choice : spec.choices) words.push_back(choice.word);
-  const std::size_t at = keyword(field, words);
-  if (at < words.size()) choose(value, spec.choices[at].value);
+  constexpr std::size_t most_words = 16;
+  if (spec.choices.size() > most_words) throw std::logic_error("a field has more choices than the reader looks at");
+  std::array<std::string_view, most_words> words;
+  const std::size_t count = spec.choices.size();
+  for (std::size_t i = 0; i < count; ++i) words[i] = spec.choices[i].word;
+  const std::size_t at = keyword(field, std::span(words).first(count));
+  if (at < count) choose(value, spec.choices[at].value);
 }
 
 void FieldReader::read_value(const FieldSpec& spec, const Field& field, FieldValue& value) {

@@ -44,8 +44,9 @@ class FieldReader {
   /// The fields of an object in their order, those that mean something with what has been read before them.
   template <class Object>
   void read(const Order<Object>& order, Object& object) {
+    const FieldTable<Object>& table = table_of<Object>();
     for (const FieldOf<Object>* const field : order)
-      if (table_of<Object>().applies(object, *field)) read(*field, object);
+      if (table.applies(object, *field)) read(*field, object);
   }
 
   /// One field of an object.
@@ -55,6 +56,9 @@ class FieldReader {
       const FunctionRef function = field.function(object);
       return read_block(field.in_script, *field.spec.block, function.parts, *function.file);
     }
+    if (field.number != nullptr && field.spec.quantity != Quantity::count)
+      return number(parameter(field, object), field.number(object));
+    if (field.vector != nullptr) return vector(parameter(field, object), field.vector(object));
     FieldValue value = field.get(object);
     read_value(field.spec, parameter(field, object), value);
     field.put(object, value);
@@ -107,7 +111,6 @@ class FieldReader {
   Reading& reading_;
   Reporter reporter_;
   Token command_;
-  Token last_;
   bool failed_ = false;
   bool numbers_missing_ = false;
 };

@@ -98,25 +98,25 @@ Tokens::Tokens(std::string_view text) : text_(without_end_marks(text)) {
   if (text_.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
   line_start_ = position_;
   if (text_.find('\n') == std::string_view::npos) line_end_ = '\r';
-  ahead_ = scan();
+  scan();
 }
 
 Tokens Tokens::from_line(std::size_t offset, std::size_t line) const {
   Tokens tokens = *this;
   tokens.position_ = tokens.line_start_ = offset;
   tokens.line_ = line;
-  tokens.ahead_ = tokens.scan();
+  tokens.scan();
   return tokens;
 }
 
-Token Tokens::take() {
-  const Token token = ahead_;
-  ahead_ = scan();
-  return token;
+const Token& Tokens::pass() {
+  ahead_ = 1 - ahead_;
+  scan();
+  return last();
 }
 
 void Tokens::skip_values() {
-  while (ahead_.is_value()) ahead_ = scan();
+  while (peek().is_value()) scan();
 }
 
 void Tokens::skip_comment() { position_ = std::min(text_.find(line_end_, position_), text_.size()); }
@@ -137,34 +137,36 @@ void Tokens::skip_separators() {
   }
 }
 
-Token Tokens::token_from(std::size_t start) const {
-  Token token;
+Token& Tokens::begin_token(TokenKind kind, std::size_t start) {
+  Token& token = slots_[ahead_];
+  token = {};
   token.line = line_;
   token.column = start - line_start_ + 1;
+  token.kind = kind;
   return token;
 }
 
-Token Tokens::scan() {
+void Tokens::scan() {
   skip_separators();
-  if (position_ == text_.size()) return token_from(position_);
+  if (position_ == text_.size()) {
+    begin_token(TokenKind::end, position_);
+    return;
+  }
   if (text_[position_] == '$') return scan_command();
   if (text_[position_] == '"') return scan_quoted();
   return scan_word(TokenKind::word, position_);
 }
 
-Token Tokens::scan_word(TokenKind kind, std::size_t start) {
-  Token token = token_from(start);
-  token.kind = kind;
+void Tokens::scan_word(TokenKind kind, std::size_t start) {
+  Token& token = begin_token(kind, start);
   const std::size_t begin = position_;
   while (position_ < text_.size() && !word_ends[static_cast<unsigned char>(text_[position_])]) ++position_;
   token.text = text_.substr(begin, position_ - begin);
   token.comment_follows = !token.text.empty() && position_ < text_.size() && text_[position_] == '!';
-  return token;
 }
 
-Token Tokens::scan_quoted() {
-  Token token = token_from(position_);
-  token.kind = TokenKind::quoted;
+void Tokens::scan_quoted() {
+  Token& token = begin_token(TokenKind::quoted, position_);
   const std::size_t begin = ++position_;
   while (position_ < text_.size() && text_[position_] != '\n' && text_[position_] != '\r') {
     if (text_[position_] == '"') {
@@ -177,10 +179,9 @@ Token Tokens::scan_quoted() {
   token.text = text_.substr(begin, position_ - begin);
   token.open_quote = position_ == text_.size() || text_[position_] != '"';
   if (!token.open_quote) ++position_;
-  return token;
 }
 
-Token Tokens::scan_command() {
+void Tokens::scan_command() {
   const std::size_t start = position_;
   while (position_ < text_.size() && text_[position_] != line_end_ &&
          (text_[position_] == '$' || is_separator(text_[position_])))

@@ -64,32 +64,39 @@ class Tokens {
   [[nodiscard]] char line_end() const { return line_end_; }
 
   /// The token that `take` would return.
-  [[nodiscard]] const Token& peek() const { return ahead_; }
+  [[nodiscard]] const Token& peek() const { return slots_[ahead_]; }
+
+  /// The token that was handed out last; an empty one before the first.
+  [[nodiscard]] const Token& last() const { return slots_[1 - ahead_]; }
 
   /// Hands out the next token; at the end, again and again the end.
-  Token take();
+  Token take() { return pass(); }
+  /// The same without a copy: the token stands until the next one is handed out.
+  const Token& pass();
 
   /// Goes on to the next command or the end, leaving it to be taken.
   void skip_values();
 
   /// An upper bound for what is still to come, in bytes.
-  [[nodiscard]] std::size_t remaining_bytes() const { return text_.size() - position_ + ahead_.text.size(); }
+  [[nodiscard]] std::size_t remaining_bytes() const { return text_.size() - position_ + peek().text.size(); }
 
  private:
   void skip_separators();
   void skip_comment();
-  [[nodiscard]] Token scan();
-  [[nodiscard]] Token scan_word(TokenKind kind, std::size_t start);
-  [[nodiscard]] Token scan_quoted();
-  [[nodiscard]] Token scan_command();
-  [[nodiscard]] Token token_from(std::size_t start) const;
+  // These fill the token ahead where it stands: a copy of what was just written would wait for it.
+  void scan();
+  void scan_word(TokenKind kind, std::size_t start);
+  void scan_quoted();
+  void scan_command();
+  Token& begin_token(TokenKind kind, std::size_t start);
 
   std::string_view text_;
   std::size_t position_ = 0;
   std::size_t line_ = 1;
   std::size_t line_start_ = 0;
   char line_end_ = '\n';
-  Token ahead_;
+  Token slots_[2];  // the token ahead and the one before it
+  unsigned ahead_ = 0;
 };
 
 }  // namespace sarsim::scene::script
