@@ -56,10 +56,7 @@ bool read_coordinate(const Token& token, const FunctionText& text, bool is_y, Re
   const FunctionAxis& axis = is_y ? text.block.y[text.part] : text.block.x;
   const int shift = is_y ? text.block.y_shift : 0;
   const Range range = is_y ? range_of_y(text.block) : any_value;
-  if (const std::optional<double> plain = plain_number(token, shift); plain && range.holds(*plain)) {
-    value = *plain;
-    return true;
-  }
+  if (plain_number(token, shift, range, value)) return true;
   reporter.check_spelling(token, text.member);
   const std::string words = fmt::format("{} of a point ({})", axis.name, text.block.words);
   return read_number(token, Field{text.member, words, axis.unit, shift, range}, reporter, value);

@@ -60,13 +60,12 @@ void FieldPlaces::add_field(std::string_view field, std::size_t line, std::size_
   const std::uint32_t label = label_of(field, file_);
   if (label == label_limit || object_ > UINT32_MAX || line > UINT32_MAX) return;
   const auto short_column = static_cast<std::uint32_t>(column < column_limit ? column : 0);
-  const Entry entry{static_cast<std::uint32_t>(object_), static_cast<std::uint32_t>(line),
-                    (short_column << label_bits) | label};
+  const auto object = static_cast<std::uint32_t>(object_);
   std::vector<Entry>& entries = kinds_[kind_].entries;
-  if (entries.empty() || entries.back().object <= entry.object)
-    entries.push_back(entry);
-  else
-    entries.insert(std::ranges::upper_bound(entries, entry.object, {}, &Entry::object), entry);
+  const auto at = entries.empty() || entries.back().object <= object
+                      ? entries.end()
+                      : std::ranges::upper_bound(entries, object, {}, &Entry::object);
+  entries.emplace(at, object, static_cast<std::uint32_t>(line), (short_column << label_bits) | label);
 }
 
 std::vector<std::uint32_t> FieldPlaces::labels_for(const FieldPlaces& later) {

@@ -108,10 +108,7 @@ void FieldReader::text(const Field& field, std::string& text) {
 }
 
 bool FieldReader::plain_number_in(const Field& field, double& value) {
-  if (!more()) return false;
-  const auto plain = plain_number(peek(), field.shift);
-  if (!plain || !field.range.holds(*plain)) return false;
-  value = *plain;
+  if (!more() || !plain_number(peek(), field.shift, field.range, value)) return false;
   reading_.tokens.pass();
   return true;
 }

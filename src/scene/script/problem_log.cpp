@@ -137,12 +137,15 @@ void Reporter::check_spelling(const Token& token, std::string_view member) {
     error(token, member, {"a quote is not closed", "\"" + shown(token.text), "a second '\"' on the same line", ""});
 }
 
-std::optional<double> plain_number(const Token& token, int shift) {
-  if (token.comment_follows || token.open_quote) return std::nullopt;
+bool plain_number(const Token& token, int shift, const Range& range, double& value) {
+  if (token.comment_follows || token.open_quote) return false;
   const std::optional<double> number = core::parse_number(token.text, shift);
-  if (number && *number == 0.0 && holds_digit_above_zero(token.text)) return std::nullopt;
-  if (number && !computable(*number)) return std::nullopt;
-  return number;
+  if (!number) return false;
+  const double read = *number;
+  if (read == 0.0 && holds_digit_above_zero(token.text)) return false;
+  if (!computable(read) || !range.holds(read)) return false;
+  value = read;
+  return true;
 }
 
 bool read_number(const Token& token, const Field& field, Reporter& reporter, double& value) {

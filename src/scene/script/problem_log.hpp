@@ -90,8 +90,9 @@ class Reporter {
   ObjectId object_;
 };
 
-/// The number of a token about which nothing at all is to be said; fast, for the many that are so.
-[[nodiscard]] std::optional<double> plain_number(const Token& token, int shift);
+/// Reads a number about which nothing at all is to be said into `value`; fast, for the many that are so. False, and
+/// `value` as it was, for all others.
+[[nodiscard]] bool plain_number(const Token& token, int shift, const Range& range, double& value);
 
 /// Reads a token as the number that `field` describes. On failure reports why and gives nothing; a number outside the
 /// field's range is reported and given all the same.

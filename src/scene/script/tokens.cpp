@@ -139,10 +139,11 @@ void Tokens::skip_separators() {
 
 Token& Tokens::begin_token(TokenKind kind, std::size_t start) {
   Token& token = slots_[ahead_];
-  token = {};
   token.line = line_;
   token.column = start - line_start_ + 1;
   token.kind = kind;
+  token.text = {};
+  token.comment_follows = token.open_quote = token.doubled_quotes = false;
   return token;
 }
 
@@ -159,10 +160,11 @@ void Tokens::scan() {
 
 void Tokens::scan_word(TokenKind kind, std::size_t start) {
   Token& token = begin_token(kind, start);
-  const std::size_t begin = position_;
-  while (position_ < text_.size() && !word_ends[static_cast<unsigned char>(text_[position_])]) ++position_;
-  token.text = text_.substr(begin, position_ - begin);
-  token.comment_follows = !token.text.empty() && position_ < text_.size() && text_[position_] == '!';
+  std::size_t end = position_;
+  while (end < text_.size() && !word_ends[static_cast<unsigned char>(text_[end])]) ++end;
+  token.text = text_.substr(position_, end - position_);
+  token.comment_follows = end > position_ && end < text_.size() && text_[end] == '!';
+  position_ = end;
 }
 
 void Tokens::scan_quoted() {
