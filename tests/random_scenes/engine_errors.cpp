@@ -99,7 +99,8 @@ class Allowance {
     double squares = 0.0;
     double longest_s = 0.0;
     for (std::size_t k = 0; k < echoes_.size(); ++k) {
-      const radar::SampleSpan on = radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k]);
+      const radar::SampleSpan on =
+          radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k], plan_.pulse.clock_of(echoes_, k));
       if (on.begin >= on.end) continue;
       squares += echoes_.amplitude_sqrt_w[k] * echoes_.amplitude_sqrt_w[k];
       longest_s = std::max(longest_s, std::abs(echoes_.delay_s[k]));

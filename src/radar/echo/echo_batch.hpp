@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "radar/echo/pulse_clock.hpp"
+
 namespace sarsim::radar {
 
 /// The echoes of one pulse, target by target.
@@ -10,21 +12,37 @@ struct EchoBatch {
   std::vector<double> delay_s;  ///< Two-way delay tau.
   std::vector<double>
       amplitude_sqrt_w;  ///< Square root of the received power; negative where a pattern's side lobe turns the phase.
-  std::vector<double> speed_mps;  ///< Radial speed v at the send time, positive receding.
+  std::vector<double> doppler;     ///< D, the share by which the echo is longer than the pulse: positive receding.
+  std::vector<double> bend_per_s;  ///< a, what D changes by in a second; empty where that does not count.
 
   /// Forgets the echoes; their room is kept.
-  void clear() {
-    delay_s.clear();
-    amplitude_sqrt_w.clear();
-    speed_mps.clear();
+  void clear() { resize(0, false); }
+  /// Makes room for so many echoes, with or without their bends.
+  void resize(std::size_t count, bool bends) {
+    delay_s.resize(count);
+    amplitude_sqrt_w.resize(count);
+    doppler.resize(count);
+    bend_per_s.resize(bends ? count : 0);
   }
-  /// Adds an echo: seconds, root of watts, metres per second.
-  void add(double delay, double amplitude, double speed) {
+  /// Adds an echo: seconds, root of watts, D. The others must have no bends.
+  void add(double delay, double amplitude, double echo_doppler) {
     delay_s.push_back(delay);
     amplitude_sqrt_w.push_back(amplitude);
-    speed_mps.push_back(speed);
+    doppler.push_back(echo_doppler);
+  }
+  /// Adds an echo with its bend; the others must have theirs.
+  void add(double delay, double amplitude, const PulseClock& clock) {
+    add(delay, amplitude, clock.doppler);
+    bend_per_s.push_back(clock.bend_per_s);
   }
   [[nodiscard]] std::size_t size() const { return delay_s.size(); }
+  /// How echo k is stretched.
+  [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
+  /// Whether all columns have the same length.
+  [[nodiscard]] bool is_whole() const {
+    return amplitude_sqrt_w.size() == size() && doppler.size() == size() &&
+           (bend_per_s.empty() || bend_per_s.size() == size());
+  }
 };
 
 /// Times of the samples of a row: two-way, from the send time of the pulse.

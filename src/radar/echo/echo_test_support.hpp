@@ -28,7 +28,6 @@ inline EchoPulse test_pulse(Pulse::Kind kind, double samples, double sweep = 0.0
   pulse.pulse.width_s = samples * test_interval_s;
   pulse.pulse.sweep_hz = sweep / test_interval_s;
   if (kind == Pulse::Kind::code) pulse.pulse.code = barker_code(6);
-  pulse.light_speed_mps = core::exact_light_speed_mps;
   return pulse;
 }
 
@@ -41,14 +40,22 @@ inline EchoPulse band_limited_test_pulse(double samples, double sweep) {
 /// A row of `count` samples from 20 us on.
 inline SampleGrid test_grid(std::size_t count) { return {20e-6, test_interval_s, count}; }
 
-/// Random echoes with leading edges up to `before` samples before the row and inside it, up to `speed_mps` fast.
+/// Random echoes with leading edges up to `before` samples before the row and inside it, up to `speed_mps` fast,
+/// with D = 2 v/c and bends up to `bend_per_s`.
 inline EchoBatch random_echoes(int echo_count, const SampleGrid& grid, double before, double speed_mps,
-                               unsigned seed = 5) {
+                               unsigned seed = 5, double bend_per_s = 0.0) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> position(-before, static_cast<double>(grid.count)), unit(-1.0, 1.0);
   EchoBatch batch;
-  for (int k = 0; k < echo_count; ++k)
-    batch.add(grid.first_s + position(random) * grid.interval_s, unit(random), speed_mps * unit(random));
+  for (int k = 0; k < echo_count; ++k) {
+    const double delay_s = grid.first_s + position(random) * grid.interval_s;
+    const double amplitude = unit(random);
+    const double doppler = 2.0 / core::exact_light_speed_mps * speed_mps * unit(random);
+    if (bend_per_s == 0.0)
+      batch.add(delay_s, amplitude, doppler);
+    else
+      batch.add(delay_s, amplitude, PulseClock{doppler, bend_per_s * unit(random)});
+  }
   return batch;
 }
 
@@ -78,7 +85,7 @@ inline double strength_of(const EchoPulse& pulse, const SampleGrid& grid, const 
   for (double t = 0.0; t < pulse.pulse.width_s; t += grid.interval_s) energy += std::norm(pulse.pulse.value(t));
   double power = 0.0;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
-    const SampleSpan on = touched_samples(pulse, grid, echoes.delay_s[k]);
+    const SampleSpan on = touched_samples(pulse, grid, echoes.delay_s[k], pulse.clock_of(echoes, k));
     if (on.begin < on.end) power += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
   }
   return std::sqrt(power * energy);

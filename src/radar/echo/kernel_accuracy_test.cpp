@@ -37,7 +37,7 @@ class RowGenerator {
     r.carrier_hz = rate_hz * uniform(5.0, 50.0);
     r.grid = {uniform(1.0, 100.0) * 1e-6, 1.0 / rate_hz,
               static_cast<std::size_t>(std::exp(uniform(std::log(200.0), std::log(3000.0))))};
-    r.pulse.light_speed_mps = light_mps;
+    r.pulse.doppler_rule = chance(0.3) ? DopplerRule::thesis : DopplerRule::stretch;
     r.pulse.pulse = pulse(samples / rate_hz, rate_hz, r.kind);
     r.pulse.lead_s = chance(0.5) ? 0.0 : 0.5 * r.pulse.pulse.width_s;
     if (chance(0.4)) {
@@ -105,9 +105,20 @@ class RowGenerator {
     const double cycle_mps = light_mps / (2.0 * r.carrier_hz * r.pulse.pulse.width_s);  // one cycle per pulse
     const double largest = chance(0.3) ? 0.0 : std::exp(uniform(std::log(1e-4), 0.0)) * std::min(cycle_mps, 3000.0);
     const double common = chance(0.5) ? uniform(-1.0, 1.0) * largest : 0.0;
-    for (int i = 0; i < count; ++i)
-      r.echoes.add(r.grid.first_s + row_s * uniform(-0.5, 1.2), std::exp(uniform(-3.0, 3.0)),
-                   0.5 * common + 0.5 * largest * uniform(-1.0, 1.0));
+    // Bends up to a quarter of a cycle at the ends, common or spread, or none.
+    const double half_s = 0.5 * (r.pulse.last_s() - r.pulse.first_s());
+    const bool bends = r.pulse.doppler_rule == DopplerRule::stretch && chance(0.4);
+    const double bend = bends ? std::exp(uniform(std::log(1e-9), std::log(0.25))) / (0.5 * r.carrier_hz * half_s * half_s) : 0.0;
+    const double spread = chance(0.5) ? 0.1 : 1.0;
+    for (int i = 0; i < count; ++i) {
+      const double delay_s = r.grid.first_s + row_s * uniform(-0.5, 1.2);
+      const double amplitude = std::exp(uniform(-3.0, 3.0));
+      const double doppler = (common + largest * uniform(-1.0, 1.0)) / light_mps;
+      if (bends)
+        r.echoes.add(delay_s, amplitude, PulseClock{doppler, bend * (1.0 - spread * uniform(0.0, 1.0))});
+      else
+        r.echoes.add(delay_s, amplitude, doppler);
+    }
   }
 
   std::mt19937_64 random_;
@@ -131,7 +142,7 @@ double relative_error(const RandomRow& row, const std::vector<std::complex<doubl
   for (std::size_t n = 0; n < got.size(); ++n) error += std::norm(got[n] - expected[n]);
   double strength = 0.0;
   for (std::size_t k = 0; k < row.echoes.size(); ++k) {
-    const SampleSpan on = touched_samples(row.pulse, row.grid, row.echoes.delay_s[k]);
+    const SampleSpan on = touched_samples(row.pulse, row.grid, row.echoes.delay_s[k], row.pulse.clock_of(row.echoes, k));
     if (on.begin < on.end) strength += row.echoes.amplitude_sqrt_w[k] * row.echoes.amplitude_sqrt_w[k];
   }
   return strength == 0.0 ? std::sqrt(error) : std::sqrt(error / (strength * energy(row)));

@@ -120,8 +120,50 @@ double PulseBody::body_share(double t) const {
   return t >= last_ && !edges_.empty() ? 0.0 : 1.0;
 }
 
+double PulseBody::from_middle_s(double t) const { return t * interval_s_ - 0.5 * pulse_->pulse.width_s; }
+
+double PulseBody::received(double t, const PulseClock& clock) const {
+  if (pulse_->doppler_rule == DopplerRule::thesis) return t;
+  return t + clock.late_of(from_middle_s(t)) / interval_s_;
+}
+
+// As `body_share`, each edge region as long as ever and fast to its hard edge as that comes back.
+double PulseBody::share_of_echo(double t, const PulseClock& clock) const {
+  if (t < received(first_, clock) || t > received(last_, clock)) return 0.0;
+  for (const Edge& edge : edges_) {
+    const double hard = received(edge.rising ? edge.start : edge.start + width_, clock);
+    const double x = (edge.rising ? t - hard : hard - t) / width_;
+    if (x >= 0.0 && x < 1.0) return step(x);
+  }
+  return 1.0;
+}
+
+std::complex<double> PulseBody::echo(double t, const PulseClock& clock, double carrier_hz) const {
+  const auto turned = [](double turns) { return std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns))); };
+  if (pulse_->doppler_rule == DopplerRule::thesis || clock.ticks_evenly()) {
+    const double share = body_share(t);
+    if (share == 0.0) return 0.0;
+    return share * value(t) * turned(clock.doppler * doppler_turns(t, carrier_hz));
+  }
+  const double share = share_of_echo(t, clock);
+  if (share == 0.0) return 0.0;
+  const double late_s = clock.late(from_middle_s(t));
+  return share * value(t - late_s / interval_s_) * turned(carrier_hz * late_s);
+}
+
+double PulseBody::largest_doppler_turns(double carrier_hz) const {
+  if (pulse_->doppler_rule == DopplerRule::stretch) {
+    const double farthest_s = std::max(std::abs(from_middle_s(first_)), std::abs(from_middle_s(last_)));
+    return (std::abs(carrier_hz) + half_band_ / interval_s_) * farthest_s;
+  }
+  double largest = 0.0;
+  for (int i = 0; i <= 16; ++i)
+    largest = std::max(largest, std::abs(doppler_turns(first_ + (last_ - first_) * i / 16.0, carrier_hz)));
+  return largest;
+}
+
 double PulseBody::doppler_turns(double t, double carrier_hz) const {
-  const double u = t * interval_s_ - 0.5 * pulse_->pulse.width_s;
+  const double u = from_middle_s(t);
   return (carrier_hz + 0.5 * pulse_->pulse.sweep_rate_hz_per_s() * u) * u;
 }
 

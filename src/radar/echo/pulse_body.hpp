@@ -32,15 +32,24 @@ class PulseBody {
   [[nodiscard]] double body_share(double t) const;
   /// Same at `x` of an edge region, 0 at the hard edge, 1 at its end.
   [[nodiscard]] double step(double x) const;
-  /// Doppler phase per unit of 2v/c [turns]: f u + K u^2/2, u from the middle of the ideal pulse.
+  /// The body of an echo at `t` after the delay less the lead, with what motion does to it: 0 outside.
+  [[nodiscard]] std::complex<double> echo(double t, const PulseClock& clock, double carrier_hz) const;
+  /// When what stands at `t` of the pulse comes back in an echo.
+  [[nodiscard]] double received(double t, const PulseClock& clock) const;
+  /// Phase per unit of D by the rule of the thesis [turns]: f u + K u^2/2, u from the middle of the ideal pulse.
   [[nodiscard]] double doppler_turns(double t, double carrier_hz) const;
-  /// Largest |f + K u| of the pulse, what a moving target's 2v/c shifts [Hz]: the carrier, unless a chirp sweeps far.
+  /// Largest |f + K u| of the pulse, what a moving target's D shifts [Hz]: the carrier, unless a chirp sweeps far.
   [[nodiscard]] double largest_frequency_hz(double carrier_hz) const;
+  /// Largest phase per unit of D over the pulse [turns], with what the stretch does to its own spectrum.
+  [[nodiscard]] double largest_doppler_turns(double carrier_hz) const;
+  /// Seconds from the middle of the ideal pulse.
+  [[nodiscard]] double from_middle_s(double t) const;
   /// Half the band that the body needs, cycles per sample.
   [[nodiscard]] double half_band() const { return half_band_; }
 
  private:
   void find_edges(std::size_t edge_samples);
+  [[nodiscard]] double share_of_echo(double t, const PulseClock& clock) const;
 
   const EchoPulse* pulse_;
   double interval_s_;

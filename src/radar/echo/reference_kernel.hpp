@@ -15,29 +15,44 @@ struct EchoPulse {
   Pulse pulse;
   std::optional<BandLimitedPulse> band_limited;  ///< Set: the pulse is confined to a band (decision 7).
   double lead_s = 0.0;  ///< How long before its delay an echo begins: Tp/2 for CENTRE, 0 for BEGIN (thesis 6.19).
-  double light_speed_mps = 0.0;
+  DopplerRule doppler_rule = DopplerRule::stretch;
 
-  /// The interval around an echo's delay, in seconds, in which it is not 0.
+  /// The interval around an echo's delay, in seconds, in which it is not 0 where nothing moves.
   [[nodiscard]] double first_s() const { return (band_limited ? band_limited->first_s() : 0.0) - lead_s; }
   [[nodiscard]] double last_s() const { return (band_limited ? band_limited->last_s() : pulse.width_s) - lead_s; }
+  /// How the pulse is stretched in echo k: not at all by the rule of the thesis.
+  [[nodiscard]] PulseClock clock_of(const EchoBatch& echoes, std::size_t k) const { return clock_of(echoes.clock(k)); }
+  [[nodiscard]] PulseClock clock_of(const PulseClock& echo) const {
+    return doppler_rule == DopplerRule::stretch ? echo : PulseClock{};
+  }
+  /// Seconds from the pulse's middle of a time after the delay.
+  [[nodiscard]] double from_middle_s(double after_delay_s) const {
+    return after_delay_s + lead_s - 0.5 * pulse.width_s;
+  }
 };
 
-/// Samples [begin, end) of the grid that an echo with this delay touches.
+/// Samples [begin, end) of the grid that an echo with this delay and stretch touches.
 struct SampleSpan {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
-[[nodiscard]] SampleSpan touched_samples(const EchoPulse& pulse, const SampleGrid& grid, double delay_s);
+[[nodiscard]] SampleSpan touched_samples(const EchoPulse& pulse, const SampleGrid& grid, double delay_s,
+                                         const PulseClock& clock);
 
 /// Adds the baseband echoes of one pulse to a row: the plain double-precision sum that every fast kernel is held
 /// against.
 ///
-/// Sample i at time t = grid.time_s(i) receives from each echo (tau, A, v), where it is on,
+/// Sample i at time t = grid.time_s(i) receives from each echo (tau, A, D, a), where it is on,
 ///
-///     A p(w) exp(-j 2 pi f tau) exp(-j 2 pi (2v/c)(f u + K u^2/2)),   w = t - tau + lead,   u = w - Tp/2,
+///     A p(e + Tp/2) exp(-j 2 pi f tau) exp(-j 2 pi f (D u + a u^2/2)),
+///     u = t - tau + lead - Tp/2,   e = u - (D u + a u^2/2),
 ///
-/// p the pulse's value at w after its leading edge and K its sweep rate: thesis (6.20) to (6.24) with the Doppler shift
-/// for either sign of v. An ideal pulse is on for 0 <= w < Tp, where a time within 1e-9 of a sampling interval of an
+/// p the pulse's value after its leading edge: what is received at u from the echo's middle was sent at e from the
+/// pulse's. By the rule of the thesis (6.20 to 6.24), for either sign of v, it receives
+///
+///     A p(u + Tp/2) exp(-j 2 pi f tau) exp(-j 2 pi D (f u + K u^2/2)),
+///
+/// K the sweep rate. An ideal pulse is on for -Tp/2 <= e < Tp/2, where a time within 1e-9 of a sampling interval of an
 /// edge counts as on it (decision 8). Echoes are added in the order of the batch.
 ///
 /// @param[in,out] row  grid.count samples in volts (1 ohm); added to.

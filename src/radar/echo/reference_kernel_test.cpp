@@ -22,13 +22,12 @@ EchoPulse hard(Pulse::Kind kind, double width_s, double sweep_hz = 0.0) {
   pulse.pulse.width_s = width_s;
   pulse.pulse.sweep_hz = sweep_hz;
   if (kind == Pulse::Kind::code) pulse.pulse.code = barker_code(4);
-  pulse.light_speed_mps = c;
   return pulse;
 }
 
 EchoBatch one(double delay_s, double amplitude, double speed_mps = 0.0) {
   EchoBatch batch;
-  batch.add(delay_s, amplitude, speed_mps);
+  batch.add(delay_s, amplitude, 2.0 * speed_mps / c);
   return batch;
 }
 
@@ -57,21 +56,25 @@ TEST(AddEchoes, KeepsTheCarrierPhaseOfATargetFarAway) {
 }
 
 // The formula once more in long double, written with angles instead of turns.
-std::complex<double> formula(const EchoPulse& p, double t_s, double f_hz, double delay_s, double a, double v) {
-  const long double w = static_cast<long double>(t_s) - delay_s + p.lead_s;
-  if (w < 0 || w >= p.pulse.width_s) return 0.0;
-  const long double u = w - 0.5L * p.pulse.width_s;
+std::complex<double> formula(const EchoPulse& p, double t_s, double f_hz, double delay_s, double a,
+                             const PulseClock& clock) {
   const long double rate = p.pulse.kind == Pulse::Kind::chirp ? p.pulse.sweep_hz / p.pulse.width_s : 0.0;
-  long double phase = -2.0L * std::numbers::pi_v<long double> *
-                      (f_hz * static_cast<long double>(delay_s) + (2.0L * v / c) * (f_hz * u + 0.5L * rate * u * u));
-  phase += std::numbers::pi_v<long double> * rate * u * u;
+  const long double u = static_cast<long double>(t_s) - delay_s + p.lead_s - 0.5L * p.pulse.width_s;
+  const long double late = clock.doppler * u + 0.5L * clock.bend_per_s * u * u;
+  const bool thesis = p.doppler_rule == DopplerRule::thesis;
+  const long double sent = thesis ? u : u - late;
+  const long double w = sent + 0.5L * p.pulse.width_s;
+  if (w < 0 || w >= p.pulse.width_s) return 0.0;
+  const long double in_pulse = thesis ? clock.doppler * (f_hz * u + 0.5L * rate * u * u) : f_hz * late;
+  long double phase = -2.0L * std::numbers::pi_v<long double> * (f_hz * static_cast<long double>(delay_s) + in_pulse);
+  phase += std::numbers::pi_v<long double> * rate * sent * sent;
   long double sign = 1.0;
   if (p.pulse.kind == Pulse::Kind::code)
     sign = p.pulse.code[static_cast<std::size_t>(w / p.pulse.width_s * static_cast<long double>(p.pulse.code.size()))];
   return {static_cast<double>(sign * a * std::cos(phase)), static_cast<double>(sign * a * std::sin(phase))};
 }
 
-TEST(AddEchoes, IsTheDocumentedSumForEveryKindOfPulse) {
+void expect_documented_sum(DopplerRule rule, double most_bend) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> delay(20e-6, 60e-6), speed(-9e3, 9e3), amplitude(-1.0, 1.0);
   constexpr double f_hz = 5.3e9;
@@ -81,19 +84,43 @@ TEST(AddEchoes, IsTheDocumentedSumForEveryKindOfPulse) {
       for (const double lead_s : {0.0, 2.5e-6}) {
         EchoPulse pulse = hard(kind, 5e-6, sweep_hz);
         pulse.lead_s = lead_s;
+        pulse.doppler_rule = rule;
         EchoBatch batch;
-        for (int k = 0; k < 20; ++k) batch.add(delay(random), amplitude(random), speed(random));
-        batch.speed_mps[3] = 0.0;
+        for (int k = 0; k < 20; ++k)
+          batch.add(delay(random), amplitude(random),
+                    PulseClock{2.0 * speed(random) / c, most_bend * amplitude(random)});
+        batch.doppler[3] = 0.0;
         const Row row = echoes(grid, pulse, f_hz, batch);
         for (std::size_t i = 0; i < grid.count; ++i) {
           std::complex<double> sum = 0.0;
           for (std::size_t k = 0; k < batch.size(); ++k)
             sum +=
-                formula(pulse, grid.time_s(i), f_hz, batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.speed_mps[k]);
+                formula(pulse, grid.time_s(i), f_hz, batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.clock(k));
           // f tau = 3e5 cycles, B Tp = 150, each rounded a few times, for up to 20 echoes of amplitude 1.
           ASSERT_LT(std::abs(row[i] - sum), 20.0 * 2.0 * core::pi * 3.2e5 * 4.0 * epsilon) << i;
         }
       }
+}
+
+TEST(AddEchoes, IsTheDocumentedSumForEveryKindOfPulse) {
+  expect_documented_sum(DopplerRule::stretch, 0.0);
+  expect_documented_sum(DopplerRule::stretch, 5.0);
+  expect_documented_sum(DopplerRule::thesis, 0.0);
+}
+
+// A missile at 2 km/s, 1 GHz in 100 us: by the rule of the thesis the sweep is short of half its change, which turns
+// the ends of the pulse by (pi/4) (2 v/c) B Tp = 1.05 rad.
+TEST(AddEchoes, AStretchedChirpEndsARadianFromTheThesis) {
+  EchoPulse pulse = hard(Pulse::Kind::chirp, 100e-6, 1e9);
+  const SampleGrid grid{0.0, 0.5e-9, 200'000};
+  const Row stretched = echoes(grid, pulse, 10e9, one(0.0, 1.0, 2000.0));
+  pulse.doppler_rule = DopplerRule::thesis;
+  const Row thesis = echoes(grid, pulse, 10e9, one(0.0, 1.0, 2000.0));
+  const double expected = 0.25 * core::pi * (4000.0 / c) * 1e5;
+  EXPECT_NEAR(expected, 1.05, 0.003);
+  for (const std::size_t i : {std::size_t{1}, grid.count - 2})
+    EXPECT_NEAR(std::arg(stretched[i] * std::conj(thesis[i])), -expected, 1e-3);
+  EXPECT_NEAR(std::arg(stretched[grid.count / 2] * std::conj(thesis[grid.count / 2])), 0.0, 1e-9);
 }
 
 double phase_step(const Row& row, std::size_t i) { return std::arg(row[i + 1] * std::conj(row[i])); }
@@ -122,26 +149,32 @@ TEST(AddEchoes, DopplerTurnsThePhaseInsideThePulseForBothSignsOfSpeed) {
   const EchoPulse pulse = hard(Pulse::Kind::mono, 4e-6);
   for (const double v : {-7000.0, -3.0, 0.0, 250.0, 7000.0}) {
     const Row row = echoes({0.0, interval_s, 400}, pulse, f_hz, one(0.0, 1.0, v));
-    for (std::size_t i = 0; i + 1 < row.size(); i += 37)
+    for (std::size_t i = 1; i + 2 < row.size(); i += 37)  // the echo may be shorter than the pulse by half a sample
       EXPECT_NEAR(phase_step(row, i), -2.0 * core::pi * 2.0 * v * f_hz / c * interval_s, 100.0 * epsilon) << v;
     EXPECT_LT(std::abs(row[200] - 1.0), 10.0 * epsilon);  // the phase of the delay alone at the centre of the pulse
   }
 }
 
+// The sweep rate of what was sent slower is less by (1 - D)^2; thesis: by 1 - D.
 TEST(AddEchoes, DopplerScalesTheSweepToo) {
   constexpr double interval_s = 1e-8, v = 300e3;
-  const EchoPulse pulse = hard(Pulse::Kind::chirp, 4e-6, 40e6);
-  const Row row = echoes({0.0, interval_s, 400}, pulse, 1e9, one(0.0, 1.0, v));
-  const double expected = 2.0 * core::pi * 1e13 * (1.0 - 2.0 * v / c) * interval_s * interval_s;
-  for (std::size_t i = 0; i + 2 < row.size(); i += 13)
-    EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * core::pi), expected, 1e3 * epsilon);
+  EchoPulse pulse = hard(Pulse::Kind::chirp, 4e-6, 40e6);
+  for (const DopplerRule rule : {DopplerRule::stretch, DopplerRule::thesis}) {
+    pulse.doppler_rule = rule;
+    const Row row = echoes({0.0, interval_s, 400}, pulse, 1e9, one(0.0, 1.0, v));
+    const double left = 1.0 - 2.0 * v / c;
+    const double expected =
+        2.0 * core::pi * 1e13 * (rule == DopplerRule::stretch ? left * left : left) * interval_s * interval_s;
+    for (std::size_t i = 0; i + 2 < row.size(); i += 13)
+      EXPECT_NEAR(std::remainder(phase_step(row, i + 1) - phase_step(row, i), 2.0 * core::pi), expected, 1e3 * epsilon);
+  }
 }
 
 TEST(AddEchoes, OverhangingEchoesChangeTheSamplesInsideOnly) {
   const EchoPulse pulse = hard(Pulse::Kind::chirp, 4e-6, 40e6);
   const SampleGrid wide{10e-6, 1e-8, 2000};
   EchoBatch batch = one(16.2345e-6, 1.0, 40.0);
-  batch.add(22.8e-6, 0.5, -40.0);
+  batch.add(22.8e-6, 0.5, -80.0 / c);
   const Row whole = echoes(wide, pulse, 3e9, batch);
   const SampleGrid cut{wide.time_s(800), wide.interval_s,
                        600};  // cuts the tail of the first and the head of the second
@@ -172,7 +205,7 @@ TEST(AddEchoes, IsTheSumOfTheSingleEchoes) {
   const SampleGrid grid{0.0, 1e-7, 300};
   const EchoBatch a = one(3.21e-6, 1.0, 10.0), b = one(5.4321e-6, -0.3, 0.0);
   EchoBatch both = a;
-  both.add(b.delay_s[0], b.amplitude_sqrt_w[0], b.speed_mps[0]);
+  both.add(b.delay_s[0], b.amplitude_sqrt_w[0], b.doppler[0]);
   Row sum = echoes(grid, pulse, 1e9, a);
   const Row second = echoes(grid, pulse, 1e9, b);
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += second[i];
@@ -197,14 +230,14 @@ TEST(TouchedSamples, AnEdgeWithinOneBillionthOfAnIntervalCountsAsOnTheSample) {
   const EchoPulse pulse = hard(Pulse::Kind::mono, 4e-8);
   const SampleGrid grid{0.0, interval_s, 100};
   for (const double off : {-0.9e-9, -1e-12, 0.0, 1e-12, 0.9e-9}) {
-    const SampleSpan on = touched_samples(pulse, grid, (20.0 + off) * interval_s);
+    const SampleSpan on = touched_samples(pulse, grid, (20.0 + off) * interval_s, {});
     EXPECT_EQ(on.begin, 20u) << off;
     EXPECT_EQ(on.end, 24u) << off;
   }
-  EXPECT_EQ(touched_samples(pulse, grid, (20.0 + 3e-9) * interval_s).begin, 21u);
-  EXPECT_EQ(touched_samples(pulse, grid, (20.0 + 3e-9) * interval_s).end, 25u);
-  EXPECT_EQ(touched_samples(pulse, grid, (20.0 - 3e-9) * interval_s).begin, 20u);
-  EXPECT_EQ(touched_samples(pulse, grid, (20.0 - 3e-9) * interval_s).end, 24u);
+  EXPECT_EQ(touched_samples(pulse, grid, (20.0 + 3e-9) * interval_s, {}).begin, 21u);
+  EXPECT_EQ(touched_samples(pulse, grid, (20.0 + 3e-9) * interval_s, {}).end, 25u);
+  EXPECT_EQ(touched_samples(pulse, grid, (20.0 - 3e-9) * interval_s, {}).begin, 20u);
+  EXPECT_EQ(touched_samples(pulse, grid, (20.0 - 3e-9) * interval_s, {}).end, 24u);
 }
 
 TEST(TouchedSamples, AreThoseOfADirectSearch) {
@@ -215,9 +248,11 @@ TEST(TouchedSamples, AreThoseOfADirectSearch) {
   const SampleGrid grid{10.0, 0.7, 40};
   for (int round = 0; round < 500; ++round) {
     const double tau = delay(random);
-    const SampleSpan on = touched_samples(pulse, grid, tau);
+    // Stretched by up to a fifth.
+    const PulseClock clock{0.02 * (round % 11 - 5), 0.004 * (round % 7 - 3)};
+    const SampleSpan on = touched_samples(pulse, grid, tau, clock);
     for (std::size_t i = 0; i < grid.count; ++i) {
-      const double w = grid.time_s(i) - tau + 2.0;
+      const double w = clock.sent(grid.time_s(i) - tau + 2.0 - 3.65) + 3.65;
       ASSERT_EQ(i >= on.begin && i < on.end, w >= 0.0 && w < 7.3);
     }
   }
@@ -266,7 +301,7 @@ TEST(AddEchoes, ABandLimitedPulseThatIsCutOnSamplesHasTheSameTolerance) {
   for (int k = 0; k < 200; ++k) {
     const SampleGrid grid{10e-6, 1.0 / 40e6, 1000};
     const Row row = echoes(grid, pulse, 0.0, one(11e-6 + k / 40e6, 1.0));
-    const SampleSpan on = touched_samples(pulse, grid, 11e-6 + k / 40e6);
+    const SampleSpan on = touched_samples(pulse, grid, 11e-6 + k / 40e6, {});
     EXPECT_EQ(on.begin, static_cast<std::size_t>(20 + k));
     EXPECT_EQ(on.end, on.begin + 120);
     EXPECT_NE(row[on.begin], 0.0) << k;

@@ -61,21 +61,38 @@ ShapeTable::ShapeTable(const EchoPulse& pulse, const SampleGrid& grid, bool sing
     tabulate_pieces();
 }
 
-ShapePlace ShapeTable::place(std::size_t begin, std::size_t end, double delay_s) const {
-  const double after = (grid_.time_s(begin) - delay_s + pulse_->lead_s - origin_s_) / grid_.interval_s;
+ShapePlace ShapeTable::place(const SampleSpan& span, double delay_s, const PulseClock& clock) const {
+  const double u_s = pulse_->from_middle_s(grid_.time_s(span.begin) - delay_s);
+  const double after = (grid_.time_s(span.begin) - delay_s + pulse_->lead_s - origin_s_) / grid_.interval_s -
+                       clock.late(u_s) / grid_.interval_s;
   // A band-limited pulse is smooth there and continues before its beginning; an edge is decided by the patch of a cell.
   const double cell = std::max(std::floor(after), pulse_->band_limited ? 0.0 : -1.0);
   const double fraction = (after - cell) * double_of(parts_);
   const double part = std::clamp(std::floor(fraction), 0.0, double_of(parts_ - 1));
   ShapePlace place;
   place.delay_s = delay_s;
-  place.sample = begin;
-  place.count = end - begin;
+  place.clock = clock;
+  place.sample = span.begin;
+  place.count = span.end - span.begin;
   place.cell = static_cast<std::size_t>(cell + double_of(front));
   place.part = static_cast<std::size_t>(part);
   place.y = 2.0 * (fraction - part) - 1.0;
   place.position = after;
+  if (!clock.ticks_evenly()) follow_stretch(u_s, place);
   return place;
+}
+
+// Cuts the samples where they leave the part, or where an uneven stretch leaves a straight line by 1e-9 of an interval.
+void ShapeTable::follow_stretch(double u_s, ShapePlace& place) const {
+  auto most = static_cast<double>(place.count);
+  if (place.clock.bend_per_s != 0.0)
+    most = std::min(most, std::sqrt(2e-9 / (std::abs(place.clock.bend_per_s) * grid_.interval_s)));
+  const double middle_s = u_s + 0.5 * most * grid_.interval_s;
+  place.drift = -(place.clock.doppler + place.clock.bend_per_s * middle_s);
+  place.y_step = 2.0 * double_of(parts_) * place.drift;
+  if (place.y_step > 0.0) most = std::min(most, (1.0 - place.y) / place.y_step + 1.0);
+  if (place.y_step < 0.0) most = std::min(most, (1.0 + place.y) / -place.y_step + 1.0);
+  place.count = static_cast<std::size_t>(std::max(1.0, std::floor(most)));
 }
 
 void ShapeTable::tabulate_pieces() {
@@ -241,7 +258,7 @@ void ShapeTable::patch(const ShapePlace& place, std::size_t first_cell, T* re, T
   };
   const std::size_t end = place.cell + place.count;
   if (tail_ && tail_->part == place.part && tail_->cell >= place.cell && tail_->cell < end) {
-    const double position = place.position + double_of(tail_->cell - place.cell);
+    const double position = place.position + double_of(tail_->cell - place.cell) * (1.0 + place.drift);
     put(tail_->cell, polynomial(tail_->powers, 2.0 * (position - tail_->begin) / (tail_->end - tail_->begin) - 1.0));
   }
   for (auto patch = std::ranges::lower_bound(patches_, place.cell, {}, &Patch::cell);
@@ -254,11 +271,11 @@ template void ShapeTable::patch(const ShapePlace&, std::size_t, double*, double*
 
 std::complex<double> ShapeTable::patched(const Patch& patch, const ShapePlace& place) const {
   const std::size_t offset = patch.cell - place.cell;
-  const double position = std::max(0.0, place.position + double_of(offset));
+  const double position = std::max(0.0, place.position + double_of(offset) * (1.0 + place.drift));
   const std::size_t piece = pieces_->piece_at(position, patch.first_piece, patch.last_piece);
   if (!pieces_->is_in_doubt(piece, position)) return pieces_->value(piece, position);
   const double after_edge_s = grid_.time_s(place.sample + offset) - place.delay_s + pulse_->lead_s;
-  return pieces_->exact(std::max(0.0, after_edge_s));
+  return pieces_->exact(std::max(0.0, after_edge_s - place.clock.late(after_edge_s - 0.5 * pulse_->pulse.width_s)));
 }
 
 }  // namespace sarsim::radar

@@ -13,12 +13,15 @@ namespace sarsim::radar {
 /// Where consecutive samples of an echo stand in the shape of the pulse.
 struct ShapePlace {
   double delay_s = 0.0;
+  PulseClock clock;
   std::size_t sample = 0;  ///< The first one in the row.
-  std::size_t count = 0;
+  std::size_t count = 0;   ///< As many as stay in the same part of their cells.
   std::size_t cell = 0;   ///< That of the first sample; each further sample stands in the next one.
   std::size_t part = 0;   ///< Of the cell, the same for all samples.
-  double y = 0.0;         ///< Place in the part, -1 to 1.
-  double position = 0.0;  ///< Of the first sample, sampling intervals after the origin of the table.
+  double y = 0.0;         ///< Place of the first sample in the part, -1 to 1,
+  double y_step = 0.0;    ///< and what it changes by from sample to sample, as the echo is stretched.
+  double position = 0.0;  ///< Of the first sample, sampling intervals after the origin of the table,
+  double drift = 0.0;     ///< and by how much more than one it grows from sample to sample.
 };
 
 /// The shape of a pulse, what multiplies the tone of an echo, for SIMD: the samples of an echo are one interval apart,
@@ -50,8 +53,9 @@ class ShapeTable {
   [[nodiscard]] std::size_t parts() const { return parts_; }
   [[nodiscard]] std::size_t cells() const { return cells_; }
 
-  /// Where samples [begin, end) of the row stand in an echo with this delay, which touches them all.
-  [[nodiscard]] ShapePlace place(std::size_t begin, std::size_t end, double delay_s) const;
+  /// Where samples of the row stand in an echo with this delay and stretch, which touches them all: of those from
+  /// `span.begin` on that share a part, at least one.
+  [[nodiscard]] ShapePlace place(const SampleSpan& span, double delay_s, const PulseClock& clock) const;
 
   /// Coefficients from the block of cells on that holds `cell`: for each block the real parts by ascending degree,
   /// then, if complex, the imaginary parts.
@@ -94,6 +98,7 @@ class ShapeTable {
     double end = 0.0;
     FitTerms powers{};
   };
+  void follow_stretch(double u_s, ShapePlace& place) const;
   void tabulate_pieces();
   [[nodiscard]] bool fits_pieces(const Patch& patch, const FitTerms& powers, double tolerance) const;
   void choose_degree(const Fits& fits);

@@ -13,15 +13,22 @@ namespace sarsim::radar::HWY_NAMESPACE {
 
 constexpr std::size_t block = ShapeTable::cells_per_block;
 
-// Values of the shape at one place of `blocks` blocks of cells (Horner). The degree is a constant so that the loop over
-// it is unrolled.
+// Place of the first of a run of cells in its part, and what it changes by from cell to cell.
+struct CellPlaces {
+  double first, step;
+};
+
+// Values of the shape at one place of each cell of `blocks` blocks (Horner). The degree is a constant so that the loop
+// over it is unrolled.
 template <class T, bool complex, std::size_t degree>
-HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, std::size_t blocks, double place,
+HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, std::size_t blocks, CellPlaces places,
                          T* HWY_RESTRICT re, T* HWY_RESTRICT im) {
   const hn::CappedTag<T, block> d;
-  const auto y = hn::Set(d, static_cast<T>(place));
+  const auto within = hn::Mul(hn::Iota(d, T(0)), hn::Set(d, static_cast<T>(places.step)));
   for (std::size_t b = 0; b < blocks; ++b, coefficients += (degree + 1) * (complex ? 2 : 1))
     for (std::size_t i = 0; i < block; i += hn::Lanes(d)) {
+      const double first = places.first + places.step * static_cast<double>(b * block + i);
+      const auto y = hn::Add(hn::Set(d, static_cast<T>(first)), within);
       auto sum_re = hn::Load(d, coefficients[degree].value + i);
       auto sum_im = complex ? hn::Load(d, coefficients[2 * degree + 1].value + i) : sum_re;
       for (std::size_t k = degree; k-- > 0;) {
@@ -34,13 +41,13 @@ HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, 
 }
 
 template <class T, bool complex, std::size_t degree = 0>
-void evaluate_degree(std::size_t wanted, const ShapeTable::Block<T>* coefficients, std::size_t blocks, double place,
+void evaluate_degree(std::size_t wanted, const ShapeTable::Block<T>* coefficients, std::size_t blocks, CellPlaces places,
                      T* re, T* im) {
   if constexpr (degree < fit_terms) {
     if (wanted == degree)
-      evaluate<T, complex, degree>(coefficients, blocks, place, re, im);
+      evaluate<T, complex, degree>(coefficients, blocks, places, re, im);
     else
-      evaluate_degree<T, complex, degree + 1>(wanted, coefficients, blocks, place, re, im);
+      evaluate_degree<T, complex, degree + 1>(wanted, coefficients, blocks, places, re, im);
   }
 }
 
@@ -50,8 +57,9 @@ HWY_INLINE void evaluate_shape(const ShapeTable& table, const ShapePlace& place,
                                T* HWY_RESTRICT im) {
   const std::size_t first = place.cell / block;
   const std::size_t last = (place.cell + place.count - 1) / block;
-  evaluate_degree<T, complex>(table.degree(), table.coefficients<T>(place.part, place.cell), last + 1 - first, place.y,
-                              re, im);
+  const double before = static_cast<double>(place.cell - first * block);
+  evaluate_degree<T, complex>(table.degree(), table.coefficients<T>(place.part, place.cell), last + 1 - first,
+                              {place.y - place.y_step * before, place.y_step}, re, im);
   table.patch(place, first * block, re, im);
 }
 

@@ -253,10 +253,125 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, 
   decibels = hn::Add(decibels, curve_value(d, scenery.curves, at.of(d, points.curve_cell), degrees(d, incidence)));
 }
 
+// Where an echo goes and how it is stretched, each for one vector of points.
+struct Columns {
+  double *delay, *amplitude, *doppler, *bend;
+
+  [[nodiscard]] Columns from(std::size_t i) const {
+    return {delay + i, amplitude + i, doppler + i, bend == nullptr ? nullptr : bend + i};
+  }
+};
+
+// The flights of one vector of points.
+struct Flights {
+  Triple look;         // to the points as they are met
+  Vector distance;     // its length
+  Vector ways;         // way out times way home
+  Vector delay, doppler;
+  Mask slow;           // nothing near the speed of light
+};
+
+HWY_INLINE Triple scaled(Tag d, const core::Vec3& v, double factor) {
+  return {hn::Set(d, factor * v.x), hn::Set(d, factor * v.y), hn::Set(d, factor * v.z)};
+}
+
+HWY_INLINE Triple plus(const Triple& a, Vector factor, const Triple& b) {
+  return {hn::MulAdd(factor, b.x, a.x), hn::MulAdd(factor, b.y, a.y), hn::MulAdd(factor, b.z, a.z)};
+}
+
+// thesis_flight_of, in vectors.
+HWY_INLINE Flights thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
+  Flights out;
+  out.look = look;
+  out.ways = inner(look, look);
+  out.distance = hn::Sqrt(out.ways);
+  const auto v = hn::Div(inner(look, velocity), out.distance);
+  out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v));
+  out.doppler = hn::Mul(hn::Add(v, v), hn::Set(d, 1.0 / frame.light_speed_mps));
+  out.slow = hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
+  return out;
+}
+
+// flight_of for points at rest.
+HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple& look) {
+  const double per_light = 1.0 / frame.light_speed_mps;
+  const Triple w = scaled(d, frame.radar_mps, per_light);
+  const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
+  Flights out;
+  out.look = look;
+  const auto distance2 = inner(look, look);
+  out.distance = hn::Sqrt(distance2);
+  out.slow = w2 < 0.998 ? hn::Eq(hn::Zero(d), hn::Zero(d)) : hn::Gt(hn::Zero(d), hn::Zero(d));
+  if (w2 == 0.0) {
+    out.ways = distance2;
+    out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Set(d, frame.light_speed_mps));
+    out.doppler = hn::Zero(d);
+    return out;
+  }
+  const auto along = inner(look, w);
+  const auto half = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, 1.0 / (1.0 - w2)));
+  const auto length = hn::Add(half, half);
+  const auto home = hn::Sub(length, out.distance);
+  out.ways = hn::Mul(out.distance, home);
+  out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
+  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w).
+  const auto home_w = hn::MulSub(length, hn::Set(d, w2), along);
+  out.doppler = hn::Div(hn::MulSub(home_w, out.distance, hn::Mul(along, home)),
+                        hn::Mul(home, hn::Sub(out.distance, along)));
+  return out;
+}
+
+// flight_of, in vectors.
+HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
+  const double per_light = 1.0 / frame.light_speed_mps;
+  const auto scale = hn::Set(d, per_light);
+  const Triple b{hn::Mul(velocity.x, scale), hn::Mul(velocity.y, scale), hn::Mul(velocity.z, scale)};
+  const Triple w = scaled(d, frame.radar_mps, per_light);
+  const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
+  const Triple r = plus(look, hn::Set(d, -frame.anchor_s), velocity);
+  const auto one = hn::Set(d, 1.0);
+  const auto rb = inner(r, b);
+  const auto b2 = inner(b, b);
+  const auto still = hn::Sub(one, b2);
+  Flights out;
+  out.distance = hn::Div(hn::Add(rb, hn::Sqrt(hn::MulAdd(rb, rb, hn::Mul(inner(r, r), still)))), still);
+  out.look = plus(r, out.distance, b);
+  const auto along = inner(out.look, w);
+  const auto half = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, 1.0 / (1.0 - w2)));
+  const auto length = hn::Add(half, half);
+  const auto home = hn::Sub(length, out.distance);
+  out.ways = hn::Mul(out.distance, home);
+  out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
+  const auto per_out = hn::Div(one, out.distance);
+  const auto per_home = hn::Div(one, home);
+  const auto out_b_m = inner(out.look, b);
+  const auto out_w = hn::Mul(along, per_out);
+  const auto out_b = hn::Mul(out_b_m, per_out);
+  const auto home_w = hn::Mul(hn::MulSub(length, hn::Set(d, w2), along), per_home);
+  const auto home_b = hn::Mul(hn::MulSub(length, inner(w, b), out_b_m), per_home);
+  const auto sum = hn::Add(hn::Sub(out_b, home_b), hn::Sub(home_w, out_w));
+  const auto products = hn::MulSub(out_w, home_b, hn::Mul(out_b, home_w));
+  out.doppler = hn::Div(hn::Add(sum, products), hn::Mul(hn::Sub(one, out_w), hn::Sub(one, home_b)));
+  out.slow = hn::And(hn::Lt(b2, hn::Set(d, 0.998)), hn::Lt(hn::Set(d, w2), hn::Set(d, 0.998)));
+  return out;
+}
+
+// bend_of, in vectors.
+HWY_INLINE Vector bends(Tag d, const SightFrame& frame, const Triple& point, const Triple& velocity,
+                        const Flights& flight) {
+  const Triple radar = scaled(d, frame.radar_mps, -1.0);
+  const Triple relative = plus(velocity, hn::Set(d, 1.0), radar);
+  const Triple acceleration = turned(d, frame.world_from_platform_acceleration, point, frame.acceleration_mps2);
+  const auto per_distance = hn::Div(hn::Set(d, 1.0), flight.distance);
+  const auto speed = hn::Mul(inner(flight.look, relative), per_distance);
+  const auto curvature = hn::NegMulAdd(speed, speed, inner(relative, relative));
+  const auto second = hn::Mul(hn::Add(curvature, inner(flight.look, acceleration)), per_distance);
+  return hn::Mul(second, hn::Set(d, 2.0 / frame.light_speed_mps));
+}
+
 // The echoes of one vector of points; a mask of those that are certain to be possible.
 template <bool Whole>
-HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, double* HWY_RESTRICT delay,
-                          double* HWY_RESTRICT amplitude, double* HWY_RESTRICT speed) {
+HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const Columns& to) {
   const Tag d;
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
@@ -264,32 +379,31 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, doubl
   const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
   // Deviations move points, never speeds.
   const Triple velocity = turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
-  const Triple look =
+  const Triple seen =
       turned(d, frame.world_from_platform, drawn_position(d, points, at, frame.pulse, point), frame.origin_m);
-  const auto distance2 = inner(look, look);
-  const auto distance = hn::Sqrt(distance2);
-  const auto v = hn::Div(inner(look, velocity), distance);
-  at.put(d, v, speed);
-  // moving_delay_of, in vectors.
-  at.put(d, hn::Div(hn::Add(distance, distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v)), delay);
+  const Flights flight = frame.light_time == LightTime::thesis ? thesis_flights(d, frame, seen, velocity)
+                         : frame.moves                         ? flights(d, frame, seen, velocity)
+                                                               : flights_to_rest(d, frame, seen);
+  at.put(d, flight.delay, to.delay);
+  at.put(d, flight.doppler, to.doppler);
+  if (to.bend != nullptr)
+    at.put(d, frame.bends ? bends(d, frame, point, velocity, flight) : hn::Zero(d), to.bend);
 
   auto a = hn::Mul(root_rcs(d, points, at, frame.pulse), hn::Set(d, frame.amplitude_scale));
   auto decibels = hn::Zero(d);
-  reflect(d, scenery, at, look, distance, a, decibels);
-  weigh(d, scenery, look, distance, a, decibels);
+  reflect(d, scenery, at, flight.look, flight.distance, a, decibels);
+  weigh(d, scenery, flight.look, flight.distance, a, decibels);
   if (points.law == PointArrays::Law::curve || antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0)
     a = hn::Mul(a, amplitude_of_decibels(d, decibels));
-  if (frame.spreading) a = hn::Div(a, distance2);
-  at.put(d, a, amplitude);
-  const auto slow = hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
-  const auto apart = hn::Ge(distance, hn::Set(d, doubtful_distance_m));
-  return hn::And(hn::And(slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
+  if (frame.spreading) a = hn::Div(a, flight.ways);
+  at.put(d, a, to.amplitude);
+  const auto apart = hn::Ge(flight.distance, hn::Set(d, doubtful_distance_m));
+  return hn::And(hn::And(flight.slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
 }
 
 // The last few points; a function of its own, or the compiler takes its time over the two copies of the geometry.
-HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, double* delay, double* amplitude,
-                          double* speed) {
-  return echoes_at(scenery, at, delay, amplitude, speed);
+HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, const Columns& to) {
+  return echoes_at(scenery, at, to);
 }
 
 bool write_on_target(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
@@ -297,15 +411,13 @@ bool write_on_target(const PointArrays& points, const SightFrame& frame, const A
   const Tag d;
   const std::size_t lanes = hn::Lanes(d);
   const Scenery scenery{points, frame, antenna, curves, axis_of(frame)};
-  double* const delay = echoes.delay_s.data() + first;
-  double* const amplitude = echoes.amplitude_sqrt_w.data() + first;
-  double* const speed = echoes.speed_mps.data() + first;
+  const Columns to{echoes.delay_s.data() + first, echoes.amplitude_sqrt_w.data() + first, echoes.doppler.data() + first,
+                   echoes.bend_per_s.empty() ? nullptr : echoes.bend_per_s.data() + first};
   Mask possible = hn::FirstN(d, lanes);
   std::size_t i = 0;
   for (; i + lanes <= points.size(); i += lanes)
-    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, delay + i, amplitude + i, speed + i));
-  if (i < points.size())
-    possible = hn::And(possible, rest_at(scenery, {i, points.size() - i}, delay + i, amplitude + i, speed + i));
+    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, to.from(i)));
+  if (i < points.size()) possible = hn::And(possible, rest_at(scenery, {i, points.size() - i}, to.from(i)));
   return hn::AllTrue(d, possible);
 }
 
@@ -324,8 +436,7 @@ bool write_echoes(const PointArrays& points, const SightFrame& frame, const Ante
   CORE_EXPECT(first + points.size() <= echoes.delay_s.size());
   CORE_EXPECT(points.y_m.size() == points.size());
   CORE_EXPECT(points.z_m.size() == points.size());
-  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
-  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.is_whole());
   return HWY_DYNAMIC_DISPATCH(write_on_target)(points, frame, antenna, curves, echoes, first);
 }
 

@@ -58,30 +58,44 @@ struct AntennaSight {
   std::array<double, 4> curve_cell{-1.0, -1.0, -1.0, -1.0};
 };
 
-/// One pulse's view of a platform: everything relative to the radar.
+/// How the way of an echo is reckoned.
+enum class LightTime {
+  exact,   ///< Points where the pulse meets them, the radar where it hears of them: `flight_of`.
+  thesis,  ///< Everything where it is when the pulse leaves: `thesis_flight_of`.
+};
+
+/// One pulse's view of a platform: everything relative to the radar as it sends, world axes.
 struct SightFrame {
-  core::Mat3 world_from_platform;
+  LightTime light_time = LightTime::exact;
+  core::Mat3 world_from_platform;  ///< At the anchor.
   core::Mat3 world_from_platform_rate;
-  core::Vec3 origin_m;            ///< Platform's origin less the radar's position, world axes.
-  core::Vec3 velocity_mps;        ///< Platform's velocity less the radar's.
+  core::Vec3 origin_m;      ///< Platform's origin at the anchor less the radar's position as it sends.
+  core::Vec3 velocity_mps;  ///< Platform's velocity at the anchor; LightTime::thesis: less the radar's.
+  double anchor_s = 0.0;    ///< After sending: when about the pulse meets the platform; 0 by LightTime::thesis.
+  core::Vec3 radar_mps;     ///< Mean velocity of the radar until about the echo is back; LightTime::exact.
+  bool moves = false;       ///< Whether any point of the platform has a velocity; LightTime::exact.
+  bool bends = false;       ///< Whether bends are asked for; LightTime::exact.
+  core::Vec3 acceleration_mps2;  ///< Of the platform less that of the radar, for bends,
+  core::Mat3 world_from_platform_acceleration;
   core::Mat3 antenna_from_world;  ///< AntennaSight::Offsets::antenna_frame.
   double axis_azimuth_rad = 0.0;  ///< AntennaSight::Offsets::world_angles.
   double axis_elevation_rad = 0.0;
   std::int64_t pulse = 0;  ///< Counter of the random deviations.
   double light_speed_mps = 0.0;
   double amplitude_scale = 0.0;  ///< sqrt(P Gt Gr/L) lambda/(4 pi)^1.5.
-  bool spreading = true;         ///< Divide by the distance squared.
+  bool spreading = true;         ///< Divide by the way out times the way home.
 };
 
 /// Echoes from closer than this, or stronger than that, may be impossible.
 inline constexpr double doubtful_distance_m = 1e-6;
 inline constexpr double doubtful_amplitude = 1e29;
 
-/// Computes the echoes of points in SIMD: range, radial speed, delay 2 d/(c - v), amplitude of the radar equation with
-/// antenna, reflectivity and random deviations, as `PulseGeometry::view` has them: delays and speeds to rounding,
+/// Computes the echoes of points in SIMD: delay, stretch and bend of the flight, amplitude of the radar equation with
+/// antenna, reflectivity and random deviations, as `PulseGeometry::view` has them: delays and stretches to rounding,
 /// amplitudes to rounding and the tables' tolerance. A point that shows its back (Law::cosine) has amplitude 0.
 /// @param curves      of Law::curve
-/// @param[out] echoes elements [first, first + points.size()), which must be there, are replaced
+/// @param[out] echoes elements [first, first + points.size()), which must be there, are replaced; bends where there are
+///                    some
 /// @return whether all are certain to be possible: not closer than `doubtful_distance_m`, slower than 0.999 c, not
 ///         stronger than `doubtful_amplitude`; false for NaN
 [[nodiscard]] bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,

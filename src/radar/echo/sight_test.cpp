@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "radar/echo/echo_test_support.hpp"
+#include "radar/path/light_time.hpp"
 
 namespace sarsim::radar {
 namespace sight_test {
@@ -27,7 +28,7 @@ core::Mat3 pitch(double angle) {
 
 EchoBatch batch_of(std::size_t count) {
   EchoBatch echoes;
-  for (std::size_t i = 0; i < count; ++i) echoes.add(-1.0, -2.0, -3.0);
+  for (std::size_t i = 0; i < count; ++i) echoes.add(-1.0, -2.0, PulseClock{-3.0, -4.0});
   return echoes;
 }
 
@@ -80,23 +81,70 @@ double sinx(double offset, double beamwidth) {
 }
 
 struct ScalarEcho {
-  double delay_s, amplitude, speed_mps;
+  double delay_s, amplitude, doppler, bend_per_s;
 };
 
-// Plainly written: range, speed along it, delay, radar equation.
+// Plainly written: the flight, radar equation.
 ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame& frame) {
   const core::Vec3 point{points.x_m[i], points.y_m[i], points.z_m[i]};
   const core::Vec3 look = frame.origin_m + frame.world_from_platform * point;
-  const double distance = core::norm(look);
-  const double speed = core::dot(look, frame.velocity_mps + frame.world_from_platform_rate * point) / distance;
+  const core::Vec3 velocity = frame.velocity_mps + frame.world_from_platform_rate * point;
+  const bool thesis = frame.light_time == LightTime::thesis;
+  const Flight flight = thesis ? thesis_flight_of(look, velocity, c)
+                               : flight_of(look, {velocity, frame.anchor_s, frame.radar_mps}, c);
   double amplitude = frame.amplitude_scale * points.root_rcs_m[i];
   if (!points.normal_x.empty()) {
     const core::Vec3 normal =
         frame.world_from_platform * core::Vec3{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
-    amplitude *= std::sqrt(std::max(0.0, -core::dot(normal, look) / distance));
+    amplitude *= std::sqrt(std::max(0.0, -core::dot(normal, flight.look_m) / core::norm(flight.look_m)));
   }
-  if (frame.spreading) amplitude /= distance * distance;
-  return {2.0 * distance / (c - speed), amplitude, speed};
+  if (frame.spreading) amplitude /= flight.path.out_m * flight.path.back_m;
+  const double bend = bend_of(flight.look_m, velocity - frame.radar_mps,
+                              frame.acceleration_mps2 + frame.world_from_platform_acceleration * point, c);
+  return {flight.delay_s, amplitude, flight.doppler, frame.bends ? bend : 0.0};
+}
+
+// What moves, and by which rule.
+std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
+  SightFrame thesis = random_frame(random);
+  thesis.light_time = LightTime::thesis;
+  SightFrame moving = random_frame(random);
+  moving.moves = true;
+  moving.anchor_s = 9e-6;
+  SightFrame both = moving;
+  both.radar_mps = {7600.0, -50.0, 20.0};
+  both.bends = true;
+  both.acceleration_mps2 = {30.0, -9.0, 4.0};
+  both.world_from_platform_acceleration = random_matrix(random, 0.05);
+  SightFrame still = random_frame(random);
+  still.velocity_mps = {};
+  still.world_from_platform_rate = {{core::Vec3{}, core::Vec3{}, core::Vec3{}}};
+  still.world_from_platform_acceleration = still.world_from_platform_rate;
+  SightFrame from_moving = still;
+  from_moving.radar_mps = {-200.0, 100.0, 30.0};
+  from_moving.bends = true;
+  return {thesis, moving, both, still, from_moving};
+}
+
+void expect_scalar_formulas(const PointArrays& points, const SightFrame& frame) {
+  const std::size_t count = points.size();
+  EchoBatch echoes = batch_of(count + 2);
+  EXPECT_TRUE(write_echoes(points, frame, {}, {}, echoes, 1));
+  for (const std::size_t neighbour : {std::size_t{0}, count + 1}) {
+    EXPECT_EQ(echoes.delay_s[neighbour], -1.0);
+    EXPECT_EQ(echoes.amplitude_sqrt_w[neighbour], -2.0);
+    EXPECT_EQ(echoes.doppler[neighbour], -3.0);
+    EXPECT_EQ(echoes.bend_per_s[neighbour], -4.0);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const ScalarEcho expected = plain_echo(points, i, frame);
+    EXPECT_NEAR(echoes.delay_s[i + 1], expected.delay_s, 1e-12 * expected.delay_s);
+    // Near the edge of the back side a root multiplies the rounding of the cosine.
+    EXPECT_NEAR(echoes.amplitude_sqrt_w[i + 1], expected.amplitude,
+                1e-12 * frame.amplitude_scale * 4.0 * (frame.spreading ? 1e-6 : 1.0));
+    EXPECT_NEAR(echoes.doppler[i + 1], expected.doppler, 2e-15);
+    EXPECT_NEAR(echoes.bend_per_s[i + 1], expected.bend_per_s, 1e-12 * std::abs(expected.bend_per_s));
+  }
 }
 
 TEST(WriteEchoes, AreTheScalarFormulasForAnyNumberOfPoints) {
@@ -104,26 +152,11 @@ TEST(WriteEchoes, AreTheScalarFormulasForAnyNumberOfPoints) {
   at_every_simd_level([&] {
     for (const bool cosine : {false, true})
       for (const bool spreading : {true, false})
-        for (std::size_t count = 1; count <= 20; ++count) {
-          SightFrame frame = random_frame(random);
-          frame.spreading = spreading;
-          const PointArrays points = random_points(random, count, cosine);
-          EchoBatch echoes = batch_of(count + 2);
-          EXPECT_TRUE(write_echoes(points, frame, {}, {}, echoes, 1));
-          for (const std::size_t neighbour : {std::size_t{0}, count + 1}) {
-            EXPECT_EQ(echoes.delay_s[neighbour], -1.0);
-            EXPECT_EQ(echoes.amplitude_sqrt_w[neighbour], -2.0);
-            EXPECT_EQ(echoes.speed_mps[neighbour], -3.0);
+        for (std::size_t count = 1; count <= 20; ++count)
+          for (SightFrame& frame : frames_of_all_kinds(random)) {
+            frame.spreading = spreading;
+            expect_scalar_formulas(random_points(random, count, cosine), frame);
           }
-          for (std::size_t i = 0; i < count; ++i) {
-            const ScalarEcho expected = plain_echo(points, i, frame);
-            EXPECT_NEAR(echoes.delay_s[i + 1], expected.delay_s, 1e-12 * expected.delay_s);
-            // Near the edge of the back side a root multiplies the rounding of the cosine.
-            EXPECT_NEAR(echoes.amplitude_sqrt_w[i + 1], expected.amplitude,
-                        1e-12 * frame.amplitude_scale * 4.0 * (spreading ? 1e-6 : 1.0));
-            EXPECT_NEAR(echoes.speed_mps[i + 1], expected.speed_mps, 1e-12 * 500.0);
-          }
-        }
   });
 }
 
@@ -263,6 +296,7 @@ TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
     frame.light_speed_mps = c;
     frame.amplitude_scale = 1.0;
     frame.velocity_mps = velocity;
+    frame.moves = true;
     PointArrays points;
     points.x_m = points.y_m = points.z_m = points.root_rcs_m = std::vector<double>(11, 10.0);
     points.x_m[culprit] = at.x;

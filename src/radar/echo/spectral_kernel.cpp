@@ -47,11 +47,19 @@ std::size_t terms_for(double z, double error) {
 
 // Largest Doppler phase per unit of D over the pulse [rad].
 double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
-  double largest = 0.0;
-  for (int i = 0; i <= 16; ++i)
-    largest = std::max(
-        largest, std::abs(body.doppler_turns(body.first() + (body.last() - body.first()) * i / 16.0, carrier_hz)));
-  return 2.0 * core::pi * largest;
+  return 2.0 * core::pi * body.largest_doppler_turns(carrier_hz);
+}
+
+// Largest phase per unit of a over the pulse [rad].
+double largest_bend_rad(const PulseBody& body, double carrier_hz) {
+  const double farthest_s = std::max(std::abs(body.from_middle_s(body.first())), std::abs(body.from_middle_s(body.last())));
+  return core::pi * std::abs(carrier_hz) * farthest_s * farthest_s;
+}
+
+// How far motion may stretch an echo, samples: two-way Doppler of 16 km/s.
+double stretch_room(const EchoPulse& pulse, double interval_s) {
+  constexpr double most_doppler = 1.1e-4;
+  return pulse.doppler_rule == DopplerRule::thesis ? 0.0 : most_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
 }
 
 // A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
@@ -64,6 +72,16 @@ DopplerSpan span_covering(double lowest, double highest) {
     const double middle = std::round(0.5 * (lowest + highest) / step) * step;
     if (middle - half <= lowest && middle + half >= highest) return {middle, half};
   }
+}
+
+// The span of a for bends that turn the ends of the pulse by up to `rad_per_bend` times them: none where that is less
+// than a quarter of `error`, and on multiples of that, so that pulse after pulse has the same spectra.
+DopplerSpan bends_covering(double lowest, double highest, double rad_per_bend, double error) {
+  if (std::max(std::abs(lowest), std::abs(highest)) * rad_per_bend <= 0.25 * error) return {};
+  const double step = 0.25 * error / rad_per_bend;
+  const double half = 0.5 * (highest - lowest);
+  if (half <= step) return {std::round(0.5 * (lowest + highest) / step) * step, 0.0};
+  return span_covering(lowest, highest);
 }
 
 // What a body's band is widened by for Doppler shifts of up to `shift` cycles per sample: nothing where it is too small
@@ -87,9 +105,11 @@ struct SpectralKernel::Typed : Implementation {
   // What depends on the Doppler span: nodes and the factors of the modes, with every scale in them.
   struct Spectra {
     DopplerSpan span;
+    DopplerSpan bends;
     double carrier_hz = 0.0;
-    std::size_t terms = 1;
-    std::vector<std::vector<std::complex<Real>>> factor;  // [term][mode + modes]
+    std::size_t terms = 1;       // in D
+    std::size_t bend_terms = 1;  // times these in a
+    std::vector<std::vector<std::complex<Real>>> factor;  // [bend term x terms + term][mode + modes]
   };
 
   // The transform between the spreading grid and the modes of a band.
@@ -118,8 +138,9 @@ struct SpectralKernel::Typed : Implementation {
         kernel(choices.share),
         taps(tap_polynomials<Real>(kernel, 0.3 * choices.share)),
         direct(echo_pulse, sample_grid, tolerance),
+        room(stretch_room(echo_pulse, sample_grid.interval_s)),
         row_size(core::good_fft_size(sample_grid.count +
-                                     static_cast<std::size_t>(std::ceil(body.last() - body.first())) + 4)),
+                                     static_cast<std::size_t>(std::ceil(body.last() - body.first()) + 2.0 * room) + 4)),
         row_fft(row_size),
         folded(row_size) {
     edge_row.resize(grid.count);
@@ -190,15 +211,39 @@ struct SpectralKernel::Typed : Implementation {
     if (position.empty()) return false;
     const double lowest = gathered.lowest_doppler;
     const double highest = gathered.highest_doppler;
-    const DopplerSpan span = span_covering(lowest, highest);
-    if (!has_body || terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) > most_doppler_terms)
-      return false;
+    Spectra wanted;
+    wanted.carrier_hz = carrier_hz;
+    wanted.span = span_covering(lowest, highest);
+    wanted.bends = bends_covering(gathered.lowest_bend, gathered.highest_bend, largest_bend_rad(body, carrier_hz),
+                                  settings.share);
+    wanted.terms = terms_of(wanted.span, largest_doppler_rad(body, carrier_hz));
+    wanted.bend_terms = terms_of(wanted.bends, largest_bend_rad(body, carrier_hz));
+    if (!has_body || strays(lowest, highest, carrier_hz) || wanted.terms * wanted.bend_terms > most_doppler_terms) return false;
     const double frequency_hz = body.largest_frequency_hz(carrier_hz);
     Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * frequency_hz * grid.interval_s);
-    const Spectra& s = spectra_for(band, span, carrier_hz);
+    const Spectra& s = spectra_for(band, wanted);
     spread_terms(band, s);
     transform(band, s);
     return true;
+  }
+
+  [[nodiscard]] std::size_t terms_of(const DopplerSpan& span, double largest_rad) const {
+    return span.half > 0.0 ? terms_for(largest_rad * span.half, settings.share) : 1;
+  }
+
+  // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges follow:
+  // these keep their shape, and the Doppler of the hard end.
+  [[nodiscard]] bool strays(double lowest, double highest, double carrier_hz) const {
+    if (pulse->doppler_rule == DopplerRule::thesis || !gathered.moving()) return false;
+    const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
+    const double bend = half_s * std::max(std::abs(gathered.lowest_bend), std::abs(gathered.highest_bend));
+    const double most = std::max(std::abs(lowest), std::abs(highest));
+    if ((most + 0.5 * bend) * (body.last() - body.first()) > std::max(room, 1e-12)) return true;
+    const auto samples = static_cast<double>(settings.edge_samples);
+    const double rad = 2.0 * core::pi * carrier_hz * grid.interval_s * samples * (most * most + 0.5 * bend);
+    const double share_of_edges =
+        std::sqrt(static_cast<double>(pieces.size()) * samples / (body.last() - body.first()));
+    return share_of_edges * (rad + samples * (most + bend) * steepest_edge) > settings.share;
   }
 
   Band& band_for(double shift) {
@@ -216,29 +261,43 @@ struct SpectralKernel::Typed : Implementation {
   void gather(double carrier_hz, const EchoBatch& echoes) {
     RowFrame frame;
     frame.carrier_hz = carrier_hz;
-    frame.light_speed_mps = pulse->light_speed_mps;
     frame.origin_s = pulse->lead_s + grid.first_s;
     frame.interval_s = grid.interval_s;
-    frame.from = -body.last();
-    frame.to = static_cast<double>(grid.count) - body.first();
+    frame.from = -body.last() - room;
+    frame.to = static_cast<double>(grid.count) - body.first() + room;
     gather_strengths(echoes, frame, gathered);
   }
 
   void spread_terms(const Band& band, const Spectra& s) {
-    spread_grid.resize(band.cells, s.terms);
+    const std::size_t terms = s.factor.size();
+    spread_grid.resize(band.cells, terms);
     spread_grid.clear();
-    if (s.terms == 1) {
+    if (terms == 1) {
       spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strength, spread_grid);
       return;
     }
-    weigh_strengths(gathered, s.span, s.terms, weighted);
+    weigh(s);
     spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, weighted, spread_grid);
+  }
+
+  // Strengths for each node in D, for each node in a.
+  void weigh(const Spectra& s) {
+    const std::size_t count = position.size();
+    weighted.resize(s.factor.size() * count);
+    const std::span<std::complex<Real>> all(weighted);
+    if (s.bend_terms == 1) return weigh_strengths<Real>(strength, gathered.doppler, s.span, s.terms, all);
+    if (s.terms == 1) return weigh_strengths<Real>(strength, gathered.bend_per_s, s.bends, s.bend_terms, all);
+    bent.resize(s.bend_terms * count);
+    weigh_strengths<Real>(strength, gathered.bend_per_s, s.bends, s.bend_terms, bent);
+    for (std::size_t b = 0; b < s.bend_terms; ++b)
+      weigh_strengths<Real>(std::span(bent).subspan(b * count, count), gathered.doppler, s.span, s.terms,
+                            all.subspan(b * s.terms * count, s.terms * count));
   }
 
   // Grid to modes, times the factors, folded into the sampled band.
   void transform(const Band& band, const Spectra& s) {
     std::ranges::fill(folded, std::complex<Real>());
-    for (std::size_t r = 0; r < s.terms; ++r) {
+    for (std::size_t r = 0; r < s.factor.size(); ++r) {
       const std::span<std::complex<Real>> cell = spread_grid.fold(r);
       band.grid_fft.forward(cell);
       fold_modes(cell.last(band.modes), std::span(s.factor[r]).first(band.modes), row_size - band.modes % row_size);
@@ -263,6 +322,10 @@ struct SpectralKernel::Typed : Implementation {
   void add_edge_pieces(double carrier_hz) {
     edge_row.clear();
     for (EdgePiece<Real>& piece : pieces) {
+      if (pulse->doppler_rule == DopplerRule::stretch && gathered.moving()) {
+        add_stretched_edge(piece, carrier_hz);
+        continue;
+      }
       piece.doppler_offset = body.doppler_turns(piece.start, carrier_hz);
       piece.doppler_bend = 0.5 * (body.doppler_turns(piece.start + 1.0, carrier_hz) +
                                   body.doppler_turns(piece.start - 1.0, carrier_hz)) -
@@ -272,6 +335,26 @@ struct SpectralKernel::Typed : Implementation {
       add_edges<Real>(piece, position, strength,
                       gathered.moving() ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
     }
+  }
+
+  // An edge comes back where its hard end does, the few samples beside it as they were sent but for their phase: with
+  // h the hard end, D' = late_of(h)/h and s the time from it, D' f h + D' (f s + K (h + s) s) turns.
+  void add_stretched_edge(EdgePiece<Real>& piece, double carrier_hz) {
+    const double hard_s = body.from_middle_s(piece.hard);
+    const double before_s = (piece.hard - piece.start) * grid.interval_s;  // from the first sample to the hard end
+    const double sweep = pulse->pulse.sweep_rate_hz_per_s();
+    const double slope = carrier_hz + sweep * (hard_s - 2.0 * before_s);
+    piece.doppler_offset = carrier_hz * (hard_s - before_s) - sweep * (hard_s - before_s) * before_s;
+    piece.doppler_slope = slope * grid.interval_s;
+    piece.doppler_bend = sweep * grid.interval_s * grid.interval_s;
+    stretched.resize(position.size());
+    late.resize(position.size());
+    for (std::size_t k = 0; k < position.size(); ++k) {
+      const PulseClock clock = gathered.clock(k);
+      late[k] = hard_s == 0.0 ? clock.doppler / (1.0 - clock.doppler) : clock.late_of(hard_s) / hard_s;
+      stretched[k] = position[k] + late[k] * hard_s / grid.interval_s;
+    }
+    add_edges<Real>(piece, stretched, strength, late, edge_row);
   }
 
   // False where a pulse is too wild next to its edges for polynomials.
@@ -295,26 +378,43 @@ struct SpectralKernel::Typed : Implementation {
       if (!samples) return false;
       EdgePiece<Real> piece;
       piece.start = edge.start;
+      piece.hard = edge.rising ? edge.start : edge.start + width;
       piece.samples = std::move(*samples);
       pieces.push_back(std::move(piece));
+      steepest_edge = std::max(steepest_edge, steepness(edge.start));
     }
     return true;
   }
 
-  const Spectra& spectra_for(Band& band, const DopplerSpan& span, double carrier_hz) {
+  // How much the pulse changes from sample to sample in an edge region, beside its sweep.
+  [[nodiscard]] double steepness(double start) const {
+    const double sweep = pulse->pulse.sweep_rate_hz_per_s();
+    const auto at = [&](double t) {
+      const double u_s = body.from_middle_s(t);
+      return body.value(t) * std::polar(1.0, -core::pi * sweep * u_s * u_s);
+    };
+    constexpr double step = 0.25;
+    double steepest = 0.0;
+    for (double t = start + 1e-6; t + step < start + static_cast<double>(settings.edge_samples); t += step)
+      steepest = std::max(steepest, std::abs(at(t + step) - at(t)) / step);
+    return steepest < 1e-9 ? 0.0 : steepest;
+  }
+
+  const Spectra& spectra_for(Band& band, const Spectra& wanted) {
+    const bool at_rest = wanted.span == DopplerSpan{} && wanted.bends == DopplerSpan{};
     const auto found = std::ranges::find_if(band.recent, [&](const Spectra& s) {
-      return s.span == span && (s.carrier_hz == carrier_hz || (span.half == 0.0 && span.middle == 0.0));
+      return s.span == wanted.span && s.bends == wanted.bends && (s.carrier_hz == wanted.carrier_hz || at_rest);
     });
     if (found != band.recent.end()) {
       band.recent.splice(band.recent.begin(), band.recent, found);
       return band.recent.front();
     }
-    band.recent.push_front(make_spectra(band, span, carrier_hz));
+    band.recent.push_front(make_spectra(band, wanted));
     // Stepped carriers come back; the least recently used spectra make room.
     std::size_t bytes = 0;
     std::size_t kept = 0;
     for (const Spectra& s : band.recent) {
-      bytes += s.terms * s.factor.front().size() * sizeof(std::complex<Real>);
+      bytes += s.factor.size() * s.factor.front().size() * sizeof(std::complex<Real>);
       if (bytes > spectra_bytes && kept > 0) break;
       ++kept;
     }
@@ -322,34 +422,29 @@ struct SpectralKernel::Typed : Implementation {
     return band.recent.front();
   }
 
-  Spectra make_spectra(const Band& band, const DopplerSpan& span, double carrier_hz) {
-    Spectra s;
-    s.span = span;
-    s.carrier_hz = carrier_hz;
-    s.terms = span.half > 0.0 ? terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share) : 1;
-    for (std::size_t r = 0; r < s.terms; ++r) {
-      const double d = span.middle + (span.half > 0.0 ? span.half * doppler_node(r, s.terms) : 0.0);
-      s.factor.push_back(mode_factors(band, d, carrier_hz));
-    }
+  Spectra make_spectra(const Band& band, Spectra s) {
+    const auto node = [](const DopplerSpan& span, std::size_t r, std::size_t terms) {
+      return span.middle + (span.half > 0.0 ? span.half * doppler_node(r, terms) : 0.0);
+    };
+    for (std::size_t b = 0; b < s.bend_terms; ++b)
+      for (std::size_t r = 0; r < s.terms; ++r)
+        s.factor.push_back(
+            mode_factors(band, {node(s.span, r, s.terms), node(s.bends, b, s.bend_terms)}, s.carrier_hz));
     return s;
   }
 
-  // Spectrum of the body with Doppler d at the modes, over the kernel's transform, with the scale of the transforms.
-  std::vector<std::complex<Real>> mode_factors(const Band& band, double d, double carrier_hz) {
+  // Spectrum of the body so stretched at the modes, over the kernel's transform, with the scale of the transforms.
+  std::vector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, double carrier_hz) {
     const std::size_t fine = oversampling * fine_factor(band) * row_size;
     const double per_sample = static_cast<double>(oversampling * fine_factor(band));
     std::vector<std::complex<double>> spectrum(fine);
-    const auto first = static_cast<std::ptrdiff_t>(std::ceil(body.first() * per_sample));
-    const auto last = static_cast<std::ptrdiff_t>(std::floor(body.last() * per_sample));
+    const auto first = static_cast<std::ptrdiff_t>(std::ceil(body.received(body.first(), clock) * per_sample));
+    const auto last = static_cast<std::ptrdiff_t>(std::floor(body.received(body.last(), clock) * per_sample));
     for (std::ptrdiff_t i = first; i <= last; ++i) {
-      const double t = static_cast<double>(i) / per_sample;
-      const double share = body.body_share(t);
-      if (share == 0.0) continue;
-      const double turns = d * body.doppler_turns(t, carrier_hz);
       const auto index =
           static_cast<std::size_t>(((i % static_cast<std::ptrdiff_t>(fine)) + static_cast<std::ptrdiff_t>(fine)) %
                                    static_cast<std::ptrdiff_t>(fine));
-      spectrum[index] += share * body.value(t) * std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns)));
+      spectrum[index] += body.echo(static_cast<double>(i) / per_sample, clock, carrier_hz);
     }
     const core::Fft fft(fine);
     fft.forward(spectrum);
@@ -376,6 +471,7 @@ struct SpectralKernel::Typed : Implementation {
   SpreadingKernel kernel;
   LanePolynomials<Real> taps;
   DirectKernel direct;
+  double room;           // for the stretch of echoes at either end, samples
   std::size_t row_size;  // points of the period that the row is part of
   core::BasicFft<Real> row_fft;
   std::vector<EdgePiece<Real>> pieces;
@@ -386,9 +482,13 @@ struct SpectralKernel::Typed : Implementation {
   std::vector<std::complex<Real>>& strength = gathered.strength;
   std::vector<double>& doppler = gathered.doppler;
   std::vector<std::complex<Real>> weighted;
+  std::vector<std::complex<Real>> bent;
+  std::vector<double> stretched;  // positions of an edge
+  std::vector<double> late;
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   bool has_body = false;
+  double steepest_edge = 0.0;  // 1/sample
   std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
 
   std::vector<std::complex<Real>> response;  // of the filter, but for its scale
@@ -402,7 +502,6 @@ SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, d
                                const RowFilter& filter) {
   CORE_EXPECT(grid.interval_s > 0.0);
   CORE_EXPECT(tolerance > 0.0);
-  CORE_EXPECT(pulse.light_speed_mps > 0.0);
   const Settings settings(tolerance);
   if (settings.single_precision)
     implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance, filter);
@@ -416,15 +515,13 @@ SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
 
 void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
   CORE_EXPECT(std::isfinite(carrier_hz));
-  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
-  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.is_whole());
   implementation_->add(row, carrier_hz, echoes);
 }
 
 void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) {
   CORE_EXPECT(std::isfinite(carrier_hz));
-  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
-  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.is_whole());
   implementation_->add_filtered(out, carrier_hz, echoes);
 }
 

@@ -36,9 +36,8 @@ struct RowFilter {
 /// the
 ///   integral of a Kaiser window; its spectrum is negligible beyond the pulse's band plus a margin. What it leaves out
 ///   at the edges is added directly, as polynomials in the fraction of a sample.
-/// - Doppler inside the pulse, exp(-j 2 pi D psi(u)), D = 2v/c, is interpolated in D between a few Chebyshev nodes,
-/// each
-///   with a spectrum of its own; edges take the exact factor.
+/// - What motion does to an echo, by D and a, is interpolated between a few Chebyshev nodes, each with a spectrum of its
+///   own; edges take the exact factor.
 ///
 /// Relative error per pulse, ||s - s_ref|| / sqrt(sum |a|^2 ||p||^2), below the tolerance: single precision from 1e-6
 /// upwards, double below, down to 1e-9. One object per thread: it keeps scratch space and the spectra of recent Doppler
@@ -60,7 +59,7 @@ class SpectralKernel {
   void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes);
 
   /// Estimate for choosing a kernel.
-  /// @param lowest_doppler   smallest 2v/c among the echoes of a pulse
+  /// @param lowest_doppler   smallest D among the echoes of a pulse
   /// @param highest_doppler  largest
   [[nodiscard]] static SpectralCost cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance,
                                          double carrier_hz, double lowest_doppler, double highest_doppler);

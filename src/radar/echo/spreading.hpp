@@ -86,9 +86,10 @@ void spread(const LanePolynomials<Real>& taps, std::size_t width, double period,
 template <class Real>
 struct EdgePiece {
   double start = 0.0;  ///< Samples after the pulse's leading edge where the piece begins.
+  double hard = 0.0;   ///< Where its hard end is: at its start, or at its end.
   LanePolynomials<Real>
       samples;  ///< Real parts, then imaginary parts, of the samples from the first behind the start on.
-  double doppler_offset = 0.0;  ///< Doppler phase at the start: turns per unit of 2v/c,
+  double doppler_offset = 0.0;  ///< Doppler phase at the start: turns per unit of D,
   double doppler_slope = 0.0;   ///< its change per sample,
   double doppler_bend = 0.0;    ///< and per sample squared.
 };
@@ -108,7 +109,7 @@ struct EdgeRow {
 /// Adds one edge piece of many echoes to a row in SIMD.
 /// @param position  of each pulse's leading edge, samples after the row's first
 /// @param strength  complex amplitudes
-/// @param doppler   2v/c of each echo; empty: none moves
+/// @param doppler   D of each echo; empty: none moves
 template <class Real>
 void add_edges(const EdgePiece<Real>& piece, std::span<const double> position,
                std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row);

@@ -5,7 +5,6 @@
 
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
-#include "radar/path/path.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "radar/echo/strengths.cpp"
@@ -21,12 +20,16 @@ template <class Real>
 struct Vectors {
   using Wide = hn::ScalableTag<double>;
   using Narrow = hn::Rebind<Real, Wide>;
-  hn::Vec<Wide> position, doppler;
+  hn::Vec<Wide> position, doppler, bend;
   hn::Vec<Narrow> re, im;
 };
 
 struct Columns {
-  const double *delay, *amplitude, *speed;
+  const double *delay, *amplitude, *doppler, *bend;  // no bend: nullptr
+
+  [[nodiscard]] Columns from(std::size_t k) const {
+    return {delay + k, amplitude + k, doppler + k, bend == nullptr ? nullptr : bend + k};
+  }
 };
 
 template <class Real>
@@ -37,7 +40,8 @@ HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) 
   const auto amplitude = hn::LoadU(dd, at.amplitude);
   Vectors<Real> out;
   out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, frame.origin_s)), hn::Set(dd, 1.0 / frame.interval_s));
-  out.doppler = hn::Mul(hn::LoadU(dd, at.speed), hn::Set(dd, delay_of(1.0, frame.light_speed_mps)));
+  out.doppler = hn::LoadU(dd, at.doppler);
+  out.bend = at.bend == nullptr ? hn::Zero(dd) : hn::LoadU(dd, at.bend);
   const auto turns = fraction_of_turn(hn::Mul(delay, hn::Set(dd, -frame.carrier_hz)));
   auto c = hn::Zero(dd);
   auto s = hn::Zero(dd);
@@ -63,16 +67,19 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
   if (here == lanes && hn::AllTrue(dd, touches)) {
     hn::StoreU(v.position, dd, out.position.data() + kept);
     hn::StoreU(v.doppler, dd, out.doppler.data() + kept);
+    if (!out.bend_per_s.empty()) hn::StoreU(v.bend, dd, out.bend_per_s.data() + kept);
     hn::StoreInterleaved2(v.re, v.im, narrow, reinterpret_cast<Real*>(out.strength.data() + kept));
     kept += lanes;
     return;
   }
   HWY_ALIGN double position[hn::MaxLanes(dd)];
   HWY_ALIGN double doppler[hn::MaxLanes(dd)];
+  HWY_ALIGN double bend[hn::MaxLanes(dd)];
   HWY_ALIGN Real re[hn::MaxLanes(dd)];
   HWY_ALIGN Real im[hn::MaxLanes(dd)];
   hn::Store(v.position, dd, position);
   hn::Store(v.doppler, dd, doppler);
+  hn::Store(v.bend, dd, bend);
   hn::StoreU(v.re, narrow, re);
   hn::StoreU(v.im, narrow, im);
   for (std::size_t i = 0; i < here; ++i) {
@@ -80,28 +87,29 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
     out.position[kept] = position[i];
     out.strength[kept] = {re[i], im[i]};
     out.doppler[kept] = doppler[i];
+    if (!out.bend_per_s.empty()) out.bend_per_s[kept] = bend[i];
     ++kept;
   }
 }
 
-template <class Real>
-HWY_INLINE void set_doppler_range(Strengths<Real>& out) {
+// The smallest and the largest of a column; 0 of none.
+HWY_INLINE void set_range(const std::vector<double>& column, double& lowest_out, double& highest_out) {
   const hn::ScalableTag<double> d;
-  const std::size_t count = out.doppler.size();
-  const auto first = hn::Set(d, count > 0 ? out.doppler.front() : 0.0);
+  const std::size_t count = column.size();
+  const auto first = hn::Set(d, count > 0 ? column.front() : 0.0);
   auto lowest = first;
   auto highest = first;
   std::size_t k = 0;
   for (; k + hn::Lanes(d) <= count; k += hn::Lanes(d)) {
-    const auto x = hn::LoadU(d, out.doppler.data() + k);
+    const auto x = hn::LoadU(d, column.data() + k);
     lowest = hn::Min(lowest, x);
     highest = hn::Max(highest, x);
   }
-  out.lowest_doppler = hn::GetLane(hn::MinOfLanes(d, lowest));
-  out.highest_doppler = hn::GetLane(hn::MaxOfLanes(d, highest));
+  lowest_out = hn::GetLane(hn::MinOfLanes(d, lowest));
+  highest_out = hn::GetLane(hn::MaxOfLanes(d, highest));
   for (; k < count; ++k) {
-    out.lowest_doppler = std::min(out.lowest_doppler, out.doppler[k]);
-    out.highest_doppler = std::max(out.highest_doppler, out.doppler[k]);
+    lowest_out = std::min(lowest_out, column[k]);
+    highest_out = std::max(highest_out, column[k]);
   }
 }
 
@@ -113,26 +121,32 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.position.resize(count);
   out.strength.resize(count);
   out.doppler.resize(count);
+  out.bend_per_s.resize(echoes.bend_per_s.size());
   std::size_t kept = 0;
   std::size_t k = 0;
-  const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.speed_mps.data()};
+  const bool bends = !echoes.bend_per_s.empty();
+  const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.doppler.data(),
+                    bends ? echoes.bend_per_s.data() : nullptr};
   for (; k + lanes <= count; k += lanes)
-    keep_touching(strengths_at<Real>({all.delay + k, all.amplitude + k, all.speed + k}, frame), frame, lanes, kept,
-                  out);
+    keep_touching(strengths_at<Real>(all.from(k), frame), frame, lanes, kept, out);
   if (k < count) {
-    HWY_ALIGN double rest[3][hn::MaxLanes(dd)];
+    HWY_ALIGN double rest[4][hn::MaxLanes(dd)];
     for (std::size_t i = 0; i < lanes; ++i) {
       const std::size_t source = k + i < count ? k + i : k;
       rest[0][i] = all.delay[source];
       rest[1][i] = all.amplitude[source];
-      rest[2][i] = all.speed[source];
+      rest[2][i] = all.doppler[source];
+      rest[3][i] = bends ? all.bend[source] : 0.0;
     }
-    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2]}, frame), frame, count - k, kept, out);
+    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2], bends ? rest[3] : nullptr}, frame), frame, count - k,
+                  kept, out);
   }
   out.position.resize(kept);
   out.strength.resize(kept);
   out.doppler.resize(kept);
-  set_doppler_range(out);
+  if (bends) out.bend_per_s.resize(kept);
+  set_range(out.doppler, out.lowest_doppler, out.highest_doppler);
+  set_range(out.bend_per_s, out.lowest_bend, out.highest_bend);
 }
 
 // Chebyshev's polynomials at the nodes, [node][degree], times 2/terms, half of that for degree 0: Lagrange's polynomial
@@ -166,11 +180,11 @@ HWY_INLINE void store_weighted(hn::Vec<hn::ScalableTag<double>> weight, const st
 }
 
 template <class Real>
-HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan& span, std::size_t terms,
-                                std::complex<Real>* weighted) {
+HWY_INLINE void weigh_on_target(std::span<const std::complex<Real>> strength, std::span<const double> at,
+                                const DopplerSpan& span, std::size_t terms, std::complex<Real>* weighted) {
   const hn::ScalableTag<double> dd;
   const std::size_t lanes = hn::Lanes(dd);
-  const std::size_t count = echoes.position.size();
+  const std::size_t count = strength.size();
   double matrix[most_doppler_terms * most_doppler_terms];
   lagrange_matrix(terms, matrix);
   HWY_ALIGN double chebyshev[most_doppler_terms * hn::MaxLanes(dd)];
@@ -178,9 +192,9 @@ HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan
   for (std::size_t k = 0; k < count; k += lanes) {
     const std::size_t here = std::min(lanes, count - k);
     if (here < lanes)
-      for (std::size_t i = 0; i < lanes; ++i) buffer[i] = echoes.doppler[k + std::min(i, here - 1)];
-    const auto doppler = hn::LoadU(dd, here < lanes ? buffer : echoes.doppler.data() + k);
-    const auto x = hn::Mul(hn::Sub(doppler, hn::Set(dd, span.middle)), hn::Set(dd, 1.0 / span.half));
+      for (std::size_t i = 0; i < lanes; ++i) buffer[i] = at[k + std::min(i, here - 1)];
+    const auto place = hn::LoadU(dd, here < lanes ? buffer : at.data() + k);
+    const auto x = hn::Mul(hn::Sub(place, hn::Set(dd, span.middle)), hn::Set(dd, 1.0 / span.half));
     auto before = hn::Set(dd, 1.0);
     auto now = x;
     for (std::size_t m = 0; m < terms; ++m) {
@@ -193,7 +207,7 @@ HWY_INLINE void weigh_on_target(const Strengths<Real>& echoes, const DopplerSpan
       auto sum = hn::Zero(dd);
       for (std::size_t m = 0; m < terms; ++m)
         sum = hn::MulAdd(hn::Set(dd, matrix[r * terms + m]), hn::Load(dd, chebyshev + m * lanes), sum);
-      store_weighted(sum, echoes.strength.data() + k, here, weighted + r * count + k);
+      store_weighted(sum, strength.data() + k, here, weighted + r * count + k);
     }
   }
 }
@@ -205,13 +219,13 @@ void gather_double(const EchoBatch& echoes, const RowFrame& frame, Strengths<dou
   gather_on_target(echoes, frame, out);
 }
 
-void weigh_single(const Strengths<float>& echoes, const DopplerSpan& span, std::size_t terms,
-                  std::complex<float>* weighted) {
-  weigh_on_target(echoes, span, terms, weighted);
+void weigh_single(std::span<const std::complex<float>> strength, std::span<const double> at, const DopplerSpan& span,
+                  std::size_t terms, std::complex<float>* weighted) {
+  weigh_on_target(strength, at, span, terms, weighted);
 }
-void weigh_double(const Strengths<double>& echoes, const DopplerSpan& span, std::size_t terms,
-                  std::complex<double>* weighted) {
-  weigh_on_target(echoes, span, terms, weighted);
+void weigh_double(std::span<const std::complex<double>> strength, std::span<const double> at, const DopplerSpan& span,
+                  std::size_t terms, std::complex<double>* weighted) {
+  weigh_on_target(strength, at, span, terms, weighted);
 }
 
 }  // namespace sarsim::radar::HWY_NAMESPACE
@@ -233,38 +247,36 @@ double doppler_node(std::size_t r, std::size_t terms) {
 
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<float>& out) {
-  CORE_EXPECT(frame.light_speed_mps > 0.0);
   CORE_EXPECT(frame.interval_s > 0.0);
-  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
-  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_single)(echoes, frame, out);
 }
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
-  CORE_EXPECT(frame.light_speed_mps > 0.0);
   CORE_EXPECT(frame.interval_s > 0.0);
-  CORE_EXPECT(echoes.amplitude_sqrt_w.size() == echoes.delay_s.size());
-  CORE_EXPECT(echoes.speed_mps.size() == echoes.delay_s.size());
+  CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_double)(echoes, frame, out);
 }
 
 template <>
-void weigh_strengths(const Strengths<float>& echoes, const DopplerSpan& span, std::size_t terms,
-                     std::vector<std::complex<float>>& weighted) {
+void weigh_strengths(std::span<const std::complex<float>> strength, std::span<const double> at, const DopplerSpan& span,
+                     std::size_t terms, std::span<std::complex<float>> weighted) {
   CORE_EXPECT(terms > 0);
   CORE_EXPECT(terms <= most_doppler_terms);
   CORE_EXPECT(span.half >= 0.0);
-  weighted.resize(terms * echoes.position.size());
-  HWY_DYNAMIC_DISPATCH(weigh_single)(echoes, span, terms, weighted.data());
+  CORE_EXPECT(at.size() == strength.size());
+  CORE_EXPECT(weighted.size() == terms * strength.size());
+  HWY_DYNAMIC_DISPATCH(weigh_single)(strength, at, span, terms, weighted.data());
 }
 template <>
-void weigh_strengths(const Strengths<double>& echoes, const DopplerSpan& span, std::size_t terms,
-                     std::vector<std::complex<double>>& weighted) {
+void weigh_strengths(std::span<const std::complex<double>> strength, std::span<const double> at, const DopplerSpan& span,
+                     std::size_t terms, std::span<std::complex<double>> weighted) {
   CORE_EXPECT(terms > 0);
   CORE_EXPECT(terms <= most_doppler_terms);
   CORE_EXPECT(span.half >= 0.0);
-  weighted.resize(terms * echoes.position.size());
-  HWY_DYNAMIC_DISPATCH(weigh_double)(echoes, span, terms, weighted.data());
+  CORE_EXPECT(at.size() == strength.size());
+  CORE_EXPECT(weighted.size() == terms * strength.size());
+  HWY_DYNAMIC_DISPATCH(weigh_double)(strength, at, span, terms, weighted.data());
 }
 
 }  // namespace sarsim::radar

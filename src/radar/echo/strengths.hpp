@@ -11,7 +11,6 @@ namespace sarsim::radar {
 /// What the row of one pulse needs to know of its echoes to turn them into positions and phasors.
 struct RowFrame {
   double carrier_hz = 0.0;
-  double light_speed_mps = 0.0;
   double origin_s = 0.0;  ///< Delay at which an echo's leading edge falls on the row's first sample.
   double interval_s = 1.0;
   double from = 0.0;  ///< Echoes with leading edges in (from, to), in samples, touch the row.
@@ -23,12 +22,19 @@ template <class Real>
 struct Strengths {
   std::vector<double> position;              ///< Of the leading edge, samples after the row's first.
   std::vector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
-  std::vector<double> doppler;               ///< 2v/c.
+  std::vector<double> doppler;               ///< D.
+  std::vector<double> bend_per_s;            ///< a; empty where the batch has none.
   double lowest_doppler = 0.0;               ///< Of `doppler`; 0 without echoes.
   double highest_doppler = 0.0;
+  double lowest_bend = 0.0;  ///< Of `bend_per_s`; 0 without.
+  double highest_bend = 0.0;
 
-  /// Whether any Doppler factor is not 0.
-  [[nodiscard]] bool moving() const { return lowest_doppler != 0.0 || highest_doppler != 0.0; }
+  /// Whether any Doppler factor or bend is not 0.
+  [[nodiscard]] bool moving() const {
+    return lowest_doppler != 0.0 || highest_doppler != 0.0 || lowest_bend != 0.0 || highest_bend != 0.0;
+  }
+  /// How echo k is stretched.
+  [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
 };
 
 /// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to
@@ -36,7 +42,7 @@ struct Strengths {
 template <class Real>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
 
-/// A span of D = 2v/c.
+/// A span of D, or of a.
 struct DopplerSpan {
   double middle = 0.0;
   double half = 0.0;
@@ -46,12 +52,14 @@ struct DopplerSpan {
 /// The node in [-1, 1] that term `r` of an interpolation in D stands at: Chebyshev's points.
 [[nodiscard]] double doppler_node(std::size_t r, std::size_t terms);
 
-/// Strengths of the echoes for each node of an interpolation in D: times Lagrange's polynomials, in SIMD.
+/// Strengths of the echoes for each node of an interpolation: times Lagrange's polynomials, in SIMD.
+/// @param strength       of each echo
+/// @param at             where each echo stands in the span: its D, or its a
 /// @param terms          at most `most_doppler_terms`
 /// @param[out] weighted  terms x echoes, term-major
 template <class Real>
-void weigh_strengths(const Strengths<Real>& echoes, const DopplerSpan& span, std::size_t terms,
-                     std::vector<std::complex<Real>>& weighted);
+void weigh_strengths(std::span<const std::complex<Real>> strength, std::span<const double> at, const DopplerSpan& span,
+                     std::size_t terms, std::span<std::complex<Real>> weighted);
 
 inline constexpr std::size_t most_doppler_terms = 24;
 

@@ -8,11 +8,10 @@ namespace sarsim::radar {
 namespace strengths_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double c = core::exact_light_speed_mps;
 template <class Real>
 constexpr double rounding_of = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-RowFrame frame_of(double carrier_hz) { return {carrier_hz, c, 20e-6, 1e-8, -100.0, 1000.0}; }
+RowFrame frame_of(double carrier_hz) { return {carrier_hz, 20e-6, 1e-8, -100.0, 1000.0}; }
 
 template <class Real>
 class GatherStrengths : public testing::Test {};
@@ -55,7 +54,7 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
                   2.0 * core::pi * 9e4 * epsilon + rounding_of<TypeParam>);
         // A delay of 30 us in steps of 10 ns: 3000 and a few roundings.
         EXPECT_NEAR(out.position[k], (echoes.delay_s[k] - 20e-6) / 1e-8, 3000.0 * 4.0 * epsilon);
-        EXPECT_NEAR(out.doppler[k], 2.0 * echoes.speed_mps[k] / c, 2.0 * epsilon * std::abs(out.doppler[k]));
+        EXPECT_EQ(out.doppler[k], echoes.doppler[k]);
       }
     }
   });
@@ -99,9 +98,8 @@ TYPED_TEST(GatherStrengths, WeightsInterpolatePolynomialsOfTheDoppler) {
         echoes.strength.push_back({TypeParam(1 + k), TypeParam(-2)});
         echoes.doppler.push_back(span.middle + span.half * std::cos(0.7 * k));
       }
-      std::vector<std::complex<TypeParam>> weighted;
-      weigh_strengths(echoes, span, terms, weighted);
-      ASSERT_EQ(weighted.size(), terms * 37);
+      std::vector<std::complex<TypeParam>> weighted(terms * 37);
+      weigh_strengths<TypeParam>(echoes.strength, echoes.doppler, span, terms, weighted);
       for (std::size_t power = 0; power < terms; ++power)
         for (std::size_t k = 0; k < 37; ++k) {
           std::complex<double> sum = 0.0;

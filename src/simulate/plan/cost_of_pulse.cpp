@@ -43,7 +43,7 @@ DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& rad
     const radar::Pointing pointing = geometry.pointing();
     DopplerRange here{1.0, -1.0};
     for (std::size_t i = 0; i < scene.scatterers.size(); i += stride) {
-      const double d = radar::delay_of(geometry.view(i, pointing).speed_mps, scene.conventions.light_speed_mps);
+      const double d = geometry.view(i, pointing).clock.doppler;
       here = {std::min(here.lowest, d), std::max(here.highest, d)};
     }
     if (here.highest - here.lowest >= widest.highest - widest.lowest) widest = here;

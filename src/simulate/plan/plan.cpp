@@ -32,7 +32,7 @@ radar::EchoPulse echo_pulse(const ResolvedRadar& radar, const scene::Simulation&
                             double interval_s) {
   radar::EchoPulse pulse;
   pulse.pulse = radar.pulse;
-  pulse.light_speed_mps = scene.conventions.light_speed_mps;
+  pulse.doppler_rule = scene.conventions.doppler;
   pulse.lead_s =
       simulation.pulse_position == scene::Simulation::PulsePosition::centre ? 0.5 * radar.pulse.width_s : 0.0;
   if (scene.options.pulse == scene::PulseDefinition::band_limited) {
@@ -256,7 +256,7 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
     plan.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
-  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
+  fast_echoes(*plan.points, geometry_, echoes_);
   spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
 }
 
@@ -284,7 +284,7 @@ void RowMaker::add_row(std::span<std::complex<double>> raw) {
     radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
     return;
   }
-  fast_echoes(*plan.points, *plan.scene, geometry_, echoes_);
+  fast_echoes(*plan.points, geometry_, echoes_);
   if (spectral_)
     spectral_->add(raw, geometry_.carrier_hz(), echoes_);
   else

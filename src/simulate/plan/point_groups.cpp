@@ -140,12 +140,6 @@ class Grouping {
   std::map<GroupKey, std::size_t> places_;
 };
 
-void resize(radar::EchoBatch& echoes, std::size_t count) {
-  echoes.delay_s.resize(count);
-  echoes.amplitude_sqrt_w.resize(count);
-  echoes.speed_mps.resize(count);
-}
-
 }  // namespace
 
 PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
@@ -182,31 +176,23 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
   return groups;
 }
 
-void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
-                 radar::EchoBatch& echoes) {
+void fast_echoes(const PointGroups& groups, const PulseGeometry& geometry, radar::EchoBatch& echoes) {
   if (!groups.sound()) {
     geometry.echoes(echoes);
     return;
   }
-  resize(echoes, groups.count);
+  echoes.resize(groups.count, geometry.bends());
   const radar::Pointing pointing = geometry.pointing();
-  const radar::Pose& radar = geometry.radar_pose();
-  radar::SightFrame frame;
-  frame.antenna_from_world = pointing.antenna_from_world();
-  frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
-  frame.axis_elevation_rad = pointing.axis_elevation_rad();
-  frame.pulse = geometry.pulse();
-  frame.light_speed_mps = scene.conventions.light_speed_mps;
-  frame.amplitude_scale = geometry.amplitude_scale();
-  frame.spreading = geometry.spreading();
+  const core::Mat3 antenna_from_world = pointing.antenna_from_world();
   std::size_t first = 0;
   bool possible = true;
   for (const PointGroups::Group& group : groups.groups) {
-    const radar::Pose& pose = geometry.pose(group.platform);
-    frame.world_from_platform = pose.world_from_platform;
-    frame.world_from_platform_rate = pose.world_from_platform_rate;
-    frame.origin_m = pose.position_world_m - radar.position_world_m;
-    frame.velocity_mps = pose.velocity_world_mps - radar.velocity_world_mps;
+    radar::SightFrame frame = geometry.frame(group.platform);
+    frame.antenna_from_world = antenna_from_world;
+    frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
+    frame.axis_elevation_rad = pointing.axis_elevation_rad();
+    frame.amplitude_scale = geometry.amplitude_scale();
+    frame.spreading = geometry.spreading();
     possible = radar::write_echoes(group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
     first += group.points.size();
   }

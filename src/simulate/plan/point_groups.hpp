@@ -39,7 +39,6 @@ struct PointGroups {
 /// and with amplitude 0 where that leaves out the back of a surface. Delays and speeds agree to rounding, amplitudes to
 /// rounding and the tolerance of the curves. Replaces `echoes`; allocates nothing once these have had their size.
 /// Throws the ImpossibleEcho that `PulseGeometry::echoes` throws.
-void fast_echoes(const PointGroups& groups, const ResolvedScene& scene, const PulseGeometry& geometry,
-                 radar::EchoBatch& echoes);
+void fast_echoes(const PointGroups& groups, const PulseGeometry& geometry, radar::EchoBatch& echoes);
 
 }  // namespace sarsim::simulate

@@ -58,12 +58,12 @@ TEST(FastEchoes, AllocateNothingFromTheSecondPulseOn) {
   PulseGeometry geometry(resolved, radar);
   radar::EchoBatch echoes;
   const std::size_t before = allocations;
-  fast_echoes(groups, resolved, geometry, echoes);
+  fast_echoes(groups, geometry, echoes);
   EXPECT_GT(allocations, before);
   const std::size_t first_pulse = allocations;
   for (std::int64_t pulse = 1; pulse < 20; ++pulse) {
     geometry.set_pulse(pulse);
-    fast_echoes(groups, resolved, geometry, echoes);
+    fast_echoes(groups, geometry, echoes);
   }
   EXPECT_EQ(allocations, first_pulse);
 }

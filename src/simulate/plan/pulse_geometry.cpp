@@ -8,18 +8,37 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
 #include "core/report/expect.hpp"
-#include "radar/path/path.hpp"
+#include "radar/path/light_time.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
 
+namespace {
+
+struct Acceleration {
+  core::Vec3 acceleration_world_mps2;
+  core::Mat3 world_from_platform_acceleration;
+};
+
+Acceleration acceleration_of(const radar::Track& track, double time_s, std::int64_t pulse) {
+  constexpr double h = 1e-3;
+  const radar::Pose before = track.at(time_s - h, pulse);
+  const radar::Pose after = track.at(time_s + h, pulse);
+  return {(0.5 / h) * (after.velocity_world_mps - before.velocity_world_mps),
+          (0.5 / h) * (after.world_from_platform_rate + (-1.0) * before.world_from_platform_rate)};
+}
+
+}  // namespace
+
 struct PulseGeometry::Sight {
-  core::Vec3 look_world_m;        // radar to scatterer
-  core::Vec3 velocity_world_mps;  // of the scatterer relative to the radar
+  radar::Flight flight;
+  double bend_per_s = 0.0;
+  double speed_mps = 0.0;   // of the point, or of the radar: the faster one, in any direction
+  double distance_m = 0.0;  // as the pulse leaves
 };
 
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
-    : scene_(&scene), radar_(&radar), poses_(scene.platforms.size()), used_(scene.platforms.size(), false) {
+    : scene_(&scene), radar_(&radar), poses_(scene.platforms.size()), used_(scene.platforms.size(), false), frames_(scene.platforms.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
   used_[radar.platform] = true;
@@ -27,6 +46,7 @@ PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& ra
   for (const ScattererSheet& sheet : scene.sheets) used_[sheet.platform] = true;
   for (std::size_t i = 0; i < poses_.size(); ++i) poses_[i] = scene.platforms[i].track.at(0.0, 0);
   spreading_ = !(radar.stc != scene::Radar::Stc::none && scene.conventions.stc == Conventions::Stc::no_spreading);
+  set_pulse(0);
 }
 
 void PulseGeometry::set_pulse(std::int64_t pulse) {
@@ -35,8 +55,73 @@ void PulseGeometry::set_pulse(std::int64_t pulse) {
   carrier_hz_ = radar_->carrier.carrier_hz(pulse);
   for (std::size_t i = 0; i < poses_.size(); ++i)
     if (used_[i] && !scene_->platforms[i].track.fixed()) poses_[i] = scene_->platforms[i].track.at(time_s_, pulse);
+  bends_ = false;
+  for (std::size_t i = 0; i < poses_.size(); ++i)
+    if (used_[i]) set_frame(i);
   const double wavelength_m = radar::wavelength_of(carrier_hz_, scene_->conventions.light_speed_mps);
   amplitude_scale_ = std::sqrt(radar_->radiated_w) * wavelength_m / std::pow(4.0 * core::pi, 1.5);
+}
+
+void PulseGeometry::set_frame(std::size_t platform) {
+  radar::SightFrame& frame = frames_[platform];
+  const radar::Pose& pose = poses_[platform];
+  frame = {};
+  frame.light_time = scene_->conventions.light_time;
+  frame.light_speed_mps = scene_->conventions.light_speed_mps;
+  frame.pulse = pulse_;
+  frame.world_from_platform = pose.world_from_platform;
+  frame.world_from_platform_rate = pose.world_from_platform_rate;
+  frame.origin_m = pose.position_world_m - radar_pose().position_world_m;
+  frame.velocity_mps = pose.velocity_world_mps - radar_pose().velocity_world_mps;
+  if (frame.light_time == radar::LightTime::thesis) return;
+  set_flight(platform, frame);
+  frame.bends = bend_counts(platform, frame);
+  bends_ = bends_ || frame.bends;
+}
+
+// The platform is taken where the pulse meets its middle, the radar's velocity from where it is as that echo comes back.
+void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) const {
+  const ResolvedPlatform& carrier = scene_->platforms[platform];
+  const ResolvedPlatform& own = scene_->platforms[radar_->platform];
+  const core::Vec3 middle_m = frame.origin_m + frame.world_from_platform * carrier.middle_m;
+  const double out_s = core::norm(middle_m) / frame.light_speed_mps;
+  frame.velocity_mps = {};
+  frame.moves = !carrier.track.fixed();
+  if (frame.moves) {
+    const radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_);
+    frame.world_from_platform = met.world_from_platform;
+    frame.world_from_platform_rate = met.world_from_platform_rate;
+    frame.origin_m = met.position_world_m - radar_pose().position_world_m;
+    frame.velocity_mps = met.velocity_world_mps;
+    frame.anchor_s = out_s;
+  }
+  if (own.track.fixed()) return;
+  const core::Vec3 moved_m =
+      own.track.at(time_s_ + 2.0 * out_s, pulse_).position_world_m - radar_pose().position_world_m;
+  frame.radar_mps = out_s > 0.0 ? (0.5 / out_s) * moved_m : radar_pose().velocity_world_mps;
+}
+
+// Whether the delay's acceleration turns the ends of the pulse by more than a twentieth of the tolerance, at most.
+bool PulseGeometry::bend_counts(std::size_t platform, radar::SightFrame& frame) const {
+  const ResolvedPlatform& carrier = scene_->platforms[platform];
+  if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed()) return false;
+  const Acceleration of_carrier = acceleration_of(carrier.track, time_s_ + frame.anchor_s, pulse_);
+  const Acceleration of_radar = acceleration_of(scene_->platforms[radar_->platform].track, time_s_, pulse_);
+  frame.acceleration_mps2 = of_carrier.acceleration_world_mps2 - of_radar.acceleration_world_mps2;
+  frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
+  const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
+  const auto most = [reach_m](const core::Vec3& origin, const core::Mat3& matrix) {
+    const double rows = core::norm({core::norm(matrix.row[0]), core::norm(matrix.row[1]), core::norm(matrix.row[2])});
+    return core::norm(origin) + rows * reach_m;
+  };
+  const double speed_mps = most(frame.velocity_mps - frame.radar_mps, frame.world_from_platform_rate);
+  const double acceleration_mps2 = most(frame.acceleration_mps2, frame.world_from_platform_acceleration);
+  const double middle_m = core::norm(frame.origin_m + frame.world_from_platform * carrier.middle_m);
+  const double nearest_m = std::max(middle_m - carrier.radius_m, 0.0);
+  const double half_s = 0.5 * radar_->pulse.width_s;
+  const double bend_per_s =
+      radar::delay_of(speed_mps * speed_mps / nearest_m + acceleration_mps2, frame.light_speed_mps);
+  return !(core::pi * carrier_hz_ * bend_per_s * half_s * half_s <= 0.05 * scene_->options.tolerance);
 }
 
 radar::Pointing PulseGeometry::pointing() const {
@@ -45,23 +130,52 @@ radar::Pointing PulseGeometry::pointing() const {
           pose.position_world_m, pose.world_from_platform,     pose.rotation_rad};
 }
 
+PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::Vec3& point_m,
+                                             const core::Vec3& undisturbed_m) const {
+  const radar::SightFrame& frame = frames_[platform];
+  // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
+  const core::Vec3 velocity_mps = frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m;
+  const core::Vec3 look_m = frame.origin_m + frame.world_from_platform * point_m;
+  Sight sight;
+  sight.distance_m =
+      core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
+  if (frame.light_time == radar::LightTime::thesis) {
+    sight.flight = radar::thesis_flight_of(look_m, velocity_mps, frame.light_speed_mps);
+    return sight;
+  }
+  sight.speed_mps = std::max(core::norm(velocity_mps), core::norm(frame.radar_mps));
+  sight.flight = radar::flight_of(look_m, {velocity_mps, frame.anchor_s, frame.radar_mps}, frame.light_speed_mps);
+  if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
+  if (frame.bends)
+    sight.bend_per_s = radar::bend_of(
+        sight.flight.look_m, velocity_mps - frame.radar_mps,
+        frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m, frame.light_speed_mps);
+  return sight;
+}
+
 ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const {
+  const double light_mps = scene_->conventions.light_speed_mps;
+  const radar::Flight& flight = sight.flight;
   ScattererView view;
-  view.distance_m = core::norm(sight.look_world_m);
-  view.speed_mps =
-      view.distance_m > 0.0 ? core::dot(sight.look_world_m, sight.velocity_world_mps) / view.distance_m : 0.0;
-  view.delay_s = radar::moving_delay_of(radar::there_and_back(view.distance_m), view.speed_mps,
-                                        scene_->conventions.light_speed_mps);
+  view.distance_m = sight.distance_m;
+  view.delay_s = flight.delay_s;
+  view.clock = {flight.doppler, sight.bend_per_s};
+  if (sight.speed_mps >= light_mps)
+    view.speed_mps = sight.speed_mps;
+  else if (scene_->conventions.light_time == radar::LightTime::thesis)
+    view.speed_mps = 0.5 * flight.doppler * light_mps;
+  else
+    view.speed_mps = radar::speed_of_doppler_factor(flight.doppler, light_mps);
   const bool isotropic = radar_->transmit.kind == radar::AntennaPattern::Kind::isotropic &&
                          radar_->receive.kind == radar::AntennaPattern::Kind::isotropic;
   double gain = 1.0;
   if (!isotropic) {
-    const radar::BeamOffset offset = pointing.offset(sight.look_world_m);
+    const radar::BeamOffset offset = pointing.offset(flight.look_m);
     const radar::PatternRule rule = scene_->conventions.pattern;
     gain = radar::one_way_amplitude(radar_->transmit, offset.azimuth_rad, offset.elevation_rad, rule) *
            radar::one_way_amplitude(radar_->receive, offset.azimuth_rad, offset.elevation_rad, rule);
   }
-  const double spreading = spreading_ ? view.distance_m * view.distance_m : 1.0;
+  const double spreading = spreading_ ? flight.path.out_m * flight.path.back_m : 1.0;
   view.amplitude_sqrt_w = amplitude_scale_ * gain * std::sqrt(rcs_m2) / spreading;
   return view;
 }
@@ -70,14 +184,11 @@ ScattererView PulseGeometry::view(std::size_t index) const { return view(index, 
 
 ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& pointing) const {
   const Scatterer& s = scene_->scatterers[index];
-  const radar::Pose& pose = poses_[s.platform];
+  const radar::SightFrame& frame = frames_[s.platform];
   core::Vec3 point_m = s.position_m;
   double rcs_m2 = s.rcs_m2;
   double azimuth = s.azimuth_rad;
   double elevation = s.elevation_rad;
-  Sight sight;
-  // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
-  sight.velocity_world_mps = radar::world_velocity_mps(pose, point_m) - radar_pose().velocity_world_mps;
   if (s.jittered) {
     const auto draw = [&](core::RandomKind kind, std::int64_t part) {
       return core::RandomStream(scene_->options.seed, kind, index).normals(pulse_, part);
@@ -90,15 +201,22 @@ ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& poin
     azimuth += s.azimuth_stddev_rad * da;
     elevation += s.elevation_stddev_rad * de;
   }
-  sight.look_world_m = radar::world_position_m(pose, point_m) - radar_pose().position_world_m;
+  const Sight sight = sight_of(s.platform, point_m, s.position_m);
   rcs_m2 = std::max(0.0, rcs_m2);
   if (s.law != radar::ReflectivityLaw::isotropic) {
-    const core::Vec3 normal_world = pose.world_from_platform * core::direction(azimuth, elevation);
+    const core::Vec3 normal_world = frame.world_from_platform * core::direction(azimuth, elevation);
     static const core::Interpolator none;
     const core::Interpolator& curve = s.law == radar::ReflectivityLaw::user ? scene_->gain_curves[s.gain_curve] : none;
-    rcs_m2 *= radar::reflectivity(s.law, curve, radar::incidence_rad(normal_world, sight.look_world_m));
+    rcs_m2 *= radar::reflectivity(s.law, curve, radar::incidence_rad(normal_world, sight.flight.look_m));
   }
   return seen(sight, rcs_m2, pointing);
+}
+
+void PulseGeometry::add(const ScattererView& view, radar::EchoBatch& echoes) const {
+  if (bends_)
+    echoes.add(view.delay_s, view.amplitude_sqrt_w, view.clock);
+  else
+    echoes.add(view.delay_s, view.amplitude_sqrt_w, view.clock.doppler);
 }
 
 void PulseGeometry::echoes(radar::EchoBatch& echoes) const {
@@ -107,7 +225,7 @@ void PulseGeometry::echoes(radar::EchoBatch& echoes) const {
   for (std::size_t i = 0; i < scene_->scatterers.size(); ++i) {
     const ScattererView v = view(i, axis);
     expect_possible("target", i, v);
-    echoes.add(v.delay_s, v.amplitude_sqrt_w, v.speed_mps);
+    add(v, echoes);
   }
   for (std::size_t i = 0; i < scene_->sheets.size(); ++i) add_sheet(i, axis, echoes);
 }
@@ -125,12 +243,9 @@ std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& she
                                                        const core::Vec3& point_m,
                                                        const radar::Pointing& pointing) const {
   static const core::Interpolator none;
-  const radar::Pose& pose = poses_[sheet.platform];
-  Sight sight;
-  sight.look_world_m = radar::world_position_m(pose, point_m) - radar_pose().position_world_m;
-  sight.velocity_world_mps = radar::world_velocity_mps(pose, point_m) - radar_pose().velocity_world_mps;
+  const Sight sight = sight_of(sheet.platform, point_m, point_m);
   const double law =
-      radar::reflectivity(radar::ReflectivityLaw::cosine, none, radar::incidence_rad(normal_world, sight.look_world_m));
+      radar::reflectivity(radar::ReflectivityLaw::cosine, none, radar::incidence_rad(normal_world, sight.flight.look_m));
   if (law <= 0.0) return std::nullopt;
   const ScattererView view = seen(sight, sheet.point_rcs_m2 * law, pointing);
   // A plane through the radar shows it neither side.
@@ -141,18 +256,18 @@ std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& she
 std::optional<ScattererView> PulseGeometry::sheet_view(std::size_t sheet, std::size_t point,
                                                        const radar::Pointing& pointing) const {
   const ScattererSheet& surface = scene_->sheets[sheet];
-  const core::Vec3 normal_world = poses_[surface.platform].world_from_platform * surface.normal_platform;
+  const core::Vec3 normal_world = frames_[surface.platform].world_from_platform * surface.normal_platform;
   return point_view(surface, normal_world, surface.points_m[point], pointing);
 }
 
 void PulseGeometry::add_sheet(std::size_t index, const radar::Pointing& pointing, radar::EchoBatch& echoes) const {
   const ScattererSheet& sheet = scene_->sheets[index];
-  const core::Vec3 normal_world = poses_[sheet.platform].world_from_platform * sheet.normal_platform;
+  const core::Vec3 normal_world = frames_[sheet.platform].world_from_platform * sheet.normal_platform;
   for (const core::Vec3& point_m : sheet.points_m) {
     const std::optional<ScattererView> v = point_view(sheet, normal_world, point_m, pointing);
     if (!v) continue;
     expect_possible("surface", index, *v);
-    echoes.add(v->delay_s, v->amplitude_sqrt_w, v->speed_mps);
+    add(*v, echoes);
   }
 }
 

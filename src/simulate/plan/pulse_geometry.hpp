@@ -6,15 +6,17 @@
 #include <vector>
 
 #include "radar/echo/echo_batch.hpp"
+#include "radar/echo/sight.hpp"
 #include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::simulate {
 
 /// One scatterer as one pulse of a radar sees it.
 struct ScattererView {
-  double distance_m = 0.0;        ///< One way, at the send time.
-  double speed_mps = 0.0;         ///< d|r|/dt, positive receding (decision 4).
-  double delay_s = 0.0;           ///< 2 d/(c - v) (thesis 6.9).
+  double distance_m = 0.0;        ///< One way, as the pulse leaves.
+  double speed_mps = 0.0;         ///< At which a point recedes along the line of sight whose echo is stretched alike.
+  double delay_s = 0.0;           ///< Two-way light time (docs/theory/echo-model.md).
+  radar::PulseClock clock;        ///< How the echo is stretched.
   double amplitude_sqrt_w = 0.0;  ///< Radar equation (thesis 2.2, 6.13-6.15), with antenna, cross-section and losses.
 };
 
@@ -31,7 +33,12 @@ class PulseGeometry {
   [[nodiscard]] double send_time_s() const { return time_s_; }
   [[nodiscard]] double carrier_hz() const { return carrier_hz_; }
   [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
+  /// Where a platform stands as the pulse leaves.
   [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }
+  /// How a platform moves while the current pulse is under way; without antenna.
+  [[nodiscard]] const radar::SightFrame& frame(std::size_t platform) const { return frames_[platform]; }
+  /// Whether the bend of any echo of the current pulse counts, against the scene's tolerance.
+  [[nodiscard]] bool bends() const { return bends_; }
   /// Where the beam points at the current pulse.
   [[nodiscard]] radar::Pointing pointing() const;
   /// sqrt(P Gt Gr/L) lambda/(4 pi)^1.5 of the current pulse; what the amplitude is besides pattern, cross-section and
@@ -57,8 +64,14 @@ class PulseGeometry {
   void expect_possible(std::string_view kind, std::size_t index, const ScattererView& view) const;
 
  private:
-  struct Sight;  // position and velocity relative to the radar
+  struct Sight;  // the way to a point and home
+  void set_frame(std::size_t platform);
+  void set_flight(std::size_t platform, radar::SightFrame& frame) const;
+  [[nodiscard]] bool bend_counts(std::size_t platform, radar::SightFrame& frame) const;
+  [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m,
+                               const core::Vec3& undisturbed_m) const;
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const;
+  void add(const ScattererView& view, radar::EchoBatch& echoes) const;
   [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const core::Vec3& normal_world,
                                                         const core::Vec3& point_m,
                                                         const radar::Pointing& pointing) const;
@@ -68,6 +81,8 @@ class PulseGeometry {
   const ResolvedRadar* radar_;
   std::vector<radar::Pose> poses_;
   std::vector<bool> used_;
+  std::vector<radar::SightFrame> frames_;
+  bool bends_ = false;
   std::int64_t pulse_ = 0;
   double time_s_ = 0.0;
   double carrier_hz_ = 0.0;

@@ -14,6 +14,8 @@ Conventions conventions_of(scene::Profile profile) {
   conventions.pattern = radar::PatternRule::power;
   conventions.pointing = radar::PointingRule::added_angles;
   conventions.low_pass = core::LowPassRule::origin;
+  conventions.light_time = radar::LightTime::thesis;
+  conventions.doppler = radar::DopplerRule::thesis;
   conventions.spacing = Conventions::SampleSpacing::window_fraction;
   conventions.compression = Conventions::Compression::pulse_energy;
   conventions.noise = Conventions::Noise::per_bandwidth;

@@ -3,6 +3,7 @@
 #include "core/maths/interpolator.hpp"
 #include "radar/antenna/beam.hpp"
 #include "radar/antenna/pattern.hpp"
+#include "radar/echo/sight.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::simulate {
@@ -20,6 +21,8 @@ struct Conventions {
   radar::PatternRule pattern = radar::PatternRule::amplitude;
   radar::PointingRule pointing = radar::PointingRule::boresight;
   core::LowPassRule low_pass = core::LowPassRule::first_knot;
+  radar::LightTime light_time = radar::LightTime::exact;
+  radar::DopplerRule doppler = radar::DopplerRule::stretch;
   SampleSpacing spacing = SampleSpacing::sampling_rate;
   Compression compression = Compression::keeps_peak;
   Noise noise = Noise::per_sample;

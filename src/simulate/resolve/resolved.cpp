@@ -152,6 +152,31 @@ std::uint32_t platform_number(scene::SceneIndex& names, const scene::Scene& scen
   throw std::invalid_argument("platform '" + name + "' is not defined");
 }
 
+// Calls act(platform, point) for every scatterer.
+template <class Act>
+void for_each_point(ResolvedScene& resolved, const Act& act) {
+  for (const Scatterer& s : resolved.scatterers) act(resolved.platforms[s.platform], s.position_m);
+  for (const ScattererSheet& sheet : resolved.sheets)
+    for (const core::Vec3& point_m : sheet.points_m) act(resolved.platforms[sheet.platform], point_m);
+}
+
+// Middle and radius of what each platform carries: of the box around it.
+void find_balls(ResolvedScene& resolved) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<core::Vec3> least(resolved.platforms.size(), {far, far, far});
+  std::vector<core::Vec3> most(resolved.platforms.size(), {-far, -far, -far});
+  for_each_point(resolved, [&](const ResolvedPlatform& platform, const core::Vec3& p) {
+    const auto i = static_cast<std::size_t>(&platform - resolved.platforms.data());
+    least[i] = {std::min(least[i].x, p.x), std::min(least[i].y, p.y), std::min(least[i].z, p.z)};
+    most[i] = {std::max(most[i].x, p.x), std::max(most[i].y, p.y), std::max(most[i].z, p.z)};
+  });
+  for (std::size_t i = 0; i < resolved.platforms.size(); ++i) {
+    if (!(least[i].x <= most[i].x)) continue;
+    resolved.platforms[i].middle_m = 0.5 * (least[i] + most[i]);
+    resolved.platforms[i].radius_m = 0.5 * core::norm(most[i] - least[i]);
+  }
+}
+
 }  // namespace
 
 ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& control) {
@@ -161,10 +186,10 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   const core::LowPassRule rule = resolved.conventions.low_pass;
   for (const scene::Platform& platform : scene.platforms)
     resolved.platforms.push_back(
-        {platform.name, radar::Track(motion_of(platform, rule), scene.options.seed, platform.name)});
+        {platform.name, radar::Track(motion_of(platform, rule), scene.options.seed, platform.name), {}, 0.0});
   // The world itself, last, for scripts that use "Earth" without defining it.
   resolved.platforms.push_back(
-      {"Earth", radar::Track(motion_of(scene::Platform{}, rule), scene.options.seed, "Earth")});
+      {"Earth", radar::Track(motion_of(scene::Platform{}, rule), scene.options.seed, "Earth"), {}, 0.0});
 
   scene::SceneIndex names(scene);
   core::reserve_touched(resolved.scatterers, scene.targets.size(), control);
@@ -184,6 +209,7 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
     sheet.point_rcs_m2 = lattice.point_rcs_m2;
     sheet.points_m = std::move(lattice.points_m);
   });
+  find_balls(resolved);
   return resolved;
 }
 

@@ -22,6 +22,8 @@ namespace sarsim::simulate {
 struct ResolvedPlatform {
   std::string name;
   radar::Track track;
+  core::Vec3 middle_m;    ///< Of its scatterers, in its frame; the origin where it has none.
+  double radius_m = 0.0;  ///< Of a ball around that which holds them.
 };
 
 /// A point target.

@@ -204,8 +204,9 @@ TEST(GeometryTable, CsvHoldsPlatformsTargetsAndExactNumbers) {
 TEST(GeometryTable, AmplitudeFollowsTheRadarEquation) {
   const auto rows = csv_rows(moving_scene(), table_of(0));
   const double wavelength_m = c / 0.5e9;
-  // sqrt(P lambda^2 sigma/((4 pi)^3 d^4)) with 1 kW and 1 m^2.
-  const double expected_v = std::sqrt(1000.0 / std::pow(4.0 * core::pi, 3.0)) * wavelength_m / (308.0 * 308.0);
+  // sqrt(P lambda^2 sigma/((4 pi)^3 d^4)) with 1 kW and 1 m^2, both ways as long as where the pulse meets the target.
+  const double met_m = 308.0 / (1.0 - 50.0 / c);
+  const double expected_v = std::sqrt(1000.0 / std::pow(4.0 * core::pi, 3.0)) * wavelength_m / (met_m * met_m);
   EXPECT_NEAR(*core::parse_number(rows[1][column(rows[0], "target 2 amplitude_v")]), expected_v, 1e-12 * expected_v);
 }
 

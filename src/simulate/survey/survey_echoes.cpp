@@ -156,7 +156,7 @@ class Look {
     double sum_v = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
       const ScattererView view = geometry.view(i, pointing);
-      const bool in_window = touches_window(view.delay_s);
+      const bool in_window = touches_window(view);
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
       const double doppler_hz = radar::doppler_of(view.speed_mps, geometry.carrier_hz(), light_mps_);
       take_in(survey_.targets[i], view, radar::range_of(view.delay_s, light_mps_), doppler_hz, in_window);
@@ -166,16 +166,17 @@ class Look {
   }
 
   // Well inside and well outside the window need no counting of samples.
-  [[nodiscard]] bool touches_window(double delay_s) const {
+  [[nodiscard]] bool touches_window(const ScattererView& view) const {
     const radar::SampleGrid& grid = plan_.raw_grid;
     const double margin_s = 2.0 * grid.interval_s;
-    const double begin_s = delay_s + plan_.pulse.first_s();
-    const double end_s = delay_s + plan_.pulse.last_s();
+    const double begin_s = view.delay_s + plan_.pulse.first_s();
+    const double end_s = view.delay_s + plan_.pulse.last_s();
     const double window_end_s = grid.time_s(grid.count);
     if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
     if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
       return true;
-    const radar::SampleSpan touched = radar::touched_samples(plan_.pulse, grid, delay_s);
+    const radar::SampleSpan touched = 
+        radar::touched_samples(plan_.pulse, grid, view.delay_s, plan_.pulse.clock_of(view.clock));
     return touched.begin < touched.end;
   }
 

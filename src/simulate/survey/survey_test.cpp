@@ -235,7 +235,8 @@ TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
   EXPECT_NEAR(away.nearest_m, 1000.0 / (1.0 - 100.0 / c), 1e-9);  // of the first and the last pulse
   EXPECT_NEAR(away.farthest_m, 1019.9 / (1.0 - 100.0 / c), 1e-9);
   EXPECT_NEAR(away.lowest_doppler_hz, -2.0 * 100.0 * 1e9 / c, 1e-9);  // receding: below the carrier
-  EXPECT_NEAR(away.largest_amplitude_v, equation_amplitude(1000.0, 1.0, c / 1e9), 1e-7 * 100.0 * epsilon);
+  EXPECT_NEAR(away.largest_amplitude_v, equation_amplitude(1000.0 / (1.0 - 100.0 / c), 1.0, c / 1e9),
+              1e-7 * 100.0 * epsilon);  // where the pulse meets it
   EXPECT_NEAR(away.snr, std::pow(away.largest_amplitude_v, 2.0) * 1e-6 / (1.380649e-23 * 100.0), 1e-12);
   EXPECT_NEAR(10.0 * std::log10(away.snr), 15.16, 0.005);  // thesis A.2: 15.2 dB
   EXPECT_TRUE(away.in_window);

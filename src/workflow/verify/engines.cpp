@@ -45,7 +45,8 @@ double strength_v(const simulate::Plan& plan, std::size_t row) {
   geometry.echoes(echoes);
   double squares = 0.0;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
-    const radar::SampleSpan on = radar::touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
+    const radar::SampleSpan on =
+        radar::touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k], plan.pulse.clock_of(echoes, k));
     if (on.begin < on.end) squares += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
   }
   return std::sqrt(squares);

@@ -55,7 +55,7 @@ double textbook_pulse_s(const simulate::Plan& plan) {
   radar::EchoBatch part;
   const std::size_t stride = echoes.size() / 300 + 1;
   for (std::size_t k = 0; k < echoes.size(); k += stride)
-    part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.speed_mps[k]);
+    part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.doppler[k]);
   Row row(plan.raw_grid.count);
   const double seconds =
       best_s(3, [&] { add_textbook_echoes(row, plan.raw_grid, plan.pulse, geometry.carrier_hz(), part); });

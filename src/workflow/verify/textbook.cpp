@@ -10,13 +10,13 @@ void add_textbook_echoes(std::span<std::complex<double>> row, const radar::Sampl
                          const radar::EchoPulse& pulse, double carrier_hz, const radar::EchoBatch& echoes) {
   const double rate_hz_per_s = pulse.pulse.sweep_rate_hz_per_s();
   for (std::size_t k = 0; k < echoes.size(); ++k) {
-    const double doppler = 2.0 * echoes.speed_mps[k] / pulse.light_speed_mps;
-    const radar::SampleSpan on = radar::touched_samples(pulse, grid, echoes.delay_s[k]);
+    const radar::PulseClock clock = pulse.clock_of(echoes, k);
+    const radar::SampleSpan on = radar::touched_samples(pulse, grid, echoes.delay_s[k], clock);
     for (std::size_t n = on.begin; n < on.end; ++n) {
       const double u = grid.time_s(n) - echoes.delay_s[k] + pulse.lead_s - 0.5 * pulse.pulse.width_s;
-      const double sweep = 0.5 * rate_hz_per_s * u * u;
-      const double phase =
-          2.0 * core::pi * (sweep - carrier_hz * echoes.delay_s[k] - doppler * (carrier_hz * u + sweep));
+      const double sent = clock.sent(u);
+      const double phase = 2.0 * core::pi * (0.5 * rate_hz_per_s * sent * sent - carrier_hz * echoes.delay_s[k] -
+                                             carrier_hz * clock.late(u));
       row[n] += std::complex<double>(echoes.amplitude_sqrt_w[k] * std::cos(phase),
                                      echoes.amplitude_sqrt_w[k] * std::sin(phase));
     }

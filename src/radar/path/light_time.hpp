@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/maths/vector.hpp"
+#include "radar/path/path.hpp"
+
+namespace sarsim::radar {
+
+/// How a point and a radar move while a pulse is under way. World axes; times count from the sending of the pulse's
+/// middle.
+struct FlightMotion {
+  core::Vec3 point_mps;   ///< Velocity of the point where the pulse meets it.
+  double anchor_s = 0.0;  ///< When the point is where the look vector says: near the moment at which it is met.
+  core::Vec3 radar_mps;   ///< Mean velocity of the radar from sending to reception.
+};
+
+/// A pulse's way to a point and home.
+struct Flight {
+  core::Vec3 look_m;       ///< From the radar as it sends to the point as it is met.
+  Path path;               ///< c (t1 - t0) and c (t2 - t1).
+  double delay_s = 0.0;    ///< t2 - t0.
+  double doppler = 0.0;    ///< D: what is received at t2 + u was sent at t0 + (1 - D) u. 2 v/(c + v) for a point that
+                           ///< recedes at v along the line of sight.
+};
+
+/// Solves the two-way light-time equation, |P(t1) - X(t0)| = c (t1 - t0) and |X(t2) - P(t1)| = c (t2 - t1), for a point
+/// and a radar that move evenly around the times at which they count. In closed form, so that only rounding is lost:
+/// with b = V/c, w = W/c and the look r to the point's place at t0,
+///
+///     d1 = [r.b + sqrt((r.b)^2 + r^2 (1 - b^2))]/(1 - b^2)     r1 = r + d1 b      c tau = 2 (d1 - r1.w)/(1 - w^2)
+///     1 - D = (1 - u1.b)(1 - u2.w)/[(1 - u1.w)(1 - u2.b)]      u1 = r1/d1         u2 = (c tau w - r1)/d2
+///
+/// @param look_m  from the radar as it sends to the point as it is at the anchor
+/// Speeds must be below that of light; a look of no length gives a path of none and D = 0/0.
+[[nodiscard]] inline Flight flight_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
+  const core::Vec3 b = (1.0 / light_speed_mps) * motion.point_mps;
+  const core::Vec3 w = (1.0 / light_speed_mps) * motion.radar_mps;
+  const core::Vec3 r = look_m - motion.anchor_s * motion.point_mps;
+  const double rb = core::dot(r, b);
+  const double still = 1.0 - core::dot(b, b);
+  Flight flight;
+  flight.path.out_m = (rb + std::sqrt(rb * rb + core::dot(r, r) * still)) / still;
+  flight.look_m = r + flight.path.out_m * b;
+  const double r1w = core::dot(flight.look_m, w);
+  const double length_m = 2.0 * (flight.path.out_m - r1w) / (1.0 - core::dot(w, w));
+  flight.path.back_m = length_m - flight.path.out_m;
+  flight.delay_s = length_m / light_speed_mps;
+  const double out_w = r1w / flight.path.out_m;
+  const double out_b = core::dot(flight.look_m, b) / flight.path.out_m;
+  const core::Vec3 home_m = length_m * w - flight.look_m;
+  const double home_w = core::dot(home_m, w) / flight.path.back_m;
+  const double home_b = core::dot(home_m, b) / flight.path.back_m;
+  flight.doppler =
+      (out_b - home_b + (home_w - out_w) + (out_w * home_b - out_b * home_w)) / ((1.0 - out_w) * (1.0 - home_b));
+  return flight;
+}
+
+/// The flight of the thesis (6.9), as the programs of 1998 had it: everything counts where it is when the pulse leaves,
+/// tau = 2 d/(c - v), D = 2 v/c.
+/// @param velocity_mps  of the point relative to the radar
+[[nodiscard]] inline Flight thesis_flight_of(const core::Vec3& look_m, const core::Vec3& velocity_mps,
+                                             double light_speed_mps) {
+  const double distance_m = core::norm(look_m);
+  const double speed_mps = distance_m > 0.0 ? core::dot(look_m, velocity_mps) / distance_m : 0.0;
+  const Path path = there_and_back(distance_m);
+  return {look_m, path, moving_delay_of(path, speed_mps, light_speed_mps), delay_of(speed_mps, light_speed_mps)};
+}
+
+/// Speed at which a point recedes along the line of sight whose echo has the Doppler factor D, m/s: c D/(2 - D).
+[[nodiscard]] constexpr double speed_of_doppler_factor(double doppler, double light_speed_mps) {
+  return light_speed_mps * doppler / (2.0 - doppler);
+}
+
+/// The rate at which the delay's own rate changes, 1/s: 2/c times the second derivative of the distance,
+/// (V^2 - v^2)/d + u.a. To the first order in speed over c of itself.
+/// @param velocity_mps       of the point relative to the radar
+/// @param acceleration_mps2  likewise
+[[nodiscard]] inline double bend_of(const core::Vec3& look_m, const core::Vec3& velocity_mps,
+                                    const core::Vec3& acceleration_mps2, double light_speed_mps) {
+  const double distance2 = core::dot(look_m, look_m);
+  const double along = core::dot(look_m, velocity_mps);
+  const double curvature = core::dot(velocity_mps, velocity_mps) - along * along / distance2;
+  return delay_of((curvature + core::dot(look_m, acceleration_mps2)) / std::sqrt(distance2), light_speed_mps);
+}
+
+}  // namespace sarsim::radar
