@@ -69,6 +69,19 @@ Jet Interpolator::jet(double x) const {
   return {};
 }
 
+double Interpolator::third_derivative(double x) const {
+  if (knots_.size() < 2 || method_ == Interpolation::linear) return 0.0;
+  if (method_ == Interpolation::cubic) {
+    if (x < knots_.front().x || x > knots_.back().x) return 0.0;
+    const std::size_t i = segment(x);
+    const double h = knots_[i + 1].x - knots_[i].x;
+    const double rise = knots_[i + 1].y - knots_[i].y;
+    return 6.0 * (slopes_[i] + slopes_[i + 1] - 2.0 * rise / h) / (h * h);
+  }
+  const double half = 1e-3 * step_;
+  return (jet(x + half).curvature - jet(x - half).curvature) / (2.0 * half);
+}
+
 // Index of the segment [i, i + 1] that holds x; a knot, within rounding, belongs to the segment on its right.
 std::size_t Interpolator::segment(double x) const {
   const double guarded = x + 4e-16 * std::max(std::abs(x), std::abs(knots_.back().x));

@@ -1,5 +1,6 @@
 #include "radar/motion/error_process.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,16 @@ double mean_over(const core::Interpolator& h, double start, double step) {
   return sum / (6.0 * panels);
 }
 
+// True where h vanishes at both of its ends, within 1/100 of its largest value at the middles of 512 steps.
+bool vanishes_at_ends(const core::Interpolator& h) {
+  const double first = h.knots().front().x;
+  const double last = h.knots().back().x;
+  double largest = 0.0;
+  for (int k = 0; k < steps_over_support; ++k)
+    largest = std::max(largest, std::abs(h.value(first + (last - first) * (k + 0.5) / steps_over_support)));
+  return std::abs(h.value(first)) <= 0.01 * largest && std::abs(h.value(last)) <= 0.01 * largest;
+}
+
 }  // namespace
 
 ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis)
@@ -33,6 +44,7 @@ ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::Rando
   const double last = envelope.knots().back().x;
   step_s_ = (last - first) / steps_over_support;
   first_lag_ = std::llround(first / step_s_);
+  differentiable_ = vanishes_at_ends(envelope);
   weights_.resize(steps_over_support);
   for (int k = 0; k < steps_over_support; ++k)
     weights_[static_cast<std::size_t>(k)] = mean_over(envelope, first + k * step_s_, step_s_) * std::sqrt(step_s_);
@@ -58,7 +70,7 @@ core::Jet ErrorProcess::at(double time_s) const {
     right += weights_[k] * noise[k];
     left += weights_[k] * noise[k + 1];
   }
-  return {left + (right - left) * (position - below), (right - left) / step_s_, 0.0};
+  return {left + (right - left) * (position - below), differentiable_ ? (right - left) / step_s_ : 0.0, 0.0};
 }
 
 }  // namespace sarsim::radar

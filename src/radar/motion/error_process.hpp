@@ -19,6 +19,11 @@ namespace sarsim::radar {
 /// normal number per step, h its mean over each step, and d(t) is linear between grid times. The autocorrelation is
 /// then that of h to a relative 1/512 times the largest jump of h over its rms value, squared; smooth envelopes are
 /// far closer. The same (seed, object, time) always gives the same deviation. Costs about 512 random numbers a call.
+///
+/// The deviation has a derivative where h is continuous everywhere: where it vanishes at its first and last point. At a
+/// jump of h the speed is white noise, without a variance of its own (the grid would give it one of jump^2 512/support);
+/// it is left out, the slope of such a deviation is 0. A jump of at most 1/100 of the largest |h| counts as none: it
+/// adds below 1/20 to the variance that a triangle's speed has.
 class ErrorProcess {
  public:
   ErrorProcess() = default;
@@ -26,7 +31,7 @@ class ErrorProcess {
   /// @param axis      0, 1 or 2: which of the object's independent noises drives it.
   ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis);
 
-  /// Deviation at time t and its slope (to the right at grid times).
+  /// Deviation at time t and its slope (to the right at grid times; 0 where h jumps). Curvature 0: straight lines.
   [[nodiscard]] core::Jet at(double time_s) const;
   [[nodiscard]] bool active() const { return !weights_.empty(); }
 
@@ -34,6 +39,7 @@ class ErrorProcess {
   std::vector<double> weights_;  // mean of h over each lag step times sqrt(step)
   std::int64_t first_lag_ = 0;   // lag of weights_[0], in steps
   double step_s_ = 1.0;
+  bool differentiable_ = false;
   core::RandomStream stream_{0, core::RandomKind::position_envelope, 0};
   int axis_ = 0;
 };

@@ -100,7 +100,7 @@ TEST(ErrorProcess, SpeedHasTheVarianceOfTheEnvelopesSlope) {
 }
 
 TEST(ErrorProcess, SlopeIsTheDifferenceQuotientAndTheDeviationIsContinuous) {
-  const core::Interpolator h = shapes()[0].h;
+  const core::Interpolator h = shapes()[1].h;
   const ErrorProcess d = process(h);
   const double step_s = support_s(h) / 512.0;
   for (const double cell : {-700.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 12345.0}) {
@@ -112,6 +112,20 @@ TEST(ErrorProcess, SlopeIsTheDifferenceQuotientAndTheDeviationIsContinuous) {
     EXPECT_NEAR(middle.value, 0.5 * (start.value + end.value), 100.0 * epsilon * (1.0 + std::abs(cell)));
     EXPECT_EQ(middle.slope, start.slope);
   }
+}
+
+// A jump of h makes white noise of the speed, and a grid of 512 steps would give it the variance jump^2 512/T.
+TEST(ErrorProcess, HasNoSpeedWhereTheEnvelopeJumps) {
+  for (const auto& knots : {std::vector<core::Knot>{{0.0, 0.8}, {2.0, 0.8}},
+                            std::vector<core::Knot>{{0.0, 0.0}, {2.0, 0.8}},
+                            std::vector<core::Knot>{{-1.0, -0.02}, {0.0, 1.0}, {1.0, 0.0}}}) {
+    const ErrorProcess d = process(envelope(knots));
+    for (const double t : {-3.0, 0.0, 0.4, 77.7}) {
+      EXPECT_NE(d.at(t).value, 0.0);
+      EXPECT_EQ(d.at(t).slope, 0.0);
+    }
+  }
+  EXPECT_NE(process(envelope({{-1.0, 0.005}, {0.0, 1.0}, {1.0, 0.0}})).at(0.4).slope, 0.0);
 }
 
 TEST(ErrorProcess, DependsOnTimeAloneNotOnTheOrderOfQuestions) {

@@ -27,6 +27,14 @@ std::array<core::Mat3, 3> elementary_slopes(const std::array<double, 3>& a) {
           core::Mat3{{core::Vec3{-s3, -c3, 0}, core::Vec3{c3, -s3, 0}, core::Vec3{}}}};
 }
 
+// Second derivatives with respect to the angle: the entries that turn, negated; the axis does not turn.
+std::array<core::Mat3, 3> elementary_curvatures(const std::array<double, 3>& a) {
+  std::array<core::Mat3, 3> r = elementary(a);
+  r[0].row[0].x = r[1].row[1].y = r[2].row[2].z = 0.0;
+  for (core::Mat3& m : r) m = -1.0 * m;
+  return r;
+}
+
 bool moves(const core::Interpolator& function) { return function.knots().size() > 1; }
 
 bool is_fixed(const Motion& motion) {
@@ -50,6 +58,25 @@ void align(Pose& pose, const core::Vec3& v, const core::Vec3& a) {
   pose.rotation_rate_rad_per_s[2] += (v.y * a.x - v.x * a.y) / (level * level);
 }
 
+// Rates of change of the rates that align adds, about y and z, for the jerk j. With L = hypot(vx, vy):
+//     el' = (L az - vz L')/v^2     az' = (vy ax - vx ay)/L^2
+// and the derivatives of numerators and denominators, L L' = vx ax + vy ay, L L'' = ax^2 + ay^2 + vx jx + vy jy - L'^2.
+std::array<double, 2> aligned_accelerations(const core::Vec3& v, const core::Vec3& a, const core::Vec3& j) {
+  const double level = std::hypot(v.x, v.y);
+  if (level <= 0.0) return {};
+  const double speed2 = core::dot(v, v);
+  const double level_rate = (v.x * a.x + v.y * a.y) / level;
+  const double level_acceleration = (a.x * a.x + a.y * a.y + v.x * j.x + v.y * j.y - level_rate * level_rate) / level;
+  const double elevation_rate = (level * a.z - v.z * level_rate) / speed2;
+  const double azimuth_rate = (v.y * a.x - v.x * a.y) / (level * level);
+  return {(level * j.z - v.z * level_acceleration - 2.0 * elevation_rate * core::dot(v, a)) / speed2,
+          (v.y * j.x - v.x * j.y - 2.0 * azimuth_rate * level * level_rate) / (level * level)};
+}
+
+core::Vec3 third_derivative(const std::array<core::Interpolator, 3>& path, double time_s) {
+  return {path[0].third_derivative(time_s), path[1].third_derivative(time_s), path[2].third_derivative(time_s)};
+}
+
 }  // namespace
 
 core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
@@ -63,6 +90,22 @@ core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
   const auto d = elementary_slopes(rotation_rad);
   return core::transposed(rate_rad_per_s[0] * (d[0] * r[1] * r[2]) + rate_rad_per_s[1] * (r[0] * d[1] * r[2]) +
                           rate_rad_per_s[2] * (r[0] * r[1] * d[2]));
+}
+
+core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotation_rad,
+                                            const std::array<double, 3>& rate_rad_per_s,
+                                            const std::array<double, 3>& acceleration_rad_per_s2) {
+  const auto r = elementary(rotation_rad);
+  auto first = elementary_slopes(rotation_rad);
+  auto second = elementary_curvatures(rotation_rad);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double rate = rate_rad_per_s[i];
+    second[i] = (rate * rate) * second[i] + acceleration_rad_per_s2[i] * first[i];
+    first[i] = rate * first[i];
+  }
+  const core::Mat3 crossed = first[0] * first[1] * r[2] + first[0] * r[1] * first[2] + r[0] * first[1] * first[2];
+  return core::transposed(second[0] * r[1] * r[2] + r[0] * second[1] * r[2] + r[0] * r[1] * second[2] +
+                          2.0 * crossed);
 }
 
 Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
@@ -85,6 +128,29 @@ Pose Track::at(double time_s, std::int64_t pulse) const {
   pose.world_from_platform = world_from_platform(pose.rotation_rad);
   pose.world_from_platform_rate = world_from_platform_rate(pose.rotation_rad, pose.rotation_rate_rad_per_s);
   return pose;
+}
+
+PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse) const {
+  return acceleration_at(time_s, at(time_s, pulse));
+}
+
+PoseAcceleration Track::acceleration_at(double time_s, const Pose& pose) const {
+  const core::Jet x = motion_.position_m[0].jet(time_s);
+  const core::Jet y = motion_.position_m[1].jet(time_s);
+  const core::Jet z = motion_.position_m[2].jet(time_s);
+  PoseAcceleration result;
+  result.acceleration_world_mps2 = {x.curvature, y.curvature, z.curvature};
+  std::array<double, 3> turning{};
+  for (std::size_t i = 0; i < 3; ++i) turning[i] = motion_.rotation_rad[i].jet(time_s).curvature;
+  if (motion_.aligned) {
+    const auto [pitch, yaw] = aligned_accelerations({x.slope, y.slope, z.slope}, result.acceleration_world_mps2,
+                                                    third_derivative(motion_.position_m, time_s));
+    turning[1] += pitch;
+    turning[2] += yaw;
+  }
+  result.world_from_platform_acceleration =
+      world_from_platform_acceleration(pose.rotation_rad, pose.rotation_rate_rad_per_s, turning);
+  return result;
 }
 
 void Track::add_path(Pose& pose, double time_s) const {

@@ -22,6 +22,11 @@ namespace sarsim::radar {
 [[nodiscard]] core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
                                                   const std::array<double, 3>& rate_rad_per_s);
 
+/// Its second derivative in time while the rates change as given.
+[[nodiscard]] core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotation_rad,
+                                                          const std::array<double, 3>& rate_rad_per_s,
+                                                          const std::array<double, 3>& acceleration_rad_per_s2);
+
 /// Where a platform is and how it moves, at one time.
 struct Pose {
   core::Vec3 position_world_m;
@@ -42,6 +47,17 @@ inline core::Vec3 world_velocity_mps(const Pose& pose, const core::Vec3& point_p
   return pose.velocity_world_mps + pose.world_from_platform_rate * point_platform_m;
 }
 
+/// How the motion of a platform changes, at one time.
+struct PoseAcceleration {
+  core::Vec3 acceleration_world_mps2;  ///< Of the platform's origin.
+  core::Mat3 world_from_platform_acceleration{{core::Vec3{}, core::Vec3{}, core::Vec3{}}};  ///< In 1/s^2.
+};
+
+/// World acceleration of a point that is fixed on the platform: that of the origin and that of the turning.
+inline core::Vec3 world_acceleration_mps2(const PoseAcceleration& acceleration, const core::Vec3& point_platform_m) {
+  return acceleration.acceleration_world_mps2 + acceleration.world_from_platform_acceleration * point_platform_m;
+}
+
 /// How a platform moves and turns; functions of time in seconds, metres and radians.
 struct Motion {
   std::array<core::Interpolator, 3> position_m;
@@ -52,7 +68,7 @@ struct Motion {
   std::array<double, 3> position_stddev_m{};        ///< Drawn anew for every pulse; moves the platform, not its speed.
   std::array<double, 3> rotation_stddev_rad{};
   std::array<core::Interpolator, 3>
-      position_envelope;  ///< Integration envelopes (decision 16); these move the speed too.
+      position_envelope;  ///< Integration envelopes (decision 16); these move the speed too, where they do not jump.
   std::array<core::Interpolator, 3> rotation_envelope;
 };
 
@@ -65,6 +81,12 @@ class Track {
   /// The pose when pulse `pulse` is sent at `time_s`. The alignment follows the nominal path, without errors. The
   /// velocity is the analytic derivative; where a path bends it is the one to the right (decision 4).
   [[nodiscard]] Pose at(double time_s, std::int64_t pulse) const;
+
+  /// How the pose of `at` changes its motion: its analytic second derivatives, to the right where a path bends. 0 from
+  /// straight lines, motion errors among them. The jitter of pulse `pulse` turns the platform and so its derivatives.
+  [[nodiscard]] PoseAcceleration acceleration_at(double time_s, std::int64_t pulse) const;
+  /// The same where the pose at that time is known: faster.
+  [[nodiscard]] PoseAcceleration acceleration_at(double time_s, const Pose& pose) const;
 
   /// True where the pose is the same at every time and for every pulse.
   [[nodiscard]] bool fixed() const { return fixed_; }

@@ -110,6 +110,54 @@ TEST(Track, VelocityAndTurningAreDerivativesOfPositionAndRotation) {
   }
 }
 
+// The same with second derivatives of a cubic path (third derivatives below 500 m/s^3, those of rotations below 1000
+// 1/s^3 and fourth ones below 1e5 1/s^4, aligned ones among them).
+TEST(Track, AccelerationsAreDerivativesOfVelocityAndTurning) {
+  constexpr double h = 1e-4;
+  for (const bool aligned : {false, true}) {
+    Motion motion = winding();
+    motion.aligned = aligned;
+    const Track track(motion, 1, "A");
+    for (const double t : {0.3, 0.75, 1.4, 2.2, 2.9}) {
+      const PoseAcceleration found = track.acceleration_at(t, 0);
+      const Pose before = track.at(t - h, 0);
+      const Pose after = track.at(t + h, 0);
+      const double bound = h * h / 6.0 * 1e5 + 200.0 * epsilon / h;
+      expect_near(found.acceleration_world_mps2, (0.5 / h) * (after.velocity_world_mps - before.velocity_world_mps),
+                  bound);
+      expect_near(found.world_from_platform_acceleration,
+                  (0.5 / h) * (after.world_from_platform_rate + -1.0 * before.world_from_platform_rate), bound);
+      const core::Vec3 wing{3.0, -4.0, 12.0};
+      expect_near(world_acceleration_mps2(found, wing),
+                  (0.5 / h) * (world_velocity_mps(after, wing) - world_velocity_mps(before, wing)), 20.0 * bound);
+    }
+  }
+}
+
+// On a turntable of w rad/s a point r from the axis is drawn inwards by w^2 r.
+TEST(Track, ATurntablesPointHasTheCentripetalAcceleration) {
+  Motion motion;
+  motion.rotation_rate_rad_per_s = {0.0, 0.0, 3.0};
+  const Track track(motion, 1, "A");
+  const Pose pose = track.at(0.7, 0);
+  const core::Vec3 arm{2.0, 1.0, 5.0};
+  const core::Vec3 level{2.0, 1.0, 0.0};
+  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, pose), arm),
+              -9.0 * (pose.world_from_platform * level), 1000.0 * epsilon);
+}
+
+TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {
+  Motion motion;
+  motion.position_m = {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0),
+                       constant(0)};
+  motion.aligned = true;
+  motion.position_envelope[1] =
+      core::Interpolator({core::Interpolation::linear, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}});
+  const PoseAcceleration found = Track(motion, 1, "A").acceleration_at(1.3, 0);
+  EXPECT_EQ(found.acceleration_world_mps2, core::Vec3{});
+  expect_near(found.world_from_platform_acceleration * core::Vec3{1, 2, 3}, {}, epsilon);
+}
+
 TEST(Track, AlignedPlatformHasItsXAxisAlongTheVelocityAndItsYAxisLevel) {
   Motion motion;
   motion.position_m = winding().position_m;
@@ -201,7 +249,7 @@ TEST(Track, JitterBelongsToThePulseAndThePlatformsNameAndLeavesSpeedsAlone) {
 // Between two grid times of the deviation (512 steps over the envelope's support) it is a straight line.
 TEST(Track, EnvelopeErrorsMoveThePositionAndTheSpeed) {
   Motion motion;
-  const core::Interpolator h({core::Interpolation::linear, {{0, 1}, {512, 1}}});
+  const core::Interpolator h({core::Interpolation::linear, {{0, 0}, {256, 1}, {512, 0}}});
   motion.position_envelope[1] = h;
   motion.rotation_envelope[2] = h;
   const Track track(motion, 1, "Plane");
@@ -213,6 +261,20 @@ TEST(Track, EnvelopeErrorsMoveThePositionAndTheSpeed) {
   EXPECT_NE(a.velocity_world_mps.y, 0.0);
   EXPECT_NEAR(a.rotation_rate_rad_per_s[2], (b.rotation_rad[2] - a.rotation_rad[2]) / 0.5, 1e4 * epsilon);
   EXPECT_NE(a.rotation_rad[2], a.position_world_m.y);  // position and rotation have noises of their own
+}
+
+// White noise has no speed: what the grid makes of it must not reach the Doppler shift.
+TEST(Track, ErrorsWithABoxEnvelopeMoveThePositionAndTheRotationAlone) {
+  Motion motion;
+  const core::Interpolator box({core::Interpolation::linear, {{0, 1}, {512, 1}}});
+  motion.position_envelope[1] = box;
+  motion.rotation_envelope[2] = box;
+  const Track track(motion, 1, "Plane");
+  const Pose a = track.at(10.25, 0), b = track.at(10.75, 1);
+  EXPECT_NE(a.position_world_m.y, b.position_world_m.y);
+  EXPECT_NE(a.rotation_rad[2], b.rotation_rad[2]);
+  EXPECT_EQ(a.velocity_world_mps, core::Vec3{});
+  EXPECT_EQ(a.rotation_rate_rad_per_s, (std::array<double, 3>{}));
 }
 
 TEST(Track, IsFixedOnlyWhereNothingMovesIt) {
