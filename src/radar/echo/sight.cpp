@@ -356,17 +356,25 @@ HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, c
   return out;
 }
 
-// bend_of, in vectors.
-HWY_INLINE Vector bends(Tag d, const SightFrame& frame, const Triple& point, const Triple& velocity,
-                        const Flights& flight) {
-  const Triple radar = scaled(d, frame.radar_mps, -1.0);
-  const Triple relative = plus(velocity, hn::Set(d, 1.0), radar);
+// bend_of and bend, in vectors.
+HWY_INLINE Vector bent(Tag d, const SightFrame& frame, const Triple& point, const Triple& velocity, Flights& flight) {
+  const auto per_light = hn::Set(d, 1.0 / frame.light_speed_mps);
+  const Triple relative = plus(velocity, hn::Set(d, -1.0), scaled(d, frame.radar_mps, 1.0));
   const Triple acceleration = turned(d, frame.world_from_platform_acceleration, point, frame.acceleration_mps2);
   const auto per_distance = hn::Div(hn::Set(d, 1.0), flight.distance);
   const auto speed = hn::Mul(inner(flight.look, relative), per_distance);
   const auto curvature = hn::NegMulAdd(speed, speed, inner(relative, relative));
-  const auto second = hn::Mul(hn::Add(curvature, inner(flight.look, acceleration)), per_distance);
-  return hn::Mul(second, hn::Set(d, 2.0 / frame.light_speed_mps));
+  const auto by_point = hn::Mul(inner(flight.look, acceleration), per_distance);
+  const auto by_radar = hn::Mul(inner(flight.look, scaled(d, frame.radar_mps2, 1.0)), per_distance);
+  const auto second = hn::Add(hn::Mul(curvature, per_distance), hn::Sub(by_point, by_radar));
+  const auto early = hn::MulSub(flight.distance, per_light, hn::Set(d, frame.anchor_s));
+  const auto late = hn::Sub(flight.delay, hn::Set(d, frame.back_s));
+  const auto of_point = hn::Mul(by_point, early);
+  const auto of_radar = hn::Mul(by_radar, late);
+  const auto longer = hn::MulSub(of_point, early, hn::Mul(hn::Mul(of_radar, hn::Set(d, 0.5)), flight.delay));
+  flight.delay = hn::MulAdd(longer, per_light, flight.delay);
+  flight.doppler = hn::MulAdd(hn::Sub(hn::Add(of_point, of_point), of_radar), per_light, flight.doppler);
+  return hn::Mul(second, hn::Add(per_light, per_light));
 }
 
 // The echoes of one vector of points; a mask of those that are certain to be possible.
@@ -381,13 +389,12 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
   const Triple velocity = turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
   const Triple seen =
       turned(d, frame.world_from_platform, drawn_position(d, points, at, frame.pulse, point), frame.origin_m);
-  const Flights flight = frame.light_time == LightTime::thesis ? thesis_flights(d, frame, seen, velocity)
-                         : frame.moves                         ? flights(d, frame, seen, velocity)
-                                                               : flights_to_rest(d, frame, seen);
+  Flights flight = frame.light_time == LightTime::thesis ? thesis_flights(d, frame, seen, velocity)
+                   : frame.moves                         ? flights(d, frame, seen, velocity)
+                                                         : flights_to_rest(d, frame, seen);
+  if (to.bend != nullptr) at.put(d, frame.bends ? bent(d, frame, point, velocity, flight) : hn::Zero(d), to.bend);
   at.put(d, flight.delay, to.delay);
   at.put(d, flight.doppler, to.doppler);
-  if (to.bend != nullptr)
-    at.put(d, frame.bends ? bends(d, frame, point, velocity, flight) : hn::Zero(d), to.bend);
 
   auto a = hn::Mul(root_rcs(d, points, at, frame.pulse), hn::Set(d, frame.amplitude_scale));
   auto decibels = hn::Zero(d);

@@ -75,8 +75,10 @@ struct SightFrame {
   core::Vec3 radar_mps;     ///< Mean velocity of the radar until about the echo is back; LightTime::exact.
   bool moves = false;       ///< Whether any point of the platform has a velocity; LightTime::exact.
   bool bends = false;       ///< Whether bends are asked for; LightTime::exact.
-  core::Vec3 acceleration_mps2;  ///< Of the platform less that of the radar, for bends,
+  core::Vec3 acceleration_mps2;  ///< Of the platform at the anchor, for bends,
   core::Mat3 world_from_platform_acceleration;
+  core::Vec3 radar_mps2;  ///< and of the radar.
+  double back_s = 0.0;    ///< After sending: when about the echo is back, to where `radar_mps` is the mean.
   core::Mat3 antenna_from_world;  ///< AntennaSight::Offsets::antenna_frame.
   double axis_azimuth_rad = 0.0;  ///< AntennaSight::Offsets::world_angles.
   double axis_elevation_rad = 0.0;

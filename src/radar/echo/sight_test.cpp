@@ -91,7 +91,7 @@ ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame
   const core::Vec3 velocity = frame.velocity_mps + frame.world_from_platform_rate * point;
   const bool thesis = frame.light_time == LightTime::thesis;
   const Flight flight = thesis ? thesis_flight_of(look, velocity, c)
-                               : flight_of(look, {velocity, frame.anchor_s, frame.radar_mps}, c);
+                               : flight_of(look, {velocity, frame.anchor_s, frame.radar_mps, {}, {}, 0.0}, c);
   double amplitude = frame.amplitude_scale * points.root_rcs_m[i];
   if (!points.normal_x.empty()) {
     const core::Vec3 normal =
@@ -99,9 +99,13 @@ ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame
     amplitude *= std::sqrt(std::max(0.0, -core::dot(normal, flight.look_m) / core::norm(flight.look_m)));
   }
   if (frame.spreading) amplitude /= flight.path.out_m * flight.path.back_m;
-  const double bend = bend_of(flight.look_m, velocity - frame.radar_mps,
-                              frame.acceleration_mps2 + frame.world_from_platform_acceleration * point, c);
-  return {flight.delay_s, amplitude, flight.doppler, frame.bends ? bend : 0.0};
+  if (!frame.bends) return {flight.delay_s, amplitude, flight.doppler, 0.0};
+  const FlightMotion motion{velocity, frame.anchor_s, frame.radar_mps,
+                            frame.acceleration_mps2 + frame.world_from_platform_acceleration * point, frame.radar_mps2,
+                            frame.back_s};
+  Flight bent = flight;
+  bend(bent, motion, c);
+  return {bent.delay_s, amplitude, bent.doppler, bend_of(flight.look_m, motion, c)};
 }
 
 // What moves, and by which rule.
@@ -115,6 +119,8 @@ std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
   both.radar_mps = {7600.0, -50.0, 20.0};
   both.bends = true;
   both.acceleration_mps2 = {30.0, -9.0, 4.0};
+  both.radar_mps2 = {1.0, -8.0, 2.0};
+  both.back_s = 3e-3;
   both.world_from_platform_acceleration = random_matrix(random, 0.05);
   SightFrame still = random_frame(random);
   still.velocity_mps = {};

@@ -10,9 +10,13 @@ namespace sarsim::radar {
 /// How a point and a radar move while a pulse is under way. World axes; times count from the sending of the pulse's
 /// middle.
 struct FlightMotion {
-  core::Vec3 point_mps;   ///< Velocity of the point where the pulse meets it.
-  double anchor_s = 0.0;  ///< When the point is where the look vector says: near the moment at which it is met.
-  core::Vec3 radar_mps;   ///< Mean velocity of the radar from sending to reception.
+  core::Vec3 point_mps = {};  ///< Velocity of the point where the pulse meets it.
+  double anchor_s = 0.0;      ///< When the point is where the look vector says: near the moment at which it is met.
+  core::Vec3 radar_mps = {};  ///< Mean velocity of the radar from sending to about reception.
+  // For `bend_of` and `bend` alone:
+  core::Vec3 point_mps2 = {};  ///< Acceleration of the point,
+  core::Vec3 radar_mps2 = {};  ///< and of the radar.
+  double back_s = 0.0;         ///< About when the echo is back, to where `radar_mps` is the mean.
 };
 
 /// A pulse's way to a point and home.
@@ -74,14 +78,30 @@ struct Flight {
 
 /// The rate at which the delay's own rate changes, 1/s: 2/c times the second derivative of the distance,
 /// (V^2 - v^2)/d + u.a. To the first order in speed over c of itself.
-/// @param velocity_mps       of the point relative to the radar
-/// @param acceleration_mps2  likewise
-[[nodiscard]] inline double bend_of(const core::Vec3& look_m, const core::Vec3& velocity_mps,
-                                    const core::Vec3& acceleration_mps2, double light_speed_mps) {
+/// @param look_m  from the radar to the point
+[[nodiscard]] inline double bend_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
+  const core::Vec3 velocity_mps = motion.point_mps - motion.radar_mps;
   const double distance2 = core::dot(look_m, look_m);
   const double along = core::dot(look_m, velocity_mps);
   const double curvature = core::dot(velocity_mps, velocity_mps) - along * along / distance2;
-  return delay_of((curvature + core::dot(look_m, acceleration_mps2)) / std::sqrt(distance2), light_speed_mps);
+  const double by_motion = core::dot(look_m, motion.point_mps2 - motion.radar_mps2);
+  return delay_of((curvature + by_motion) / std::sqrt(distance2), light_speed_mps);
+}
+
+/// What accelerations add to a flight whose times are not those that its motion holds for: with e = t1 less the anchor
+/// and g = tau less `back_s`,
+///
+///     c tau:  u.a_P e^2 - u.a_R tau g/2        D:  (2 u.a_P e - u.a_R g)/c
+///
+/// so that a platform of any size may share its anchor; what is left is of third order in e and g.
+inline void bend(Flight& flight, const FlightMotion& motion, double light_speed_mps) {
+  const core::Vec3 towards = (1.0 / flight.path.out_m) * flight.look_m;
+  const double early_s = flight.path.out_m / light_speed_mps - motion.anchor_s;
+  const double late_s = flight.delay_s - motion.back_s;
+  const double of_point = core::dot(towards, motion.point_mps2) * early_s;
+  const double of_radar = core::dot(towards, motion.radar_mps2) * late_s;
+  flight.delay_s += (of_point * early_s - 0.5 * of_radar * flight.delay_s) / light_speed_mps;
+  flight.doppler += (2.0 * of_point - of_radar) / light_speed_mps;
 }
 
 }  // namespace sarsim::radar

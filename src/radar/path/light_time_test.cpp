@@ -102,9 +102,34 @@ TEST(BendOf, IsTheSecondDerivativeOfTheDelay) {
     const long double h = 1e-2L;
     const long double second = (delay_from(radar, point, h) - 2.0L * delay_from(radar, point, 0.0L) +
                                 delay_from(radar, point, -h)) / (h * h);
-    const double bend = bend_of(point.place - radar.place, point.velocity - radar.velocity,
-                                point.acceleration - radar.acceleration, c);
+    const FlightMotion motion{point.velocity, 0.0, radar.velocity, point.acceleration, radar.acceleration, 0.0};
+    const double bend = bend_of(point.place - radar.place, motion, c);
     EXPECT_NEAR(bend, static_cast<double>(second), 1e-5 * std::abs(bend) + 1e-10);
+  }
+}
+
+// A satellite and a plate a hundred kilometres wide that falls: what holds for the middle is bent to its ends.
+TEST(Bend, CarriesAFlightToTimesBesideTheAnchor) {
+  const Moving radar{{0.0, 0.0, 0.0}, {7600.0, 100.0, 0.0}, {0.0, -8.0, 3.0}};
+  for (const double beside : {-5e4, 2e4}) {
+    const Moving point{{3e4, 7e5 + beside, -2e5}, {200.0, -900.0, 30.0}, {5.0, 90.0, -40.0}};
+    const double anchor_s = 2.4e-3, back_s = 4.8e-3;
+    FlightMotion motion;
+    motion.anchor_s = anchor_s;
+    motion.back_s = back_s;
+    motion.point_mps = point.velocity + anchor_s * point.acceleration;
+    motion.radar_mps = radar.velocity + 0.5 * back_s * radar.acceleration;
+    motion.point_mps2 = point.acceleration;
+    motion.radar_mps2 = radar.acceleration;
+    Flight flight = flight_of(double_of(point.at(anchor_s)) - radar.place, motion, c);
+    const auto off = [&] { return std::abs(flight.delay_s - static_cast<double>(delay_from(radar, point, 0.0L))); };
+    const double before_s = off();
+    bend(flight, motion, c);
+    EXPECT_GT(before_s, 1e-14);
+    EXPECT_LT(off(), 1e-3 * before_s);
+    const long double h = 1e-4L;
+    const long double slope = (delay_from(radar, point, h) - delay_from(radar, point, -h)) / (2.0L * h);
+    EXPECT_NEAR(flight.doppler, static_cast<double>(slope / (1.0L + slope)), 1e-13);
   }
 }
 

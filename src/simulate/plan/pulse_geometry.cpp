@@ -13,23 +13,6 @@
 
 namespace sarsim::simulate {
 
-namespace {
-
-struct Acceleration {
-  core::Vec3 acceleration_world_mps2;
-  core::Mat3 world_from_platform_acceleration;
-};
-
-Acceleration acceleration_of(const radar::Track& track, double time_s, std::int64_t pulse) {
-  constexpr double h = 1e-3;
-  const radar::Pose before = track.at(time_s - h, pulse);
-  const radar::Pose after = track.at(time_s + h, pulse);
-  return {(0.5 / h) * (after.velocity_world_mps - before.velocity_world_mps),
-          (0.5 / h) * (after.world_from_platform_rate + (-1.0) * before.world_from_platform_rate)};
-}
-
-}  // namespace
-
 struct PulseGeometry::Sight {
   radar::Flight flight;
   double bend_per_s = 0.0;
@@ -95,33 +78,40 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) c
     frame.velocity_mps = met.velocity_world_mps;
     frame.anchor_s = out_s;
   }
+  frame.back_s = 2.0 * out_s;
   if (own.track.fixed()) return;
   const core::Vec3 moved_m =
-      own.track.at(time_s_ + 2.0 * out_s, pulse_).position_world_m - radar_pose().position_world_m;
-  frame.radar_mps = out_s > 0.0 ? (0.5 / out_s) * moved_m : radar_pose().velocity_world_mps;
+      own.track.at(time_s_ + frame.back_s, pulse_).position_world_m - radar_pose().position_world_m;
+  frame.radar_mps = out_s > 0.0 ? (1.0 / frame.back_s) * moved_m : radar_pose().velocity_world_mps;
 }
 
-// Whether the delay's acceleration turns the ends of the pulse by more than a twentieth of the tolerance, at most.
+// Whether accelerations count: turn the ends of the pulse, or the echoes of points beside the platform's middle, by more
+// than a twentieth of the tolerance, at most.
 bool PulseGeometry::bend_counts(std::size_t platform, radar::SightFrame& frame) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
-  if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed()) return false;
-  const Acceleration of_carrier = acceleration_of(carrier.track, time_s_ + frame.anchor_s, pulse_);
-  const Acceleration of_radar = acceleration_of(scene_->platforms[radar_->platform].track, time_s_, pulse_);
-  frame.acceleration_mps2 = of_carrier.acceleration_world_mps2 - of_radar.acceleration_world_mps2;
+  const ResolvedPlatform& own = scene_->platforms[radar_->platform];
+  if (carrier.track.fixed() && own.track.fixed()) return false;
+  const radar::PoseAcceleration of_carrier = carrier.track.acceleration_at(time_s_ + frame.anchor_s, pulse_);
+  frame.acceleration_mps2 = of_carrier.acceleration_world_mps2;
   frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
+  frame.radar_mps2 = own.track.acceleration_at(time_s_, radar_pose()).acceleration_world_mps2;
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
   const auto most = [reach_m](const core::Vec3& origin, const core::Mat3& matrix) {
     const double rows = core::norm({core::norm(matrix.row[0]), core::norm(matrix.row[1]), core::norm(matrix.row[2])});
     return core::norm(origin) + rows * reach_m;
   };
   const double speed_mps = most(frame.velocity_mps - frame.radar_mps, frame.world_from_platform_rate);
-  const double acceleration_mps2 = most(frame.acceleration_mps2, frame.world_from_platform_acceleration);
+  const double acceleration_mps2 = most(frame.acceleration_mps2 - frame.radar_mps2, frame.world_from_platform_acceleration);
   const double middle_m = core::norm(frame.origin_m + frame.world_from_platform * carrier.middle_m);
   const double nearest_m = std::max(middle_m - carrier.radius_m, 0.0);
   const double half_s = 0.5 * radar_->pulse.width_s;
   const double bend_per_s =
       radar::delay_of(speed_mps * speed_mps / nearest_m + acceleration_mps2, frame.light_speed_mps);
-  return !(core::pi * carrier_hz_ * bend_per_s * half_s * half_s <= 0.05 * scene_->options.tolerance);
+  const double beside_s = radar::delay_of(carrier.radius_m, frame.light_speed_mps);
+  const double off_m = beside_s * (most(frame.acceleration_mps2, frame.world_from_platform_acceleration) * beside_s +
+                                   core::norm(frame.radar_mps2) * (frame.back_s + beside_s));
+  const double turn_rad = core::pi * carrier_hz_ * (bend_per_s * half_s * half_s + off_m / frame.light_speed_mps);
+  return !(turn_rad <= 0.05 * scene_->options.tolerance);
 }
 
 radar::Pointing PulseGeometry::pointing() const {
@@ -144,12 +134,15 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
     return sight;
   }
   sight.speed_mps = std::max(core::norm(velocity_mps), core::norm(frame.radar_mps));
-  sight.flight = radar::flight_of(look_m, {velocity_mps, frame.anchor_s, frame.radar_mps}, frame.light_speed_mps);
+  radar::FlightMotion motion{velocity_mps, frame.anchor_s, frame.radar_mps};
+  sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
   if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
-  if (frame.bends)
-    sight.bend_per_s = radar::bend_of(
-        sight.flight.look_m, velocity_mps - frame.radar_mps,
-        frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m, frame.light_speed_mps);
+  if (!frame.bends) return sight;
+  motion.point_mps2 = frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m;
+  motion.radar_mps2 = frame.radar_mps2;
+  motion.back_s = frame.back_s;
+  sight.bend_per_s = radar::bend_of(sight.flight.look_m, motion, frame.light_speed_mps);
+  radar::bend(sight.flight, motion, frame.light_speed_mps);
   return sight;
 }
 
