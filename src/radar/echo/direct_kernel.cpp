@@ -117,9 +117,7 @@ SampleSpan DirectKernel::flat_samples(const Source& source, const SampleSpan& on
       std::max(std::abs(source.clock.late_of(half_s)), std::abs(source.clock.late_of(-half_s))) / grid_.interval_s;
   const std::size_t margin = strays == 0.0 ? 0 : 2 + static_cast<std::size_t>(2.0 * strays);
   if (constant.end - constant.begin <= 2 * margin) return {on.begin, on.begin};
-  const auto sample_of = [&](std::size_t c) {
-    return std::clamp(on.begin + c, cell + on.begin, cell + on.end) - cell;
-  };
+  const auto sample_of = [&](std::size_t c) { return std::clamp(on.begin + c, cell + on.begin, cell + on.end) - cell; };
   return {sample_of(constant.begin + margin), sample_of(constant.end - margin)};
 }
 

@@ -18,8 +18,8 @@ namespace sarsim::radar {
 /// complex multiply-add per sample, and the chirp is put back once per row. Long rows are taken in blocks with a centre
 /// each, lest these phases grow beyond what a double resolves. An envelope, I and Q of a user-defined pulse or a
 /// band-limited pulse multiply the tone; their values come from a table (radar/echo/shape_table.hpp), at the times at
-/// which they were sent. Only where that table would be very large, for a band-limited pulse of 50 000 samples in double
-/// precision, or a chirp bends beyond a tone, the reference kernel takes over. One object per thread.
+/// which they were sent. Only where that table would be very large, for a band-limited pulse of 50 000 samples in
+/// double precision, or a chirp bends beyond a tone, the reference kernel takes over. One object per thread.
 ///
 /// Accuracy, relative to each echo's amplitude and the largest magnitude of an envelope or pulse: where `tolerance` is
 /// 1e-6 or more, 3e-7, and 5e-7 with a table; otherwise 1e-11 and the rounding of phases.

@@ -108,7 +108,8 @@ class RowGenerator {
     // Bends up to a quarter of a cycle at the ends, common or spread, or none.
     const double half_s = 0.5 * (r.pulse.last_s() - r.pulse.first_s());
     const bool bends = r.pulse.doppler_rule == DopplerRule::stretch && chance(0.4);
-    const double bend = bends ? std::exp(uniform(std::log(1e-9), std::log(0.25))) / (0.5 * r.carrier_hz * half_s * half_s) : 0.0;
+    const double bend =
+        bends ? std::exp(uniform(std::log(1e-9), std::log(0.25))) / (0.5 * r.carrier_hz * half_s * half_s) : 0.0;
     const double spread = chance(0.5) ? 0.1 : 1.0;
     for (int i = 0; i < count; ++i) {
       const double delay_s = r.grid.first_s + row_s * uniform(-0.5, 1.2);
@@ -142,7 +143,8 @@ double relative_error(const RandomRow& row, const std::vector<std::complex<doubl
   for (std::size_t n = 0; n < got.size(); ++n) error += std::norm(got[n] - expected[n]);
   double strength = 0.0;
   for (std::size_t k = 0; k < row.echoes.size(); ++k) {
-    const SampleSpan on = touched_samples(row.pulse, row.grid, row.echoes.delay_s[k], row.pulse.clock_of(row.echoes, k));
+    const SampleSpan on =
+        touched_samples(row.pulse, row.grid, row.echoes.delay_s[k], row.pulse.clock_of(row.echoes, k));
     if (on.begin < on.end) strength += row.echoes.amplitude_sqrt_w[k] * row.echoes.amplitude_sqrt_w[k];
   }
   return strength == 0.0 ? std::sqrt(error) : std::sqrt(error / (strength * energy(row)));

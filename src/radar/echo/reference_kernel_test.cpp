@@ -94,8 +94,7 @@ void expect_documented_sum(DopplerRule rule, double most_bend) {
         for (std::size_t i = 0; i < grid.count; ++i) {
           std::complex<double> sum = 0.0;
           for (std::size_t k = 0; k < batch.size(); ++k)
-            sum +=
-                formula(pulse, grid.time_s(i), f_hz, batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.clock(k));
+            sum += formula(pulse, grid.time_s(i), f_hz, batch.delay_s[k], batch.amplitude_sqrt_w[k], batch.clock(k));
           // f tau = 3e5 cycles, B Tp = 150, each rounded a few times, for up to 20 echoes of amplitude 1.
           ASSERT_LT(std::abs(row[i] - sum), 20.0 * 2.0 * core::pi * 3.2e5 * 4.0 * epsilon) << i;
         }

@@ -16,12 +16,12 @@ struct ShapePlace {
   PulseClock clock;
   std::size_t sample = 0;  ///< The first one in the row.
   std::size_t count = 0;   ///< As many as stay in the same part of their cells.
-  std::size_t cell = 0;   ///< That of the first sample; each further sample stands in the next one.
-  std::size_t part = 0;   ///< Of the cell, the same for all samples.
-  double y = 0.0;         ///< Place of the first sample in the part, -1 to 1,
-  double y_step = 0.0;    ///< and what it changes by from sample to sample, as the echo is stretched.
-  double position = 0.0;  ///< Of the first sample, sampling intervals after the origin of the table,
-  double drift = 0.0;     ///< and by how much more than one it grows from sample to sample.
+  std::size_t cell = 0;    ///< That of the first sample; each further sample stands in the next one.
+  std::size_t part = 0;    ///< Of the cell, the same for all samples.
+  double y = 0.0;          ///< Place of the first sample in the part, -1 to 1,
+  double y_step = 0.0;     ///< and what it changes by from sample to sample, as the echo is stretched.
+  double position = 0.0;   ///< Of the first sample, sampling intervals after the origin of the table,
+  double drift = 0.0;      ///< and by how much more than one it grows from sample to sample.
 };
 
 /// The shape of a pulse, what multiplies the tone of an echo, for SIMD: the samples of an echo are one interval apart,

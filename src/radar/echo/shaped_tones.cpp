@@ -41,8 +41,8 @@ HWY_INLINE void evaluate(const ShapeTable::Block<T>* HWY_RESTRICT coefficients, 
 }
 
 template <class T, bool complex, std::size_t degree = 0>
-void evaluate_degree(std::size_t wanted, const ShapeTable::Block<T>* coefficients, std::size_t blocks, CellPlaces places,
-                     T* re, T* im) {
+void evaluate_degree(std::size_t wanted, const ShapeTable::Block<T>* coefficients, std::size_t blocks,
+                     CellPlaces places, T* re, T* im) {
   if constexpr (degree < fit_terms) {
     if (wanted == degree)
       evaluate<T, complex, degree>(coefficients, blocks, places, re, im);

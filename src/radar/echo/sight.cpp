@@ -43,6 +43,14 @@ HWY_INLINE Triple outer(const Triple& a, const Triple& b) {
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
+HWY_INLINE Triple scaled(Tag d, const core::Vec3& v, double factor) {
+  return {hn::Set(d, factor * v.x), hn::Set(d, factor * v.y), hn::Set(d, factor * v.z)};
+}
+
+HWY_INLINE Triple plus(const Triple& a, Vector factor, const Triple& b) {
+  return {hn::MulAdd(factor, b.x, a.x), hn::MulAdd(factor, b.y, a.y), hn::MulAdd(factor, b.z, a.z)};
+}
+
 HWY_INLINE Vector degrees(Tag d, Vector radians) { return hn::Mul(radians, hn::Set(d, 57.295779513082320877)); }
 
 // Points [first, first + count) of the columns, one to a lane; lanes that are left over repeat the last one.
@@ -242,7 +250,12 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, 
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
   if (points.law == PointArrays::Law::isotropic) return;
-  const Triple normal = turned(d, frame.world_from_platform, normals(d, points, at, frame.pulse), core::Vec3{});
+  const Triple of_platform = normals(d, points, at, frame.pulse);
+  Triple normal = turned(d, frame.world_from_platform, of_platform, core::Vec3{});
+  if (frame.moves) {
+    const auto early = hn::Sub(hn::Div(distance, hn::Set(d, frame.light_speed_mps)), hn::Set(d, frame.anchor_s));
+    normal = plus(normal, early, turned(d, frame.world_from_platform_rate, of_platform, core::Vec3{}));
+  }
   const auto towards = hn::Neg(inner(normal, look));
   if (points.law == PointArrays::Law::cosine) {
     amplitude = hn::Mul(amplitude, hn::Sqrt(hn::Max(hn::Div(towards, distance), hn::Zero(d))));
@@ -264,20 +277,12 @@ struct Columns {
 
 // The flights of one vector of points.
 struct Flights {
-  Triple look;         // to the points as they are met
-  Vector distance;     // its length
-  Vector ways;         // way out times way home
+  Triple look;      // to the points as they are met
+  Vector distance;  // its length
+  Vector ways;      // way out times way home
   Vector delay, doppler;
-  Mask slow;           // nothing near the speed of light
+  Mask slow;  // nothing near the speed of light
 };
-
-HWY_INLINE Triple scaled(Tag d, const core::Vec3& v, double factor) {
-  return {hn::Set(d, factor * v.x), hn::Set(d, factor * v.y), hn::Set(d, factor * v.z)};
-}
-
-HWY_INLINE Triple plus(const Triple& a, Vector factor, const Triple& b) {
-  return {hn::MulAdd(factor, b.x, a.x), hn::MulAdd(factor, b.y, a.y), hn::MulAdd(factor, b.z, a.z)};
-}
 
 // thesis_flight_of, in vectors.
 HWY_INLINE Flights thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
@@ -297,6 +302,7 @@ HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple&
   const double per_light = 1.0 / frame.light_speed_mps;
   const Triple w = scaled(d, frame.radar_mps, per_light);
   const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
+  const double slope_w = per_light * per_light * core::dot(frame.radar_mps, frame.radar_slope_mps);
   Flights out;
   out.look = look;
   const auto distance2 = inner(look, look);
@@ -315,9 +321,10 @@ HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple&
   out.ways = hn::Mul(out.distance, home);
   out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
   // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w).
-  const auto home_w = hn::MulSub(length, hn::Set(d, w2), along);
-  out.doppler = hn::Div(hn::MulSub(home_w, out.distance, hn::Mul(along, home)),
-                        hn::Mul(home, hn::Sub(out.distance, along)));
+  const auto out_w = inner(look, scaled(d, frame.radar_slope_mps, per_light));
+  const auto home_w = hn::MulSub(length, hn::Set(d, slope_w), out_w);
+  out.doppler =
+      hn::Div(hn::MulSub(home_w, out.distance, hn::Mul(out_w, home)), hn::Mul(home, hn::Sub(out.distance, out_w)));
   return out;
 }
 
@@ -326,8 +333,10 @@ HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, c
   const double per_light = 1.0 / frame.light_speed_mps;
   const auto scale = hn::Set(d, per_light);
   const Triple b{hn::Mul(velocity.x, scale), hn::Mul(velocity.y, scale), hn::Mul(velocity.z, scale)};
-  const Triple w = scaled(d, frame.radar_mps, per_light);
+  const Triple way = scaled(d, frame.radar_mps, per_light);
+  const Triple w = scaled(d, frame.radar_slope_mps, per_light);
   const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
+  const double slope_w = per_light * per_light * core::dot(frame.radar_mps, frame.radar_slope_mps);
   const Triple r = plus(look, hn::Set(d, -frame.anchor_s), velocity);
   const auto one = hn::Set(d, 1.0);
   const auto rb = inner(r, b);
@@ -336,19 +345,19 @@ HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, c
   Flights out;
   out.distance = hn::Div(hn::Add(rb, hn::Sqrt(hn::MulAdd(rb, rb, hn::Mul(inner(r, r), still)))), still);
   out.look = plus(r, out.distance, b);
-  const auto along = inner(out.look, w);
-  const auto half = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, 1.0 / (1.0 - w2)));
+  const auto half = hn::Mul(hn::Sub(out.distance, inner(out.look, way)), hn::Set(d, 1.0 / (1.0 - w2)));
   const auto length = hn::Add(half, half);
   const auto home = hn::Sub(length, out.distance);
   out.ways = hn::Mul(out.distance, home);
   out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
+  const auto out_w_m = inner(out.look, w);
   const auto per_out = hn::Div(one, out.distance);
   const auto per_home = hn::Div(one, home);
   const auto out_b_m = inner(out.look, b);
-  const auto out_w = hn::Mul(along, per_out);
+  const auto out_w = hn::Mul(out_w_m, per_out);
   const auto out_b = hn::Mul(out_b_m, per_out);
-  const auto home_w = hn::Mul(hn::MulSub(length, hn::Set(d, w2), along), per_home);
-  const auto home_b = hn::Mul(hn::MulSub(length, inner(w, b), out_b_m), per_home);
+  const auto home_w = hn::Mul(hn::MulSub(length, hn::Set(d, slope_w), out_w_m), per_home);
+  const auto home_b = hn::Mul(hn::MulSub(length, inner(way, b), out_b_m), per_home);
   const auto sum = hn::Add(hn::Sub(out_b, home_b), hn::Sub(home_w, out_w));
   const auto products = hn::MulSub(out_w, home_b, hn::Mul(out_b, home_w));
   out.doppler = hn::Div(hn::Add(sum, products), hn::Mul(hn::Sub(one, out_w), hn::Sub(one, home_b)));
@@ -359,7 +368,7 @@ HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, c
 // bend_of and bend, in vectors.
 HWY_INLINE Vector bent(Tag d, const SightFrame& frame, const Triple& point, const Triple& velocity, Flights& flight) {
   const auto per_light = hn::Set(d, 1.0 / frame.light_speed_mps);
-  const Triple relative = plus(velocity, hn::Set(d, -1.0), scaled(d, frame.radar_mps, 1.0));
+  const Triple relative = plus(velocity, hn::Set(d, -1.0), scaled(d, frame.radar_slope_mps, 1.0));
   const Triple acceleration = turned(d, frame.world_from_platform_acceleration, point, frame.acceleration_mps2);
   const auto per_distance = hn::Div(hn::Set(d, 1.0), flight.distance);
   const auto speed = hn::Mul(inner(flight.look, relative), per_distance);

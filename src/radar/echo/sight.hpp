@@ -8,6 +8,7 @@
 #include "core/maths/vector.hpp"
 #include "radar/echo/curve_tables.hpp"
 #include "radar/echo/echo_batch.hpp"
+#include "radar/path/light_time.hpp"
 
 namespace sarsim::radar {
 
@@ -58,27 +59,22 @@ struct AntennaSight {
   std::array<double, 4> curve_cell{-1.0, -1.0, -1.0, -1.0};
 };
 
-/// How the way of an echo is reckoned.
-enum class LightTime {
-  exact,   ///< Points where the pulse meets them, the radar where it hears of them: `flight_of`.
-  thesis,  ///< Everything where it is when the pulse leaves: `thesis_flight_of`.
-};
-
 /// One pulse's view of a platform: everything relative to the radar as it sends, world axes.
 struct SightFrame {
   LightTime light_time = LightTime::exact;
   core::Mat3 world_from_platform;  ///< At the anchor.
   core::Mat3 world_from_platform_rate;
-  core::Vec3 origin_m;      ///< Platform's origin at the anchor less the radar's position as it sends.
-  core::Vec3 velocity_mps;  ///< Platform's velocity at the anchor; LightTime::thesis: less the radar's.
-  double anchor_s = 0.0;    ///< After sending: when about the pulse meets the platform; 0 by LightTime::thesis.
-  core::Vec3 radar_mps;     ///< Mean velocity of the radar until about the echo is back; LightTime::exact.
-  bool moves = false;       ///< Whether any point of the platform has a velocity; LightTime::exact.
-  bool bends = false;       ///< Whether bends are asked for; LightTime::exact.
+  core::Vec3 origin_m;           ///< Platform's origin at the anchor less the radar's position as it sends.
+  core::Vec3 velocity_mps;       ///< Platform's velocity at the anchor; LightTime::thesis: less the radar's.
+  double anchor_s = 0.0;         ///< After sending: when about the pulse meets the platform; 0 by LightTime::thesis.
+  core::Vec3 radar_mps;          ///< The radar's way until about the echo is back over that time; LightTime::exact,
+  core::Vec3 radar_slope_mps;    ///< and the mean of its velocities then.
+  bool moves = false;            ///< Whether any point of the platform has a velocity; LightTime::exact.
+  bool bends = false;            ///< Whether bends are asked for; LightTime::exact.
   core::Vec3 acceleration_mps2;  ///< Of the platform at the anchor, for bends,
   core::Mat3 world_from_platform_acceleration;
-  core::Vec3 radar_mps2;  ///< and of the radar.
-  double back_s = 0.0;    ///< After sending: when about the echo is back, to where `radar_mps` is the mean.
+  core::Vec3 radar_mps2;          ///< and of the radar.
+  double back_s = 0.0;            ///< After sending: when about the echo is back, to where `radar_mps` is the mean.
   core::Mat3 antenna_from_world;  ///< AntennaSight::Offsets::antenna_frame.
   double axis_azimuth_rad = 0.0;  ///< AntennaSight::Offsets::world_angles.
   double axis_elevation_rad = 0.0;

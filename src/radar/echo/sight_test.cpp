@@ -90,18 +90,25 @@ ScalarEcho plain_echo(const PointArrays& points, std::size_t i, const SightFrame
   const core::Vec3 look = frame.origin_m + frame.world_from_platform * point;
   const core::Vec3 velocity = frame.velocity_mps + frame.world_from_platform_rate * point;
   const bool thesis = frame.light_time == LightTime::thesis;
-  const Flight flight = thesis ? thesis_flight_of(look, velocity, c)
-                               : flight_of(look, {velocity, frame.anchor_s, frame.radar_mps, {}, {}, 0.0}, c);
+  const Flight flight =
+      thesis ? thesis_flight_of(look, velocity, c)
+             : flight_of(look, {velocity, frame.anchor_s, frame.radar_mps, frame.radar_slope_mps, {}, {}, 0.0}, c);
   double amplitude = frame.amplitude_scale * points.root_rcs_m[i];
   if (!points.normal_x.empty()) {
+    const core::Vec3 of_platform{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
+    const double early_s = frame.moves ? flight.path.out_m / c - frame.anchor_s : 0.0;
     const core::Vec3 normal =
-        frame.world_from_platform * core::Vec3{points.normal_x[i], points.normal_y[i], points.normal_z[i]};
+        frame.world_from_platform * of_platform + early_s * (frame.world_from_platform_rate * of_platform);
     amplitude *= std::sqrt(std::max(0.0, -core::dot(normal, flight.look_m) / core::norm(flight.look_m)));
   }
   if (frame.spreading) amplitude /= flight.path.out_m * flight.path.back_m;
   if (!frame.bends) return {flight.delay_s, amplitude, flight.doppler, 0.0};
-  const FlightMotion motion{velocity, frame.anchor_s, frame.radar_mps,
-                            frame.acceleration_mps2 + frame.world_from_platform_acceleration * point, frame.radar_mps2,
+  const FlightMotion motion{velocity,
+                            frame.anchor_s,
+                            frame.radar_mps,
+                            frame.radar_slope_mps,
+                            frame.acceleration_mps2 + frame.world_from_platform_acceleration * point,
+                            frame.radar_mps2,
                             frame.back_s};
   Flight bent = flight;
   bend(bent, motion, c);
@@ -117,6 +124,7 @@ std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
   moving.anchor_s = 9e-6;
   SightFrame both = moving;
   both.radar_mps = {7600.0, -50.0, 20.0};
+  both.radar_slope_mps = {7601.0, -52.0, 23.0};
   both.bends = true;
   both.acceleration_mps2 = {30.0, -9.0, 4.0};
   both.radar_mps2 = {1.0, -8.0, 2.0};
@@ -128,6 +136,7 @@ std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
   still.world_from_platform_acceleration = still.world_from_platform_rate;
   SightFrame from_moving = still;
   from_moving.radar_mps = {-200.0, 100.0, 30.0};
+  from_moving.radar_slope_mps = {-205.0, 103.0, 31.0};
   from_moving.bends = true;
   return {thesis, moving, both, still, from_moving};
 }

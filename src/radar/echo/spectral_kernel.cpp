@@ -52,14 +52,16 @@ double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
 
 // Largest phase per unit of a over the pulse [rad].
 double largest_bend_rad(const PulseBody& body, double carrier_hz) {
-  const double farthest_s = std::max(std::abs(body.from_middle_s(body.first())), std::abs(body.from_middle_s(body.last())));
+  const double farthest_s =
+      std::max(std::abs(body.from_middle_s(body.first())), std::abs(body.from_middle_s(body.last())));
   return core::pi * std::abs(carrier_hz) * farthest_s * farthest_s;
 }
 
 // How far motion may stretch an echo, samples: two-way Doppler of 16 km/s.
 double stretch_room(const EchoPulse& pulse, double interval_s) {
   constexpr double most_doppler = 1.1e-4;
-  return pulse.doppler_rule == DopplerRule::thesis ? 0.0 : most_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
+  return pulse.doppler_rule == DopplerRule::thesis ? 0.0
+                                                   : most_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
 }
 
 // A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
@@ -107,8 +109,8 @@ struct SpectralKernel::Typed : Implementation {
     DopplerSpan span;
     DopplerSpan bends;
     double carrier_hz = 0.0;
-    std::size_t terms = 1;       // in D
-    std::size_t bend_terms = 1;  // times these in a
+    std::size_t terms = 1;                                // in D
+    std::size_t bend_terms = 1;                           // times these in a
     std::vector<std::vector<std::complex<Real>>> factor;  // [bend term x terms + term][mode + modes]
   };
 
@@ -214,11 +216,12 @@ struct SpectralKernel::Typed : Implementation {
     Spectra wanted;
     wanted.carrier_hz = carrier_hz;
     wanted.span = span_covering(lowest, highest);
-    wanted.bends = bends_covering(gathered.lowest_bend, gathered.highest_bend, largest_bend_rad(body, carrier_hz),
-                                  settings.share);
+    wanted.bends =
+        bends_covering(gathered.lowest_bend, gathered.highest_bend, largest_bend_rad(body, carrier_hz), settings.share);
     wanted.terms = terms_of(wanted.span, largest_doppler_rad(body, carrier_hz));
     wanted.bend_terms = terms_of(wanted.bends, largest_bend_rad(body, carrier_hz));
-    if (!has_body || strays(lowest, highest, carrier_hz) || wanted.terms * wanted.bend_terms > most_doppler_terms) return false;
+    if (!has_body || strays(lowest, highest, carrier_hz) || wanted.terms * wanted.bend_terms > most_doppler_terms)
+      return false;
     const double frequency_hz = body.largest_frequency_hz(carrier_hz);
     Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * frequency_hz * grid.interval_s);
     const Spectra& s = spectra_for(band, wanted);
@@ -231,8 +234,8 @@ struct SpectralKernel::Typed : Implementation {
     return span.half > 0.0 ? terms_for(largest_rad * span.half, settings.share) : 1;
   }
 
-  // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges follow:
-  // these keep their shape, and the Doppler of the hard end.
+  // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges
+  // follow: these keep their shape, and the Doppler of the hard end.
   [[nodiscard]] bool strays(double lowest, double highest, double carrier_hz) const {
     if (pulse->doppler_rule == DopplerRule::thesis || !gathered.moving()) return false;
     const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
@@ -488,7 +491,7 @@ struct SpectralKernel::Typed : Implementation {
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   bool has_body = false;
-  double steepest_edge = 0.0;  // 1/sample
+  double steepest_edge = 0.0;              // 1/sample
   std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
 
   std::vector<std::complex<Real>> response;  // of the filter, but for its scale

@@ -36,7 +36,8 @@ struct RowFilter {
 /// the
 ///   integral of a Kaiser window; its spectrum is negligible beyond the pulse's band plus a margin. What it leaves out
 ///   at the edges is added directly, as polynomials in the fraction of a sample.
-/// - What motion does to an echo, by D and a, is interpolated between a few Chebyshev nodes, each with a spectrum of its
+/// - What motion does to an echo, by D and a, is interpolated between a few Chebyshev nodes, each with a spectrum of
+/// its
 ///   own; edges take the exact factor.
 ///
 /// Relative error per pulse, ||s - s_ref|| / sqrt(sum |a|^2 ||p||^2), below the tolerance: single precision from 1e-6

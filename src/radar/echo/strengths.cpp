@@ -127,8 +127,7 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   const bool bends = !echoes.bend_per_s.empty();
   const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.doppler.data(),
                     bends ? echoes.bend_per_s.data() : nullptr};
-  for (; k + lanes <= count; k += lanes)
-    keep_touching(strengths_at<Real>(all.from(k), frame), frame, lanes, kept, out);
+  for (; k + lanes <= count; k += lanes) keep_touching(strengths_at<Real>(all.from(k), frame), frame, lanes, kept, out);
   if (k < count) {
     HWY_ALIGN double rest[4][hn::MaxLanes(dd)];
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -269,8 +268,8 @@ void weigh_strengths(std::span<const std::complex<float>> strength, std::span<co
   HWY_DYNAMIC_DISPATCH(weigh_single)(strength, at, span, terms, weighted.data());
 }
 template <>
-void weigh_strengths(std::span<const std::complex<double>> strength, std::span<const double> at, const DopplerSpan& span,
-                     std::size_t terms, std::span<std::complex<double>> weighted) {
+void weigh_strengths(std::span<const std::complex<double>> strength, std::span<const double> at,
+                     const DopplerSpan& span, std::size_t terms, std::span<std::complex<double>> weighted) {
   CORE_EXPECT(terms > 0);
   CORE_EXPECT(terms <= most_doppler_terms);
   CORE_EXPECT(span.half >= 0.0);

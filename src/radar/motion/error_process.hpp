@@ -21,9 +21,9 @@ namespace sarsim::radar {
 /// far closer. The same (seed, object, time) always gives the same deviation. Costs about 512 random numbers a call.
 ///
 /// The deviation has a derivative where h is continuous everywhere: where it vanishes at its first and last point. At a
-/// jump of h the speed is white noise, without a variance of its own (the grid would give it one of jump^2 512/support);
-/// it is left out, the slope of such a deviation is 0. A jump of at most 1/100 of the largest |h| counts as none: it
-/// adds below 1/20 to the variance that a triangle's speed has.
+/// jump of h the speed is white noise, without a variance of its own (the grid would give it one of jump^2
+/// 512/support); it is left out, the slope of such a deviation is 0. A jump of at most 1/100 of the largest |h| counts
+/// as none: it adds below 1/20 to the variance that a triangle's speed has.
 class ErrorProcess {
  public:
   ErrorProcess() = default;

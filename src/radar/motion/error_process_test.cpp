@@ -116,9 +116,9 @@ TEST(ErrorProcess, SlopeIsTheDifferenceQuotientAndTheDeviationIsContinuous) {
 
 // A jump of h makes white noise of the speed, and a grid of 512 steps would give it the variance jump^2 512/T.
 TEST(ErrorProcess, HasNoSpeedWhereTheEnvelopeJumps) {
-  for (const auto& knots : {std::vector<core::Knot>{{0.0, 0.8}, {2.0, 0.8}},
-                            std::vector<core::Knot>{{0.0, 0.0}, {2.0, 0.8}},
-                            std::vector<core::Knot>{{-1.0, -0.02}, {0.0, 1.0}, {1.0, 0.0}}}) {
+  for (const auto& knots :
+       {std::vector<core::Knot>{{0.0, 0.8}, {2.0, 0.8}}, std::vector<core::Knot>{{0.0, 0.0}, {2.0, 0.8}},
+        std::vector<core::Knot>{{-1.0, -0.02}, {0.0, 1.0}, {1.0, 0.0}}}) {
     const ErrorProcess d = process(envelope(knots));
     for (const double t : {-3.0, 0.0, 0.4, 77.7}) {
       EXPECT_NE(d.at(t).value, 0.0);

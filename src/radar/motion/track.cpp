@@ -104,8 +104,7 @@ core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotatio
     first[i] = rate * first[i];
   }
   const core::Mat3 crossed = first[0] * first[1] * r[2] + first[0] * r[1] * first[2] + r[0] * first[1] * first[2];
-  return core::transposed(second[0] * r[1] * r[2] + r[0] * second[1] * r[2] + r[0] * r[1] * second[2] +
-                          2.0 * crossed);
+  return core::transposed(second[0] * r[1] * r[2] + r[0] * second[1] * r[2] + r[0] * r[1] * second[2] + 2.0 * crossed);
 }
 
 Track::Track(Motion motion, std::uint64_t seed, const std::string& name)

@@ -142,8 +142,8 @@ TEST(Track, ATurntablesPointHasTheCentripetalAcceleration) {
   const Pose pose = track.at(0.7, 0);
   const core::Vec3 arm{2.0, 1.0, 5.0};
   const core::Vec3 level{2.0, 1.0, 0.0};
-  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, pose), arm),
-              -9.0 * (pose.world_from_platform * level), 1000.0 * epsilon);
+  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, pose), arm), -9.0 * (pose.world_from_platform * level),
+              1000.0 * epsilon);
 }
 
 TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {
@@ -151,8 +151,7 @@ TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {
   motion.position_m = {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0),
                        constant(0)};
   motion.aligned = true;
-  motion.position_envelope[1] =
-      core::Interpolator({core::Interpolation::linear, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}});
+  motion.position_envelope[1] = core::Interpolator({core::Interpolation::linear, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}});
   const PoseAcceleration found = Track(motion, 1, "A").acceleration_at(1.3, 0);
   EXPECT_EQ(found.acceleration_world_mps2, core::Vec3{});
   expect_near(found.world_from_platform_acceleration * core::Vec3{1, 2, 3}, {}, epsilon);

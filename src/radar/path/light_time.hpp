@@ -7,12 +7,19 @@
 
 namespace sarsim::radar {
 
+/// How the way of an echo is reckoned.
+enum class LightTime {
+  exact,   ///< Points where the pulse meets them, the radar where it hears of them: `flight_of`.
+  thesis,  ///< Everything where it is when the pulse leaves: `thesis_flight_of`.
+};
+
 /// How a point and a radar move while a pulse is under way. World axes; times count from the sending of the pulse's
 /// middle.
 struct FlightMotion {
   core::Vec3 point_mps = {};  ///< Velocity of the point where the pulse meets it.
   double anchor_s = 0.0;      ///< When the point is where the look vector says: near the moment at which it is met.
-  core::Vec3 radar_mps = {};  ///< Mean velocity of the radar from sending to about reception.
+  core::Vec3 radar_mps = {};  ///< Of the radar, its way from sending to about reception over that time,
+  core::Vec3 radar_slope_mps = {};  ///< and the mean of its velocities then: another one where it jumps or jerks.
   // For `bend_of` and `bend` alone:
   core::Vec3 point_mps2 = {};  ///< Acceleration of the point,
   core::Vec3 radar_mps2 = {};  ///< and of the radar.
@@ -21,11 +28,11 @@ struct FlightMotion {
 
 /// A pulse's way to a point and home.
 struct Flight {
-  core::Vec3 look_m;       ///< From the radar as it sends to the point as it is met.
-  Path path;               ///< c (t1 - t0) and c (t2 - t1).
-  double delay_s = 0.0;    ///< t2 - t0.
-  double doppler = 0.0;    ///< D: what is received at t2 + u was sent at t0 + (1 - D) u. 2 v/(c + v) for a point that
-                           ///< recedes at v along the line of sight.
+  core::Vec3 look_m;     ///< From the radar as it sends to the point as it is met.
+  Path path;             ///< c (t1 - t0) and c (t2 - t1).
+  double delay_s = 0.0;  ///< t2 - t0.
+  double doppler = 0.0;  ///< D: what is received at t2 + u was sent at t0 + (1 - D) u. 2 v/(c + v) for a point that
+                         ///< recedes at v along the line of sight.
 };
 
 /// Solves the two-way light-time equation, |P(t1) - X(t0)| = c (t1 - t0) and |X(t2) - P(t1)| = c (t2 - t1), for a point
@@ -35,24 +42,26 @@ struct Flight {
 ///     d1 = [r.b + sqrt((r.b)^2 + r^2 (1 - b^2))]/(1 - b^2)     r1 = r + d1 b      c tau = 2 (d1 - r1.w)/(1 - w^2)
 ///     1 - D = (1 - u1.b)(1 - u2.w)/[(1 - u1.w)(1 - u2.b)]      u1 = r1/d1         u2 = (c tau w - r1)/d2
 ///
+/// w of the delay from `radar_mps`, of the stretch from `radar_slope_mps`.
+///
 /// @param look_m  from the radar as it sends to the point as it is at the anchor
 /// Speeds must be below that of light; a look of no length gives a path of none and D = 0/0.
 [[nodiscard]] inline Flight flight_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
   const core::Vec3 b = (1.0 / light_speed_mps) * motion.point_mps;
-  const core::Vec3 w = (1.0 / light_speed_mps) * motion.radar_mps;
+  const core::Vec3 way = (1.0 / light_speed_mps) * motion.radar_mps;
+  const core::Vec3 w = (1.0 / light_speed_mps) * motion.radar_slope_mps;
   const core::Vec3 r = look_m - motion.anchor_s * motion.point_mps;
   const double rb = core::dot(r, b);
   const double still = 1.0 - core::dot(b, b);
   Flight flight;
   flight.path.out_m = (rb + std::sqrt(rb * rb + core::dot(r, r) * still)) / still;
   flight.look_m = r + flight.path.out_m * b;
-  const double r1w = core::dot(flight.look_m, w);
-  const double length_m = 2.0 * (flight.path.out_m - r1w) / (1.0 - core::dot(w, w));
+  const double length_m = 2.0 * (flight.path.out_m - core::dot(flight.look_m, way)) / (1.0 - core::dot(way, way));
   flight.path.back_m = length_m - flight.path.out_m;
   flight.delay_s = length_m / light_speed_mps;
-  const double out_w = r1w / flight.path.out_m;
+  const double out_w = core::dot(flight.look_m, w) / flight.path.out_m;
   const double out_b = core::dot(flight.look_m, b) / flight.path.out_m;
-  const core::Vec3 home_m = length_m * w - flight.look_m;
+  const core::Vec3 home_m = length_m * way - flight.look_m;
   const double home_w = core::dot(home_m, w) / flight.path.back_m;
   const double home_b = core::dot(home_m, b) / flight.path.back_m;
   flight.doppler =
@@ -80,7 +89,7 @@ struct Flight {
 /// (V^2 - v^2)/d + u.a. To the first order in speed over c of itself.
 /// @param look_m  from the radar to the point
 [[nodiscard]] inline double bend_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
-  const core::Vec3 velocity_mps = motion.point_mps - motion.radar_mps;
+  const core::Vec3 velocity_mps = motion.point_mps - motion.radar_slope_mps;
   const double distance2 = core::dot(look_m, look_m);
   const double along = core::dot(look_m, velocity_mps);
   const double curvature = core::dot(velocity_mps, velocity_mps) - along * along / distance2;

@@ -54,7 +54,7 @@ TEST(FlightOf, EvenMotionsIsTheSolutionOfTheLightTimeEquation) {
     const Moving point{random_vector(random, 1e6), random_vector(random, speed), {}};
     const double anchor_s = 1e-3;
     const core::Vec3 look = double_of(point.at(anchor_s)) - radar.place;
-    const Flight flight = flight_of(look, {point.velocity, anchor_s, radar.velocity}, c);
+    const Flight flight = flight_of(look, {point.velocity, anchor_s, radar.velocity, radar.velocity}, c);
     const long double delay = delay_from(radar, point, 0.0L);
     // Rounding of the place and of the times.
     EXPECT_NEAR(flight.delay_s, static_cast<double>(delay), 1e-15 * flight.delay_s + 4e-10 / c) << speed;
@@ -62,8 +62,7 @@ TEST(FlightOf, EvenMotionsIsTheSolutionOfTheLightTimeEquation) {
     EXPECT_NEAR(flight.path.out_m, core::norm(flight.look_m), 8e-16 * flight.path.out_m);
     const long double h = 1e-6L;
     const long double slope = (delay_from(radar, point, h) - delay_from(radar, point, -h)) / (2.0L * h);
-    EXPECT_NEAR(flight.doppler, static_cast<double>(slope / (1.0L + slope)),
-                3e-15 + 1e-13 * std::pow(speed / 1e5, 3));
+    EXPECT_NEAR(flight.doppler, static_cast<double>(slope / (1.0L + slope)), 3e-15 + 1e-13 * std::pow(speed / 1e5, 3));
   }
 }
 
@@ -85,10 +84,11 @@ TEST(FlightOf, AlongTheLineOfSightHasTheClosedForms) {
   }
 }
 
-// Findings of a satellite: 7.6 km/s abeam of a point 800 km away, the delay of the thesis is short by V^2 d/c^2 each way.
+// Findings of a satellite: 7.6 km/s abeam of a point 800 km away, the delay of the thesis is short by V^2 d/c^2 each
+// way.
 TEST(FlightOf, ASatelliteAbeamIsLaterThanTheThesisSaysByTwiceVSquaredDOverCCubed) {
   const double v = 7600.0, d = 8e5;
-  const Flight exact = flight_of({0.0, d, 0.0}, {{}, 0.0, {v, 0.0, 0.0}}, c);
+  const Flight exact = flight_of({0.0, d, 0.0}, {{}, 0.0, {v, 0.0, 0.0}, {v, 0.0, 0.0}}, c);
   const Flight thesis = thesis_flight_of({0.0, d, 0.0}, {-v, 0.0, 0.0}, c);
   EXPECT_NEAR(exact.delay_s - thesis.delay_s, 2.0 * v * v * d / (c * c * c), 1e-18);
   EXPECT_NEAR(0.5 * c * (exact.delay_s - thesis.delay_s), 0.514e-3, 1e-6);  // 0.208 rad at 9.65 GHz
@@ -100,9 +100,10 @@ TEST(BendOf, IsTheSecondDerivativeOfTheDelay) {
     const Moving radar{random_vector(random, 1e4), random_vector(random, 300.0), random_vector(random, 10.0)};
     const Moving point{random_vector(random, 1e4), random_vector(random, 300.0), random_vector(random, 100.0)};
     const long double h = 1e-2L;
-    const long double second = (delay_from(radar, point, h) - 2.0L * delay_from(radar, point, 0.0L) +
-                                delay_from(radar, point, -h)) / (h * h);
-    const FlightMotion motion{point.velocity, 0.0, radar.velocity, point.acceleration, radar.acceleration, 0.0};
+    const long double second =
+        (delay_from(radar, point, h) - 2.0L * delay_from(radar, point, 0.0L) + delay_from(radar, point, -h)) / (h * h);
+    const FlightMotion motion{point.velocity,     0.0, radar.velocity, radar.velocity, point.acceleration,
+                              radar.acceleration, 0.0};
     const double bend = bend_of(point.place - radar.place, motion, c);
     EXPECT_NEAR(bend, static_cast<double>(second), 1e-5 * std::abs(bend) + 1e-10);
   }
@@ -119,6 +120,7 @@ TEST(Bend, CarriesAFlightToTimesBesideTheAnchor) {
     motion.back_s = back_s;
     motion.point_mps = point.velocity + anchor_s * point.acceleration;
     motion.radar_mps = radar.velocity + 0.5 * back_s * radar.acceleration;
+    motion.radar_slope_mps = motion.radar_mps;
     motion.point_mps2 = point.acceleration;
     motion.radar_mps2 = radar.acceleration;
     Flight flight = flight_of(double_of(point.at(anchor_s)) - radar.place, motion, c);

@@ -342,8 +342,7 @@ std::array<std::string, 2> complaints(const scene::Scene& scene) {
     }
     return "";
   };
-  return {complaint([&] { geometry.echoes(echoes); }),
-          complaint([&] { fast_echoes(groups, geometry, echoes); })};
+  return {complaint([&] { geometry.echoes(echoes); }), complaint([&] { fast_echoes(groups, geometry, echoes); })};
 }
 
 TEST(FastEchoes, RefuseWhatPulseGeometryRefusesInTheSameWords) {

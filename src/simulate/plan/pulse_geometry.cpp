@@ -21,7 +21,11 @@ struct PulseGeometry::Sight {
 };
 
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
-    : scene_(&scene), radar_(&radar), poses_(scene.platforms.size()), used_(scene.platforms.size(), false), frames_(scene.platforms.size()) {
+    : scene_(&scene),
+      radar_(&radar),
+      poses_(scene.platforms.size()),
+      used_(scene.platforms.size(), false),
+      frames_(scene.platforms.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
   used_[radar.platform] = true;
@@ -62,7 +66,8 @@ void PulseGeometry::set_frame(std::size_t platform) {
   bends_ = bends_ || frame.bends;
 }
 
-// The platform is taken where the pulse meets its middle, the radar's velocity from where it is as that echo comes back.
+// The platform is taken where the pulse meets its middle, the radar's velocity from where it is as that echo comes
+// back.
 void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
@@ -80,13 +85,14 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) c
   }
   frame.back_s = 2.0 * out_s;
   if (own.track.fixed()) return;
-  const core::Vec3 moved_m =
-      own.track.at(time_s_ + frame.back_s, pulse_).position_world_m - radar_pose().position_world_m;
-  frame.radar_mps = out_s > 0.0 ? (1.0 / frame.back_s) * moved_m : radar_pose().velocity_world_mps;
+  const radar::Pose back = own.track.at(time_s_ + frame.back_s, pulse_);
+  frame.radar_slope_mps = 0.5 * (radar_pose().velocity_world_mps + back.velocity_world_mps);
+  frame.radar_mps = out_s > 0.0 ? (1.0 / frame.back_s) * (back.position_world_m - radar_pose().position_world_m)
+                                : frame.radar_slope_mps;
 }
 
-// Whether accelerations count: turn the ends of the pulse, or the echoes of points beside the platform's middle, by more
-// than a twentieth of the tolerance, at most.
+// Whether accelerations count: turn the ends of the pulse, or the echoes of points beside the platform's middle, by
+// more than a twentieth of the tolerance, at most.
 bool PulseGeometry::bend_counts(std::size_t platform, radar::SightFrame& frame) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
@@ -100,8 +106,9 @@ bool PulseGeometry::bend_counts(std::size_t platform, radar::SightFrame& frame) 
     const double rows = core::norm({core::norm(matrix.row[0]), core::norm(matrix.row[1]), core::norm(matrix.row[2])});
     return core::norm(origin) + rows * reach_m;
   };
-  const double speed_mps = most(frame.velocity_mps - frame.radar_mps, frame.world_from_platform_rate);
-  const double acceleration_mps2 = most(frame.acceleration_mps2 - frame.radar_mps2, frame.world_from_platform_acceleration);
+  const double speed_mps = most(frame.velocity_mps - frame.radar_slope_mps, frame.world_from_platform_rate);
+  const double acceleration_mps2 =
+      most(frame.acceleration_mps2 - frame.radar_mps2, frame.world_from_platform_acceleration);
   const double middle_m = core::norm(frame.origin_m + frame.world_from_platform * carrier.middle_m);
   const double nearest_m = std::max(middle_m - carrier.radius_m, 0.0);
   const double half_s = 0.5 * radar_->pulse.width_s;
@@ -127,14 +134,13 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   const core::Vec3 velocity_mps = frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m;
   const core::Vec3 look_m = frame.origin_m + frame.world_from_platform * point_m;
   Sight sight;
-  sight.distance_m =
-      core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
+  sight.distance_m = core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
   if (frame.light_time == radar::LightTime::thesis) {
     sight.flight = radar::thesis_flight_of(look_m, velocity_mps, frame.light_speed_mps);
     return sight;
   }
   sight.speed_mps = std::max(core::norm(velocity_mps), core::norm(frame.radar_mps));
-  radar::FlightMotion motion{velocity_mps, frame.anchor_s, frame.radar_mps};
+  radar::FlightMotion motion{velocity_mps, frame.anchor_s, frame.radar_mps, frame.radar_slope_mps, {}, {}, 0.0};
   sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
   if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
   if (!frame.bends) return sight;
@@ -144,6 +150,15 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   sight.bend_per_s = radar::bend_of(sight.flight.look_m, motion, frame.light_speed_mps);
   radar::bend(sight.flight, motion, frame.light_speed_mps);
   return sight;
+}
+
+// A normal of the platform's as the pulse meets the point.
+core::Vec3 PulseGeometry::normal_at(const radar::SightFrame& frame, const core::Vec3& normal_platform,
+                                    const Sight& sight) const {
+  const core::Vec3 at_anchor = frame.world_from_platform * normal_platform;
+  if (!frame.moves) return at_anchor;
+  const double early_s = sight.flight.path.out_m / frame.light_speed_mps - frame.anchor_s;
+  return at_anchor + early_s * (frame.world_from_platform_rate * normal_platform);
 }
 
 ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const {
@@ -197,7 +212,7 @@ ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& poin
   const Sight sight = sight_of(s.platform, point_m, s.position_m);
   rcs_m2 = std::max(0.0, rcs_m2);
   if (s.law != radar::ReflectivityLaw::isotropic) {
-    const core::Vec3 normal_world = frame.world_from_platform * core::direction(azimuth, elevation);
+    const core::Vec3 normal_world = normal_at(frame, core::direction(azimuth, elevation), sight);
     static const core::Interpolator none;
     const core::Interpolator& curve = s.law == radar::ReflectivityLaw::user ? scene_->gain_curves[s.gain_curve] : none;
     rcs_m2 *= radar::reflectivity(s.law, curve, radar::incidence_rad(normal_world, sight.flight.look_m));
@@ -232,13 +247,13 @@ void PulseGeometry::expect_possible(std::string_view kind, std::size_t index, co
   throw ImpossibleEcho(std::move(problem));
 }
 
-std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& sheet, const core::Vec3& normal_world,
-                                                       const core::Vec3& point_m,
+std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& sheet, const core::Vec3& point_m,
                                                        const radar::Pointing& pointing) const {
   static const core::Interpolator none;
   const Sight sight = sight_of(sheet.platform, point_m, point_m);
-  const double law =
-      radar::reflectivity(radar::ReflectivityLaw::cosine, none, radar::incidence_rad(normal_world, sight.flight.look_m));
+  const core::Vec3 normal_world = normal_at(frames_[sheet.platform], sheet.normal_platform, sight);
+  const double law = radar::reflectivity(radar::ReflectivityLaw::cosine, none,
+                                         radar::incidence_rad(normal_world, sight.flight.look_m));
   if (law <= 0.0) return std::nullopt;
   const ScattererView view = seen(sight, sheet.point_rcs_m2 * law, pointing);
   // A plane through the radar shows it neither side.
@@ -249,15 +264,13 @@ std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& she
 std::optional<ScattererView> PulseGeometry::sheet_view(std::size_t sheet, std::size_t point,
                                                        const radar::Pointing& pointing) const {
   const ScattererSheet& surface = scene_->sheets[sheet];
-  const core::Vec3 normal_world = frames_[surface.platform].world_from_platform * surface.normal_platform;
-  return point_view(surface, normal_world, surface.points_m[point], pointing);
+  return point_view(surface, surface.points_m[point], pointing);
 }
 
 void PulseGeometry::add_sheet(std::size_t index, const radar::Pointing& pointing, radar::EchoBatch& echoes) const {
   const ScattererSheet& sheet = scene_->sheets[index];
-  const core::Vec3 normal_world = frames_[sheet.platform].world_from_platform * sheet.normal_platform;
   for (const core::Vec3& point_m : sheet.points_m) {
-    const std::optional<ScattererView> v = point_view(sheet, normal_world, point_m, pointing);
+    const std::optional<ScattererView> v = point_view(sheet, point_m, pointing);
     if (!v) continue;
     expect_possible("surface", index, *v);
     add(*v, echoes);

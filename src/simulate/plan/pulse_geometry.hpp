@@ -68,12 +68,12 @@ class PulseGeometry {
   void set_frame(std::size_t platform);
   void set_flight(std::size_t platform, radar::SightFrame& frame) const;
   [[nodiscard]] bool bend_counts(std::size_t platform, radar::SightFrame& frame) const;
-  [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m,
-                               const core::Vec3& undisturbed_m) const;
+  [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m, const core::Vec3& undisturbed_m) const;
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const;
+  [[nodiscard]] core::Vec3 normal_at(const radar::SightFrame& frame, const core::Vec3& normal_platform,
+                                     const Sight& sight) const;
   void add(const ScattererView& view, radar::EchoBatch& echoes) const;
-  [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const core::Vec3& normal_world,
-                                                        const core::Vec3& point_m,
+  [[nodiscard]] std::optional<ScattererView> point_view(const ScattererSheet& sheet, const core::Vec3& point_m,
                                                         const radar::Pointing& pointing) const;
   void add_sheet(std::size_t index, const radar::Pointing& pointing, radar::EchoBatch& echoes) const;
 

@@ -3,7 +3,8 @@
 #include "core/maths/interpolator.hpp"
 #include "radar/antenna/beam.hpp"
 #include "radar/antenna/pattern.hpp"
-#include "radar/echo/sight.hpp"
+#include "radar/echo/pulse_clock.hpp"
+#include "radar/path/light_time.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::simulate {

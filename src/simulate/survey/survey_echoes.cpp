@@ -175,7 +175,7 @@ class Look {
     if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
     if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
       return true;
-    const radar::SampleSpan touched = 
+    const radar::SampleSpan touched =
         radar::touched_samples(plan_.pulse, grid, view.delay_s, plan_.pulse.clock_of(view.clock));
     return touched.begin < touched.end;
   }

@@ -15,8 +15,9 @@ void add_textbook_echoes(std::span<std::complex<double>> row, const radar::Sampl
     for (std::size_t n = on.begin; n < on.end; ++n) {
       const double u = grid.time_s(n) - echoes.delay_s[k] + pulse.lead_s - 0.5 * pulse.pulse.width_s;
       const double sent = clock.sent(u);
-      const double phase = 2.0 * core::pi * (0.5 * rate_hz_per_s * sent * sent - carrier_hz * echoes.delay_s[k] -
-                                             carrier_hz * clock.late(u));
+      const double phase =
+          2.0 * core::pi *
+          (0.5 * rate_hz_per_s * sent * sent - carrier_hz * echoes.delay_s[k] - carrier_hz * clock.late(u));
       row[n] += std::complex<double>(echoes.amplitude_sqrt_w[k] * std::cos(phase),
                                      echoes.amplitude_sqrt_w[k] * std::sin(phase));
     }
